@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/describe_run.hpp"
+
+#include "cli/error_budget.hpp"
+#include "draw/library_versions.hpp"
+#include "draw/pen_travel.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace orograph {
+namespace {
+
+std::string projection_name(Projection projection) {
+  return projection == Projection::perspective ? "perspective" : "orthographic";
+}
+
+// In [0, 360); exactly the direction's for views along the axes.
+double azimuth_deg(Vec2 direction) {
+  const double deg = atan2_angle(direction.x, direction.y).in_degrees();
+  return deg < 0 ? deg + 360 : deg;
+}
+
+std::string spacing_text(const PlanRequest& plan) {
+  if (const auto* page = std::get_if<PageSpacing>(&plan)) return fmt::format("{}mm", page->mm);
+  if (const auto* ground = std::get_if<GroundSpacing>(&plan)) return fmt::format("{}m", ground->m);
+  return fmt::format("{} profiles", std::get<ProfileCount>(plan).count);
+}
+
+Vec3 eye_on_map(const View& view, const MapFrame& map) {
+  return map.to_map(
+      {view.depth_origin_m.x, view.depth_origin_m.y, view.eye_z_m / view.exaggeration});
+}
+
+ViewReport describe_view(const Scene& scene, const MapFrame& map) {
+  const View& view = scene.view;
+  ViewReport out;
+  out.projection = projection_name(view.projection);
+  out.look_azimuth_deg = azimuth_deg(view.forward);
+  out.view_from_azimuth_deg = azimuth_deg(-1.0 * view.forward);
+  out.elevation_deg = view.elevation.in_degrees();
+  out.look_at = map.to_map(view.look_at_m);
+  if (view.is_perspective()) {
+    out.eye = eye_on_map(view, map);
+    const Vec3 to_eye{view.depth_origin_m.x - view.look_at_m.x,
+                      view.depth_origin_m.y - view.look_at_m.y,
+                      view.eye_z_m / view.exaggeration - view.look_at_m.z};
+    out.distance_m = length(to_eye);
+    out.field_of_view_deg = atan2_angle(view.window.high.x, 1).in_degrees() -
+                            atan2_angle(view.window.low.x, 1).in_degrees();
+  }
+  const Vec3 origin = map.to_map({view.depth_origin_m.x, view.depth_origin_m.y, 0});
+  out.depth_origin = {origin.x, origin.y};
+  out.forward = view.forward;
+  out.roll_deg = view.roll.in_degrees();
+  out.exaggeration = view.exaggeration;
+  out.exaggeration_auto = scene.exaggeration_chosen;
+  out.homography = scene.to_page;
+  return out;
+}
+
+InputReport describe_input(const Terrain& terrain) {
+  const MapFrame& map = terrain.map;
+  const Grid& grid = terrain.grid;
+  return {terrain.source,
+          map.crs_name,
+          map.crs_wkt,
+          map.unit_name,
+          map.height_unit_name,
+          map.unit_m,
+          map.height_unit_m,
+          grid.columns,
+          grid.rows,
+          length(grid.column_step_m),
+          length(grid.row_step_m),
+          terrain.notes};
+}
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
+}
+
+} // namespace
+
+void entitle(Drawing& drawing, const Terrain& terrain, const Scene& scene,
+             const RenderSettings& settings) {
+  const View& view = scene.view;
+  drawing.title = !settings.title.empty()
+                      ? settings.title
+                      : std::filesystem::path(terrain.source).filename().string();
+  drawing.description = fmt::format("{} view from azimuth {:.6g}, elevation {:.6g} degrees; "
+                                    "exaggeration {:.6g}; {} profiles; CRS {}",
+                                    projection_name(view.projection),
+                                    azimuth_deg(-1.0 * view.forward), view.elevation.in_degrees(),
+                                    view.exaggeration, scene.depths_m.size(), terrain.map.crs_name);
+}
+
+void describe_run(RunReport& report, const Terrain& terrain, const Scene& scene,
+                  const DrawnScene& drawn, const RenderSettings& settings) {
+  report.input = describe_input(terrain);
+  report.view = describe_view(scene, terrain.map);
+  report.profiles = {spacing_text(scene.plan), scene.depths_m};
+  report.counts = drawn.counts;
+  report.seconds.cut = drawn.seconds.cut;
+  report.seconds.project = drawn.seconds.project;
+  report.seconds.clip = drawn.seconds.clip;
+  report.seconds.layout = drawn.seconds.layout;
+  report.seconds.plan = 0;
+  report.peak_memory_bytes = peak_memory_bytes();
+  report.error_budget = error_budget(terrain, scene, settings);
+  const PenTravel travel = pen_travel(drawn.drawing);
+  const Page& page = drawn.drawing.page;
+  report.drawing = {
+      settings.output, format_names()[static_cast<std::size_t>(settings.write.format)],
+      page.width_mm,   page.height_mm,
+      page.margin_mm,  travel.down_mm,
+      travel.up_mm};
+  report.libraries = library_versions();
+}
+
+} // namespace orograph

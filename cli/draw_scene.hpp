@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pipeline between reading and writing: for each depth, front to back, cut, project, clip,
+// draw.
+#pragma once
+
+#include "cli/render_settings.hpp"
+#include "cli/report.hpp"
+#include "cli/scene.hpp"
+#include "dem/terrain.hpp"
+#include "draw/drawing.hpp"
+
+#include <functional>
+
+namespace orograph {
+
+struct DrawnScene {
+  Drawing drawing;
+  CountsReport counts;
+  SecondsReport seconds; ///< cut, project, clip and layout only
+};
+
+/// Draws the layers that the settings ask for. `progress` is told the share done, after each
+/// profile.
+DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSettings& settings,
+                      const std::function<void(double)>& progress);
+
+} // namespace orograph

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/error_budget.hpp"
+
+#include "view/place_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace orograph {
+namespace {
+
+// Ends of strokes are within this, or the two lines that cross there are, measured across (DESIGN
+// section 4).
+constexpr double kArithmetic_mm = 1e-9;
+
+double rounding_mm(const WriteOptions& write) {
+  const double half_diagonal = 0.5 * std::numbers::sqrt2;
+  const double page_step = half_diagonal * kPageStep_mm;
+  constexpr double kCairoStep_mm = 25.4 / 72 / 256; // fixed point with 8 bits after the point
+  switch (write.format) {
+  case Format::svg:
+    return page_step;
+  case Format::pdf:
+  case Format::ps:
+  case Format::eps:
+    return page_step + half_diagonal * kCairoStep_mm;
+  case Format::png:
+    return page_step + half_diagonal * 25.4 / write.dpi;
+  case Format::geojson:
+  case Format::gpkg:
+    return 0; // on the ground in full precision
+  }
+  return page_step;
+}
+
+// The map plane is flat: what the earth's curvature, less refraction's 0.13 of it, would move the
+// farthest ground by.
+double geodesy_mm(const Terrain& terrain, const Scene& scene) {
+  if (terrain.map.crs_wkt.empty()) return 0;
+  constexpr double kEarthRadius_m = 6371e3, kRefraction = 0.13;
+  const View& view = scene.view;
+  const double farthest =
+      std::max(std::abs(scene.depths_m.front()), std::abs(scene.depths_m.back()));
+  const double drop = (1 - kRefraction) * farthest * farthest / (2 * kEarthRadius_m);
+  const double mm_per_y = scene.to_page.mm_per_y(plane_of_picture(view, view.window.centre()));
+  return mm_per_y * (view.is_perspective() ? drop / farthest : drop * view.cos_elevation);
+}
+
+} // namespace
+
+ErrorBudget error_budget(const Terrain& terrain, const Scene& scene,
+                         const RenderSettings& settings) {
+  ErrorBudget budget;
+  if (settings.raster.overview) budget.level_of_detail_mm.reset();
+  budget.simplification_mm = settings.simplify_mm;
+  budget.visibility_tolerance_mm = settings.visibility_tolerance_mm;
+  budget.arithmetic_mm = kArithmetic_mm;
+  budget.geodesy_mm = geodesy_mm(terrain, scene);
+  budget.rounding_mm = rounding_mm(settings.write);
+  return budget;
+}
+
+} // namespace orograph

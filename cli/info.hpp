@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `orograph info`: what a terrain is, for people.
+#pragma once
+
+#include "dem/read_raster.hpp"
+#include "dem/terrain.hpp"
+
+#include <string>
+
+namespace orograph {
+
+struct InfoSettings {
+  std::string input;
+  RasterOptions raster;
+};
+
+/// Aligned lines of "word   value": file, size, cell, CRS, units, bounds of the vertices in map
+/// coordinates, heights, missing heights, memory, and the reader's notes. One pass over the
+/// heights.
+std::string describe(const Terrain& terrain);
+
+/// Reads the terrain and prints its description to standard output. Throws Error.
+void info(const InfoSettings& settings);
+
+} // namespace orograph

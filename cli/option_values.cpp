@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The values of options, from text.
+#include "cli/option_values.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace orograph {
+namespace {
+
+template <typename Number>
+std::optional<Number> parse_whole(std::string_view text) {
+  // from_chars knows no leading plus, and people write one.
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+/// As many numbers as asked for, with the separator between them.
+std::optional<std::vector<double>> parse_numbers(std::string_view text, char separator,
+                                                 std::size_t count) {
+  const auto parts = split(text, separator);
+  if (parts.size() != count) return std::nullopt;
+  std::vector<double> numbers;
+  for (const auto& part : parts) {
+    const auto number = parse_number(part);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+} // namespace
+
+std::optional<double> parse_number(std::string_view text) {
+  const auto value = parse_whole<double>(text);
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return value;
+}
+
+std::optional<int> parse_integer(std::string_view text) {
+  return parse_whole<int>(text);
+}
+
+std::optional<Vec3> parse_point(std::string_view text) {
+  const auto n = parse_numbers(text, ',', 3);
+  if (!n) return std::nullopt;
+  return Vec3{(*n)[0], (*n)[1], (*n)[2]};
+}
+
+std::optional<Box2> parse_box(std::string_view text) {
+  const auto n = parse_numbers(text, ',', 4);
+  if (!n || !((*n)[0] < (*n)[2] && (*n)[1] < (*n)[3])) return std::nullopt;
+  return Box2{{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
+}
+
+std::optional<ViewFrom> parse_view_from(std::string_view text) {
+  const auto n = parse_numbers(text, '/', 2);
+  if (!n || (*n)[1] < 0 || (*n)[1] > 90) return std::nullopt;
+  return ViewFrom{Angle::degrees((*n)[0]), Angle::degrees((*n)[1])};
+}
+
+std::optional<PlanRequest> parse_spacing(std::string_view text) {
+  const bool on_page = text.ends_with("mm");
+  if (!on_page && !text.ends_with("m")) return std::nullopt;
+  text.remove_suffix(on_page ? 2 : 1);
+  const auto length = parse_number(text);
+  if (!length || *length <= 0) return std::nullopt;
+  if (on_page) return PageSpacing{*length};
+  return GroundSpacing{*length};
+}
+
+std::optional<Vec2> parse_width_x_height(std::string_view text) {
+  const auto n = parse_numbers(text, 'x', 2);
+  if (!n) return std::nullopt;
+  for (const double side : *n)
+    if (side < 1 || side > 10000) return std::nullopt;
+  return Vec2{(*n)[0], (*n)[1]};
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (;;) {
+    const auto at = text.find(separator);
+    parts.emplace_back(text.substr(0, at));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
+
+int edit_distance(std::string_view a, std::string_view b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i) + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const int replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+} // namespace orograph

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The values of options, from text. Nothing here knows which option it reads.
+#pragma once
+
+#include "geometry/angle.hpp"
+#include "geometry/box.hpp"
+#include "geometry/vec.hpp"
+#include "profiles/plan_request.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace orograph {
+
+// Each of these reads the whole text, in the same way under every locale (a point, never a decimal
+// comma; exponents and a leading plus are allowed), and returns nothing where the text isn't that
+// kind of value. NaN, infinities and numbers too large for a double are no numbers.
+
+std::optional<double> parse_number(std::string_view text);
+std::optional<int> parse_integer(std::string_view text);
+/// "X,Y,Z".
+std::optional<Vec3> parse_point(std::string_view text);
+/// "XMIN,YMIN,XMAX,YMAX" with XMIN < XMAX and YMIN < YMAX.
+std::optional<Box2> parse_box(std::string_view text);
+
+struct ViewFrom {
+  Angle azimuth, elevation;
+};
+/// "AZ/EL" in degrees, elevation 0 to 90.
+std::optional<ViewFrom> parse_view_from(std::string_view text);
+
+/// "0.6mm" on the page or "100m" on the ground, above 0.
+std::optional<PlanRequest> parse_spacing(std::string_view text);
+
+/// "WxH" in millimetres, each 1 to 10000.
+std::optional<Vec2> parse_width_x_height(std::string_view text);
+
+/// The parts between separators; empty parts stay.
+std::vector<std::string> split(std::string_view text, char separator);
+
+/// Edits (insert, remove, replace) that turn one word into the other; for "did you mean".
+int edit_distance(std::string_view a, std::string_view b);
+
+} // namespace orograph

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands and their options: one table, from which parsing, `--help`, range checks and the man
+// page come.
+#pragma once
+
+#include "cli/info.hpp"
+#include "cli/option.hpp"
+#include "cli/render_settings.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+/// The options store into `settings`, which must outlive the command.
+Command render_command(RenderSettings& settings);
+Command info_command(InfoSettings& settings);
+
+/// The settings that a command line (without "orograph render") asks for; nothing where it asks
+/// for help. Opens no file, but looks whether two of its paths are the same file.
+/// Throws UsageError.
+std::optional<RenderSettings> parse_render(const std::vector<std::string>& arguments);
+std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments);
+
+} // namespace orograph

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/render.hpp"
+
+#include "cli/describe_run.hpp"
+#include "cli/draw_scene.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+namespace orograph {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Runs a stage and tells how long it took.
+template <class Stage>
+auto timed(double& seconds, const Stage& stage) {
+  const auto start = Clock::now();
+  auto result = stage();
+  seconds = seconds_since(start);
+  return result;
+}
+
+void say(const RenderSettings& settings, const std::string& text) {
+  if (!settings.quiet) fmt::print(stderr, "orograph: {}\n", text);
+}
+
+void check_outputs(const RenderSettings& settings) {
+  if (settings.output != "-") check_writable(settings.output, settings.write);
+  if (!settings.report.empty() && settings.report != "-") {
+    WriteOptions report = settings.write;
+    check_writable(settings.report, report);
+  }
+}
+
+} // namespace
+
+void render(const RenderSettings& settings) {
+  const auto start = Clock::now();
+  if (settings.occluder == Occluder::surface)
+    throw UsageError("--occluder surface isn't there yet", "use --occluder profiles");
+  check_outputs(settings);
+  RunReport report;
+  SecondsReport& seconds = report.seconds;
+
+  const Terrain terrain =
+      timed(seconds.read, [&] { return read_raster(settings.input, settings.raster); });
+  const Scene scene = timed(seconds.place, [&] { return place_scene(terrain, settings); });
+  if (scene.exaggeration_chosen && scene.view.exaggeration != 1)
+    say(settings, fmt::format("heights are exaggerated {} times (--exaggeration 1 draws them true)",
+                              scene.view.exaggeration));
+
+  ProgressBar bar(shows_progress(settings.quiet, settings.progress));
+  DrawnScene drawn =
+      draw_scene(terrain, scene, settings, [&](double fraction) { bar.show(fraction); });
+  if (drawn.counts.strokes == 0)
+    throw Error("nothing of the terrain is on the page",
+                "turn the view towards it, or widen --fov");
+  entitle(drawn.drawing, terrain, scene, settings);
+  const auto write_start = Clock::now();
+  write_drawing(drawn.drawing, settings.output, settings.write);
+  seconds.write = seconds_since(write_start);
+  bar.finish();
+
+  if (settings.report.empty()) return;
+  seconds.total = seconds_since(start);
+  describe_run(report, terrain, scene, drawn, settings);
+  write_report(report, settings.report, settings.write.overwrite);
+}
+
+} // namespace orograph

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that `orograph render` is told, checked and in its own types.
+#pragma once
+
+#include "dem/read_raster.hpp"
+#include "draw/page.hpp"
+#include "draw/write_drawing.hpp"
+#include "geometry/angle.hpp"
+#include "profiles/plan_request.hpp"
+#include "view/view_request.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+enum class Occluder { surface, profiles };
+enum class FlatGround { shore, draw };
+
+struct RenderSettings {
+  std::string input, output;
+  RasterOptions raster;
+
+  Projection projection = Projection::perspective;
+  Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);
+  std::optional<Angle> field_of_view;
+  std::optional<double> distance_m;
+  std::optional<Vec3> eye_map, look_at_map; ///< coordinates and height unit of the file
+  Angle roll;
+  std::optional<double> exaggeration; ///< none: chosen from the terrain
+
+  std::optional<PlanRequest> plan; ///< none: four pen widths on the page
+  Occluder occluder = Occluder::profiles;
+  double visibility_tolerance_mm = 1e-4;
+  double simplify_mm = 0.02;
+  FlatGround flat = FlatGround::shore;
+  std::vector<std::string> layers{"profiles", "shores", "border"};
+
+  PageRequest page;
+  double pen_width_mm = 0.15;
+  std::string title; ///< empty: the input's file name
+
+  WriteOptions write;
+  std::string report; ///< path of the JSON report; empty: none
+  bool quiet = false;
+  std::optional<bool> progress; ///< none: where stderr is a terminal
+};
+
+} // namespace orograph

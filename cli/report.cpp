@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The run report as JSON.
+#include "cli/report.hpp"
+
+#include "cli/version.hpp"
+#include "draw/output_file.hpp"
+#include "geometry/error.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace orograph {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(Vec2 p) {
+  return {p.x, p.y};
+}
+Json json_of(Vec3 p) {
+  return {p.x, p.y, p.z};
+}
+
+Json json_of(const InputReport& input) {
+  return {{"path", input.path},
+          {"crs", {{"name", input.crs_name}, {"wkt", input.crs_wkt}}},
+          {"unit", input.unit_name},
+          {"unit_m", input.unit_m},
+          {"height_unit", input.height_unit_name},
+          {"height_unit_m", input.height_unit_m},
+          {"columns", input.columns},
+          {"rows", input.rows},
+          {"column_step_m", input.column_step_m},
+          {"row_step_m", input.row_step_m},
+          {"notes", input.notes}};
+}
+
+Json json_of(const ViewReport& view) {
+  Json rows = Json::array();
+  for (std::size_t row = 0; row < 3; ++row)
+    rows.push_back({view.homography.m[3 * row], view.homography.m[3 * row + 1],
+                    view.homography.m[3 * row + 2]});
+  return {{"projection", view.projection},
+          {"view_from_azimuth_deg", view.view_from_azimuth_deg},
+          {"look_azimuth_deg", view.look_azimuth_deg},
+          {"elevation_deg", view.elevation_deg},
+          {"eye", view.eye ? json_of(*view.eye) : Json()},
+          {"look_at", json_of(view.look_at)},
+          {"distance_m", view.distance_m},
+          {"depth_origin", json_of(view.depth_origin)},
+          {"forward", json_of(view.forward)},
+          {"field_of_view_deg", view.field_of_view_deg},
+          {"roll_deg", view.roll_deg},
+          {"exaggeration", view.exaggeration},
+          {"exaggeration_auto", view.exaggeration_auto},
+          {"homography", rows}};
+}
+
+Json json_of(const CountsReport& counts) {
+  return {{"cut_vertices", counts.cut_vertices},
+          {"segments", counts.segments},
+          {"pieces_before_collapse", counts.pieces_before_collapse},
+          {"pieces_after_collapse", counts.pieces_after_collapse},
+          {"largest_horizon", counts.largest_horizon},
+          {"strokes", counts.strokes},
+          {"points", counts.points},
+          {"ties", counts.ties},
+          {"dropped_strokes", counts.dropped_strokes}};
+}
+
+Json json_of(const SecondsReport& seconds) {
+  return {{"read", seconds.read},     {"place", seconds.place},     {"plan", seconds.plan},
+          {"cut", seconds.cut},       {"project", seconds.project}, {"clip", seconds.clip},
+          {"layout", seconds.layout}, {"write", seconds.write},     {"total", seconds.total}};
+}
+
+Json json_of(const ErrorBudget& budget) {
+  const double known_mm = budget.simplification_mm + budget.visibility_tolerance_mm +
+                          budget.arithmetic_mm + budget.geodesy_mm + budget.rounding_mm;
+  const auto& detail_mm = budget.level_of_detail_mm;
+  return {{"level_of_detail", detail_mm ? Json(*detail_mm) : Json("unknown")},
+          {"simplification", budget.simplification_mm},
+          {"visibility_tolerance", budget.visibility_tolerance_mm},
+          {"arithmetic", budget.arithmetic_mm},
+          {"geodesy", budget.geodesy_mm},
+          {"rounding", budget.rounding_mm},
+          {"total", detail_mm ? Json(known_mm + *detail_mm) : Json("unknown")}};
+}
+
+} // namespace
+
+std::string report_text(const RunReport& report) {
+  const DrawingReport& drawing = report.drawing;
+  const Json json{{"schema", 1},
+                  {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
+                  {"libraries", report.libraries},
+                  {"input", json_of(report.input)},
+                  {"output", {{"path", drawing.path}, {"format", drawing.format}}},
+                  {"view", json_of(report.view)},
+                  {"profiles",
+                   {{"count", report.profiles.depths_m.size()},
+                    {"spacing", report.profiles.spacing},
+                    {"depths", report.profiles.depths_m}}},
+                  {"page",
+                   {{"width_mm", drawing.page_width_mm},
+                    {"height_mm", drawing.page_height_mm},
+                    {"margin_mm", drawing.margin_mm}}},
+                  {"counts", json_of(report.counts)},
+                  {"pen_down_mm", drawing.pen_down_mm},
+                  {"pen_up_mm", drawing.pen_up_mm},
+                  {"error_budget_mm", json_of(report.error_budget)},
+                  {"seconds", json_of(report.seconds)},
+                  {"peak_memory_bytes", report.peak_memory_bytes}};
+  // Paths may be in any encoding; JSON is UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_report(const RunReport& report, const std::string& path, bool overwrite) {
+  OutputFile place(path, overwrite);
+  std::ofstream file(place.temporary_path(), std::ios::binary | std::ios::trunc);
+  file << report_text(report);
+  file.close();
+  if (!file)
+    throw Error("can't write the report '" + path + "'",
+                "make room on the disk, or choose another");
+  place.commit();
+}
+
+} // namespace orograph

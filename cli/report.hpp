@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The run report: what was drawn, how exactly and in which time, as JSON (DESIGN section 8).
+#pragma once
+
+#include "geometry/homography.hpp"
+#include "geometry/vec.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace orograph {
+
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+
+/// Numbers that are NaN, and optionals that hold nothing, become null unless said otherwise.
+struct InputReport {
+  std::string path;
+  std::string crs_name, crs_wkt; ///< as in MapFrame
+  std::string unit_name, height_unit_name;
+  double unit_m = 1, height_unit_m = 1;
+  int columns = 0, rows = 0;
+  double column_step_m = kNotMeasured, row_step_m = kNotMeasured; ///< lengths
+  std::vector<std::string> notes;
+};
+
+/// Points are in map coordinates with true heights, whatever the exaggeration.
+struct ViewReport {
+  std::string projection;
+  double view_from_azimuth_deg = kNotMeasured; ///< where the viewer stands
+  double look_azimuth_deg = kNotMeasured;      ///< where the eye looks
+  double elevation_deg = kNotMeasured;         ///< of the viewer above the target's horizontal
+  std::optional<Vec3> eye;                     ///< none in a parallel view
+  Vec3 look_at;
+  double distance_m = kNotMeasured; ///< eye to look_at, in space
+  Vec2 depth_origin;                ///< where depth is 0
+  Vec2 forward;                     ///< unit, horizontal
+  double field_of_view_deg = kNotMeasured;
+  double roll_deg = 0;
+  double exaggeration = 1;
+  bool exaggeration_auto = false;
+  Homography homography; ///< visibility plane to page mm
+};
+
+struct ProfilesReport {
+  std::string spacing; ///< what was asked for: "0.6mm", "100m" or "150 profiles"
+  std::vector<double> depths_m;
+};
+
+struct CountsReport {
+  std::uint64_t cut_vertices = 0, segments = 0;
+  std::uint64_t pieces_before_collapse = 0, pieces_after_collapse = 0, largest_horizon = 0;
+  std::uint64_t strokes = 0, points = 0, ties = 0, dropped_strokes = 0;
+};
+
+struct SecondsReport {
+  double read = kNotMeasured, place = kNotMeasured, plan = kNotMeasured, cut = kNotMeasured,
+         project = kNotMeasured, clip = kNotMeasured, layout = kNotMeasured, write = kNotMeasured,
+         total = kNotMeasured;
+};
+
+/// Largest displacement on paper by cause, in mm. The report adds their sum as "total", the
+/// drawing's bound.
+struct ErrorBudget {
+  std::optional<double> level_of_detail_mm = 0; ///< none: "unknown", and so is the total
+  double simplification_mm = 0, visibility_tolerance_mm = 0, arithmetic_mm = 0, geodesy_mm = 0,
+         rounding_mm = 0;
+};
+
+struct DrawingReport {
+  std::string path, format;
+  double page_width_mm = 0, page_height_mm = 0, margin_mm = 0;
+  double pen_down_mm = kNotMeasured, pen_up_mm = kNotMeasured;
+};
+
+struct RunReport {
+  InputReport input;
+  ViewReport view;
+  ProfilesReport profiles;
+  CountsReport counts;
+  SecondsReport seconds;
+  std::uint64_t peak_memory_bytes = 0;
+  ErrorBudget error_budget;
+  DrawingReport drawing;
+  std::map<std::string, std::string> libraries; ///< name to version
+};
+
+/// The JSON text, `"schema": 1`, with the program's version and commit.
+std::string report_text(const RunReport& report);
+
+/// Writes it whole or not at all. Throws Error where it can't be written, or exists and
+/// `overwrite` is off.
+void write_report(const RunReport& report, const std::string& path, bool overwrite);
+
+} // namespace orograph

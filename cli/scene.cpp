@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/scene.hpp"
+
+#include "dem/height_at.hpp"
+#include "geometry/error.hpp"
+#include "profiles/cut_grid.hpp"
+#include "profiles/plan.hpp"
+#include "view/place_view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace orograph {
+namespace {
+
+// Pen widths between profiles that read well on real terrain (DESIGN section 3, "What looks
+// right").
+constexpr double kPenWidthsApart = 4;
+
+ViewRequest view_request(const RenderSettings& settings, const MapFrame& map, double exaggeration) {
+  ViewRequest request;
+  request.projection = settings.projection;
+  request.from_azimuth = settings.from_azimuth;
+  request.from_elevation = settings.from_elevation;
+  request.field_of_view = settings.field_of_view;
+  request.distance_m = settings.distance_m;
+  if (settings.eye_map) request.eye_m = map.to_ground_m(*settings.eye_map);
+  if (settings.look_at_map) request.look_at_m = map.to_ground_m(*settings.look_at_map);
+  request.roll = settings.roll;
+  request.exaggeration = exaggeration;
+  return request;
+}
+
+// Height over width of the picture where the page decides it: the page lies unless told otherwise.
+double page_aspect(PageRequest request) {
+  if (request.orientation == Orientation::by_picture) request.orientation = Orientation::landscape;
+  const Box2 inner = place_on_page({{0, 0}, {1, 1}}, request).page.inner_mm();
+  return inner.height() / inner.width();
+}
+
+void check_eye(const View& view, const Terrain& terrain) {
+  if (!view.is_perspective()) return;
+  const double eye_m = view.eye_z_m / view.exaggeration;
+  const auto ground = height_at(terrain.grid, view.depth_origin_m);
+  if (!ground || eye_m >= *ground) return;
+  const double unit = terrain.map.height_unit_m;
+  throw Error(
+      fmt::format("the eye, at height {:.6g}, is under the ground, which is at {:.6g} there",
+                  eye_m / unit, *ground / unit),
+      "raise the eye, or move it");
+}
+
+} // namespace
+
+double chosen_exaggeration(const Box3& terrain) {
+  const Vec3 size = terrain.high - terrain.low;
+  const double steepness = size.z / std::max(size.x, size.y);
+  return steepness >= 0.12 ? 1 : steepness >= 0.06 ? 1.5 : 2;
+}
+
+Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
+  const Grid& grid = terrain.grid;
+  Scene scene;
+  scene.extent = extent_of(grid);
+  scene.border = border_edges(grid, scene.extent.valid == grid.size());
+  if (settings.flat == FlatGround::shore)
+    scene.level = find_level_ground(grid, smallest_water(grid));
+
+  // A given eye sees the world as it is; exaggerating would lift the eye off its ground as well.
+  scene.exaggeration_chosen = !settings.exaggeration;
+  const double exaggeration =
+      settings.exaggeration.value_or(settings.eye_map ? 1 : chosen_exaggeration(scene.extent.box));
+  const std::vector<OutlineEdge> outline = outline_of(grid, scene.border);
+  const TerrainShape shape{scene.extent.blocks, outline, scene.extent.box,
+                           scene.extent.mean_height_m, cell_size_m(grid)};
+  scene.view = place_view(view_request(settings, terrain.map, exaggeration), shape,
+                          page_aspect(settings.page));
+  check_eye(scene.view, terrain);
+
+  const Placement placement = place_on_page(scene.view.window, settings.page);
+  scene.page = placement.page;
+  scene.to_page = compose(placement.to_page, scene.view.to_picture);
+
+  const GridCutter extent_in_depth(grid, scene.view, scene.level.triangles);
+  const Box3& box = scene.extent.box;
+  scene.plan = settings.plan.value_or(PageSpacing{kPenWidthsApart * settings.pen_width_mm});
+  scene.depths_m = plan_depths(scene.plan,
+                               {extent_in_depth.nearest_m(), extent_in_depth.farthest_m(),
+                                scene.extent.mean_height_m * exaggeration,
+                                (box.high.z - box.low.z) * exaggeration},
+                               scene.view, scene.to_page);
+  return scene;
+}
+
+} // namespace orograph

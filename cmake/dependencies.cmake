@@ -1,0 +1,7 @@
+# Every foreign library, in one place. All of them are Debian 12 packages: scripts/install-dependencies.
+find_package(PkgConfig REQUIRED)
+find_package(GDAL 3.6 CONFIG REQUIRED)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo>=1.16)
+find_package(fmt 9 CONFIG REQUIRED)
+find_package(CLI11 2.1 CONFIG REQUIRED)
+find_package(nlohmann_json 3.11 CONFIG REQUIRED)

@@ -1,0 +1,23 @@
+# orograph_stage(NAME SOURCES a.cpp b.cpp [DEPENDS stage…] [PRIVATE library…])
+# One library for each folder. Stages link only downhill (DEPENDS); foreign libraries are PRIVATE,
+# behind the one source file that includes them.
+function(orograph_stage name)
+  cmake_parse_arguments(STAGE "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  add_library(orograph_${name} STATIC ${STAGE_SOURCES})
+  list(TRANSFORM STAGE_DEPENDS PREPEND orograph_)
+  target_link_libraries(orograph_${name} PUBLIC ${STAGE_DEPENDS} PRIVATE ${STAGE_PRIVATE})
+  target_include_directories(orograph_${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src)
+  orograph_compile_options(orograph_${name})
+endfunction()
+
+# The same drawing for the same input on every machine: no contraction to fused multiply-add
+# (DESIGN section 5). Debug information in sanitized builds for readable findings.
+function(orograph_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+    -Wcast-align -Woverloaded-virtual -Werror -ffp-contract=off)
+  if(OROGRAPH_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
+      -fno-omit-frame-pointer -g1)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()

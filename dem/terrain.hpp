@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a reader brings: a surface, and how its metres are tied to the file's coordinates.
+#pragma once
+
+#include "dem/grid.hpp"
+#include "geometry/vec.hpp"
+
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+/// Between ground metres and the terrain's own coordinates (its CRS's axes and units, heights in
+/// the file's unit).
+struct MapFrame {
+  Vec2 origin;             ///< map coordinates of the ground frame's origin, in CRS units
+  double unit_m = 1;       ///< metres in one CRS unit
+  double height_unit_m = 1; ///< metres in one unit of the file's heights
+  std::string crs_wkt;     ///< empty where the file has none
+  std::string crs_name;    ///< for people; "none" where the file has none
+  std::string unit_name = "metre";
+  std::string height_unit_name = "metre";
+
+  Vec3 to_map(Vec3 ground_m) const {
+    return {origin.x + ground_m.x / unit_m, origin.y + ground_m.y / unit_m,
+            ground_m.z / height_unit_m};
+  }
+  Vec3 to_ground_m(Vec3 map) const {
+    return {(map.x - origin.x) * unit_m, (map.y - origin.y) * unit_m, map.z * height_unit_m};
+  }
+};
+
+struct Terrain {
+  Grid grid;
+  MapFrame map;
+  std::string source;             ///< the path it was read from, as given
+  std::vector<std::string> notes; ///< what the reader assumed, a sentence each, for the report
+};
+
+} // namespace orograph

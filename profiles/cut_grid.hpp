@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact cut of a triangulated grid by planes of constant depth.
+#pragma once
+
+#include "dem/grid.hpp"
+#include "profiles/profile.hpp"
+#include "profiles/triangles.hpp"
+#include "view/view.hpp"
+
+namespace orograph {
+
+/// Cuts one grid for one view, plane after plane, in any order.
+///
+///  (1) There is a vertex wherever the plane crosses a column line, a row line or a diagonal, in
+///      order from left to right, once; a plane through a grid vertex has that vertex.
+///  (2) Between two vertices the profile lies in one triangle; where that isn't there is a gap. An
+///      edge that lies in the plane is there if either of its triangles is.
+///  (3) A crossing is reckoned from its edge's lower vertex (`GridEdge`), exact at both ends.
+/// Cost a plane: O(columns + rows), and no allocation once `out` is warm.
+class GridCutter {
+public:
+  /// REQUIRES that `grid` and `level` (the triangles whose spans are marked level; may be empty)
+  /// outlive the cutter.
+  GridCutter(const Grid& grid, const View& view, const TriangleSet& level);
+
+  void cut(double depth_m, Profile& out) const;
+
+  /// Depths between which the grid lies.
+  double nearest_m() const { return nearest_m_; }
+  double farthest_m() const { return farthest_m_; }
+
+private:
+  const Grid& grid_;
+  View view_;
+  const TriangleSet& level_;
+  double nearest_m_, farthest_m_;
+  bool depth_monotone_; ///< along rows and columns, in floating point as well
+};
+
+} // namespace orograph

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Triangles of a row of cells are numbered lower 0, upper 0, lower 1, … (2 * column + half), each a
+// neighbour of the next. A run is a stretch of level ones; runs of neighbouring rows are joined
+// where a lower triangle meets the upper one south of it, by union-find.
+#include "profiles/level_ground.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace orograph {
+namespace {
+
+struct Run {
+  std::int32_t row, begin, end; ///< triangles [begin, end) of the row
+};
+
+class Sets {
+public:
+  void add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
+
+private:
+  std::vector<std::uint32_t> parent_;
+};
+
+template <class Height>
+void append_runs(const Grid& grid, const std::vector<Height>& heights, int row,
+                 std::vector<Run>& runs, Sets& sets) {
+  const Height* north = &heights[grid.index(0, row)];
+  const Height* south = &heights[grid.index(0, row + 1)];
+  std::int32_t begin = -1;
+  const auto take = [&](std::int32_t triangle, bool level) {
+    if (level && begin < 0) begin = triangle;
+    if (!level && begin >= 0) {
+      runs.push_back({row, begin, triangle});
+      sets.add();
+      begin = -1;
+    }
+  };
+  const int cells = grid.columns - 1;
+  for (int c = 0; c < cells; ++c) {
+    const bool diagonal = north[c] == south[c + 1]; // NaN equals nothing
+    take(2 * c, diagonal && south[c] == north[c]);
+    take(2 * c + 1, diagonal && north[c + 1] == north[c]);
+  }
+  take(2 * cells, false);
+}
+
+// The first column at or after `triangle` whose triangle of this half is not before it.
+std::int32_t column_from(std::int32_t triangle, Half half) {
+  return half == Half::lower ? (triangle + 1) / 2 : triangle / 2;
+}
+
+void join_rows(const std::vector<Run>& runs, std::size_t north, std::size_t south, std::size_t end,
+               Sets& sets) {
+  for (std::size_t i = north, k = south; i < south && k < end;) {
+    const std::int32_t north_from = column_from(runs[i].begin, Half::lower);
+    const std::int32_t north_to = column_from(runs[i].end, Half::lower);
+    const std::int32_t south_from = column_from(runs[k].begin, Half::upper);
+    const std::int32_t south_to = column_from(runs[k].end, Half::upper);
+    if (std::max(north_from, south_from) < std::min(north_to, south_to))
+      sets.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k));
+    if (north_to < south_to)
+      ++i;
+    else
+      ++k;
+  }
+}
+
+GridEdge edge(const Grid& grid, int c0, int r0, int c1, int r1) {
+  return {static_cast<std::uint32_t>(grid.index(c0, r0)),
+          static_cast<std::uint32_t>(grid.index(c1, r1))};
+}
+
+} // namespace
+
+std::size_t smallest_water(const Grid& grid) {
+  return std::max<std::size_t>(200, 2 * grid.size() / 5000);
+}
+
+template <class Height>
+static LevelGround find(const Grid& grid, const std::vector<Height>& heights,
+                        std::size_t smallest) {
+  std::vector<Run> runs;
+  Sets sets;
+  std::size_t north = 0, south = 0;
+  for (int row = 0; row + 1 < grid.rows; ++row) {
+    append_runs(grid, heights, row, runs, sets);
+    join_rows(runs, north, south, runs.size(), sets);
+    north = south;
+    south = runs.size();
+  }
+
+  std::vector<std::size_t> size(runs.size(), 0);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    size[sets.find(static_cast<std::uint32_t>(i))] +=
+        static_cast<std::size_t>(runs[i].end - runs[i].begin);
+  LevelGround level;
+  level.regions = static_cast<std::size_t>(
+      std::count_if(size.begin(), size.end(), [&](std::size_t s) { return s >= smallest; }));
+  if (level.regions == 0) return level;
+
+  level.triangles = TriangleSet(grid);
+  const auto is_large = [&](std::size_t i) {
+    return size[sets.find(static_cast<std::uint32_t>(i))] >= smallest;
+  };
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (is_large(i))
+      for (std::int32_t t = runs[i].begin; t < runs[i].end; ++t)
+        level.triangles.add(t / 2, runs[i].row, static_cast<Half>(t % 2));
+
+  // A shore has level ground on one side and, on the other, terrain that isn't.
+  const auto land = [&](int column, int row, Half half) {
+    if (column < 0 || row < 0 || column + 1 >= grid.columns || row + 1 >= grid.rows) return false;
+    const Height corner = half == Half::lower ? heights[grid.index(column, row + 1)]
+                                              : heights[grid.index(column + 1, row)];
+    const Height sum =
+        corner + heights[grid.index(column, row)] + heights[grid.index(column + 1, row + 1)];
+    return sum == sum && !level.triangles.has(column, row, half);
+  };
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!is_large(i)) continue;
+    const int row = runs[i].row;
+    for (std::int32_t t = runs[i].begin; t < runs[i].end; ++t) {
+      const int c = t / 2;
+      const Half half = static_cast<Half>(t % 2);
+      const Half other = half == Half::lower ? Half::upper : Half::lower;
+      if (land(c, row, other)) level.shores.push_back(edge(grid, c, row, c + 1, row + 1));
+      if (half == Half::lower) {
+        if (land(c - 1, row, other)) level.shores.push_back(edge(grid, c, row, c, row + 1));
+        if (land(c, row + 1, other)) level.shores.push_back(edge(grid, c, row + 1, c + 1, row + 1));
+      } else {
+        if (land(c + 1, row, other)) level.shores.push_back(edge(grid, c + 1, row, c + 1, row + 1));
+        if (land(c, row - 1, other)) level.shores.push_back(edge(grid, c, row, c + 1, row));
+      }
+    }
+  }
+  return level;
+}
+
+LevelGround find_level_ground(const Grid& grid, std::size_t smallest) {
+  return std::visit([&](const auto& heights) { return find(grid, heights, smallest); },
+                    grid.heights_m);
+}
+
+} // namespace orograph

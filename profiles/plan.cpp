@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Along X = 0, the plane's picture is a straight line on the page. `PagePath` measures, in mm along
+// it, how far a depth is from the nearest one; profiles stand at equal steps of that measure.
+#include "profiles/plan.hpp"
+
+#include "geometry/error.hpp"
+#include "view/place_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orograph {
+namespace {
+
+constexpr double kMostProfiles = 1e6;
+
+// A parallel view that descends by less than this shows slopes, not ground: sin 6 degrees.
+constexpr double kLeastSine = 0.1;
+// The plane lies at least this share of the relief under the eye.
+constexpr double kLeastDrop = 0.5;
+
+class PagePath {
+public:
+  PagePath(const PlanGround& ground, const View& view, const Homography& to_page)
+      : view_(view), to_page_(to_page), nearest_(ground.nearest_m), farthest_(ground.farthest_m),
+        drop_(std::max(view.eye_z_m - ground.mean_z_m, kLeastDrop * ground.relief_m)) {
+    if (view.is_perspective()) nearest_ = std::max(nearest_, view.near_m);
+    if (drop_ <= 0) drop_ = 1e-3 * farthest_; // level ground at the eye's own height
+    on_page_ = nearest_;
+    if (!view.frames_terrain) enter_page();
+  }
+
+  double length_mm() const { return before_page_mm_ + page_mm(on_page_, farthest_); }
+
+  // The depth at a way along the path; bisection, since the measure rises with depth.
+  double depth_at(double way_mm) const {
+    if (way_mm <= before_page_mm_)
+      return nearest_ + (on_page_ - nearest_) * (way_mm / before_page_mm_);
+    double low = on_page_, high = farthest_;
+    for (int step = 0; step < 100 && low < high; ++step) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) break;
+      (page_mm(on_page_, middle) < way_mm - before_page_mm_ ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+private:
+  Vec2 page_at(double depth) const {
+    if (view_.is_perspective()) return to_page_({0, -drop_ / depth});
+    return to_page_({0, depth * std::max(view_.sin_elevation, kLeastSine)});
+  }
+  double page_mm(double from, double to) const { return length(page_at(to) - page_at(from)); }
+
+  // In front of where the plane comes onto the page there may still be hills that stand on it: the
+  // profiles go on there as far apart on the ground as where it does.
+  void enter_page() {
+    const double lowest = plane_of_picture(view_, {0, view_.window.low.y}).y;
+    if (lowest >= 0) return;
+    on_page_ = std::clamp(drop_ / -lowest, nearest_, farthest_);
+    const double step = 1e-3 * on_page_;
+    if (on_page_ > nearest_)
+      before_page_mm_ = page_mm(on_page_, on_page_ + step) / step * (on_page_ - nearest_);
+  }
+
+  const View& view_;
+  const Homography& to_page_;
+  double nearest_, farthest_, drop_;
+  double on_page_, before_page_mm_ = 0;
+};
+
+std::vector<double> evenly_on_page(double count, const PagePath& path) {
+  std::vector<double> depths;
+  const double step = path.length_mm() / count;
+  for (int i = 0; i < count; ++i) {
+    const double depth = path.depth_at((i + 0.5) * step);
+    if (depths.empty() || depth > depths.back()) depths.push_back(depth);
+  }
+  return depths;
+}
+
+void check_count(double count) {
+  if (count > kMostProfiles)
+    throw Error("that spacing makes more than a million profiles", "use a wider --spacing");
+}
+
+} // namespace
+
+std::vector<double> plan_depths(const PlanRequest& request, const PlanGround& ground,
+                                const View& view, const Homography& to_page) {
+  if (const auto* spacing = std::get_if<GroundSpacing>(&request)) {
+    const double from =
+        view.is_perspective() ? std::max(ground.nearest_m, view.near_m) : ground.nearest_m;
+    const double count = std::max(1.0, std::round((ground.farthest_m - from) / spacing->m));
+    check_count(count);
+    std::vector<double> depths;
+    for (int i = 0; i < count; ++i) {
+      const double depth = from + (i + 0.5) * spacing->m;
+      if (depth < ground.farthest_m && (depths.empty() || depth > depths.back()))
+        depths.push_back(depth);
+    }
+    return depths;
+  }
+  const PagePath path(ground, view, to_page);
+  if (const auto* number = std::get_if<ProfileCount>(&request))
+    return evenly_on_page(number->count, path);
+  const double count =
+      std::max(1.0, std::round(path.length_mm() / std::get<PageSpacing>(request).mm));
+  check_count(count);
+  return evenly_on_page(count, path);
+}
+
+} // namespace orograph

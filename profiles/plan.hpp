@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where to cut.
+#pragma once
+
+#include "profiles/plan_request.hpp"
+#include "view/view.hpp"
+
+#include <vector>
+
+namespace orograph {
+
+/// What the plan has to know of the ground.
+struct PlanGround {
+  double nearest_m, farthest_m; ///< depths between which there is terrain
+  double mean_z_m;              ///< exaggerated
+  double relief_m;              ///< highest less lowest, exaggerated
+};
+
+/// Depths of the profiles, rising strictly: front to back, none on the terrain's very ends.
+///
+/// A number of profiles, or a spacing in mm, goes evenly over the page: as far apart as on a plane
+/// at the terrain's mean height. Where that plane is seen so flatly that hills and not the ground
+/// fill the page (an eye low among them, a parallel view from the side), the plane is lowered, or
+/// tilted, to what the relief fills. A spacing in metres goes evenly over the ground.
+/// Throws Error where that makes more than a million profiles.
+std::vector<double> plan_depths(const PlanRequest& request, const PlanGround& ground,
+                                const View& view, const Homography& to_page);
+
+} // namespace orograph

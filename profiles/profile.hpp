@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One profile: the terrain cut by a vertical plane of constant depth.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace orograph {
+
+/// What lies between a profile's vertex and the next one.
+enum class Span : std::uint8_t {
+  gap,   ///< no terrain
+  slope, ///< terrain
+  level  ///< terrain that belongs to level ground (a sea, a lake)
+};
+
+/// Vertices from left to right in the profile frame. `after[i]` tells what is between vertex i and
+/// i + 1; the last is a gap.
+struct Profile {
+  double depth_m = 0;
+  std::vector<double> u_m; ///< never falling
+  std::vector<double> z_m; ///< exaggerated
+  std::vector<Span> after;
+
+  std::size_t size() const { return u_m.size(); }
+  void clear() {
+    u_m.clear();
+    z_m.clear();
+    after.clear();
+  }
+};
+
+} // namespace orograph

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a profile to source segments in the visibility plane.
+#pragma once
+
+#include "geometry/segment.hpp"
+#include "profiles/profile.hpp"
+#include "view/view.hpp"
+
+#include <vector>
+
+namespace orograph {
+
+/// The profile's spans as segments, left to right, into `out`. A segment's id is `number` in the
+/// upper 32 bits and the index of its left vertex in the lower. Spans that are gaps, or have no
+/// extent in X after rounding, have no segment.
+/// REQUIRES profile.depth_m > 0 in perspective.
+void project_profile(const Profile& profile, std::uint32_t number, const View& view,
+                     std::vector<Segment>& out);
+
+inline std::uint32_t left_vertex(const Segment& segment) {
+  return static_cast<std::uint32_t>(segment.id);
+}
+
+} // namespace orograph

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A drawing: layers of strokes on a page, in millimetres, and where each lies on the ground.
+#pragma once
+
+#include "geometry/box.hpp"
+#include "geometry/vec.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+struct Page {
+  double width_mm = 210, height_mm = 297;
+  double margin_mm = 10;
+
+  Box2 inner_mm() const {
+    return {{margin_mm, margin_mm}, {width_mm - margin_mm, height_mm - margin_mm}};
+  }
+};
+
+/// A run of points of its layer, at least two.
+struct Stroke {
+  std::uint32_t first_point = 0, point_count = 0;
+  std::int32_t profile = -1; ///< number, front to back, from 0; -1 for other lines
+  double depth_m = std::numeric_limits<double>::quiet_NaN(); ///< NaN where it has no single one
+};
+
+/// Page points are x to the right and y down from the page's upper left corner, rounded to
+/// `kPageStep_mm`. Map points (the terrain's CRS, true heights) stand beside them, one for one,
+/// where the output is tied to the ground, and are left empty otherwise.
+struct Layer {
+  std::string name;
+  double pen_width_mm = 0.15;
+  double grey = 0; ///< 0 black to 1 white
+  std::vector<Vec2> page_mm;
+  std::vector<Vec3> map;
+  std::vector<Stroke> strokes;
+
+  std::span<const Vec2> points(const Stroke& s) const {
+    return std::span(page_mm).subspan(s.first_point, s.point_count);
+  }
+};
+
+/// The step of page coordinates in every format: 4 decimals of a millimetre, a hundredth of what a
+/// plotter can do.
+constexpr double kPageStep_mm = 1e-4;
+
+struct Drawing {
+  Page page;
+  std::string title;
+  std::string description;
+  std::string crs_wkt; ///< of the map points; empty where the terrain has none
+  std::vector<Layer> layers; ///< in drawing order
+};
+
+/// The first thing that is wrong with a drawing, or nothing: every point finite, on the step and
+/// inside the margins; no stroke with fewer than two points or without length; no two equal
+/// strokes in a layer (nor one the reverse of the other).
+std::optional<std::string> find_fault(const Drawing& drawing);
+
+} // namespace orograph

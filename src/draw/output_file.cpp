@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Temporary file, then rename: the only two steps that a file system does whole.
+#include "draw/output_file.hpp"
+
+#include "draw/byte_sink.hpp"
+#include "draw/interrupted_files.hpp"
+#include "geometry/error.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h> // renameat2
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <filesystem>
+
+namespace orograph {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error exists_error(const std::string& path) {
+  return {path + " exists already", "another name, or --overwrite"};
+}
+
+// Renaming would replace a symbolic link by the file; what is meant is the file it points to.
+std::string followed(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored).string() : path;
+}
+
+void check_place(const std::string& path, bool overwrite) {
+  if (!fs::path(path).has_filename())
+    throw Error("'" + path + "' names no file", "the name of a file to write");
+  struct stat place {};
+  if (::stat(path.c_str(), &place) != 0) {
+    if (errno != ENOENT) throw write_error(path, errno);
+    return;
+  }
+  if (!S_ISREG(place.st_mode))
+    throw Error(path + " is not an ordinary file", "the name of a file to write");
+  if (!overwrite) throw exists_error(path);
+  if (::access(path.c_str(), W_OK) != 0) throw write_error(path, errno);
+}
+
+// Process and counter tell it from those of other runs and threads; O_EXCL from any left over.
+std::string create_temporary(const std::string& path) {
+  static std::atomic<unsigned> counter = 0;
+  const fs::path place(path);
+  const SignalPause pause;
+  for (;;) {
+    const std::string name =
+        fmt::format(".orograph-{}-{}{}", ::getpid(), counter++, place.extension().string());
+    std::string temporary = (place.parent_path() / name).string();
+    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno == EEXIST) continue;
+    if (descriptor < 0) throw write_error(path, errno);
+    ::close(descriptor);
+    if (note_for_removal(temporary)) return temporary;
+    ::unlink(temporary.c_str());
+    throw Error(path + " is one output too many at a time, or its path is too long",
+                "up to 64 at a time, with paths under 4096 bytes");
+  }
+}
+
+void flush_to_disk(const std::string& temporary, const std::string& path) {
+  const int descriptor = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw write_error(path, errno);
+  const int error_number = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  if (error_number != 0) throw write_error(path, error_number);
+}
+
+// Renames without replacing a file that has appeared meanwhile. 0 or an errno.
+int rename_to_free_place(const char* temporary, const char* path) {
+  if (::renameat2(AT_FDCWD, temporary, AT_FDCWD, path, RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return errno;
+  // A file system without that flag, such as NFS: a second name can't replace anything either.
+  if (::link(temporary, path) != 0) return errno;
+  ::unlink(temporary);
+  return 0;
+}
+
+} // namespace
+
+OutputFile::OutputFile(const std::string& path, bool overwrite)
+    : path_(followed(path)), overwrite_(overwrite) {
+  check_place(path_, overwrite_);
+  temporary_path_ = create_temporary(path_);
+}
+
+OutputFile::~OutputFile() {
+  if (!committed_) remove_with_companions(temporary_path_.c_str());
+  forget_removal(temporary_path_);
+}
+
+void OutputFile::commit() {
+  flush_to_disk(temporary_path_, path_);
+  const char *const from = temporary_path_.c_str(), *const to = path_.c_str();
+  const int error_number = !overwrite_               ? rename_to_free_place(from, to)
+                           : ::rename(from, to) == 0 ? 0
+                                                     : errno;
+  if (error_number == EEXIST) throw exists_error(path_);
+  if (error_number != 0) throw write_error(path_, error_number);
+  committed_ = true;
+}
+
+} // namespace orograph

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Placing a picture on paper.
+#pragma once
+
+#include "draw/drawing.hpp"
+#include "geometry/box.hpp"
+#include "geometry/homography.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace orograph {
+
+enum class Orientation { as_given, by_picture, portrait, landscape };
+
+struct PageRequest {
+  double width_mm = 210, height_mm = 297;
+  Orientation orientation = Orientation::by_picture;
+  double margin_mm = 10;
+};
+
+struct Placement {
+  Page page;
+  Homography to_page; ///< from picture-plane coordinates (x right, y up) to page mm
+};
+
+/// ISO sizes a0 to a6, b0 to b6 and "letter", "legal", "tabloid"; portrait, whatever the case of
+/// `name`.
+std::optional<Vec2> paper_size_mm(std::string_view name);
+const std::vector<std::string>& paper_names();
+
+/// The page for a picture of this window (picture-plane coordinates): the window as large as fits
+/// inside the margins, centred, never stretched. `by_picture` takes the orientation in which it
+/// comes out larger.
+/// Throws UsageError where the margins leave less than 1 mm.
+Placement place_on_page(const Box2& window, const PageRequest& request);
+
+} // namespace orograph

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rounding in place: `kept` follows `read` through the points, never ahead of it.
+#include "draw/round_drawing.hpp"
+
+#include "draw/stroke_set.hpp"
+
+#include <cmath>
+
+namespace orograph {
+
+double rounded_to_page_step(double x_mm) {
+  constexpr double steps_per_mm = 1e4;
+  static_assert(1 / kPageStep_mm == steps_per_mm);
+  // Dividing the whole number of steps rounds once, to the double nearest to the decimal;
+  // multiplying by 1e-4, itself inexact, would not. Adding 0 turns -0 into 0.
+  return std::nearbyint(x_mm * steps_per_mm) / steps_per_mm + 0.0;
+}
+
+RoundingCounts round_to_page_step(Layer& layer) {
+  RoundingCounts dropped;
+  const bool has_map = !layer.map.empty();
+  StrokeSet seen(layer, layer.strokes.size());
+  std::uint32_t kept_point = 0, kept_stroke = 0;
+  for (Stroke stroke : layer.strokes) {
+    const std::uint32_t first = kept_point, end = stroke.first_point + stroke.point_count;
+    for (std::uint32_t read = stroke.first_point; read < end; ++read) {
+      const Vec2 p{rounded_to_page_step(layer.page_mm[read].x),
+                   rounded_to_page_step(layer.page_mm[read].y)};
+      const bool is_new = kept_point == first || p != layer.page_mm[kept_point - 1];
+      if (is_new) layer.page_mm[kept_point++] = p;
+      if (has_map && (is_new || read + 1 == end)) layer.map[kept_point - 1] = layer.map[read];
+    }
+    stroke.first_point = first;
+    stroke.point_count = kept_point - first;
+    layer.strokes[kept_stroke] = stroke;
+    if (stroke.point_count < 2)
+      ++dropped.empty_strokes;
+    else if (!seen.insert(kept_stroke))
+      ++dropped.repeated_strokes;
+    else {
+      ++kept_stroke;
+      continue;
+    }
+    kept_point = first;
+  }
+  dropped.points = layer.page_mm.size() - kept_point;
+  layer.strokes.resize(kept_stroke);
+  layer.page_mm.resize(kept_point);
+  if (has_map) layer.map.resize(kept_point);
+  return dropped;
+}
+
+} // namespace orograph

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rounding page points to the step that every format prints, and dropping what that makes empty.
+#pragma once
+
+#include "draw/drawing.hpp"
+
+#include <cstddef>
+
+namespace orograph {
+
+/// The multiple of kPageStep_mm nearest to x_mm (ties to even), as the double nearest to that
+/// decimal: printing it with 4 decimals, or in the fewest digits that read back, gives the exact
+/// multiple. Never -0. Rounding twice changes nothing. REQUIRES |x_mm| < 4e11.
+double rounded_to_page_step(double x_mm);
+
+struct RoundingCounts {
+  std::size_t points = 0;           ///< dropped because equal to their neighbour, or with a stroke
+  std::size_t empty_strokes = 0;    ///< dropped: all points became one
+  std::size_t repeated_strokes = 0; ///< dropped: the points of an earlier one, or those reversed
+};
+
+/// Rounds all points of the layer, then drops points equal to the one before in their stroke (a
+/// stroke keeps the map points of its two ends), then strokes without length and strokes that
+/// repeat an earlier one. Order stays. Points of no stroke go as well.
+/// REQUIRES: strokes in the order of their points, without overlap; `map` empty or as long as
+/// `page_mm`. Cost O(points) expected, in place, with 8 to 16 bytes for each stroke on top.
+RoundingCounts round_to_page_step(Layer& layer);
+
+} // namespace orograph

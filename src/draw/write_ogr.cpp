@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// GeoJSON and GeoPackage through OGR: one layer of line strings with heights, in the terrain's CRS.
+#include "draw/ogr_messages.hpp"
+#include "draw/sink_filesystem.hpp"
+#include "draw/writers.hpp"
+#include "draw/xml_text.hpp"
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+constexpr const char* kLayerName = "strokes";
+constexpr std::size_t kStrokesInTransaction = 100000;
+
+// The same bytes on any day, and nothing beside the file.
+class WritingOptions {
+public:
+  WritingOptions() {
+    CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z");
+    CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO");
+  }
+  ~WritingOptions() {
+    CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr);
+    CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr);
+  }
+  WritingOptions(const WritingOptions&) = delete;
+  WritingOptions& operator=(const WritingOptions&) = delete;
+};
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+Error gdal_error(const std::string& name, const OgrMessages& messages) {
+  const std::string reason = messages.last().empty() ? "no reason given" : messages.last();
+  return {fmt::format("{} can't be written ({})", name, reason),
+          "a disk with room for it, and a folder that you may write to"};
+}
+
+OGRLayer* add_layer(GDALDataset& dataset, const Drawing& drawing, CPLStringList options) {
+  OGRSpatialReference crs;
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (!drawing.crs_wkt.empty() && crs.importFromWkt(drawing.crs_wkt.c_str()) != OGRERR_NONE)
+    return nullptr;
+  OGRLayer* const layer = dataset.CreateLayer(kLayerName, drawing.crs_wkt.empty() ? nullptr : &crs,
+                                              wkbLineString25D, options.List());
+  if (layer == nullptr) return nullptr;
+  for (const auto& [name, type] : {std::pair("layer", OFTString), std::pair("profile", OFTInteger),
+                                   std::pair("depth", OFTReal), std::pair("visible", OFTInteger)}) {
+    OGRFieldDefn field(name, type);
+    if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
+  }
+  return layer;
+}
+
+std::unique_ptr<OGRFeature> feature_of(const Stroke& stroke, const Layer& from, OGRLayer& to) {
+  auto feature = std::make_unique<OGRFeature>(to.GetLayerDefn());
+  feature->SetField("layer", from.name.c_str());
+  feature->SetField("profile", stroke.profile);
+  if (std::isnan(stroke.depth_m))
+    feature->SetFieldNull(feature->GetFieldIndex("depth"));
+  else
+    feature->SetField("depth", stroke.depth_m);
+  feature->SetField("visible", 1);
+  auto line = std::make_unique<OGRLineString>();
+  const auto count = static_cast<int>(stroke.point_count);
+  line->setNumPoints(count, FALSE);
+  for (int i = 0; i < count; ++i) {
+    const Vec3 p = from.map[stroke.first_point + static_cast<std::size_t>(i)];
+    line->setPoint(i, p.x, p.y, p.z);
+  }
+  feature->SetGeometryDirectly(line.release());
+  return feature;
+}
+
+// Whether all went well. Transactions make GeoPackage quick, and their size bounds what it keeps;
+// GeoJSON has none and says so, which is no failure.
+bool add_strokes(GDALDataset& dataset, const Drawing& drawing, OGRLayer& layer) {
+  const bool in_transactions = dataset.TestCapability(ODsCTransactions) != FALSE;
+  const auto start = [&] { return !in_transactions || dataset.StartTransaction() == OGRERR_NONE; };
+  const auto commit = [&] {
+    return !in_transactions || dataset.CommitTransaction() == OGRERR_NONE;
+  };
+  std::size_t count = 0;
+  if (!start()) return false;
+  for (const Layer& from : drawing.layers)
+    for (const Stroke& stroke : from.strokes) {
+      if (layer.CreateFeature(feature_of(stroke, from, layer).get()) != OGRERR_NONE) return false;
+      if (++count % kStrokesInTransaction == 0 && !(commit() && start())) return false;
+    }
+  return commit();
+}
+
+// Whether all went well, up to and including the closing.
+bool write(const char* driver_name, const std::string& path, const Drawing& drawing,
+           const CPLStringList& layer_options, const OgrMessages& messages) {
+  GDALAllRegister();
+  GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName(driver_name);
+  if (driver == nullptr)
+    throw Error(fmt::format("GDAL has no {} here", driver_name), "a GDAL that has it");
+  Dataset dataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  if (!dataset) return false;
+  OGRLayer* const layer = add_layer(*dataset, drawing, layer_options);
+  if (layer == nullptr || !add_strokes(*dataset, drawing, *layer)) return false;
+  dataset.reset();
+  return !messages.has_failure();
+}
+
+void set_text(CPLStringList& options, const char* name, const std::string& text) {
+  if (!text.empty()) options.SetNameValue(name, clean_utf8(text).c_str());
+}
+
+std::size_t stroke_count(const Drawing& drawing) {
+  std::size_t count = 0;
+  for (const Layer& layer : drawing.layers) count += layer.strokes.size();
+  return count;
+}
+
+std::string first_value(GDALDataset& dataset, const char* sql) {
+  OGRLayer* const rows = dataset.ExecuteSQL(sql, nullptr, nullptr);
+  if (rows == nullptr) return {};
+  std::string value;
+  if (const OGRFeatureUniquePtr row(rows->GetNextFeature()); row) value = row->GetFieldAsString(0);
+  dataset.ReleaseResultSet(rows);
+  return value;
+}
+
+} // namespace
+
+void write_geojson(const Drawing& drawing, ByteSink& out) {
+  const WritingOptions fixed;
+  const OgrMessages messages;
+  const SinkFilesystem filesystem(out);
+  CPLStringList options;
+  options.SetNameValue("RFC7946", "NO"); // RFC 7946 would have it reprojected to degrees
+  options.SetNameValue("SIGNIFICANT_FIGURES", "17"); // reads back to the same number
+  set_text(options, "DESCRIPTION", drawing.title);
+  const std::string path = std::string(SinkFilesystem::kFolder) + "strokes.geojson";
+  if (!write("GeoJSON", path, drawing, options, messages) && out.append({}))
+    throw gdal_error("GeoJSON", messages);
+}
+
+void write_geopackage(const Drawing& drawing, const std::string& path, const std::string& name) {
+  const WritingOptions fixed;
+  const OgrMessages messages;
+  CPLStringList options;
+  set_text(options, "IDENTIFIER", drawing.title);
+  set_text(options, "DESCRIPTION", drawing.description);
+  ::unlink(path.c_str()); // the driver creates it and nothing else
+  if (!write("GPKG", path, drawing, options, messages)) throw gdal_error(name, messages);
+}
+
+void prove_geojson(const Drawing& drawing, const std::string& path, const std::string& name) {
+  const OgrMessages messages;
+  const char* const drivers[] = {"GeoJSON", nullptr};
+  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
+  OGRLayer* const layer = dataset ? dataset->GetLayer(0) : nullptr;
+  const auto expected = static_cast<GIntBig>(stroke_count(drawing));
+  if (layer == nullptr || layer->GetFeatureCount() != expected || messages.has_failure())
+    throw gdal_error(name, messages);
+}
+
+void prove_geopackage(const Drawing& drawing, const std::string& path, const std::string& name) {
+  const WritingOptions fixed;
+  const OgrMessages messages;
+  const char* const drivers[] = {"GPKG", nullptr};
+  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
+  const std::string expected = fmt::format("{}", stroke_count(drawing));
+  if (!dataset || first_value(*dataset, "PRAGMA quick_check(1)") != "ok" ||
+      first_value(*dataset, "SELECT COUNT(*) FROM strokes") != expected || messages.has_failure())
+    throw gdal_error(name, messages);
+}
+
+} // namespace orograph

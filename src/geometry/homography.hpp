@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The picture of the visibility plane on the page: one 3x3 matrix (DESIGN section 3).
+#pragma once
+
+#include "geometry/vec.hpp"
+
+#include <array>
+
+namespace orograph {
+
+/// Maps a direction (X, Y, 1) of the visibility plane to page millimetres, x to the right and y
+/// *down* from the page's upper left corner. Row-major. In a parallel view the last row is
+/// (0, 0, 1). `w` > 0 in front of the picture plane; points with w <= 0 have no picture.
+struct Homography {
+  std::array<double, 9> m{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+  double w(Vec2 p) const { return m[6] * p.x + m[7] * p.y + m[8]; }
+  /// REQUIRES w(p) > 0.
+  Vec2 operator()(Vec2 p) const {
+    const double scale = 1 / w(p);
+    return {(m[0] * p.x + m[1] * p.y + m[2]) * scale, (m[3] * p.x + m[4] * p.y + m[5]) * scale};
+  }
+  /// Length on the page, in mm, of a unit step of Y at p. REQUIRES w(p) > 0.
+  double mm_per_y(Vec2 p) const {
+    const double at = w(p);
+    const Vec2 page = (*this)(p);
+    return std::hypot(m[1] - m[7] * page.x, m[4] - m[7] * page.y) / at;
+  }
+};
+
+/// The matrix product: first `inner`, then `outer`.
+constexpr Homography compose(const Homography& outer, const Homography& inner) {
+  Homography product;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      double sum = 0;
+      for (int k = 0; k < 3; ++k) sum += outer.m[3 * row + k] * inner.m[3 * k + column];
+      product.m[3 * row + column] = sum;
+    }
+  return product;
+}
+
+} // namespace orograph

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How two source segments stand to each other, and the tolerance below which they are one line.
+#pragma once
+
+#include "geometry/homography.hpp"
+#include "geometry/segment.hpp"
+
+#include <algorithm>
+
+namespace orograph {
+
+/// The visibility tolerance τ (DESIGN section 4, "Ties"): a length on paper, turned into a
+/// difference of Y at a place.
+struct TieTolerance {
+  double mm = 0; ///< 0 compares exactly
+  Homography page;
+  double greatest_y = 0; ///< greatest difference of Y that `mm` means on the page shown
+
+  double at(double x, double y) const {
+    const Vec2 place{x, y};
+    if (!(page.w(place) > 0)) return 0;
+    return std::min(greatest_y, mm / page.mm_per_y(place));
+  }
+};
+
+/// Where segment p stands against source s, along all of the X range that the two share. A function
+/// of the two alone and not of the pieces they are cut to, so it doesn't matter how a horizon has
+/// fragmented.
+struct Standing {
+  enum class Kind { above, below, tied, above_then_below, below_then_above } kind;
+  double x = 0; ///< the crossing, for the last two kinds
+  double t = 0; ///< the same along p, 0 at p's left end and 1 at its right end
+};
+
+/// REQUIRES that p and s share a range of X of positive length, and that s isn't the sky.
+/// `tied` where the greatest difference over the shared range is within the tolerance.
+Standing compare(const Segment& p, const Segment& s, const TieTolerance& tolerance);
+
+/// Where abscissa x is along p: 0 at its left end and 1 at its right end, exactly.
+inline double parameter_at(const Segment& p, double x) {
+  if (x <= p.x0) return 0;
+  if (x >= p.x1) return 1;
+  return (x - p.x0) / (p.x1 - p.x0);
+}
+
+} // namespace orograph

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From what a user asks to a view that shows this terrain.
+#pragma once
+
+#include "geometry/blocked_points.hpp"
+#include "view/view.hpp"
+
+#include <array>
+#include <span>
+
+namespace orograph {
+
+/// A straight piece of the terrain's outline, ground frame, true heights, with the terrain on its
+/// left seen from above.
+struct OutlineEdge {
+  Vec3 from, to;
+};
+
+/// What a view has to know of a terrain (ground frame, true heights).
+struct TerrainShape {
+  const BlockedPoints& points;          ///< all its vertices
+  std::span<const OutlineEdge> outline; ///< where it begins and ends, holes included
+  Box3 box;
+  double mean_height_m;
+  double cell_m; ///< finest ground detail
+};
+
+/// Places the eye and the window. A window that frames the terrain is its picture's exact bounding
+/// box, but for ground that can't be seen: nothing visible is lower than the terrain's near edge.
+/// A window given by a field of view is as high as `aspect` (height over width) says.
+///
+/// Throws Error: perspective would need ground at v < v_near (it names the steepest elevation that
+/// works, or the distance that would); the window would show rays with v <= 0; eye and target
+/// coincide, or lie above each other in perspective; all terrain is behind the eye.
+View place_view(const ViewRequest& request, const TerrainShape& terrain, double aspect);
+
+/// The visibility plane's point with this picture: the inverse of `view.to_picture`.
+/// REQUIRES, in perspective, that its ray has v > 0.
+Vec2 plane_of_picture(const View& view, Vec2 picture);
+
+/// The corners of the window in the visibility plane: their hull is what the page shows of it.
+std::array<Vec2, 4> shown_corners(const View& view);
+
+} // namespace orograph

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A view that has met its terrain: the profile frame and the visibility plane (DESIGN section 3).
+#pragma once
+
+#include "geometry/angle.hpp"
+#include "geometry/box.hpp"
+#include "geometry/homography.hpp"
+#include "geometry/profile_point.hpp"
+#include "geometry/vec.hpp"
+#include "view/view_request.hpp"
+
+namespace orograph {
+
+struct View {
+  Projection projection = Projection::perspective;
+  Vec2 depth_origin_m;   ///< under the eye; in a parallel view the point looked at
+  Vec2 forward{0, 1};    ///< horizontal view direction F, unit
+  Vec2 right{1, 0};      ///< R = F x up
+  double eye_z_m = 0;    ///< exaggerated height of the eye; perspective only
+  Vec3 look_at_m;        ///< target, ground frame, true height
+  double distance_m = 0; ///< eye to target in the exaggerated scene; perspective only
+  Angle elevation;       ///< how steeply the camera's axis descends; negative looks up
+  double sin_elevation = 0, cos_elevation = 1;
+  Angle roll;
+  double exaggeration = 1;
+  double near_m = 0;          ///< v_near: nearer ground is cut away; perspective only
+  bool frames_terrain = true; ///< the window was made to hold all of the terrain
+  Homography to_picture;      ///< visibility plane to picture plane (x right, y up)
+  Box2 window;                ///< what of the picture plane is shown
+
+  bool is_perspective() const { return projection == Projection::perspective; }
+};
+
+/// Ground frame (true height) to profile frame.
+inline ProfilePoint to_profile_frame(const View& view, Vec3 ground_m) {
+  const Vec2 from_origin = Vec2{ground_m.x, ground_m.y} - view.depth_origin_m;
+  return {dot(from_origin, view.right), dot(from_origin, view.forward),
+          ground_m.z * view.exaggeration};
+}
+
+/// Profile frame to visibility plane. REQUIRES p.v > 0 in perspective.
+inline Vec2 project(const View& view, ProfilePoint p) {
+  if (view.is_perspective()) {
+    const double per_depth = 1 / p.v;
+    return {p.u * per_depth, (p.z - view.eye_z_m) * per_depth};
+  }
+  return {p.u, p.z * view.cos_elevation + p.v * view.sin_elevation};
+}
+
+/// Profile frame to ground frame (true height).
+inline Vec3 to_ground_m(const View& view, ProfilePoint p) {
+  const Vec2 ground = view.depth_origin_m + p.u * view.right + p.v * view.forward;
+  return {ground.x, ground.y, p.z / view.exaggeration};
+}
+
+/// Nearest ground that is drawn in perspective, as a share of a cell: closer than a hundredth of a
+/// cell there is nothing but the triangle under the eye, and 1/v would only cost digits.
+constexpr double kNearShareOfCell = 0.01;
+
+} // namespace orograph

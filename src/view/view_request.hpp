@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a user asks of a view, before it meets a terrain.
+#pragma once
+
+#include "geometry/angle.hpp"
+#include "geometry/vec.hpp"
+
+#include <optional>
+
+namespace orograph {
+
+enum class Projection { perspective, orthographic };
+
+struct ViewRequest {
+  Projection projection = Projection::perspective;
+  /// Where the viewer stands, seen from the target: azimuth clockwise from north, elevation above
+  /// the horizontal, 0 to 90 degrees. Not looked at where `eye_m` is given.
+  Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);
+  /// Horizontal field, perspective only. Without an eye or a distance, the eye goes where the
+  /// terrain fills this field (30 degrees by default). With a distance and a field, or with an eye
+  /// (again 30 degrees by default), the page shows just this field. With a distance alone, the
+  /// page shows the whole terrain.
+  std::optional<Angle> field_of_view;
+  std::optional<double> distance_m; ///< eye to target in space; perspective only
+  std::optional<Vec3> eye_m;        ///< ground frame, true height
+  std::optional<Vec3> look_at_m;    ///< ground frame, true height; else the terrain's centre
+  Angle roll;                       ///< the picture turns clockwise by it
+  double exaggeration = 1;          ///< multiplies all heights, the eye's and the target's too
+};
+
+} // namespace orograph

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of options, the help, the man page and the README agree.
+#include "cli/help.hpp"
+#include "cli/options.hpp"
+#include "tests/catch.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+using namespace orograph;
+
+namespace {
+
+struct Tables {
+  RenderSettings render_settings;
+  InfoSettings info_settings;
+  std::vector<Command> commands{render_command(render_settings), info_command(info_settings)};
+};
+
+std::string without_backslashes(std::string text) {
+  std::erase(text, '\\');
+  return text;
+}
+
+/// Commands of a page of documentation, continued lines joined.
+std::vector<std::string> commands_in(const std::filesystem::path& page) {
+  std::ifstream file(page);
+  std::vector<std::string> commands;
+  std::string line, joined;
+  while (std::getline(file, line)) {
+    joined += line;
+    if (joined.ends_with('\\')) {
+      joined.back() = ' ';
+      continue;
+    }
+    if (joined.find("orograph render") != std::string::npos ||
+        joined.find("orograph info") != std::string::npos)
+      commands.push_back(joined);
+    joined.clear();
+  }
+  return commands;
+}
+
+} // namespace
+
+TEST_CASE("every option stands in the help and in the man page") {
+  const Tables tables;
+  const std::string man = without_backslashes(man_page(tables.commands));
+  for (const auto& command : tables.commands) {
+    const std::string help = command_help(command);
+    CHECK(program_help(tables.commands).find(command.name) != std::string::npos);
+    for (const auto& option : command.options) {
+      INFO(command.name << " " << option.name);
+      CHECK(help.find(option.name + (option.value.empty() ? "" : " " + option.value)) !=
+            std::string::npos);
+      CHECK(man.find(option.name) != std::string::npos);
+      CHECK_FALSE(option.help.empty());
+      CHECK(option.take);
+      // What takes a number says in which unit or range, in the help as in its refusal.
+      if (!option.allowed.empty()) CHECK(man.find(option.allowed) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("help fits a terminal and is plain text") {
+  const Tables tables;
+  for (const auto& command : tables.commands) {
+    std::istringstream lines(command_help(command));
+    std::string line;
+    while (std::getline(lines, line)) {
+      INFO(line);
+      CHECK(line.size() <= 80);
+      CHECK_FALSE(line.ends_with(' '));
+      CHECK(line.find('\t') == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("the man page has no line that troff would take for an unknown macro") {
+  const Tables tables;
+  std::istringstream lines(man_page(tables.commands));
+  std::string line;
+  const std::regex macro(R"(\.(TH|SH|SS|TP|B|br)( .*)?)");
+  while (std::getline(lines, line)) {
+    INFO(line);
+    CHECK_FALSE(line.empty());
+    if (line.front() == '.' || line.front() == '\'') CHECK(std::regex_match(line, macro));
+  }
+}
+
+TEST_CASE("the pages for readers use options that there are") {
+  const Tables tables;
+  std::set<std::string> known;
+  for (const auto& command : tables.commands)
+    for (const auto& option : command.options) known.insert(option.name);
+  const std::filesystem::path root = OROGRAPH_SOURCE_DIR;
+  const std::regex long_option("--[a-z][a-z-]*");
+  for (const char* page : {"README.md", "docs/how-it-works.md", "data_samples/README.md"})
+    for (const auto& command : commands_in(root / page))
+      for (std::sregex_iterator at(command.begin(), command.end(), long_option), end; at != end;
+           ++at) {
+        INFO(page << ": " << command);
+        CHECK(known.contains(at->str()));
+      }
+  CHECK(known.contains("--view-from"));
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The values of options, from text.
+#include "cli/option_values.hpp"
+#include "tests/catch.hpp"
+
+#include <clocale>
+
+using namespace orograph;
+
+TEST_CASE("a number is the whole text, finite, with a point") {
+  CHECK(parse_number("30") == 30.0);
+  CHECK(parse_number("-1.5e3") == -1500.0);
+  CHECK(parse_number("+.5") == 0.5);
+  for (const char* text : {"", " 30", "30 ", "30deg", "3,5", "nan", "NaN", "-nan", "inf", "-inf",
+                           "infinity", "1e999", "0x10", "+-3", "++3", "-", "."})
+    CHECK_FALSE(parse_number(text));
+}
+
+TEST_CASE("numbers read alike under a locale with decimal commas") {
+  // Nothing to set where no such locale is installed; the reading must not change in any.
+  std::setlocale(LC_ALL, "de_DE.UTF-8");
+  CHECK(parse_number("2.5") == 2.5);
+  CHECK_FALSE(parse_number("2,5"));
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST_CASE("a whole number has no point and no overflow") {
+  CHECK(parse_integer("100000") == 100000);
+  CHECK(parse_integer("-3") == -3);
+  for (const char* text : {"", "1.0", "1e3", "99999999999", "3 "}) CHECK_FALSE(parse_integer(text));
+}
+
+TEST_CASE("points, boxes and directions have their number of parts") {
+  CHECK(parse_point("-120,5,3") == Vec3{-120, 5, 3});
+  for (const char* text : {"1,2", "1,2,3,4", "1,2,", ",1,2", "1;2;3", "1, 2, 3", "1,nan,3"})
+    CHECK_FALSE(parse_point(text));
+
+  const auto box = parse_box("-1,-2,3,4");
+  REQUIRE(box);
+  CHECK(box->low == Vec2{-1, -2});
+  CHECK(box->high == Vec2{3, 4});
+  for (const char* text : {"3,-2,-1,4", "0,0,0,1", "0,1,1,0", "0,0,1", "0,0,1,inf"})
+    CHECK_FALSE(parse_box(text));
+
+  const auto from = parse_view_from("-225.5/15");
+  REQUIRE(from);
+  CHECK(from->azimuth == Angle::degrees(-225.5));
+  CHECK(from->elevation == Angle::degrees(15));
+  CHECK(parse_view_from("720/0"));
+  CHECK(parse_view_from("0/90"));
+  for (const char* text : {"180", "180/", "/25", "180/91", "180/-1", "180/25/3", "nan/3", "1/nan"})
+    CHECK_FALSE(parse_view_from(text));
+}
+
+TEST_CASE("a spacing has a unit") {
+  const auto on_page = parse_spacing("0.6mm"), on_ground = parse_spacing("100m");
+  REQUIRE(on_page);
+  REQUIRE(on_ground);
+  CHECK(std::get<PageSpacing>(*on_page).mm == 0.6);
+  CHECK(std::get<GroundSpacing>(*on_ground).m == 100);
+  for (const char* text : {"0.6", "mm", "m", "0mm", "-1m", "1km", "1 mm", "nanm", "infmm"})
+    CHECK_FALSE(parse_spacing(text));
+}
+
+TEST_CASE("a page of width x height") {
+  CHECK(parse_width_x_height("400x250.5") == Vec2{400, 250.5});
+  for (const char* text :
+       {"400", "400x", "x250", "0x100", "-1x100", "1e9x100", "400x250x3", "400X250", "nanx100"})
+    CHECK_FALSE(parse_width_x_height(text));
+}
+
+TEST_CASE("edit distance counts single edits") {
+  CHECK(edit_distance("fov", "fov") == 0);
+  CHECK(edit_distance("fow", "fov") == 1);
+  CHECK(edit_distance("", "fov") == 3);
+  CHECK(edit_distance("kitten", "sitting") == 3);
+}

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options of `render` and `info`: each one's effect, each refusal.
+#include "cli/check_settings.hpp"
+#include "cli/options.hpp"
+#include "geometry/error.hpp"
+#include "tests/catch.hpp"
+#include "tests/cli/made_files.hpp"
+
+#include <filesystem>
+
+using namespace orograph;
+using Arguments = std::vector<std::string>;
+
+namespace {
+
+Arguments with_names(Arguments options) {
+  options.insert(options.end(), {"in.tif", "out.svg"});
+  return options;
+}
+
+RenderSettings given(const Arguments& options) {
+  const auto settings = parse_render(with_names(options));
+  REQUIRE(settings);
+  return *settings;
+}
+
+/// The message of the UsageError that these options get, or "accepted".
+std::string refusal_of(const Arguments& arguments) {
+  try {
+    parse_render(arguments);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::string refusal(const Arguments& options) {
+  return refusal_of(with_names(options));
+}
+
+void check_refused(const Arguments& options, const std::string& fragment) {
+  const std::string message = refusal(options);
+  INFO(options.front() << ": " << message);
+  CHECK(message.find(fragment) != std::string::npos);
+  CHECK(message.find(": ") != std::string::npos);
+  CHECK(message.find('\n') == std::string::npos);
+}
+
+/// Whether the option stores this value, an exception (for --of) being a no.
+bool takes(const Option& option, const std::string& text) {
+  try {
+    return option.take(text);
+  } catch (const UsageError&) {
+    return false;
+  }
+}
+
+} // namespace
+
+TEST_CASE("two names alone give the defaults") {
+  const auto s = given({});
+  CHECK(s.input == "in.tif");
+  CHECK(s.output == "out.svg");
+  CHECK(s.write.format == Format::svg);
+  CHECK(s.from_azimuth == Angle::degrees(180));
+  CHECK(s.from_elevation == Angle::degrees(25));
+  CHECK(s.projection == Projection::perspective);
+  CHECK_FALSE(s.plan);
+  CHECK_FALSE(s.exaggeration);
+  CHECK_FALSE(s.field_of_view);
+  CHECK_FALSE(s.progress);
+  CHECK(s.page.width_mm == 210);
+  CHECK(s.page.orientation == Orientation::by_picture);
+}
+
+TEST_CASE("terrain options") {
+  const auto s =
+      given({"-b", "2", "--oo", "A=1", "--oo=B=x=y", "--bbox", "-10,-20,30,40", "--overview", "0"});
+  CHECK(s.raster.band == 2);
+  CHECK(s.raster.open_options == Arguments{"A=1", "B=x=y"});
+  REQUIRE(s.raster.bbox);
+  CHECK(s.raster.bbox->low == Vec2{-10, -20});
+  CHECK(s.raster.overview == 0);
+  check_refused({"--band", "0"}, "whole number, at least 1");
+  check_refused({"--oo", "A"}, "NAME=VALUE");
+  check_refused({"--oo", "=1"}, "NAME=VALUE");
+  check_refused({"--bbox", "30,0,10,40"}, "XMIN below XMAX");
+  check_refused({"--overview", "-1"}, "0 to 100");
+}
+
+TEST_CASE("view options") {
+  const auto framed = given({"--view-from", "225/15", "--fov", "60", "--distance", "5000",
+                             "--look-at=-1,2,3", "--roll", "-10", "--exaggeration", "2"});
+  CHECK(framed.from_azimuth == Angle::degrees(225));
+  CHECK(framed.from_elevation == Angle::degrees(15));
+  CHECK(framed.field_of_view == Angle::degrees(60));
+  CHECK(framed.distance_m == 5000.0);
+  CHECK(framed.look_at_map == Vec3{-1, 2, 3});
+  CHECK(framed.roll == Angle::degrees(-10));
+  CHECK(framed.exaggeration == 2.0);
+  CHECK_FALSE(given({"--exaggeration", "auto"}).exaggeration);
+  CHECK(given({"--eye", "-120,5,3"}).eye_map == Vec3{-120, 5, 3});
+  CHECK(given({"--roll", "-.5"}).roll == Angle::degrees(-0.5));
+  CHECK(given({"--projection", "orthographic"}).projection == Projection::orthographic);
+
+  check_refused({"--view-from", "180"}, "EL from 0 to 90");
+  check_refused({"--view-from", "180/91"}, "EL from 0 to 90");
+  check_refused({"--fov", "0"}, "above 0 and below 180");
+  check_refused({"--fov", "180"}, "above 0 and below 180");
+  check_refused({"--distance", "-5"}, "metres, above 0");
+  check_refused({"--eye", "1,2"}, "X,Y,Z");
+  check_refused({"--exaggeration", "0"}, "or auto");
+  check_refused({"--projection", "panorama"}, "perspective or orthographic");
+  check_refused({"--projection", "oblique"}, "perspective or orthographic");
+  check_refused({"--projection", "isometric"}, "perspective|orthographic");
+}
+
+TEST_CASE("NaN and infinity are no values, for any option that takes a number") {
+  RenderSettings settings;
+  const Command command = render_command(settings);
+  int numbers = 0;
+  for (const auto& option : command.options) {
+    if (option.is_positional() || option.is_switch() || takes(option, "word")) continue;
+    ++numbers;
+    for (const std::string text :
+         {"nan", "-nan", "inf", "-inf", "1e999", "nan,nan,nan", "nan,nan,nan,nan", "nan/nan",
+          "180/inf", "nanmm", "infm", "nanxinf", ""}) {
+      INFO(option.name << " " << text);
+      CHECK_FALSE(takes(option, text));
+    }
+    check_refused({option.name, "-inf"}, ": ");
+  }
+  CHECK(numbers > 15);
+}
+
+TEST_CASE("options of lines and page") {
+  const auto s = given({"--profiles",
+                        "150",
+                        "--occluder",
+                        "surface",
+                        "--visibility-tolerance",
+                        "0",
+                        "--simplify",
+                        "0",
+                        "--flat",
+                        "draw",
+                        "--layers",
+                        "border,profiles",
+                        "--page",
+                        "A3",
+                        "--landscape",
+                        "--margin",
+                        "5",
+                        "--pen-width",
+                        "0.3",
+                        "--title",
+                        "Two words"});
+  CHECK(std::get<ProfileCount>(s.plan.value()).count == 150);
+  CHECK(s.occluder == Occluder::surface);
+  CHECK(s.visibility_tolerance_mm == 0);
+  CHECK(s.simplify_mm == 0);
+  CHECK(s.flat == FlatGround::draw);
+  CHECK(s.layers == Arguments{"border", "profiles"});
+  CHECK(s.page.width_mm == 297);
+  CHECK(s.page.height_mm == 420);
+  CHECK(s.page.orientation == Orientation::landscape);
+  CHECK(s.page.margin_mm == 5);
+  CHECK(s.pen_width_mm == 0.3);
+  CHECK(s.title == "Two words");
+  CHECK(std::get<PageSpacing>(given({"--spacing", "0.6mm"}).plan.value()).mm == 0.6);
+  CHECK(given({"--page", "400x250"}).page.orientation == Orientation::as_given);
+  CHECK(given({"--portrait", "--page", "400x250"}).page.orientation == Orientation::portrait);
+
+  check_refused({"--profiles", "0"}, "1 to 100000");
+  check_refused({"--profiles", "100001"}, "1 to 100000");
+  check_refused({"--spacing", "0.6"}, "0.6mm on the page or 100m on the ground");
+  check_refused({"--occluder", "all"}, "surface|profiles");
+  check_refused({"--simplify", "-0.1"}, "mm, 0 to 10");
+  check_refused({"--visibility-tolerance", "-1"}, "mm, 0 to 10");
+  check_refused({"--flat", "no"}, "shore|draw");
+  check_refused({"--layers", "profiles,profiles"}, "each once of profiles,shores,border");
+  check_refused({"--layers", "contours"}, "each once of");
+  check_refused({"--layers", ""}, "each once of");
+  check_refused({"--page", "a99"}, "a4");
+  check_refused({"--page", "0x100"}, "1 to 10000");
+  check_refused({"--margin", "-1"}, "mm, at least 0");
+  check_refused({"--margin", "105"}, "--margin 104.5 or less");
+  check_refused({"--page", "1x1"}, "larger --page");
+  check_refused({"--pen-width", "0"}, "mm, 0.01 to 10");
+}
+
+TEST_CASE("output options") {
+  const auto s = given({"--of", "PNG", "--dpi", "600", "--overwrite", "--report", "r.json", "-q"});
+  CHECK(s.write.format == Format::png);
+  CHECK(s.write.dpi == 600);
+  CHECK(s.write.overwrite);
+  CHECK(s.report == "r.json");
+  CHECK(s.quiet);
+  CHECK(given({"--progress"}).progress == true);
+  CHECK(given({"--no-progress", "-q"}).progress == false);
+  CHECK(parse_render({"in.tif", "-", "--of", "svg"})->output == "-");
+
+  check_refused({"--of", "dxf"}, "geojson");
+  check_refused({"--dpi", "300"}, "--of png");
+  check_refused({"--of", "png", "--dpi", "5"}, "10 to 4800");
+  check_refused({"--of", "png", "--dpi", "4800", "--page", "a0"}, "or less");
+  check_refused({"--report", ""}, "a file name");
+  CHECK(refusal_of({"in.tif", "out.dxf"}).find("svg") != std::string::npos);
+  CHECK(refusal_of({"in.tif", "-"}).find("--of svg") != std::string::npos);
+  CHECK(refusal_of({"in.tif", "-", "--of", "pdf"}).find("text format") != std::string::npos);
+  CHECK(refusal_of({"in.tif", ""}).find("OUTPUT '' can't be used") != std::string::npos);
+}
+
+TEST_CASE("options that exclude each other") {
+  check_refused({"--view-from", "180/25", "--eye", "1,2,3"}, "exclude each other");
+  check_refused({"--distance", "10", "--eye", "1,2,3"}, "exclude each other");
+  check_refused({"--profiles", "10", "--spacing", "1mm"}, "exclude each other");
+  check_refused({"--portrait", "--landscape"}, "exclude each other");
+  check_refused({"--progress", "--no-progress"}, "exclude each other");
+  check_refused({"-q", "--progress"}, "exclude each other");
+  for (const Arguments& option :
+       {Arguments{"--distance", "10"}, {"--fov", "30"}, {"--eye", "1,2,3"}}) {
+    Arguments options{"--projection", "orthographic"};
+    options.insert(options.end(), option.begin(), option.end());
+    check_refused(options, option.front() + " has no meaning in an orthographic view");
+  }
+  check_refused({"--eye", "1,2,3", "--look-at", "1,2,3"}, "the same point");
+}
+
+TEST_CASE("a command line that isn't one") {
+  check_refused({"--fow", "30"}, "unknown option --fow: did you mean --fov?");
+  check_refused({"--fow=30"}, "did you mean --fov?");
+  check_refused({"-of", "svg"}, "did you mean --of?");
+  check_refused({"--exag", "2"}, "did you mean --exaggeration?");
+  check_refused({"--zzzzzzzzzzzz"}, "unknown option --zzzzzzzzzzzz: orograph render --help");
+  check_refused({"--fov", "--roll", "3"}, "--fov has no value");
+  check_refused({"--fov="}, "--fov '' can't be used");
+  check_refused({"--fov", "30", "--fov", "40"}, "--fov is given 2 times");
+  check_refused({"--overwrite=false"}, "takes no value");
+  check_refused({"third.tif"}, "one argument too many");
+  CHECK(refusal_of({}).find("no INPUT") != std::string::npos);
+  CHECK(refusal_of({"in.tif"}).find("no OUTPUT") != std::string::npos);
+  CHECK(refusal_of({"in.tif", "out.svg", "--fov"}).find("--fov has no value") != std::string::npos);
+}
+
+TEST_CASE("forms of giving a value") {
+  CHECK(given({"--title="}).title.empty());
+  CHECK(given({"--title", ""}).title.empty());
+  CHECK(given({"--title=--fov"}).title == "--fov");
+  CHECK(given({"-b2"}).raster.band == 2);
+  CHECK(given({"-qb", "2"}).raster.band == 2);
+  CHECK(parse_render({"--", "-in.tif", "-out.svg"})->input == "-in.tif");
+  CHECK_FALSE(parse_render({"--help"}));
+  CHECK_FALSE(parse_render({"-h", "in.tif"}));
+}
+
+TEST_CASE("an output is never an input") {
+  const MadeFolder folder;
+  const std::string input = folder.write("in.svg", "heights");
+  namespace fs = std::filesystem;
+  fs::create_symlink(input, folder.path("link.svg"));
+  fs::create_hard_link(input, folder.path("hard.svg"));
+  fs::create_directory(folder.path("sub"));
+
+  for (const std::string output :
+       {input, folder.path("link.svg"), folder.path("hard.svg"), folder.path("sub/../in.svg")}) {
+    INFO(output);
+    CHECK(refusal_of({input, output}).find("is the INPUT") != std::string::npos);
+    CHECK(refusal_of({input, folder.path("out.svg"), "--report", output}).find("is the INPUT") !=
+          std::string::npos);
+  }
+  CHECK(refusal_of({input, folder.path("out.svg"), "--report", folder.path("sub/../out.svg")})
+            .find("is the OUTPUT too") != std::string::npos);
+  CHECK(refusal_of({input, folder.path("out.svg")}) == "accepted");
+
+  CHECK(replaces_input("/vsizip/" + input + "/a/b.tif", input));
+  CHECK(replaces_input("/vsigzip//vsitar/" + input + "/b.tif", input));
+  CHECK(replaces_input("NETCDF:\"" + input + "\":band", input));
+  CHECK(replaces_input("GPKG:" + input + ":heights", input));
+  CHECK_FALSE(replaces_input(input, folder.path("out.svg")));
+  CHECK_FALSE(replaces_input(folder.path("sub/other.tif"), input));
+}
+
+TEST_CASE("options of info") {
+  const auto s = parse_info({"in.tif", "-b", "3", "--bbox", "0,0,1,1", "--overview", "1"});
+  REQUIRE(s);
+  CHECK(s->input == "in.tif");
+  CHECK(s->raster.band == 3);
+  CHECK(s->raster.overview == 1);
+  CHECK_FALSE(parse_info({"--help"}));
+  CHECK_THROWS_AS(parse_info({"in.tif", "--fov", "30"}), UsageError);
+}

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The same surface gives the same grid, whatever the file's order, type, nodata and units.
+#include "dem/read_raster.hpp"
+#include "tests/catch.hpp"
+#include "tests/dem/raster_file.hpp"
+#include "tests/dem/stored_surface.hpp"
+#include "tests/dem/temp_folder.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+using namespace orograph;
+
+namespace {
+
+constexpr double us_foot_m = 1200. / 3937., foot_m = 0.3048;
+
+Terrain read_back(const RasterFile& raster, const RasterOptions& options = {}) {
+  const TempFolder folder;
+  write_raster(raster, folder.file("dem.tif"));
+  return read_raster(folder.file("dem.tif"), options);
+}
+
+bool has_note(const Terrain& terrain, const std::string& words) {
+  for (const std::string& note : terrain.notes)
+    if (note.find(words) != std::string::npos) return true;
+  return false;
+}
+
+// Every vertex where the surface has it (to the rounding of coordinates of 5e6) and as high, but
+// for a hole at (3, 2).
+void check_surface(const Terrain& terrain, const Surface& surface, double height_tolerance_m) {
+  REQUIRE(terrain.grid.columns == surface.columns);
+  REQUIRE(terrain.grid.rows == surface.rows);
+  for (int row = 0; row < surface.rows; ++row)
+    for (int column = 0; column < surface.columns; ++column) {
+      const Vec2 ground = terrain.grid.position_m(column, row);
+      const Vec3 map = terrain.map.to_map({ground.x, ground.y, 0});
+      CHECK(length(Vec2{map.x, map.y} - surface.position(column, row)) <= 1e-8);
+      const double height = terrain.grid.height_m(column, row);
+      if (column == 3 && row == 2)
+        CHECK(std::isnan(height));
+      else
+        CHECK(std::abs(height - surface.height(column, row)) <= height_tolerance_m);
+    }
+}
+
+// Raw values from heights, with a hole of `hole`.
+RasterFile encoded(const Surface& surface, Storage how, double scale, double offset, double hole) {
+  RasterFile raster = stored(surface, how);
+  for (double& value : raster.values)
+    value = value == surface.height(3, 2) ? hole : std::round((value - offset) / scale);
+  return raster;
+}
+
+} // namespace
+
+TEST_CASE("one grid from all eight storages, upright and rotated, in all types") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double angle_deg : {0., 30., -41.}) {
+    const Surface surface = rotated_surface(angle_deg);
+    for (const Storage how : all_storages()) {
+      INFO("angle " << angle_deg << " transposed " << how.transposed);
+      SECTION("Float32 with NaN and no nodata value") {
+        check_surface(read_back(encoded(surface, how, 1, 0, nan)), surface, 0);
+      }
+      SECTION("Float32 with an infinite hole") {
+        const double infinity = std::numeric_limits<double>::infinity();
+        check_surface(read_back(encoded(surface, how, 1, 0, -infinity)), surface, 0);
+      }
+      SECTION("Int16 with nodata +32767") {
+        RasterFile raster = encoded(surface, how, 1, 0, 32767);
+        raster.type = "Int16";
+        raster.nodata = 32767;
+        check_surface(read_back(raster), surface, 0);
+      }
+      SECTION("UInt16 with scale and offset; nodata is a raw value") {
+        RasterFile raster = encoded(surface, how, 0.1, -100, 65535);
+        raster.type = "UInt16";
+        raster.nodata = 65535;
+        raster.scale = 0.1;
+        raster.offset = -100;
+        // Float's rounding of heights up to 200.
+        check_surface(read_back(raster), surface, 1e-5);
+      }
+      SECTION("Float64") {
+        RasterFile raster = encoded(surface, how, 1, 0, -9999);
+        raster.type = "Float64";
+        raster.nodata = -9999;
+        check_surface(read_back(raster), surface, 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("positions along a row of an upright grid are whole steps, exactly") {
+  for (const Storage how : all_storages()) {
+    const Terrain terrain = read_back(stored(Surface{}, how));
+    for (int row = 0; row < terrain.grid.rows; ++row)
+      for (int column = 0; column < terrain.grid.columns; ++column)
+        CHECK(terrain.grid.position_m(column, row) == Vec2{10. * column, -8. * row});
+    CHECK(terrain.map.origin == Vec2{500005, 4999995});
+  }
+}
+
+TEST_CASE("heights are double only where float can't hold the file's") {
+  RasterFile raster = counting_raster(4, 3);
+  const auto in_double = [&](const char* type) {
+    raster.type = type;
+    return std::holds_alternative<std::vector<double>>(read_back(raster).grid.heights_m);
+  };
+  for (const char* type : {"Byte", "Int16", "UInt16", "Float32"}) CHECK(!in_double(type));
+  for (const char* type : {"Int32", "UInt32", "Float64"}) CHECK(in_double(type));
+  raster.values[5] = 16777217; // the first integer that float can't hold
+  raster.type = "Int32";
+  CHECK(read_back(raster).grid.height_m(1, 1) == 16777217);
+}
+
+TEST_CASE("the vertex is the cell's centre in both pixel conventions") {
+  RasterFile raster = counting_raster(4, 3);
+  const Terrain area = read_back(raster);
+  raster.area_or_point = "Point";
+  const Terrain point = read_back(raster);
+  CHECK(area.map.origin == Vec2{500005, 4999995});
+  CHECK(point.map.origin == area.map.origin);
+  CHECK(point.grid.column_step_m == area.grid.column_step_m);
+}
+
+TEST_CASE("US survey feet across and feet up come to metres and back") {
+  RasterFile raster = counting_raster(4, 3);
+  raster.crs = "EPSG:2229";
+  raster.geotransform = {6457000, 100, 0, 1971000, 0, -100};
+  raster.unit = "ft";
+  const Terrain terrain = read_back(raster);
+  // The CRS data base writes the unit with 15 digits.
+  CHECK(std::abs(terrain.map.unit_m - us_foot_m) <= 1e-15);
+  CHECK(terrain.map.unit_name == "US survey foot");
+  CHECK(terrain.map.height_unit_m == foot_m);
+  CHECK(terrain.map.height_unit_name == "foot");
+  CHECK(terrain.grid.column_step_m == Vec2{100 * terrain.map.unit_m, 0});
+  CHECK(std::abs(terrain.grid.height_m(3, 2) - 11 * foot_m) <= 1e-6);
+  const Vec2 last = terrain.grid.position_m(3, 2);
+  const Vec3 map = terrain.map.to_map({last.x, last.y, terrain.grid.height_m(3, 2)});
+  CHECK(std::abs(map.x - 6457350) <= 1e-8);
+  CHECK(std::abs(map.y - 1970750) <= 1e-8);
+  CHECK(std::abs(map.z - 11) <= 1e-5);
+  CHECK(!has_note(terrain, "no unit"));
+}
+
+TEST_CASE("units of height") {
+  RasterFile raster = counting_raster(4, 3);
+  const auto unit_m = [&](const char* unit) {
+    raster.unit = unit;
+    return read_back(raster).map.height_unit_m;
+  };
+  CHECK(unit_m("m") == 1);
+  CHECK(unit_m("Metre") == 1);
+  CHECK(unit_m("us-ft") == us_foot_m);
+  CHECK(unit_m("US survey foot") == us_foot_m);
+  CHECK(unit_m("FEET") == foot_m);
+  CHECK(unit_m("cm") == 0.01);
+  raster.unit = "";
+  CHECK(has_note(read_back(raster), "no unit of height"));
+  raster.crs = "EPSG:32610+6360"; // with NAVD88 heights in US survey feet
+  const Terrain compound = read_back(raster);
+  CHECK(compound.map.height_unit_m == us_foot_m);
+  CHECK(!has_note(compound, "no unit of height"));
+}
+
+TEST_CASE("the CRS is kept by name and text") {
+  const Terrain with = read_back(counting_raster(4, 3));
+  CHECK(with.map.crs_name == "WGS 84 / UTM zone 32N (EPSG:32632)");
+  CHECK(with.map.crs_wkt.find("UTM zone 32N") != std::string::npos);
+  CHECK(with.notes.empty());
+  RasterFile raster = counting_raster(4, 3);
+  raster.crs = "";
+  const Terrain without = read_back(raster);
+  CHECK(without.map.crs_name == "none");
+  CHECK(without.map.crs_wkt.empty());
+  CHECK(has_note(without, "no CRS"));
+}
+
+TEST_CASE("without georeference cells are 1 m and the first row is in the north") {
+  RasterFile raster = counting_raster(4, 3);
+  raster.geotransform.reset();
+  raster.crs = "";
+  const Terrain terrain = read_back(raster);
+  CHECK(terrain.grid.column_step_m == Vec2{1, 0});
+  CHECK(terrain.grid.row_step_m == Vec2{0, -1});
+  CHECK(terrain.grid.height_m(1, 0) == 1);
+  CHECK(terrain.grid.height_m(0, 1) == 4);
+  CHECK(has_note(terrain, "no georeference"));
+}
+
+TEST_CASE("a mask in the file makes gaps as nodata does") {
+  RasterFile raster = counting_raster(4, 3);
+  raster.bands = 2;
+  raster.type = "Byte";
+  raster.creation_options = {"ALPHA=YES"};
+  const Terrain terrain = read_back(raster); // band 2 holds the same values: 0 at the first vertex
+  CHECK(std::isnan(terrain.grid.height_m(0, 0)));
+  CHECK(terrain.grid.height_m(1, 0) == 1);
+}
+
+TEST_CASE("any block layout gives the same heights") {
+  RasterFile raster = counting_raster(700, 500);
+  const auto plain = std::get<std::vector<float>>(read_back(raster).grid.heights_m);
+  REQUIRE(plain.size() == 350000);
+  CHECK(plain[123456] == 123456);
+  for (const std::vector<std::string>& layout :
+       {std::vector<std::string>{"TILED=YES", "BLOCKXSIZE=128", "BLOCKYSIZE=64"},
+        {"TILED=YES", "BLOCKXSIZE=1024", "BLOCKYSIZE=1024"},
+        {"BLOCKYSIZE=500", "COMPRESS=DEFLATE"},
+        {"BLOCKYSIZE=7"}}) {
+    raster.creation_options = layout;
+    CHECK(std::get<std::vector<float>>(read_back(raster).grid.heights_m) == plain);
+    RasterOptions part;
+    part.bbox = Box2{{500995, 4996995}, {505005, 4999005}};
+    const Terrain window = read_back(raster, part);
+    CHECK(window.grid.columns == 402);
+    CHECK(window.grid.rows == 202);
+    CHECK(window.grid.height_m(0, 0) == 99 * 700 + 99);
+    CHECK(window.grid.height_m(401, 201) == 300 * 700 + 500);
+  }
+}
+
+TEST_CASE("reading leaves nothing beside the file") {
+  const TempFolder folder;
+  write_raster(counting_raster(4, 3), folder.file("dem.tif"));
+  read_raster(folder.file("dem.tif"));
+  int files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    ++files;
+  CHECK(files == 1);
+}
+
+TEST_CASE("unwritten parts of a file are told") {
+  RasterFile raster = counting_raster(64, 64);
+  raster.values.clear();
+  raster.creation_options = {"SPARSE_OK=TRUE"};
+  CHECK(has_note(read_back(raster), "never written"));
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts and overviews of rasters.
+#include "dem/read_raster.hpp"
+#include "geometry/error.hpp"
+#include "tests/catch.hpp"
+#include "tests/dem/raster_file.hpp"
+#include "tests/dem/stored_surface.hpp"
+#include "tests/dem/temp_folder.hpp"
+
+#include <cmath>
+
+using namespace orograph;
+
+namespace {
+
+Terrain read_back(const RasterFile& raster, const RasterOptions& options) {
+  const TempFolder folder;
+  write_raster(raster, folder.file("dem.tif"));
+  return read_raster(folder.file("dem.tif"), options);
+}
+
+} // namespace
+
+TEST_CASE("a window holds the vertices inside it, border included, in any storage") {
+  RasterOptions options;
+  options.bbox = Box2{{500015, 4999971}, {500034, 4999990}}; // columns 1 to 2, rows 1 to 3
+  for (const Storage how : all_storages()) {
+    const Surface surface;
+    const Terrain terrain = read_back(stored(surface, how), options);
+    REQUIRE(terrain.grid.columns == 2);
+    REQUIRE(terrain.grid.rows == 3);
+    CHECK(terrain.map.origin == surface.position(1, 1));
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 2; ++column)
+        CHECK(terrain.grid.height_m(column, row) == surface.height(column + 1, row + 1));
+  }
+}
+
+TEST_CASE("a window of a rotated raster has no heights outside the box") {
+  const Surface surface = rotated_surface(30);
+  const Box2 box{{500010, 4999965}, {500055, 5000005}};
+  RasterOptions options;
+  options.bbox = box;
+  for (const Storage how : all_storages()) {
+    const Terrain terrain = read_back(stored(surface, how), options);
+    int kept = 0, expected = 0;
+    for (int row = 0; row < terrain.grid.rows; ++row)
+      for (int column = 0; column < terrain.grid.columns; ++column) {
+        const Vec2 ground = terrain.grid.position_m(column, row);
+        const Vec3 map = terrain.map.to_map({ground.x, ground.y, 0});
+        const bool inside =
+            map.x >= box.low.x && map.x <= box.high.x && map.y >= box.low.y && map.y <= box.high.y;
+        CHECK(std::isnan(terrain.grid.height_m(column, row)) == !inside);
+        kept += inside;
+      }
+    for (int row = 0; row < surface.rows; ++row)
+      for (int column = 0; column < surface.columns; ++column) {
+        const Vec2 p = surface.position(column, row);
+        expected += p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+      }
+    CHECK(kept == expected);
+    CHECK(kept > 10);
+  }
+}
+
+TEST_CASE("an overview covers the same ground with larger cells") {
+  // Sizes that 2 and 4 don't divide: 101 x 67 becomes 51 x 34 and 26 x 17.
+  RasterFile raster = counting_raster(101, 67);
+  raster.overviews = {2, 4};
+  raster.type = "UInt16";
+  raster.scale = 0.5;
+  raster.offset = 3;
+  raster.unit = "ft";
+  for (const int level : {0, 1}) {
+    RasterOptions options;
+    options.overview = level;
+    const Terrain terrain = read_back(raster, options);
+    const int columns = level == 0 ? 51 : 26, rows = level == 0 ? 34 : 17;
+    REQUIRE(terrain.grid.columns == columns);
+    REQUIRE(terrain.grid.rows == rows);
+    const double across = 1010. / columns, down = 670. / rows;
+    CHECK(std::abs(terrain.grid.column_step_m.x - across) <= 1e-12);
+    CHECK(std::abs(terrain.grid.row_step_m.y + down) <= 1e-12);
+    CHECK(std::abs(terrain.map.origin.x - (500000 + across / 2)) <= 1e-8);
+    CHECK(std::abs(terrain.map.origin.y - (5000000 - down / 2)) <= 1e-8);
+    // Scale, offset and unit stay those of the full heights; the first cell's value is 0, or a
+    // neighbour's within a factor of 4 cells.
+    const double raw = (terrain.grid.height_m(0, 0) / 0.3048 - 3) / 0.5;
+    CHECK(raw >= -1e-4);
+    CHECK(raw <= 4 + 4 * 101);
+    CHECK(std::abs(raw - std::round(raw)) <= 1e-4);
+  }
+}
+
+TEST_CASE("a window of an overview") {
+  RasterFile raster = counting_raster(100, 60);
+  raster.overviews = {2};
+  RasterOptions options;
+  options.overview = 0;
+  options.bbox = Box2{{500100, 4999700}, {500300, 4999900}};
+  const Terrain terrain = read_back(raster, options);
+  CHECK(terrain.grid.columns == 10);
+  CHECK(terrain.grid.rows == 10);
+  CHECK(terrain.map.origin == Vec2{500110, 4999890});
+}
+
+TEST_CASE("a band other than the first") {
+  const TempFolder folder;
+  RasterFile raster = counting_raster(4, 3);
+  raster.bands = 2;
+  write_raster(raster, folder.file("dem.tif"));
+  RasterOptions options;
+  options.band = 2;
+  CHECK(read_raster(folder.file("dem.tif"), options).grid.height_m(1, 1) == 5);
+}

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The tree keeps to its layers; and scripts/check-layering sees it where a planted line doesn't.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+check=$root/scripts/check-layering
+
+"$check" || { echo "FAILED: the tree doesn't keep to its layers"; exit 1; }
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+
+# expect RED|GREEN FILE LINE: a tree of that one file.
+expect() {
+  rm -rf "$scratch/tree"
+  mkdir -p "$scratch/tree/$(dirname "$2")"
+  printf '// planted\n%s\n' "$3" >"$scratch/tree/$2"
+  local colour=GREEN
+  "$check" "$scratch/tree" >"$scratch/said" || colour=RED
+  if [[ $colour != "$1" ]]; then
+    echo "FAILED: $3 in $2 is $colour, should be $1"
+    failures=$((failures + 1))
+  elif [[ $colour == RED ]] && ! grep --quiet "^$2:2: " "$scratch/said"; then
+    echo "FAILED: the place of $3 in $2 isn't named: $(cat "$scratch/said")"
+    failures=$((failures + 1))
+  fi
+}
+
+expect GREEN src/view/view.cpp '#include "geometry/vec.hpp"'
+expect GREEN src/view/view.cpp '#include <vector>'
+expect GREEN src/view/view.cpp '#include <fmt/format.h>'
+expect GREEN profiles/plan.cpp '#include "dem/grid.hpp"'
+expect GREEN cli/render.cpp '#include "draw/drawing.hpp"'
+expect GREEN cli/render.cpp '#include <CLI/CLI.hpp>'
+expect GREEN cli/render.cpp '#include <sys/resource.h>'
+expect GREEN dem/read.cpp '#include <gdal_priv.h>'
+expect GREEN src/draw/ogr.cpp '#include <ogrsf_frmts.h>'
+expect GREEN src/draw/pdf.cpp '#include <cairo-pdf.h>'
+expect GREEN src/reference/exact.cpp '#include <CGAL/Gmpq.h>'
+
+# back-includes
+expect RED src/geometry/vec.hpp '#include "dem/grid.hpp"'
+expect RED dem/grid.cpp '#include "view/view.hpp"'
+expect RED dem/grid.cpp '#include "profiles/plan.hpp"'
+expect RED src/view/view.cpp '#include "dem/grid.hpp"'
+expect RED src/horizon/clip.cpp '#include "profiles/plan.hpp"'
+expect RED src/horizon/clip.cpp '#include "reference/ray.hpp"'
+expect RED src/draw/svg.cpp '#include "cli/report.hpp"'
+expect RED src/draw/svg.cpp '  #  include  "cli/report.hpp" // spread out'
+expect RED src/reference/ray.cpp '#include "cli/report.hpp"'
+expect RED profiles/plan.cpp '#include "horizon/clip.hpp"'
+# by another road
+expect RED src/view/view.cpp '#include "src/draw/drawing.hpp"'
+expect RED src/view/view.cpp '#include "../draw/drawing.hpp"'
+expect RED src/view/view.cpp '#include <draw/drawing.hpp>'
+expect RED src/view/view.cpp '#include "view.hpp"'
+expect RED cli/render.cpp '#include "tests/catch.hpp"'
+# foreign libraries outside their place
+expect RED src/view/view.cpp '#include <gdal.h>'
+expect RED profiles/plan.cpp '#include "cpl_error.h"'
+expect RED cli/info.cpp '#include <ogr_spatialref.h>'
+expect RED cli/render.cpp '#include <cairo.h>'
+expect RED dem/read.cpp '#include <cairo/cairo.h>'
+expect RED src/horizon/clip.cpp '#include <CGAL/Gmpq.h>'
+expect RED src/view/frame.cpp '#include <GeographicLib/Geodesic.hpp>'
+expect RED src/draw/svg.cpp '#include <CLI/CLI.hpp>'
+expect RED dem/read.cpp '#include <nlohmann/json.hpp>'
+expect RED dem/read_raster.hpp '#include <gdal.h>'
+expect RED cli/render.cpp '#include <boost/optional.hpp>'
+expect RED src/draw/png.cpp '#include <png.h>'
+
+[[ $failures -eq 0 ]]
