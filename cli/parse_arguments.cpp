@@ -104,13 +104,15 @@ std::string without_dashes(std::string_view name) {
                        : see_help(command));
 }
 
-void refuse_leftovers(const Command& command, const std::vector<std::string>& leftovers) {
+void refuse_leftovers(const Command& command, std::vector<std::string> leftovers) {
+  // CLI11 counts the mark after which all are names among what it couldn't use.
+  std::erase(leftovers, "--");
   if (leftovers.empty()) return;
   // An unknown option's value has pushed the others on: the option is what to speak of.
   const auto unknown = std::find_if(leftovers.begin(), leftovers.end(), [](const auto& argument) {
     return argument.size() > 1 && argument[0] == '-';
   });
-  if (unknown != leftovers.end() && *unknown != "--") refuse_unknown(command, *unknown);
+  if (unknown != leftovers.end()) refuse_unknown(command, *unknown);
   std::string wanted;
   for (const auto& option : command.options)
     if (option.is_positional()) wanted += " " + option.name;

@@ -27,6 +27,7 @@ public:
 
   /// Whether all bytes up to now went out or wait in the buffer.
   bool append(std::string_view bytes) noexcept;
+  const std::string& name() const { return name_; }
   /// Bytes appended.
   std::uint64_t size() const { return size_; }
   /// Writes what waits and closes. Throws Error where this or any write before has failed.

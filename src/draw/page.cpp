@@ -47,13 +47,18 @@ double fitting_scale(const Box2& window, const Page& page) {
   return std::isfinite(scale) ? scale : 1; // a window that is one point
 }
 
+// Written so that a NaN fails.
+bool leaves_room(double side_mm, double margin_mm) {
+  return margin_mm >= 0 && side_mm - 2 * margin_mm >= kSmallestInner_mm;
+}
+
 void check(const PageRequest& request) {
-  const double inner_mm = std::min(request.width_mm, request.height_mm) - 2 * request.margin_mm;
-  if (!(inner_mm >= kSmallestInner_mm) || !(request.margin_mm >= 0))
+  if (!leaves_room(request.width_mm, request.margin_mm) ||
+      !leaves_room(request.height_mm, request.margin_mm))
     throw UsageError(fmt::format("margins of {} mm leave no room on a page of {} x {} mm",
                                  request.margin_mm, request.width_mm, request.height_mm),
                      "margins from 0 up to what leaves 1 mm each way");
-  if (!(std::max(request.width_mm, request.height_mm) <= kLargestSide_mm))
+  if (std::max(request.width_mm, request.height_mm) > kLargestSide_mm)
     throw UsageError(
         fmt::format("a page of {} x {} mm is too large", request.width_mm, request.height_mm),
         fmt::format("sides of at most {} mm", kLargestSide_mm));

@@ -34,7 +34,7 @@ const std::vector<std::string>& paper_names();
 /// The page for a picture of this window (picture-plane coordinates): the window as large as fits
 /// inside the margins, centred, never stretched. `by_picture` takes the orientation in which it
 /// comes out larger.
-/// Throws UsageError where the margins leave less than 1 mm.
+/// Throws UsageError where the margins leave less than 1 mm, or a side is over 10 m.
 Placement place_on_page(const Box2& window, const PageRequest& request);
 
 } // namespace orograph

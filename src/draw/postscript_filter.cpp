@@ -26,7 +26,7 @@ bool PostscriptFilter::pass_on_line() noexcept {
 void PostscriptFilter::finish() {
   pass_on_line();
   if (good_ && !page_is_whole_)
-    throw Error("the page got lost in a temporary file (its disk may be full)",
+    throw Error(out_.name() + " can't be written (the page got lost in a temporary file)",
                 "free space in /tmp, or another format");
 }
 

@@ -37,15 +37,15 @@ cairo_status_t call_append(void* append, const unsigned char* data, unsigned int
 }
 
 // A write error is the sink's to tell, with the system's reason.
-void check(cairo_status_t status) {
+void check(cairo_status_t status, const ByteSink& out) {
   if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_WRITE_ERROR)
-    throw Error(fmt::format("the drawing can't be written ({})", cairo_status_to_string(status)),
-                "room in memory and in the folder for temporary files, or another format");
+    throw Error(fmt::format("{} can't be written ({})", out.name(), cairo_status_to_string(status)),
+                "room in memory and in /tmp, or another format");
 }
 
 // Short neighbouring strokes share a path. `ink` sets the colour of a grey.
 void draw(cairo_surface_t* surface, const Drawing& drawing, double scale,
-          void (*ink)(cairo_t*, double grey)) {
+          void (*ink)(cairo_t*, double grey), const ByteSink& out) {
   const Context context(cairo_create(surface), cairo_destroy);
   cairo_t* const pen = context.get();
   cairo_set_line_cap(pen, CAIRO_LINE_CAP_ROUND);
@@ -65,13 +65,13 @@ void draw(cairo_surface_t* surface, const Drawing& drawing, double scale,
     }
     cairo_stroke(pen);
   }
-  check(cairo_status(pen));
+  check(cairo_status(pen), out);
 }
 
-void finish(cairo_surface_t* surface) {
+void finish(cairo_surface_t* surface, const ByteSink& out) {
   cairo_surface_show_page(surface);
   cairo_surface_finish(surface);
-  check(cairo_surface_status(surface));
+  check(cairo_surface_status(surface), out);
 }
 
 void set_grey(cairo_t* pen, double grey) {
@@ -91,8 +91,8 @@ void write_pdf(const Drawing& drawing, ByteSink& out) {
   set(CAIRO_PDF_METADATA_SUBJECT, clean_utf8(drawing.description));
   set(CAIRO_PDF_METADATA_CREATOR, "orograph");
   set(CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z"); // the same bytes on any day
-  draw(surface.get(), drawing, kPointsPerMm, set_grey);
-  finish(surface.get());
+  draw(surface.get(), drawing, kPointsPerMm, set_grey, out);
+  finish(surface.get(), out);
 }
 
 void write_postscript(const Drawing& drawing, bool is_eps, ByteSink& out) {
@@ -104,8 +104,8 @@ void write_postscript(const Drawing& drawing, bool is_eps, ByteSink& out) {
                         cairo_surface_destroy);
   cairo_ps_surface_set_eps(surface.get(), is_eps);
   cairo_ps_surface_dsc_comment(surface.get(), postscript_title(drawing.title).c_str());
-  draw(surface.get(), drawing, kPointsPerMm, set_grey);
-  finish(surface.get());
+  draw(surface.get(), drawing, kPointsPerMm, set_grey, out);
+  finish(surface.get(), out);
   filter.finish();
 }
 
@@ -138,16 +138,16 @@ void write_png(const Drawing& drawing, double dpi, ByteSink& out) {
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, static_cast<int>(width),
                                                    static_cast<int>(height)),
                         cairo_surface_destroy);
-  check(cairo_surface_status(surface.get()));
+  check(cairo_surface_status(surface.get()), out);
   {
     const Context paper(cairo_create(surface.get()), cairo_destroy);
     set_level(paper.get(), 1);
     cairo_paint(paper.get());
   }
-  draw(surface.get(), drawing, scale, set_level);
+  draw(surface.get(), drawing, scale, set_level, out);
   PngResolution png(out, dpi);
   Append append = [&](std::string_view bytes) { return png.append(bytes); };
-  check(cairo_surface_write_to_png_stream(surface.get(), call_append, &append));
+  check(cairo_surface_write_to_png_stream(surface.get(), call_append, &append), out);
 }
 
 } // namespace

@@ -148,7 +148,7 @@ void write_geojson(const Drawing& drawing, ByteSink& out) {
   set_text(options, "DESCRIPTION", drawing.title);
   const std::string path = std::string(SinkFilesystem::kFolder) + "strokes.geojson";
   if (!write("GeoJSON", path, drawing, options, messages) && out.append({}))
-    throw gdal_error("GeoJSON", messages);
+    throw gdal_error(out.name(), messages);
 }
 
 void write_geopackage(const Drawing& drawing, const std::string& path, const std::string& name) {

@@ -26,17 +26,26 @@ Step resolve(const Segment& p, const HorizonPiece& piece, double a, double b,
              const ClipOptions& options) {
   using enum Standing::Kind;
   const double t_a = parameter_at(p, a), t_b = parameter_at(p, b);
-  const auto whole = [&](bool above, bool tied = false) {
-    return Step{1, {Stretch{a, b, t_a, t_b, above}}, tied};
+  const auto whole = [&](bool above, double t_begin, double t_end) {
+    if (a == p.x0) t_begin = 0;
+    if (b == p.x1) t_end = 1;
+    return Step{1, {Stretch{a, b, t_begin, t_end, above}}, false};
   };
-  if (is_sky(piece)) return whole(true);
+  if (is_sky(piece)) return whole(true, t_a, t_b);
   const bool exact = options.role == Role::occluder;
   const Standing standing = compare(p, piece.source, exact ? TieTolerance{} : options.tolerance);
-  if (standing.kind == tied) return whole(!exact && !piece.inked, true);
-  if (standing.kind == above || standing.kind == below) return whole(standing.kind == above);
+  if (standing.kind == tied) {
+    Step step = whole(!exact && !piece.inked, t_a, t_b);
+    step.tied = true;
+    return step;
+  }
+  if (standing.kind == above || standing.kind == below)
+    return whole(standing.kind == above, t_a, t_b);
   const bool first_above = standing.kind == above_then_below;
-  if (standing.x <= a) return whole(!first_above);
-  if (standing.x >= b) return whole(first_above);
+  // A crossing may round to where a horizon has fragmented: then, too, its place along p is its
+  // own.
+  if (standing.x <= a) return whole(!first_above, standing.x == a ? standing.t : t_a, t_b);
+  if (standing.x >= b) return whole(first_above, t_a, standing.x == b ? standing.t : t_b);
   return {2,
           {Stretch{a, standing.x, t_a, standing.t, first_above},
            Stretch{standing.x, b, standing.t, t_b, !first_above}},

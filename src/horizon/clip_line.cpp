@@ -64,6 +64,7 @@ void clip_line(Vec2 a, Vec2 b, const Horizon& horizon, std::vector<LinePart>& ou
   if (!turned) return;
   std::reverse(out.begin() + static_cast<std::ptrdiff_t>(first), out.end());
   for (std::size_t i = first; i < out.size(); ++i) out[i] = {1 - out[i].end, 1 - out[i].begin};
+  std::erase_if(out, [](const LinePart& part) { return !(part.begin < part.end); });
 }
 
 } // namespace orograph

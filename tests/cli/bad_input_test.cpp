@@ -6,7 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <limits>
+#include <iterator>
 #include <sstream>
 
 using namespace orograph;

@@ -14,7 +14,7 @@ using namespace orograph;
 
 namespace {
 
-constexpr int kSize = 1500;
+constexpr int kSize = 1000;
 
 /// A terrain that takes seconds to draw: an ESRI .bil of int16 with its header.
 void make_big_terrain(const MadeFolder& folder) {
@@ -48,7 +48,7 @@ TEST_CASE("an interrupted run leaves nothing but what was there") {
   const std::string old = "an older drawing";
   const std::vector<std::string> command{OROGRAPH_PROGRAM, "render",      "big.bil",
                                          "map.svg",        "--overwrite", "--profiles",
-                                         "4000",           "--simplify",  "0"};
+                                         "3000",           "--simplify",  "0"};
   for (const auto& [signal_number, exit_code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
     int interrupted = 0;
     for (const int after_ms : {30, 100, 300, 1000, -1}) {

@@ -262,7 +262,7 @@ TEST_CASE("an output is never an input") {
   fs::create_hard_link(input, folder.path("hard.svg"));
   fs::create_directory(folder.path("sub"));
 
-  for (const std::string output :
+  for (const std::string& output :
        {input, folder.path("link.svg"), folder.path("hard.svg"), folder.path("sub/../in.svg")}) {
     INFO(output);
     CHECK(refusal_of({input, output}).find("is the INPUT") != std::string::npos);

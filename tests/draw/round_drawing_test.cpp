@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rounding gives the decimals that are printed, and leaves no empty or repeated stroke.
+#include "draw/round_drawing.hpp"
+#include "tests/catch.hpp"
+#include "tests/draw/made_drawing.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+using namespace orograph;
+
+TEST_CASE("a rounded number is the double that its decimals read as") {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> page(-1500, 1500);
+  int inexact = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const double x = page(random);
+    const double rounded = rounded_to_page_step(x);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4f", rounded);
+    inexact += std::strtod(text, nullptr) != rounded;
+    inexact += rounded_to_page_step(rounded) != rounded;
+    // half a step, and the rounding of x * 1e4 at 1500 mm
+    inexact += std::abs(rounded - x) > 0.5 * kPageStep_mm + 1e-12;
+  }
+  CHECK(inexact == 0);
+}
+
+TEST_CASE("there is no minus zero") {
+  CHECK_FALSE(std::signbit(rounded_to_page_step(-0.00001)));
+  CHECK_FALSE(std::signbit(rounded_to_page_step(-0.0)));
+}
+
+TEST_CASE("equal neighbours go, with their map points, and ends keep theirs") {
+  Layer layer;
+  add_stroke(layer, {{1, 1}, {1.00001, 1}, {2, 1}, {2, 1.00002}, {3, 1}, {3.00003, 1}}, 5);
+  for (int i = 0; i < 6; ++i) layer.map.push_back({0.0 + i, 10.0 + i, 20.0 + i});
+  const RoundingCounts dropped = round_to_page_step(layer);
+  CHECK(layer.page_mm == std::vector<Vec2>{{1, 1}, {2, 1}, {3, 1}});
+  CHECK(layer.map == std::vector<Vec3>{{0, 10, 20}, {2, 12, 22}, {5, 15, 25}});
+  REQUIRE(layer.strokes.size() == 1);
+  CHECK(layer.strokes[0].point_count == 3);
+  CHECK(layer.strokes[0].profile == 5);
+  CHECK(dropped.points == 3);
+  CHECK(dropped.empty_strokes == 0);
+}
+
+TEST_CASE("strokes that become empty or equal go, the others keep their order") {
+  Layer layer;
+  add_stroke(layer, {{1, 1}, {2, 2}, {3, 1}}, 0);
+  add_stroke(layer, {{1, 1}, {1.00004, 0.99996}}, 1);         // empty
+  add_stroke(layer, {{3.00001, 1}, {2, 2.00001}, {1, 1}}, 2); // the first, reversed
+  add_stroke(layer, {{4, 4}, {5, 5}}, 3);                     //
+  add_stroke(layer, {{4, 4}, {4.00001, 4}, {5, 5}}, 4);       // equal to 3
+  add_stroke(layer, {{1, 1}, {2, 2}}, 5);                     // a part of the first
+  add_stroke(layer, {{7, 7}}, 6);                             // a point
+  add_stroke(layer, {{1, 1}, {3, 1}, {2, 2}}, 7);             // the first in another order
+  const RoundingCounts dropped = round_to_page_step(layer);
+  std::vector<int> profiles;
+  for (const Stroke& stroke : layer.strokes) profiles.push_back(stroke.profile);
+  CHECK(profiles == std::vector<int>{0, 3, 5, 7});
+  CHECK(dropped.empty_strokes == 2);
+  CHECK(dropped.repeated_strokes == 2);
+  CHECK(layer.page_mm ==
+        std::vector<Vec2>{
+            {1, 1}, {2, 2}, {3, 1}, {4, 4}, {5, 5}, {1, 1}, {2, 2}, {1, 1}, {3, 1}, {2, 2}});
+  CHECK(dropped.points == 19 - 10);
+}
+
+TEST_CASE("what is left has no fault, and rounding again changes nothing") {
+  // Points on so coarse a lattice that many strokes are empty or equal.
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> lattice(0, 2), count(1, 4);
+  Drawing drawing;
+  drawing.layers.resize(1);
+  Layer& layer = drawing.layers[0];
+  for (int s = 0; s < 3000; ++s) {
+    Stroke stroke{.first_point = static_cast<std::uint32_t>(layer.page_mm.size())};
+    stroke.point_count = static_cast<std::uint32_t>(count(random));
+    for (std::uint32_t i = 0; i < stroke.point_count; ++i)
+      layer.page_mm.push_back({20 + 0.00011 * lattice(random), 20 + 0.00011 * lattice(random)});
+    layer.strokes.push_back(stroke);
+  }
+  const RoundingCounts dropped = round_to_page_step(layer);
+  CHECK(dropped.empty_strokes > 0);
+  CHECK(dropped.repeated_strokes > 0);
+  CHECK(dropped.empty_strokes + dropped.repeated_strokes + layer.strokes.size() == 3000);
+  CHECK(find_fault(drawing).value_or("none") == "none");
+
+  const std::vector<Vec2> before = layer.page_mm;
+  const RoundingCounts again = round_to_page_step(layer);
+  CHECK(again.points + again.empty_strokes + again.repeated_strokes == 0);
+  CHECK(layer.page_mm == before);
+}
