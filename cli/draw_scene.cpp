@@ -2,11 +2,11 @@
 #include "cli/draw_scene.hpp"
 
 #include "cli/line_layer.hpp"
+#include "cli/tie_tolerance.hpp"
 #include "draw/round_drawing.hpp"
 #include "horizon/clip.hpp"
 #include "profiles/cut_grid.hpp"
 #include "profiles/project_profile.hpp"
-#include "view/place_view.hpp"
 
 #include <fmt/format.h>
 
@@ -32,13 +32,6 @@ public:
 private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-TieTolerance tolerance_on(const Scene& scene, double mm) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec2& corner : shown_corners(scene.view))
-    least = std::min(least, scene.to_page.mm_per_y(corner));
-  return {mm, scene.to_page, mm / least};
-}
 
 Layer empty_layer(const std::string& name, double pen_width_mm, double grey) {
   Layer layer;
@@ -137,7 +130,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
 
   const GridCutter cutter(terrain.grid, view, scene.level.triangles);
   const ClipOptions clip_options{Role::drawn_occluder,
-                                 tolerance_on(scene, settings.visibility_tolerance_mm), true};
+                                 tie_tolerance(scene, settings.visibility_tolerance_mm), true};
   Horizon horizon = initial_horizon();
   Profile profile;
   std::vector<Segment> segments;

@@ -61,29 +61,28 @@ struct Walk {
     out.after.push_back(Span::gap);
   }
 
-  bool has_height(const Vertex& p) const { return !std::isnan(p.z); }
+  // What triangle (a, b, c) holds of the surface.
+  Span span_in(const Vertex& a, const Vertex& b, const Vertex& c) const {
+    if (std::isnan(a.z) || std::isnan(b.z) || std::isnan(c.z)) return Span::gap;
+    if (level.empty()) return Span::slope;
+    const int column = std::min({a.column, b.column, c.column});
+    const int row = std::min({a.row, b.row, c.row});
+    const auto is_north_east = [&](const Vertex& p) { return p.column > column && p.row == row; };
+    const bool upper = is_north_east(a) || is_north_east(b) || is_north_east(c);
+    return level.has(column, row, upper ? Half::upper : Half::lower) ? Span::level : Span::slope;
+  }
 
   // What the plane meets on its way through triangle (near, far, ahead).
   Span span_of(const Vertex& near, const Vertex& far, const Vertex& ahead) const {
-    if (has_height(near) && has_height(far) && has_height(ahead)) {
-      if (level.empty()) return Span::slope;
-      const int column = std::min({near.column, far.column, ahead.column});
-      const int row = std::min({near.row, far.row, ahead.row});
-      const bool upper = (near.column == column + 1 && near.row == row) ||
-                         (far.column == column + 1 && far.row == row) ||
-                         (ahead.column == column + 1 && ahead.row == row);
-      return level.has(column, row, upper ? Half::upper : Half::lower) ? Span::level : Span::slope;
-    }
+    const Span span = span_in(near, far, ahead);
     // An edge in the plane belongs to the triangle on its other side as well.
     const Vertex& on_plane = far_at_plane ? far : near;
     const Vertex& off_plane = far_at_plane ? near : far;
-    if (on_plane.v != depth || ahead.v != depth) return Span::gap;
+    if (on_plane.v != depth || ahead.v != depth) return span;
     const int column = on_plane.column + ahead.column - off_plane.column;
     const int row = on_plane.row + ahead.row - off_plane.row;
-    if (!inside(column, row)) return Span::gap;
-    return has_height(on_plane) && has_height(ahead) && has_height(vertex(column, row))
-               ? Span::slope
-               : Span::gap;
+    return inside(column, row) ? std::max(span, span_in(on_plane, ahead, vertex(column, row)))
+                               : span;
   }
 
   // From the border edge near-far inwards, where `ahead` is the vertex of the border triangle.

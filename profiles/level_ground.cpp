@@ -79,7 +79,7 @@ GridEdge edge(const Grid& grid, int c0, int r0, int c1, int r1) {
 } // namespace
 
 std::size_t smallest_water(const Grid& grid) {
-  return std::max<std::size_t>(200, 2 * grid.size() / 5000);
+  return std::max<std::size_t>(500, 2 * grid.size() / 5000);
 }
 
 template <class Height>

@@ -21,7 +21,7 @@ struct LevelGround {
 LevelGround find_level_ground(const Grid& grid, std::size_t smallest);
 
 /// The size from which level ground reads as water on a page rather than as a step of whole-metre
-/// heights: 200 triangles, and a five-thousandth of the grid (10 mm² of an A4 map).
+/// heights: 500 triangles, and a five-thousandth of the grid (10 mm² of an A4 map).
 std::size_t smallest_water(const Grid& grid);
 
 } // namespace orograph

@@ -93,7 +93,6 @@ void ByteSink::write_out(std::string_view bytes) noexcept {
 
 void ByteSink::finish() {
   write_out(waiting_);
-  waiting_.clear();
   const int descriptor = std::exchange(descriptor_, -1);
   // Network file systems report a full disk only here.
   if (owns_descriptor_ && ::close(descriptor) != 0 && error_number_ == 0) error_number_ = errno;

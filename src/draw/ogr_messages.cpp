@@ -5,6 +5,7 @@
 #include <cpl_error.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace orograph {
 namespace {
@@ -26,10 +27,13 @@ OgrMessages::~OgrMessages() {
 }
 
 void OgrMessages::take(bool is_failure, const char* text) {
-  if (has_failure_ && !is_failure) return;
-  has_failure_ = has_failure_ || is_failure;
-  last_ = text;
-  std::ranges::replace(last_, '\n', ' ');
+  constexpr std::string_view before_reason = " failed: ";
+  if (has_failure_) return;
+  has_failure_ = is_failure;
+  reason_ = text;
+  if (const std::size_t found = reason_.rfind(before_reason); found != std::string::npos)
+    reason_.erase(0, found + before_reason.size());
+  std::ranges::replace(reason_, '\n', ' ');
 }
 
 } // namespace orograph

@@ -15,13 +15,14 @@ public:
   OgrMessages& operator=(const OgrMessages&) = delete;
 
   bool has_failure() const { return has_failure_; }
-  /// The last failure, or else the last warning, on one line; empty where there was none.
-  const std::string& last() const { return last_; }
+  /// The first failure (later ones follow from it), or else the last warning; on one line and
+  /// without the SQL statement that met it; empty where there was none.
+  const std::string& reason() const { return reason_; }
   void take(bool is_failure, const char* text);
 
 private:
   bool has_failure_ = false;
-  std::string last_;
+  std::string reason_;
 };
 
 } // namespace orograph

@@ -43,7 +43,7 @@ struct CloseDataset {
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
 Error gdal_error(const std::string& name, const OgrMessages& messages) {
-  const std::string reason = messages.last().empty() ? "no reason given" : messages.last();
+  const std::string reason = messages.reason().empty() ? "GDAL gives no reason" : messages.reason();
   return {fmt::format("{} can't be written ({})", name, reason),
           "a disk with room for it, and a folder that you may write to"};
 }

@@ -3,6 +3,7 @@
 #include "dem/read_raster.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/raster_file.hpp"
+#include "tests/dem/read_back.hpp"
 #include "tests/dem/stored_surface.hpp"
 #include "tests/dem/temp_folder.hpp"
 
@@ -13,20 +14,6 @@
 using namespace orograph;
 
 namespace {
-
-constexpr double us_foot_m = 1200. / 3937., foot_m = 0.3048;
-
-Terrain read_back(const RasterFile& raster, const RasterOptions& options = {}) {
-  const TempFolder folder;
-  write_raster(raster, folder.file("dem.tif"));
-  return read_raster(folder.file("dem.tif"), options);
-}
-
-bool has_note(const Terrain& terrain, const std::string& words) {
-  for (const std::string& note : terrain.notes)
-    if (note.find(words) != std::string::npos) return true;
-  return false;
-}
 
 // Every vertex where the surface has it (to the rounding of coordinates of 5e6) and as high, but
 // for a hole at (3, 2).
@@ -54,44 +41,69 @@ RasterFile encoded(const Surface& surface, Storage how, double scale, double off
   return raster;
 }
 
-} // namespace
-
-TEST_CASE("one grid from all eight storages, upright and rotated, in all types") {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const double angle_deg : {0., 30., -41.}) {
-    const Surface surface = rotated_surface(angle_deg);
+// The surface upright and rotated, in all eight storages.
+template <class Check>
+void for_all_storages(const Check& check) {
+  for (const double angle_deg : {0., 30., -41.})
     for (const Storage how : all_storages()) {
       INFO("angle " << angle_deg << " transposed " << how.transposed);
-      SECTION("Float32 with NaN and no nodata value") {
-        check_surface(read_back(encoded(surface, how, 1, 0, nan)), surface, 0);
-      }
-      SECTION("Float32 with an infinite hole") {
-        const double infinity = std::numeric_limits<double>::infinity();
-        check_surface(read_back(encoded(surface, how, 1, 0, -infinity)), surface, 0);
-      }
-      SECTION("Int16 with nodata +32767") {
-        RasterFile raster = encoded(surface, how, 1, 0, 32767);
-        raster.type = "Int16";
-        raster.nodata = 32767;
-        check_surface(read_back(raster), surface, 0);
-      }
-      SECTION("UInt16 with scale and offset; nodata is a raw value") {
-        RasterFile raster = encoded(surface, how, 0.1, -100, 65535);
-        raster.type = "UInt16";
-        raster.nodata = 65535;
-        raster.scale = 0.1;
-        raster.offset = -100;
-        // Float's rounding of heights up to 200.
-        check_surface(read_back(raster), surface, 1e-5);
-      }
-      SECTION("Float64") {
-        RasterFile raster = encoded(surface, how, 1, 0, -9999);
-        raster.type = "Float64";
-        raster.nodata = -9999;
-        check_surface(read_back(raster), surface, 0);
-      }
+      check(rotated_surface(angle_deg), how);
     }
-  }
+}
+
+} // namespace
+
+TEST_CASE("one grid from all storages: Float32 with NaN and no nodata value") {
+  for_all_storages([](const Surface& surface, Storage how) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    check_surface(read_back(encoded(surface, how, 1, 0, nan)), surface, 0);
+  });
+}
+
+TEST_CASE("one grid from all storages: Float32 with an infinite hole") {
+  for_all_storages([](const Surface& surface, Storage how) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    check_surface(read_back(encoded(surface, how, 1, 0, -infinity)), surface, 0);
+  });
+}
+
+TEST_CASE("one grid from all storages: Int16 with nodata +32767") {
+  for_all_storages([](const Surface& surface, Storage how) {
+    RasterFile raster = encoded(surface, how, 1, 0, 32767);
+    raster.type = "Int16";
+    raster.nodata = 32767;
+    check_surface(read_back(raster), surface, 0);
+  });
+}
+
+TEST_CASE("one grid from all storages: UInt16 with scale and offset, raw nodata") {
+  for_all_storages([](const Surface& surface, Storage how) {
+    RasterFile raster = encoded(surface, how, 0.1, -100, 65535);
+    raster.type = "UInt16";
+    raster.nodata = 65535;
+    raster.scale = 0.1;
+    raster.offset = -100;
+    // Float's rounding of heights up to 200.
+    check_surface(read_back(raster), surface, 1e-5);
+  });
+}
+
+TEST_CASE("one grid from all storages: Float64") {
+  for_all_storages([](const Surface& surface, Storage how) {
+    RasterFile raster = encoded(surface, how, 1, 0, -9999);
+    raster.type = "Float64";
+    raster.nodata = -9999;
+    check_surface(read_back(raster), surface, 0);
+  });
+}
+
+TEST_CASE("nodata at the end of float's range, as written with 15 digits") {
+  RasterFile raster = counting_raster(4, 3);
+  raster.values[5] = static_cast<double>(std::numeric_limits<float>::lowest());
+  raster.nodata = -3.40282346638529e+38;
+  const Terrain terrain = read_back(raster);
+  CHECK(std::isnan(terrain.grid.height_m(1, 1)));
+  CHECK(terrain.grid.height_m(2, 1) == 6);
 }
 
 TEST_CASE("positions along a row of an upright grid are whole steps, exactly") {
@@ -115,82 +127,6 @@ TEST_CASE("heights are double only where float can't hold the file's") {
   raster.values[5] = 16777217; // the first integer that float can't hold
   raster.type = "Int32";
   CHECK(read_back(raster).grid.height_m(1, 1) == 16777217);
-}
-
-TEST_CASE("the vertex is the cell's centre in both pixel conventions") {
-  RasterFile raster = counting_raster(4, 3);
-  const Terrain area = read_back(raster);
-  raster.area_or_point = "Point";
-  const Terrain point = read_back(raster);
-  CHECK(area.map.origin == Vec2{500005, 4999995});
-  CHECK(point.map.origin == area.map.origin);
-  CHECK(point.grid.column_step_m == area.grid.column_step_m);
-}
-
-TEST_CASE("US survey feet across and feet up come to metres and back") {
-  RasterFile raster = counting_raster(4, 3);
-  raster.crs = "EPSG:2229";
-  raster.geotransform = {6457000, 100, 0, 1971000, 0, -100};
-  raster.unit = "ft";
-  const Terrain terrain = read_back(raster);
-  // The CRS data base writes the unit with 15 digits.
-  CHECK(std::abs(terrain.map.unit_m - us_foot_m) <= 1e-15);
-  CHECK(terrain.map.unit_name == "US survey foot");
-  CHECK(terrain.map.height_unit_m == foot_m);
-  CHECK(terrain.map.height_unit_name == "foot");
-  CHECK(terrain.grid.column_step_m == Vec2{100 * terrain.map.unit_m, 0});
-  CHECK(std::abs(terrain.grid.height_m(3, 2) - 11 * foot_m) <= 1e-6);
-  const Vec2 last = terrain.grid.position_m(3, 2);
-  const Vec3 map = terrain.map.to_map({last.x, last.y, terrain.grid.height_m(3, 2)});
-  CHECK(std::abs(map.x - 6457350) <= 1e-8);
-  CHECK(std::abs(map.y - 1970750) <= 1e-8);
-  CHECK(std::abs(map.z - 11) <= 1e-5);
-  CHECK(!has_note(terrain, "no unit"));
-}
-
-TEST_CASE("units of height") {
-  RasterFile raster = counting_raster(4, 3);
-  const auto unit_m = [&](const char* unit) {
-    raster.unit = unit;
-    return read_back(raster).map.height_unit_m;
-  };
-  CHECK(unit_m("m") == 1);
-  CHECK(unit_m("Metre") == 1);
-  CHECK(unit_m("us-ft") == us_foot_m);
-  CHECK(unit_m("US survey foot") == us_foot_m);
-  CHECK(unit_m("FEET") == foot_m);
-  CHECK(unit_m("cm") == 0.01);
-  raster.unit = "";
-  CHECK(has_note(read_back(raster), "no unit of height"));
-  raster.crs = "EPSG:32610+6360"; // with NAVD88 heights in US survey feet
-  const Terrain compound = read_back(raster);
-  CHECK(compound.map.height_unit_m == us_foot_m);
-  CHECK(!has_note(compound, "no unit of height"));
-}
-
-TEST_CASE("the CRS is kept by name and text") {
-  const Terrain with = read_back(counting_raster(4, 3));
-  CHECK(with.map.crs_name == "WGS 84 / UTM zone 32N (EPSG:32632)");
-  CHECK(with.map.crs_wkt.find("UTM zone 32N") != std::string::npos);
-  CHECK(with.notes.empty());
-  RasterFile raster = counting_raster(4, 3);
-  raster.crs = "";
-  const Terrain without = read_back(raster);
-  CHECK(without.map.crs_name == "none");
-  CHECK(without.map.crs_wkt.empty());
-  CHECK(has_note(without, "no CRS"));
-}
-
-TEST_CASE("without georeference cells are 1 m and the first row is in the north") {
-  RasterFile raster = counting_raster(4, 3);
-  raster.geotransform.reset();
-  raster.crs = "";
-  const Terrain terrain = read_back(raster);
-  CHECK(terrain.grid.column_step_m == Vec2{1, 0});
-  CHECK(terrain.grid.row_step_m == Vec2{0, -1});
-  CHECK(terrain.grid.height_m(1, 0) == 1);
-  CHECK(terrain.grid.height_m(0, 1) == 4);
-  CHECK(has_note(terrain, "no georeference"));
 }
 
 TEST_CASE("a mask in the file makes gaps as nodata does") {

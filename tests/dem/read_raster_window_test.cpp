@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts and overviews of rasters.
-#include "dem/read_raster.hpp"
-#include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/raster_file.hpp"
+#include "tests/dem/read_back.hpp"
 #include "tests/dem/stored_surface.hpp"
 #include "tests/dem/temp_folder.hpp"
 
 #include <cmath>
 
 using namespace orograph;
-
-namespace {
-
-Terrain read_back(const RasterFile& raster, const RasterOptions& options) {
-  const TempFolder folder;
-  write_raster(raster, folder.file("dem.tif"));
-  return read_raster(folder.file("dem.tif"), options);
-}
-
-} // namespace
 
 TEST_CASE("a window holds the vertices inside it, border included, in any storage") {
   RasterOptions options;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GeoJSON and GeoPackage give back what was drawn, to the last bit.
 #include "draw/write_drawing.hpp"
+#include "draw/writers.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/draw/made_drawing.hpp"
@@ -99,4 +100,32 @@ TEST_CASE("a CRS that is none is an error") {
     CHECK_THROWS_AS(write_drawing(drawing, folder.file(name), {.format = format_of_path(name)}),
                     Error);
   CHECK(folder.names().empty());
+}
+
+TEST_CASE("the proof sees missing strokes and damaged files") {
+  for (const char* name : {"map.geojson", "map.gpkg"}) {
+    INFO(name);
+    const TemporaryFolder folder;
+    const std::string path = folder.file(name);
+    const Drawing drawing = made_drawing(200, 100);
+    write_drawing(drawing, path, {.format = format_of_path(name)});
+    const auto prove = [&](const Drawing& expected) {
+      (format_of_path(name) == Format::gpkg ? prove_geopackage : prove_geojson)(expected, path,
+                                                                                "map");
+    };
+    CHECK_NOTHROW(prove(drawing));
+    Drawing longer = drawing;
+    longer.layers[0].strokes.push_back(longer.layers[0].strokes[0]);
+    CHECK_THROWS_AS(prove(longer), Error);
+
+    const std::string whole = content_of(path);
+    fill_file(path, whole.substr(0, whole.size() - 3)); // no closing bracket; half a last page
+    CHECK_THROWS_AS(prove(drawing), Error);
+    fill_file(path, whole.substr(0, whole.size() / 2));
+    CHECK_THROWS_AS(prove(drawing), Error);
+    std::string holed = whole; // as where a block never reached the disk
+    holed.replace(holed.size() / 2, 4096, 4096, '\0');
+    fill_file(path, holed);
+    CHECK_THROWS_AS(prove(drawing), Error);
+  }
 }

@@ -32,8 +32,8 @@ TEST_CASE("the parts of a line that are above a horizon, by asking everything in
       ClipWorkspace workspace;
       for (const auto& list : scene) clip(list, horizon, {Role::occluder, {}, true}, workspace);
       for (int i = 0; i < 40; ++i) {
-        Vec2 a{random.real(-2, 20), random.real(0, 2 * kind.y_scale)};
-        Vec2 b{random.real(-2, 20), random.real(0, 2 * kind.y_scale)};
+        Vec2 a{random.between(-2, 20), random.between(0, 2 * kind.y_scale)};
+        Vec2 b{random.between(-2, 20), random.between(0, 2 * kind.y_scale)};
         if (kind.lattice)
           a = {std::round(a.x), std::round(a.y)}, b = {std::round(b.x), std::round(b.y)};
         if (i % 4 == 0) b.x = a.x;
@@ -49,7 +49,7 @@ TEST_CASE("the parts of a line that are above a horizon, by asking everything in
           last = part.end;
         }
         for (int k = 0; k < 30; ++k) {
-          const double t = random.real(0, 1);
+          const double t = random.between(0, 1);
           const double above = a.y + t * (b.y - a.y) - greatest(scene, a.x + t * (b.x - a.x));
           if (std::abs(above) <= 1e-9 * (1 + kind.y_scale)) continue;
           const bool shown = std::any_of(parts.begin(), parts.end(), [&](const LinePart& part) {

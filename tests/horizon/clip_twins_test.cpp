@@ -94,7 +94,7 @@ TEST_CASE("the horizon never sinks, tiles X, and keeps no neighbouring pieces of
           REQUIRE(horizon[i].source.id != horizon[i + 1].source.id);
         }
         for (int i = 0; i < 50; ++i) {
-          const double x = kind.offset + random.real(-1, 40);
+          const double x = kind.offset + random.between(-1, 40);
           const double was = height_on(before, x), is = height_on(horizon, x);
           const double rounding = 1e-12 * (std::abs(is) + kind.y_scale);
           REQUIRE((is >= was || was - is <= rounding));

@@ -35,14 +35,14 @@ inline FlatScene flat_scene(const SceneKind& kind, std::uint64_t seed) {
   FlatScene scene;
   for (int list = 0; list < kind.lists; ++list) {
     auto& segments = scene.emplace_back();
-    double x = kind.lattice ? random.whole(0, 4) : random.real(0, 1);
+    double x = kind.lattice ? random.whole(0, 4) : random.between(0, 1);
     const auto height = [&] {
       return kind.offset + (kind.lattice ? random.whole(0, static_cast<int>(2 * kind.y_scale))
-                                         : kind.y_scale * random.real(0, 1) + 0.02 * list);
+                                         : kind.y_scale * random.between(0, 1) + 0.02 * list);
     };
     double y = height();
     for (int i = 0; i < kind.segments; ++i) {
-      const double next_x = x + (kind.lattice ? random.whole(1, 3) : random.real(1e-3, 1));
+      const double next_x = x + (kind.lattice ? random.whole(1, 3) : random.between(1e-3, 1));
       const double next_y = height();
       if (!random.chance(kind.gap_chance))
         segments.push_back({kind.offset + x, y, kind.offset + next_x, next_y,

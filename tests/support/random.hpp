@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random numbers that are the same on every machine: the engine's bits are fixed by the standard,
-// its distributions aren't.
+// Random numbers that are the same everywhere: the engine is fixed by the standard, the
+// distributions of the standard library aren't.
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <random>
 
 namespace orograph {
@@ -12,16 +13,19 @@ class Random {
 public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
-  /// In [low, high).
-  double real(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
-  }
-  /// In [low, high].
+  /// In [0, 1).
+  double share() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+  double between(double low, double high) { return low + share() * (high - low); }
+  /// Low and high included.
   int whole(int low, int high) {
     const auto count = static_cast<std::uint64_t>(high - low) + 1;
     return low + static_cast<int>(engine_() % count);
   }
-  bool chance(double share) { return real(0, 1) < share; }
+  bool chance(double probability) { return share() < probability; }
+  template <class Value>
+  Value pick(std::initializer_list<Value> values) {
+    return values.begin()[whole(0, static_cast<int>(values.size()) - 1)];
+  }
 
 private:
   std::mt19937_64 engine_;

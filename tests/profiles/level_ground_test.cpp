@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "profiles/level_ground.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/support/made_grid.hpp"
+
+#include <algorithm>
+
+using namespace orograph;
+
+namespace {
+
+struct Flooded {
+  std::vector<bool> level; ///< by triangle, as triangles_of numbers them
+  std::size_t regions = 0;
+};
+
+bool is_level(const Grid& grid, const GridTriangle& triangle) {
+  const auto height = [&](std::size_t k) { return vertex_m(grid, triangle.vertices[k]).z; };
+  return height(0) == height(1) && height(0) == height(2);
+}
+
+// Every level triangle floods its neighbours, one after another.
+Flooded flood(const Grid& grid, const std::vector<GridTriangle>& triangles, std::size_t smallest) {
+  const auto edges = directed_edges(triangles);
+  Flooded found{std::vector<bool>(triangles.size(), false), 0};
+  std::vector<bool> seen(triangles.size(), false);
+  for (std::size_t first = 0; first < triangles.size(); ++first) {
+    if (seen[first] || !is_level(grid, triangles[first])) continue;
+    std::vector<std::size_t> region{first};
+    seen[first] = true;
+    for (std::size_t i = 0; i < region.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& at = triangles[region[i]].vertices;
+        const auto other = edges.find({at[(k + 1) % 3], at[k]});
+        if (other == edges.end() || seen[other->second]) continue;
+        if (!is_level(grid, triangles[other->second])) continue;
+        seen[other->second] = true;
+        region.push_back(other->second);
+      }
+    if (region.size() < smallest) continue;
+    ++found.regions;
+    for (const std::size_t i : region) found.level[i] = true;
+  }
+  return found;
+}
+
+std::vector<DirectedEdge> shores_by_triangles(const std::vector<GridTriangle>& triangles,
+                                              const std::vector<bool>& level) {
+  const auto edges = directed_edges(triangles);
+  std::vector<DirectedEdge> shores;
+  for (const auto& [edge, left] : edges) {
+    const auto right = edges.find({edge.second, edge.first});
+    if (right != edges.end() && level[left] && !level[right->second])
+      shores.push_back(std::minmax(edge.first, edge.second));
+  }
+  std::sort(shores.begin(), shores.end());
+  return shores;
+}
+
+} // namespace
+
+TEST_CASE("level ground and its shores are what a flood fill finds") {
+  std::size_t regions = 0;
+  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    GridHeights heights;
+    heights.high = random.pick({1.2, 1.5, 2.0, 3.0}); // 0 and now and then 1 or 2
+    heights.whole = true;
+    heights.missing = random.pick({0.0, 0.02, 0.2});
+    heights.in_double = random.chance(0.5);
+    const Grid grid = made_grid(random, {random.whole(2, 12), random.whole(2, 12)}, heights);
+    const auto smallest = static_cast<std::size_t>(random.pick({1, 2, 3, 8, 30}));
+    const auto triangles = triangles_of(grid);
+    const Flooded expected = flood(grid, triangles, smallest);
+
+    const LevelGround found = find_level_ground(grid, smallest);
+    REQUIRE(found.regions == expected.regions);
+    REQUIRE(found.triangles.empty() == (expected.regions == 0));
+    regions += found.regions;
+    if (expected.regions > 0) {
+      std::size_t there = 0, marked = 0;
+      for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const auto& [vertices, column, row, half] = triangles[i];
+        REQUIRE(found.triangles.has(column, row, half) == expected.level[i]);
+        there += expected.level[i];
+      }
+      for (int row = 0; row + 1 < grid.rows; ++row)
+        for (int column = 0; column + 1 < grid.columns; ++column)
+          for (const Half half : {Half::lower, Half::upper})
+            marked += found.triangles.has(column, row, half);
+      REQUIRE(marked == there);
+    }
+    std::vector<DirectedEdge> shores;
+    for (const GridEdge& edge : found.shores) shores.emplace_back(edge.from, edge.to);
+    std::sort(shores.begin(), shores.end());
+    REQUIRE(shores == shores_by_triangles(triangles, expected.level));
+  }
+  REQUIRE(regions > 1500); // the scenes do have level ground
+}
+
+TEST_CASE("water has at least 200 triangles and a five-thousandth of the grid") {
+  Grid grid;
+  grid.columns = grid.rows = 10;
+  CHECK(smallest_water(grid) == 200);
+  grid.columns = grid.rows = 5000;
+  CHECK(smallest_water(grid) == 10000);
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "profiles/project_profile.hpp"
+
+#include "tests/catch.hpp"
+
+using namespace orograph;
+
+namespace {
+
+const Profile profile{100,
+                      {-10, 0, 0, 20, 30, 40},
+                      {1, 2, 5, 8, 9, 0},
+                      {Span::slope, Span::slope, Span::level, Span::gap, Span::slope, Span::gap}};
+
+} // namespace
+
+TEST_CASE("spans become segments with the profile's number and their left vertex") {
+  View view;
+  view.eye_z_m = 4;
+  std::vector<Segment> segments{{0, 0, 1, 1, 99}};
+  project_profile(profile, 7, view, segments);
+  REQUIRE(segments.size() == 3); // not the upright one, not the gap
+  const std::uint64_t id = std::uint64_t{7} << 32U;
+  const double expected[3][4] = {{-10, 1, 0, 2}, {0, 5, 20, 8}, {30, 9, 40, 0}};
+  const std::uint32_t vertex[3] = {0, 2, 4};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Segment& s = segments[i];
+    CHECK(s.id == (id | vertex[i]));
+    CHECK(left_vertex(s) == vertex[i]);
+    CHECK(std::abs(s.x0 - expected[i][0] / 100) <= 1e-16);
+    CHECK(std::abs(s.y0 - (expected[i][1] - 4) / 100) <= 1e-16);
+    CHECK(std::abs(s.x1 - expected[i][2] / 100) <= 1e-16);
+    CHECK(std::abs(s.y1 - (expected[i][3] - 4) / 100) <= 1e-16);
+  }
+}
+
+TEST_CASE("a parallel view keeps u, and mixes height and depth by its elevation") {
+  View view;
+  view.projection = Projection::orthographic;
+  view.sin_elevation = 0.6;
+  view.cos_elevation = 0.8;
+  std::vector<Segment> segments;
+  project_profile(profile, 0, view, segments);
+  REQUIRE(segments.size() == 3);
+  CHECK(segments[1].x0 == 0);
+  CHECK(segments[1].x1 == 20);
+  CHECK(std::abs(segments[1].y0 - (5 * 0.8 + 100 * 0.6)) <= 1e-13);
+  CHECK(std::abs(segments[1].y1 - (8 * 0.8 + 100 * 0.6)) <= 1e-13);
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pipeline's profiles, clipped, against their definition: with profiles as occluders, ink is
+// what stands above all nearer profiles.
+#include "cli/scene.hpp"
+#include "cli/tie_tolerance.hpp"
+#include "profiles/cut_grid.hpp"
+#include "profiles/project_profile.hpp"
+#include "tests/catch.hpp"
+#include "tests/horizon/check_clip.hpp"
+#include "tests/scenes/random_scene.hpp"
+
+using namespace orograph;
+
+namespace {
+
+FlatScene cut_all(const Terrain& terrain, const Scene& scene) {
+  const GridCutter cutter(terrain.grid, scene.view, scene.level.triangles);
+  FlatScene flat;
+  Profile profile;
+  for (const double depth : scene.depths_m) {
+    cutter.cut(depth, profile);
+    project_profile(profile, static_cast<std::uint32_t>(flat.size()), scene.view,
+                    flat.emplace_back());
+  }
+  return flat;
+}
+
+Tally check(const Terrain& terrain, const RenderSettings& settings, std::uint64_t seed) {
+  const Scene scene = place_scene(terrain, settings);
+  const TieTolerance tolerance = tie_tolerance(scene, settings.visibility_tolerance_mm);
+  return check_clip(cut_all(terrain, scene), tolerance.mm, tolerance.page, tolerance.greatest_y,
+                    seed);
+}
+
+} // namespace
+
+TEST_CASE("every piece of 600 made scenes is above all nearer profiles, or is not, as it claims") {
+  Tally sum;
+  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+    const RandomScene scene = random_scene(seed);
+    CAPTURE(seed, scene.what);
+    const Tally tally = check(scene.terrain, scene.settings, seed);
+    REQUIRE(tally.wrong == 0);
+    REQUIRE(tally.asked > 0);
+    sum.asked += tally.asked;
+    sum.ties += tally.ties;
+    sum.visible += tally.visible;
+    sum.hidden += tally.hidden;
+  }
+  WARN(sum.asked << " asked, " << sum.ties << " ties; pieces visible " << sum.visible << ", hidden "
+                 << sum.hidden);
+  // The check must have had something to check.
+  CHECK(sum.hidden > sum.visible / 50);
+  CHECK(sum.ties < sum.asked / 20);
+}
+
+TEST_CASE("and of the samples, from eight sides") {
+  for (const char* name : {"cone", "plateau", "saddle", "ridge_and_valley", "fractal_alps",
+                           "islands", "jacksboro", "volcano"}) {
+    const Terrain terrain =
+        read_raster(std::string(OROGRAPH_SOURCE_DIR "/data_samples/") + name + ".tif");
+    for (int side = 0; side < 8; ++side) {
+      CAPTURE(name, side);
+      RenderSettings settings;
+      settings.from_azimuth = Angle::degrees(45.0 * side + (side % 2 ? 3.7 : 0));
+      settings.from_elevation = Angle::degrees(5 + 7 * side);
+      if (side >= 5) settings.projection = Projection::orthographic;
+      settings.plan = ProfileCount{30};
+      const Tally tally = check(terrain, settings, static_cast<std::uint64_t>(side));
+      REQUIRE(tally.wrong == 0);
+      REQUIRE(tally.asked > 1000);
+    }
+  }
+}
