@@ -34,17 +34,19 @@ double rounding_mm(const WriteOptions& write) {
   return page_step;
 }
 
-// The map plane is flat: what the earth's curvature, less refraction's 0.13 of it, would move the
-// farthest ground by.
+// The map plane is flat: how much more the earth's curvature, less refraction's 0.13 of it, would
+// move the farthest ground than the nearest. (What moves everything alike only moves the picture.)
 double geodesy_mm(const Terrain& terrain, const Scene& scene) {
   if (terrain.map.crs_wkt.empty()) return 0;
   constexpr double kEarthRadius_m = 6371e3, kRefraction = 0.13;
   const View& view = scene.view;
-  const double farthest =
-      std::max(std::abs(scene.depths_m.front()), std::abs(scene.depths_m.back()));
-  const double drop = (1 - kRefraction) * farthest * farthest / (2 * kEarthRadius_m);
+  const double nearest = scene.depths_m.front(), farthest = scene.depths_m.back();
   const double mm_per_y = scene.to_page.mm_per_y(plane_of_picture(view, view.window.centre()));
-  return mm_per_y * (view.is_perspective() ? drop / farthest : drop * view.cos_elevation);
+  const double drop_per_m2 = (1 - kRefraction) / (2 * kEarthRadius_m);
+  if (view.is_perspective())
+    return mm_per_y * view.exaggeration * drop_per_m2 * (farthest - nearest);
+  const double reach = std::max(std::abs(nearest), std::abs(farthest));
+  return mm_per_y * drop_per_m2 * reach * reach * view.cos_elevation * view.exaggeration;
 }
 
 } // namespace

@@ -47,16 +47,27 @@ public:
 
 private:
   Vec2 page_at(double depth) const {
+    if (as_if_level_) return {0, mm_per_picture_ * drop_ / depth};
     if (view_.is_perspective()) return to_page_({0, -drop_ / depth});
     return to_page_({0, depth * std::max(view_.sin_elevation, kLeastSine)});
   }
   double page_mm(double from, double to) const { return length(page_at(to) - page_at(from)); }
 
   // In front of where the plane comes onto the page there may still be hills that stand on it: the
-  // profiles go on there as far apart on the ground as where it does.
+  // profiles go on there as far apart on the ground as where it does. A page that shows no ground
+  // but hills above it (the eye looks up, or over all of the plane) is planned as if it looked
+  // level.
   void enter_page() {
-    const double lowest = plane_of_picture(view_, {0, view_.window.low.y}).y;
-    if (lowest >= 0) return;
+    const double s = sin(view_.roll), c = cos(view_.roll);
+    const double down = std::min(view_.window.high.x / std::abs(s), // along X = 0 to the page's end
+                                 view_.window.high.y / std::abs(c));
+    double lowest = plane_of_picture(view_, {-down * s, -down * c}).y;
+    as_if_level_ = !(-lowest * farthest_ > drop_);
+    if (as_if_level_) {
+      lowest = -down;
+      const Vec2 axis = plane_of_picture(view_, {0, 0});
+      mm_per_picture_ = to_page_.mm_per_y(axis) / view_.to_picture.mm_per_y(axis);
+    }
     on_page_ = std::clamp(drop_ / -lowest, nearest_, farthest_);
     const double step = 1e-3 * on_page_;
     if (on_page_ > nearest_)
@@ -67,6 +78,8 @@ private:
   const Homography& to_page_;
   double nearest_, farthest_, drop_;
   double on_page_, before_page_mm_ = 0;
+  bool as_if_level_ = false;
+  double mm_per_picture_ = 1;
 };
 
 std::vector<double> evenly_on_page(double count, const PagePath& path) {
@@ -99,6 +112,7 @@ std::vector<double> plan_depths(const PlanRequest& request, const PlanGround& gr
       if (depth < ground.farthest_m && (depths.empty() || depth > depths.back()))
         depths.push_back(depth);
     }
+    if (depths.empty()) depths.push_back(0.5 * (from + ground.farthest_m)); // wider than the ground
     return depths;
   }
   const PagePath path(ground, view, to_page);

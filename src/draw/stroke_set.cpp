@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <ranges>
 
 namespace orograph {
 namespace {
@@ -33,12 +32,12 @@ std::uint64_t hash_of(std::span<const Vec2> points) {
   if (is_hashed_forwards(points))
     for (const Vec2 p : points) add(p);
   else
-    for (const Vec2 p : std::views::reverse(points)) add(p);
+    std::for_each(points.rbegin(), points.rend(), add);
   return hash;
 }
 
 bool are_equal(std::span<const Vec2> a, std::span<const Vec2> b) {
-  return std::ranges::equal(a, b) || std::ranges::equal(a, std::views::reverse(b));
+  return std::ranges::equal(a, b) || std::equal(a.begin(), a.end(), b.rbegin(), b.rend());
 }
 
 } // namespace

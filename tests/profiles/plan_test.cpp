@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "profiles/plan.hpp"
+
+#include "geometry/error.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/random.hpp"
+#include "view/place_view.hpp"
+
+using namespace orograph;
+
+namespace {
+
+// Of the picture plane: at distance 1 in perspective, in metres in a parallel view.
+double scale_mm(const View& view) {
+  return view.is_perspective() ? 400 : 0.05;
+}
+
+Homography on_page(const View& view) {
+  const double scale = scale_mm(view);
+  return compose({{scale, 0, 100, 0, -scale, 80, 0, 0, 1}}, view.to_picture);
+}
+
+// Two vertices are terrain enough for a view.
+View view_of(const ViewRequest& request, double near_m = 1) {
+  const std::vector<Vec3> vertices{{-2000, -2000, 0}, {2000, 2000, 500}};
+  BlockedPoints points;
+  for (const Vec3& p : vertices) points.boxes.push_back({p, p});
+  points.points = [&](std::size_t i) { return std::span(vertices).subspan(i, 1); };
+  Box3 box{vertices[0], vertices[1]};
+  return place_view(request, {points, {}, box, 250, near_m / kNearShareOfCell}, 0.7);
+}
+
+// Height on the page, upwards, of level ground straight ahead: a pinhole whose axis descends.
+double page_mm(const View& view, double drop, double depth) {
+  const double e = view.elevation.in_radians();
+  if (!view.is_perspective()) return scale_mm(view) * depth * std::sin(e);
+  const double up = depth * std::sin(e) - drop * std::cos(e);
+  const double along = depth * std::cos(e) + drop * std::sin(e);
+  return scale_mm(view) * up / along;
+}
+
+void check_in_order(const std::vector<double>& depths, double nearest, double farthest) {
+  REQUIRE(!depths.empty());
+  REQUIRE(depths.front() > nearest);
+  REQUIRE(depths.back() < farthest);
+  for (std::size_t i = 0; i + 1 < depths.size(); ++i) REQUIRE(depths[i] < depths[i + 1]);
+}
+
+// Profiles stand in the middle of equal steps from the nearest to the farthest ground.
+void check_even(const std::vector<double>& depths, const View& view, const PlanGround& ground) {
+  const double drop = view.eye_z_m - ground.mean_z_m;
+  const double low = page_mm(view, drop, ground.nearest_m);
+  const double high = page_mm(view, drop, ground.farthest_m);
+  const double step = (high - low) / static_cast<double>(depths.size());
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const double expected = low + (static_cast<double>(i) + 0.5) * step;
+    REQUIRE(std::abs(page_mm(view, drop, depths[i]) - expected) <= 1e-9);
+  }
+}
+
+} // namespace
+
+TEST_CASE("profiles are even on the page for a plane at the mean height") {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    ViewRequest request;
+    const bool parallel = random.chance(0.5);
+    request.projection = parallel ? Projection::orthographic : Projection::perspective;
+    request.from_elevation =
+        Angle::degrees(parallel ? random.pick({90.0, 10.0, random.between(6, 90)}) // 6: no tilt
+                                : random.between(10, 50));
+    request.roll = Angle::degrees(random.pick({0.0, 90.0, random.between(0, 360)}));
+    request.distance_m = 8000;
+    const View view = view_of(request);
+    PlanGround ground{random.between(100, 3000), random.between(3500, 9000), 250, 500};
+    if (parallel) ground.nearest_m -= 3000;
+    const int count = random.pick({1, 2, 7, 100, 1000});
+    const auto depths = plan_depths(ProfileCount{count}, ground, view, on_page(view));
+    REQUIRE(depths.size() == static_cast<std::size_t>(count));
+    check_in_order(depths, ground.nearest_m, ground.farthest_m);
+    check_even(depths, view, ground);
+
+    const double drop = view.eye_z_m - ground.mean_z_m;
+    const double length =
+        page_mm(view, drop, ground.farthest_m) - page_mm(view, drop, ground.nearest_m);
+    const double spacing = random.pick({0.6, 3.0, 2 * length});
+    const auto spaced = plan_depths(PageSpacing{spacing}, ground, view, on_page(view));
+    REQUIRE(spaced.size() == static_cast<std::size_t>(std::max(1.0, std::round(length / spacing))));
+    check_even(spaced, view, ground);
+  }
+}
+
+TEST_CASE("a spacing on the ground is even on the ground, from half a step behind its beginning") {
+  ViewRequest request;
+  request.projection = Projection::orthographic;
+  const View view = view_of(request);
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    const PlanGround ground{random.between(-5000, 0), random.between(1, 5000), 0, 100};
+    const double spacing = random.pick({5.0, random.between(1, 1000), 1e6});
+    CAPTURE(ground.nearest_m, ground.farthest_m, spacing);
+    const auto depths = plan_depths(GroundSpacing{spacing}, ground, view, on_page(view));
+    check_in_order(depths, ground.nearest_m, ground.farthest_m);
+    const double extent = ground.farthest_m - ground.nearest_m;
+    if (spacing > 2 * extent) {
+      REQUIRE(depths.size() == 1);
+      continue;
+    }
+    REQUIRE(std::abs(static_cast<double>(depths.size()) - extent / spacing) <= 0.5 + 1e-9);
+    for (std::size_t i = 0; i < depths.size(); ++i)
+      REQUIRE(std::abs(depths[i] - ground.nearest_m - (static_cast<double>(i) + 0.5) * spacing) <=
+              1e-11);
+  }
+  CHECK_THROWS_AS(plan_depths(GroundSpacing{1e-3}, {0, 5000, 0, 100}, view, on_page(view)), Error);
+  CHECK_THROWS_AS(plan_depths(PageSpacing{1e-9}, {0, 5000, 0, 100}, view, on_page(view)), Error);
+}
+
+TEST_CASE("views too flat for the plane still get all their profiles, in order") {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    ViewRequest request;
+    request.projection = random.pick({Projection::orthographic, Projection::perspective});
+    request.from_elevation = Angle::degrees(random.pick({0.0, 1e-9, 1.0, 5.0}));
+    const View view = view_of(request);
+    const double relief = random.pick({0.0, 500.0});
+    const PlanGround ground{100, 6000, random.pick({250.0, view.eye_z_m, 400.0}), relief};
+    const int count = random.pick({1, 10, 500});
+    const auto depths = plan_depths(ProfileCount{count}, ground, view, on_page(view));
+    REQUIRE(depths.size() == static_cast<std::size_t>(count));
+    check_in_order(depths, ground.nearest_m, ground.farthest_m);
+  }
+}
+
+// The eye stands on the ground or flies over it, and looks anywhere, up too.
+TEST_CASE("an eye in the terrain gets all its profiles, most of them for what the page shows") {
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    ViewRequest request;
+    request.eye_m = Vec3{0, 0, random.pick({2.0, 260.0, 600.0, 5000.0})};
+    const double climb = random.between(-55, 60);
+    request.look_at_m = Vec3{0, 1000, request.eye_m->z + 1000 * std::tan(climb * 3.14159 / 180)};
+    request.field_of_view = Angle::degrees(random.pick({10.0, 30.0, 50.0}));
+    request.roll = Angle::degrees(random.pick({0.0, 0.0, 90.0, 180.0, random.between(0, 360)}));
+    const View view = view_of(request, 0.3);
+    const PlanGround ground{-2000, 2000, 250, 500};
+    const int count = random.pick({1, 10, 300});
+    CAPTURE(climb, request.eye_m->z, view.roll.in_degrees(), request.field_of_view->in_degrees());
+    const auto depths = plan_depths(ProfileCount{count}, ground, view, on_page(view));
+    REQUIRE(depths.size() == static_cast<std::size_t>(count));
+    check_in_order(depths, view.near_m, ground.farthest_m);
+    // Even on the page can't mean a crowd at the eye's feet.
+    const auto behind = std::count_if(depths.begin(), depths.end(), [](double d) { return d > 20; });
+    REQUIRE(behind >= count / 2);
+    CHECK_NOTHROW(plan_depths(PageSpacing{0.6}, ground, view, on_page(view)));
+  }
+}
