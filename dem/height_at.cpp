@@ -5,25 +5,47 @@
 #include <cmath>
 
 namespace orograph {
+namespace {
+
+// Columns and rows are reckoned with the roundings of the ground position. A point that close to a
+// column or row line is on it, so that the grid's border and its vertices are where they should be.
+double on_line_if_close(double number) {
+  const double line = std::round(number);
+  return std::abs(number - line) <= 1e-9 ? line : number;
+}
+
+// The first and the last cell (or row of cells) of `cells` that hold a number, on a line both.
+int first_cell(double number) {
+  return std::max(static_cast<int>(std::ceil(number)) - 1, 0);
+}
+int last_cell(double number, int cells) {
+  return std::min(static_cast<int>(std::floor(number)), cells - 1);
+}
+
+} // namespace
 
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m) {
   // Solve ground = first + c * column_step + r * row_step.
   const Vec2 from_first = ground_m - grid.first_vertex_m;
   const double area = cross(grid.column_step_m, grid.row_step_m);
-  const double c = cross(from_first, grid.row_step_m) / area;
-  const double r = cross(grid.column_step_m, from_first) / area;
+  const double c = on_line_if_close(cross(from_first, grid.row_step_m) / area);
+  const double r = on_line_if_close(cross(grid.column_step_m, from_first) / area);
   if (!(c >= 0 && r >= 0 && c <= grid.columns - 1 && r <= grid.rows - 1)) return std::nullopt;
-  const int column = std::min(static_cast<int>(c), grid.columns - 2);
-  const int row = std::min(static_cast<int>(r), grid.rows - 2);
-  const double east = c - column, south = r - row;
 
-  const double corner = grid.height_m(column, row), opposite = grid.height_m(column + 1, row + 1);
-  const double height = east >= south ? (1 - east) * corner + south * opposite +
-                                            (east - south) * grid.height_m(column + 1, row)
-                                      : (1 - south) * corner + east * opposite +
-                                            (south - east) * grid.height_m(column, row + 1);
-  if (std::isnan(height)) return std::nullopt;
-  return height;
+  for (int row = first_cell(r); row <= last_cell(r, grid.rows - 1); ++row)
+    for (int column = first_cell(c); column <= last_cell(c, grid.columns - 1); ++column) {
+      const double east = c - column, south = r - row;
+      const double corner = grid.height_m(column, row);
+      const double opposite = grid.height_m(column + 1, row + 1);
+      // A missing vertex makes its triangle's height NaN, with a weight of zero as well.
+      const double upper = (1 - east) * corner + south * opposite +
+                           (east - south) * grid.height_m(column + 1, row);
+      const double lower = (1 - south) * corner + east * opposite +
+                           (south - east) * grid.height_m(column, row + 1);
+      if (east >= south && !std::isnan(upper)) return upper;
+      if (south >= east && !std::isnan(lower)) return lower;
+    }
+  return std::nullopt;
 }
 
 } // namespace orograph

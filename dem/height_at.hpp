@@ -8,8 +8,9 @@
 
 namespace orograph {
 
-/// Height in metres on the triangle that holds the point (ground frame, metres); none outside of
-/// the grid and where the triangle isn't there. Exact at vertices.
+/// Height in metres on a triangle that holds the point (ground frame, metres), its edges included;
+/// none outside of the grid and where no such triangle is there. Exact at vertices: a point within
+/// 1e-9 of a cell of a column or row line counts as on it.
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m);
 
 } // namespace orograph

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The height at a point against every triangle's barycentric coordinates.
+#include "dem/height_at.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/support/made_grid.hpp"
+
+#include <algorithm>
+
+using namespace orograph;
+
+namespace {
+
+struct Barycentric {
+  double least; ///< of the three coordinates: below 0 outside of the triangle
+  double height;
+};
+
+Barycentric in_triangle(const Grid& grid, const GridTriangle& triangle, Vec2 p) {
+  std::array<Vec3, 3> at;
+  for (std::size_t k = 0; k < 3; ++k) at[k] = vertex_m(grid, triangle.vertices[k]);
+  const auto twice_area = [](Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); };
+  const auto ground = [](Vec3 v) { return Vec2{v.x, v.y}; };
+  const Vec2 a = ground(at[0]), b = ground(at[1]), c = ground(at[2]);
+  const double all = twice_area(a, b, c);
+  const double wa = twice_area(p, b, c) / all, wb = twice_area(a, p, c) / all,
+               wc = twice_area(a, b, p) / all;
+  return {std::min({wa, wb, wc}), wa * at[0].z + wb * at[1].z + wc * at[2].z};
+}
+
+} // namespace
+
+TEST_CASE("the height at a point is that of the triangle that holds it") {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    GridLattice lattice = turned_lattice(random.whole(2, 7), random.whole(2, 7), {10, 13},
+                                         random.pick({0.0, random.between(-0.7, 0.7)}),
+                                         random.pick({0.0, 0.4}));
+    const double offset = random.pick({0.0, 1e3, 1e6});
+    lattice.first_vertex_m = {random.between(-offset, offset), random.between(-offset, offset)};
+    GridHeights heights;
+    heights.missing = random.pick({0.0, 0.3, 1.0});
+    heights.in_double = random.chance(0.5);
+    const Grid grid = made_grid(random, lattice, heights);
+    const auto triangles = triangles_of(grid);
+    // The share of a cell that positions of this size round to, with ten roundings.
+    const double rounding = 1e-14 + offset * 1e-15;
+
+    for (int i = 0; i < 50; ++i) {
+      const Vec2 p = grid.first_vertex_m +
+                     random.between(-0.5, grid.columns - 0.5) * grid.column_step_m +
+                     random.between(-0.5, grid.rows - 0.5) * grid.row_step_m;
+      const auto found = height_at(grid, p);
+      const GridTriangle* holder = nullptr;
+      bool on_edge = false;
+      for (const GridTriangle& triangle : triangles) {
+        const double least = in_triangle(grid, triangle, p).least;
+        on_edge = on_edge || std::abs(least) <= rounding;
+        if (least > rounding) holder = &triangle;
+      }
+      if (on_edge) continue;
+      CAPTURE(p.x, p.y);
+      REQUIRE(found.has_value() == (holder != nullptr));
+      if (holder != nullptr)
+        REQUIRE(std::abs(*found - in_triangle(grid, *holder, p).height) <= 1000 * rounding);
+    }
+
+    std::vector<bool> has_triangle(grid.size(), false);
+    for (const GridTriangle& triangle : triangles)
+      for (const std::uint32_t vertex : triangle.vertices) has_triangle[vertex] = true;
+    for (std::uint32_t i = 0; i < grid.size(); ++i) {
+      const Vec3 vertex = vertex_m(grid, i);
+      CAPTURE(i);
+      const auto found = height_at(grid, {vertex.x, vertex.y});
+      REQUIRE(found.has_value() == has_triangle[i]);
+      if (found) REQUIRE(*found == vertex.z);
+    }
+  }
+}
+
+TEST_CASE("far outside there is no height, nor at a point that isn't a number") {
+  Random random(1);
+  const Grid grid = made_grid(random, {3, 3}, {});
+  for (const double x : {-1e300, -0.1, 2.1, 1e300, std::nan("")}) {
+    CHECK_FALSE(height_at(grid, {x, -1}));
+    CHECK_FALSE(height_at(grid, {1, -x}));
+  }
+}

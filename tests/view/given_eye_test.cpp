@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Views from a given eye, and what they refuse.
+#include "geometry/error.hpp"
+#include "tests/catch.hpp"
+#include "tests/view/made_terrain.hpp"
+
+using namespace orograph;
+
+namespace {
+
+MadeTerrain small_terrain() {
+  Random random(2);
+  return made_terrain(random, 6);
+}
+
+std::string refusal(const ViewRequest& request, const MadeTerrain& terrain, double aspect = 0.7) {
+  try {
+    place_view(request, terrain.shape(), aspect);
+  } catch (const UsageError&) {
+    return "usage error";
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+ViewRequest from_to(Vec3 eye, Vec3 target, Projection projection = Projection::perspective) {
+  ViewRequest request;
+  request.projection = projection;
+  request.eye_m = eye;
+  request.look_at_m = target;
+  return request;
+}
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("the page of a given eye shows its field, on the page's shape") {
+  const MadeTerrain terrain = small_terrain();
+  const Vec3 target = terrain.extent.box.centre();
+  ViewRequest request = from_to(target + Vec3{300, -900, 200}, target);
+  const View view = place_view(request, terrain.shape(), 0.5);
+  CHECK_FALSE(view.frames_terrain);
+  CHECK(std::abs(view.window.high.x - std::tan(std::numbers::pi / 12)) <= 1e-15); // 30 degrees
+  CHECK(view.window.low.x == -view.window.high.x);
+  CHECK(view.window.high.y == 0.5 * view.window.high.x);
+  CHECK(view.window.low.y == -view.window.high.y);
+  CHECK(std::abs(view.distance_m - std::hypot(300, 900, 200)) <= 1e-10);
+  CHECK(std::abs(view.elevation.in_degrees() -
+                 std::atan2(200, std::hypot(300, 900)) * 180 / std::numbers::pi) <= 1e-12);
+  CHECK(view.depth_origin_m == Vec2{request.eye_m->x, request.eye_m->y});
+
+  request.exaggeration = 3; // of the eye and the target too
+  const View steep = place_view(request, terrain.shape(), 0.5);
+  CHECK(steep.eye_z_m == 3 * request.eye_m->z);
+  CHECK(std::abs(steep.distance_m - std::hypot(300, 900, 600)) <= 1e-10);
+  CHECK(largest(picture_of(steep, target)) <= 1e-13);
+}
+
+TEST_CASE("distance and field together show just that field around the target") {
+  const MadeTerrain terrain = small_terrain();
+  ViewRequest request;
+  request.distance_m = 5000;
+  request.field_of_view = Angle::degrees(20);
+  const View view = place_view(request, terrain.shape(), 0.7);
+  CHECK_FALSE(view.frames_terrain);
+  CHECK(std::abs(view.window.high.x - std::tan(std::numbers::pi / 18)) <= 1e-15);
+  CHECK(largest(picture_of(view, view.look_at_m)) <= 1e-13);
+  const Vec3 eye{view.depth_origin_m.x, view.depth_origin_m.y, view.eye_z_m};
+  CHECK(std::abs(length(eye - view.look_at_m) - 5000) <= 1e-9);
+}
+
+TEST_CASE("an eye that can't see is refused") {
+  const MadeTerrain terrain = small_terrain();
+  const Vec3 centre = terrain.extent.box.centre();
+  const Vec3 above = centre + Vec3{0, 0, 500}, north = centre + Vec3{0, 2000, 100};
+  const auto parallel = Projection::orthographic;
+  CHECK(says(refusal(from_to(centre, centre), terrain), "coincide"));
+  CHECK(says(refusal(from_to(centre, centre, parallel), terrain), "coincide"));
+  CHECK(says(refusal(from_to(above, centre), terrain), "straight above"));
+  CHECK(says(refusal(from_to(centre, above), terrain), "straight above"));
+  CHECK(says(refusal(from_to(centre, above, parallel), terrain), "look up"));
+  CHECK(says(refusal(from_to(centre, north, parallel), terrain), "look up"));
+  CHECK(says(refusal(from_to(north, north + Vec3{0, 1000, 0}), terrain), "behind the eye"));
+  CHECK(refusal(from_to(north, centre), terrain).empty());
+}
+
+TEST_CASE("straight down is a plan in a parallel view, north up") {
+  const MadeTerrain terrain = small_terrain();
+  const Vec3 centre = terrain.extent.box.centre();
+  const View view = place_view(from_to(centre + Vec3{0, 0, 500}, centre, Projection::orthographic),
+                               terrain.shape(), 0.7);
+  CHECK(view.elevation == Angle::degrees(90));
+  CHECK(view.sin_elevation == 1);
+  CHECK(view.cos_elevation == 0);
+  CHECK(view.forward == Vec2{0, 1});
+  CHECK(view.frames_terrain);
+}
+
+// The frustum holds the straight way down or up if one of the window's corners reaches it.
+TEST_CASE("a field with rays straight down or up is refused, naming the steepest axis") {
+  const MadeTerrain terrain = small_terrain();
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    ViewRequest request;
+    request.distance_m = 5000;
+    request.field_of_view = Angle::degrees(random.pick({90.0, 60.0, random.between(5, 150)}));
+    request.roll = Angle::degrees(random.pick({0.0, 90.0, random.between(-180, 180)}));
+    const double aspect = random.pick({1.0, 0.7, 1.4});
+    request.from_elevation = Angle::degrees(90);
+    const std::string text = refusal(request, terrain, aspect);
+    CAPTURE(text, aspect, request.roll.in_degrees(), request.field_of_view->in_degrees());
+    REQUIRE(says(text, "straight down"));
+    const double limit = std::stod(text.substr(text.find("at most ") + 8));
+    request.from_elevation = Angle::degrees(limit);
+    REQUIRE_FALSE(says(refusal(request, terrain, aspect), "straight down"));
+    const View view = place_view(request, terrain.shape(), aspect);
+    for (const Vec2& corner : shown_corners(view)) {
+      REQUIRE(std::isfinite(corner.x));
+      REQUIRE(view.to_picture.w(corner) > 0);
+    }
+    request.from_elevation = Angle::degrees(limit + 0.2);
+    REQUIRE(says(refusal(request, terrain, aspect), "straight down"));
+  }
+}
