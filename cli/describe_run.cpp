@@ -106,11 +106,11 @@ void describe_run(RunReport& report, const Terrain& terrain, const Scene& scene,
   report.view = describe_view(scene, terrain.map);
   report.profiles = {spacing_text(scene.plan), scene.depths_m};
   report.counts = drawn.counts;
+  report.seconds.facing = drawn.seconds.facing;
   report.seconds.cut = drawn.seconds.cut;
   report.seconds.project = drawn.seconds.project;
   report.seconds.clip = drawn.seconds.clip;
   report.seconds.layout = drawn.seconds.layout;
-  report.seconds.plan = 0;
   report.peak_memory_bytes = peak_memory_bytes();
   report.error_budget = error_budget(terrain, scene, settings);
   const PenTravel travel = pen_travel(drawn.drawing);

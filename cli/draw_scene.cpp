@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/draw_scene.hpp"
 
-#include "cli/line_layer.hpp"
+#include "cli/line_sweep.hpp"
 #include "cli/tie_tolerance.hpp"
 #include "draw/round_drawing.hpp"
 #include "horizon/clip.hpp"
 #include "profiles/cut_grid.hpp"
 #include "profiles/project_profile.hpp"
+#include "profiles/silhouettes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 namespace orograph {
 namespace {
 
-// Beside the profiles' pen: shores a little heavier, the border lighter.
-constexpr double kShoreWeight = 1.4, kBorderWeight = 0.8, kBorderGrey = 0.45;
+// Beside the profiles' pen: ridges and shores a little heavier, the border lighter.
+constexpr double kSilhouetteWeight = 1.6, kSkylineWeight = 2, kShoreWeight = 1.4;
+constexpr double kBorderWeight = 0.8, kBorderGrey = 0.45;
 
 // Adds the time since the last mark to a stage.
 class Stopwatch {
@@ -96,6 +99,53 @@ private:
   StrokeBuilder& builder_;
 };
 
+// All lines but the profiles. With the seed's occluders only what is drawn of the profiles hides.
+std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
+                                const RenderSettings& settings) {
+  const bool surface = settings.occluder == Occluder::surface;
+  const bool silhouettes = asks_for(settings, "silhouettes") || asks_for(settings, "skyline");
+  const bool border = asks_for(settings, "border");
+  std::vector<SweptLine> lines;
+  std::vector<GridEdge> edges;
+  if (surface || silhouettes) edges = silhouette_edges(terrain.grid, scene.view);
+  for (const GridEdge& edge : edges)
+    lines.push_back({edge, LineKind::silhouette, surface, silhouettes});
+  if (surface || border)
+    for (const BorderEdge& edge : scene.border)
+      lines.push_back({edge.edge, LineKind::border, surface, border});
+  if (asks_for(settings, "shores")) {
+    // A shore that is a silhouette as well is drawn as such, once.
+    const auto before = [](const GridEdge& a, const GridEdge& b) {
+      return a.from != b.from ? a.from < b.from : a.to < b.to;
+    };
+    if (!silhouettes) edges.clear();
+    std::sort(edges.begin(), edges.end(), before);
+    for (const GridEdge& edge : scene.level.shores)
+      if (!std::binary_search(edges.begin(), edges.end(), edge, before))
+        lines.push_back({edge, LineKind::shore, false, true});
+  }
+  return lines;
+}
+
+// Where the near plane cuts the terrain, a section begins: the cut hides.
+void raise_near_cut(const GridCutter& cutter, const View& view, Horizon& horizon,
+                    ClipWorkspace& workspace) {
+  Profile cut;
+  std::vector<Segment> segments;
+  cutter.cut(view.near_m, cut);
+  constexpr std::uint32_t kNearCut = 0x7fffffff; // no profile has this number
+  project_profile(cut, kNearCut, view, segments);
+  clip(segments, horizon, {Role::occluder, {}, true}, workspace);
+}
+
+std::vector<LinePart> of_kind(const LineSweep& sweep, const std::vector<LinePart>& parts,
+                              LineKind kind) {
+  std::vector<LinePart> out;
+  for (const LinePart& part : parts)
+    if (sweep.line(part.line).kind == kind) out.push_back(part);
+  return out;
+}
+
 } // namespace
 
 DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSettings& settings,
@@ -103,46 +153,54 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   DrawnScene drawn;
   CountsReport& counts = drawn.counts;
   SecondsReport& seconds = drawn.seconds;
-  seconds.cut = seconds.project = seconds.clip = seconds.layout = 0;
+  seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.layout = 0;
   const View& view = scene.view;
   const MapFrame& map = terrain.map;
+  const bool surface = settings.occluder == Occluder::surface;
+  Stopwatch watch;
 
   StrokeSettings strokes{
       scene.to_page, scene.page.inner_mm(), settings.simplify_mm, view.is_perspective(), {}};
   if (is_tied_to_ground(settings.write.format))
     strokes.to_map = [&](ProfilePoint p) { return map.to_map(to_ground_m(view, p)); };
 
-  Layer profiles = empty_layer("profiles", settings.pen_width_mm, 0);
-  Layer shores = empty_layer("shores", kShoreWeight * settings.pen_width_mm, 0);
-  Layer border = empty_layer("border", kBorderWeight * settings.pen_width_mm, kBorderGrey);
+  const double pen_mm = settings.pen_width_mm;
+  Layer profiles = empty_layer("profiles", pen_mm, 0);
   StrokeBuilder profile_builder(strokes, profiles);
   const bool draws_profiles = asks_for(settings, "profiles");
   ProfileStrokes profile_strokes(view, settings.flat == FlatGround::draw, profile_builder);
 
+  const GridCutter cutter(terrain.grid, view, scene.level.triangles);
   const double from_m =
       view.is_perspective() ? view.near_m : -std::numeric_limits<double>::infinity();
-  std::vector<GridEdge> border_edges, shore_edges;
-  if (asks_for(settings, "border"))
-    for (const BorderEdge& edge : scene.border) border_edges.push_back(edge.edge);
-  if (asks_for(settings, "shores")) shore_edges = scene.level.shores;
-  LineLayer shore_lines(terrain.grid, view, std::move(shore_edges), from_m);
-  LineLayer border_lines(terrain.grid, view, std::move(border_edges), from_m);
+  LineSweep lines(terrain.grid, view, lines_of(terrain, scene, settings), from_m);
+  watch.mark(seconds.facing);
 
-  const GridCutter cutter(terrain.grid, view, scene.level.triangles);
-  const ClipOptions clip_options{Role::drawn_occluder,
+  const ClipOptions clip_options{surface ? Role::compared : Role::drawn_occluder,
                                  tie_tolerance(scene, settings.visibility_tolerance_mm), true};
   Horizon horizon = initial_horizon();
   Profile profile;
   std::vector<Segment> segments;
   ClipWorkspace workspace;
-  Stopwatch watch;
+  if (surface && view.is_perspective()) raise_near_cut(cutter, view, horizon, workspace);
+
+  // Slabs are about a cell thick, so that few lines meet in one.
+  double plane = std::max(cutter.nearest_m(), from_m);
+  const double thickness = cell_size_m(terrain.grid);
+  const auto take_slabs = [&](double to_m) {
+    const double count = surface ? std::ceil((to_m - plane) / thickness) : 1;
+    for (int i = 1; i < count; ++i)
+      lines.take_slab(plane + (to_m - plane) * (i / count), horizon, workspace);
+    lines.take_slab(to_m, horizon, workspace);
+    plane = to_m;
+  };
   for (std::size_t i = 0; i < scene.depths_m.size(); ++i) {
+    take_slabs(scene.depths_m[i]);
+    watch.mark(seconds.clip);
     cutter.cut(scene.depths_m[i], profile);
     watch.mark(seconds.cut);
     project_profile(profile, static_cast<std::uint32_t>(i), view, segments);
     watch.mark(seconds.project);
-    shore_lines.take_slab(profile.depth_m, horizon);
-    border_lines.take_slab(profile.depth_m, horizon);
     clip(segments, horizon, clip_options, workspace);
     watch.mark(seconds.clip);
     if (draws_profiles)
@@ -154,18 +212,28 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     counts.largest_horizon = std::max<std::uint64_t>(counts.largest_horizon, horizon.size());
     progress(static_cast<double>(i + 1) / static_cast<double>(scene.depths_m.size()));
   }
-  shore_lines.take_slab(std::numeric_limits<double>::infinity(), horizon);
-  border_lines.take_slab(std::numeric_limits<double>::infinity(), horizon);
+  if (plane < cutter.farthest_m()) take_slabs(cutter.farthest_m());
+  lines.take_slab(std::numeric_limits<double>::infinity(), horizon, workspace);
   watch.mark(seconds.clip);
 
-  StrokeBuilder shore_builder(strokes, shores), border_builder(strokes, border);
-  shore_lines.draw(shore_builder);
-  border_lines.draw(border_builder);
+  const std::vector<LinePart> skyline = lines.skyline(horizon);
+  const std::vector<LinePart> visible = lines.visible_parts(skyline);
   Drawing& drawing = drawn.drawing;
   drawing.page = scene.page;
   drawing.crs_wkt = map.crs_wkt;
-  for (Layer* layer : {&profiles, &shores, &border})
-    if (asks_for(settings, layer->name)) drawing.layers.push_back(std::move(*layer));
+  const auto add_lines = [&](const std::vector<LinePart>& parts, const std::string& name,
+                             double weight, double grey) {
+    if (!asks_for(settings, name)) return;
+    Layer layer = empty_layer(name, weight * pen_mm, grey);
+    StrokeBuilder builder(strokes, layer);
+    draw_parts(lines, parts, view, builder);
+    drawing.layers.push_back(std::move(layer));
+  };
+  if (draws_profiles) drawing.layers.push_back(std::move(profiles));
+  add_lines(of_kind(lines, visible, LineKind::shore), "shores", kShoreWeight, 0);
+  add_lines(of_kind(lines, visible, LineKind::border), "border", kBorderWeight, kBorderGrey);
+  add_lines(of_kind(lines, visible, LineKind::silhouette), "silhouettes", kSilhouetteWeight, 0);
+  add_lines(skyline, "skyline", kSkylineWeight, 0);
   for (Layer& layer : drawing.layers) {
     const RoundingCounts dropped = round_to_page_step(layer);
     counts.dropped_strokes += dropped.empty_strokes + dropped.repeated_strokes;

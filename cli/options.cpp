@@ -23,7 +23,8 @@ namespace {
 
 constexpr auto kTerrain = "Terrain", kView = "View", kLines = "Profiles and lines", kPage = "Page",
                kOutput = "Output", kGeneral = "General";
-const std::array<std::string, 3> kLayerNames{"profiles", "shores", "border"};
+const std::array<std::string, 5> kLayerNames{"profiles", "shores", "border", "silhouettes",
+                                             "skyline"};
 
 Option help_option() {
   return {.group = kGeneral,
@@ -177,8 +178,8 @@ void add_lines(std::vector<Option>& options, RenderSettings& s) {
   options.push_back(with_choice<Occluder>(
       {.group = kLines,
        .name = "--occluder",
-       .help = "What hides: the whole surface, or only the profiles drawn",
-       .by_default = "profiles"},
+       .help = "What hides: the whole surface, exactly, or only the profiles drawn",
+       .by_default = "surface"},
       {{"surface", Occluder::surface}, {"profiles", Occluder::profiles}}, s.occluder));
   options.push_back(with_number({.group = kLines,
                                  .name = "--visibility-tolerance",

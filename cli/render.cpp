@@ -46,8 +46,6 @@ void check_outputs(const RenderSettings& settings) {
 
 void render(const RenderSettings& settings) {
   const auto start = Clock::now();
-  if (settings.occluder == Occluder::surface)
-    throw UsageError("--occluder surface isn't there yet", "use --occluder profiles");
   check_outputs(settings);
   RunReport report;
   SecondsReport& seconds = report.seconds;

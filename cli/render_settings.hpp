@@ -31,11 +31,11 @@ struct RenderSettings {
   std::optional<double> exaggeration; ///< none: chosen from the terrain
 
   std::optional<PlanRequest> plan; ///< none: four pen widths on the page
-  Occluder occluder = Occluder::profiles;
+  Occluder occluder = Occluder::surface;
   double visibility_tolerance_mm = 1e-4;
   double simplify_mm = 0.02;
   FlatGround flat = FlatGround::shore;
-  std::vector<std::string> layers{"profiles", "shores", "border"};
+  std::vector<std::string> layers{"profiles", "shores", "border", "silhouettes", "skyline"};
 
   PageRequest page;
   double pen_width_mm = 0.15;

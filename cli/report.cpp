@@ -70,7 +70,7 @@ Json json_of(const CountsReport& counts) {
 }
 
 Json json_of(const SecondsReport& seconds) {
-  return {{"read", seconds.read},     {"place", seconds.place},     {"plan", seconds.plan},
+  return {{"read", seconds.read},     {"place", seconds.place},     {"facing", seconds.facing},
           {"cut", seconds.cut},       {"project", seconds.project}, {"clip", seconds.clip},
           {"layout", seconds.layout}, {"write", seconds.write},     {"total", seconds.total}};
 }

@@ -58,7 +58,7 @@ struct CountsReport {
 };
 
 struct SecondsReport {
-  double read = kNotMeasured, place = kNotMeasured, plan = kNotMeasured, cut = kNotMeasured,
+  double read = kNotMeasured, place = kNotMeasured, facing = kNotMeasured, cut = kNotMeasured,
          project = kNotMeasured, clip = kNotMeasured, layout = kNotMeasured, write = kNotMeasured,
          total = kNotMeasured;
 };

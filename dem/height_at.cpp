@@ -38,10 +38,10 @@ std::optional<double> height_at(const Grid& grid, Vec2 ground_m) {
       const double corner = grid.height_m(column, row);
       const double opposite = grid.height_m(column + 1, row + 1);
       // A missing vertex makes its triangle's height NaN, with a weight of zero as well.
-      const double upper = (1 - east) * corner + south * opposite +
-                           (east - south) * grid.height_m(column + 1, row);
-      const double lower = (1 - south) * corner + east * opposite +
-                           (south - east) * grid.height_m(column, row + 1);
+      const double upper =
+          (1 - east) * corner + south * opposite + (east - south) * grid.height_m(column + 1, row);
+      const double lower =
+          (1 - south) * corner + east * opposite + (south - east) * grid.height_m(column, row + 1);
       if (east >= south && !std::isnan(upper)) return upper;
       if (south >= east && !std::isnan(lower)) return lower;
     }

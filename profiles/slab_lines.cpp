@@ -2,7 +2,6 @@
 #include "profiles/slab_lines.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace orograph {
 
@@ -16,19 +15,29 @@ ProfileLine line_of(const Grid& grid, const View& view, GridEdge edge) {
   return {end(edge.from), end(edge.to)};
 }
 
-SlabLines::SlabLines(std::vector<ProfileLine> lines, double from_m)
-    : lines_(std::move(lines)), by_depth_(lines_.size()), from_m_(from_m) {
-  const auto nearest = [&](std::uint32_t i) { return std::min(lines_[i].from.v, lines_[i].to.v); };
-  std::iota(by_depth_.begin(), by_depth_.end(), std::uint32_t{0});
-  std::sort(by_depth_.begin(), by_depth_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return nearest(a) != nearest(b) ? nearest(a) < nearest(b) : a < b;
+SlabLines::SlabLines(std::uint32_t count, LineOf line_of, double from_m)
+    : line_of_(std::move(line_of)), by_depth_(count), from_m_(from_m) {
+  struct Key {
+    double nearest;
+    std::uint32_t line;
+  };
+  std::vector<Key> keys(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const ProfileLine line = line_of_(i);
+    keys[i] = {std::min(line.from.v, line.to.v), i};
+  }
+  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
+    return a.nearest != b.nearest ? a.nearest < b.nearest : a.line < b.line;
   });
+  std::transform(keys.begin(), keys.end(), by_depth_.begin(), [](const Key& k) { return k.line; });
 }
 
-void SlabLines::cut(std::uint32_t i, double to_m) {
-  const auto& [from, to] = lines_[i];
+// Adds the line's piece up to `to_m`; tells whether the line goes on behind it.
+bool SlabLines::cut(std::uint32_t i, double to_m) {
+  const ProfileLine line = line_of_(i);
+  const auto& [from, to] = line;
   const auto [nearest, farthest] = std::minmax(from.v, to.v);
-  if (farthest < from_m_ || (farthest == from_m_ && nearest < farthest)) return;
+  if (farthest < from_m_ || (farthest == from_m_ && nearest < farthest)) return false;
   const auto t_at = [&, &a = from, &b = to](double depth) {
     return std::clamp((depth - a.v) / (b.v - a.v), 0.0, 1.0);
   };
@@ -38,19 +47,19 @@ void SlabLines::cut(std::uint32_t i, double to_m) {
   const auto [begin, end] = std::minmax(t_near, t_far);
   if (begin < end)
     pieces_.push_back(
-        {i, begin, end, point_between(from, to, begin), point_between(from, to, end)});
+        {i, begin, end, line, point_between(from, to, begin), point_between(from, to, end)});
+  return farthest > to_m;
 }
 
 std::span<const SlabPiece> SlabLines::next(double to_m) {
   pieces_.clear();
+  std::erase_if(active_, [&](std::uint32_t i) { return !cut(i, to_m); });
   for (; waiting_ < by_depth_.size(); ++waiting_) {
-    const ProfileLine& line = lines_[by_depth_[waiting_]];
+    const std::uint32_t i = by_depth_[waiting_];
+    const ProfileLine line = line_of_(i);
     if (std::min(line.from.v, line.to.v) > to_m) break;
-    active_.push_back(by_depth_[waiting_]);
+    if (cut(i, to_m)) active_.push_back(i);
   }
-  for (const std::uint32_t i : active_) cut(i, to_m);
-  std::erase_if(
-      active_, [&](std::uint32_t i) { return std::max(lines_[i].from.v, lines_[i].to.v) <= to_m; });
   from_m_ = to_m;
   return pieces_;
 }

@@ -8,42 +8,47 @@
 #include "view/view.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 namespace orograph {
 
-/// The part of a line that lies in one slab, from t_begin to t_end (0 at the line's `from` vertex,
-/// 1 at its `to` vertex). Where a slab's plane cuts a line, the t on both sides is the same number.
-struct SlabPiece {
-  std::uint32_t line;
-  double t_begin, t_end;
-  ProfilePoint begin, end;
-};
-
-/// Ends of a grid edge in the profile frame.
+/// Ends of a line in the profile frame.
 struct ProfileLine {
   ProfilePoint from, to;
 };
 ProfileLine line_of(const Grid& grid, const View& view, GridEdge edge);
 
-/// Cuts lines by the planes of consecutive slabs. Cost in all: a sort of the lines, and O(1) a
-/// piece.
+/// The part of a line that lies in one slab, from t_begin to t_end (0 at the line's `from` end, 1
+/// at its `to` end). Where a slab's plane cuts a line, the t on both sides is the same number.
+struct SlabPiece {
+  std::uint32_t line;
+  double t_begin, t_end;
+  ProfileLine whole; ///< the line
+  ProfilePoint begin, end;
+};
+
+/// Cuts lines by the planes of consecutive slabs. Memory: 4 bytes a line, and the lines of one
+/// slab. Cost in all: a sort of the lines, and O(1) a piece.
 class SlabLines {
 public:
-  /// The first slab begins at depth `from_m`; what lies nearer is left out.
-  SlabLines(std::vector<ProfileLine> lines, double from_m);
+  using LineOf = std::function<ProfileLine(std::uint32_t)>;
+
+  /// `count` lines, each asked from `line_of` when it is needed. The first slab begins at depth
+  /// `from_m`; what lies nearer is left out.
+  SlabLines(std::uint32_t count, LineOf line_of, double from_m);
 
   /// The pieces in the slab from the last plane to the one at `to_m`, which is in it, in no
   /// particular order. REQUIRES that `to_m` never falls. The span is valid until the next call.
   std::span<const SlabPiece> next(double to_m);
 
-  const ProfileLine& line(std::uint32_t i) const { return lines_[i]; }
+  ProfileLine line(std::uint32_t i) const { return line_of_(i); }
 
 private:
-  void cut(std::uint32_t line, double to_m);
+  bool cut(std::uint32_t line, double to_m);
 
-  std::vector<ProfileLine> lines_;
+  LineOf line_of_;
   std::vector<std::uint32_t> by_depth_; ///< lines by their nearer end
   std::size_t waiting_ = 0;             ///< first of `by_depth_` that hasn't begun
   std::vector<std::uint32_t> active_;

@@ -72,6 +72,8 @@ void StrokeBuilder::add(const StrokePoint& point) {
     if (enter < leave) {
       if (!last_inside_) append(between(last_, point, enter));
       append(inside ? point : between(last_, point, leave));
+    } else if (inside) {
+      append(point); // on the frame itself: nothing of the line so far, but it may go on
     }
     if (!inside) flush();
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace orograph {
 namespace {
@@ -53,8 +54,8 @@ Step resolve(const Segment& p, const HorizonPiece& piece, double a, double b,
 }
 
 // The horizon along a stretch after the step.
-HorizonPiece raised(const Segment& p, const HorizonPiece& piece, const Stretch& stretch, bool tied,
-                    Role role) {
+HorizonPiece raised(const Segment& p, bool inked, const HorizonPiece& piece, const Stretch& stretch,
+                    bool tied, Role role) {
   HorizonPiece after = piece;
   after.x_begin = stretch.x_begin;
   after.x_end = stretch.x_end;
@@ -63,7 +64,7 @@ HorizonPiece raised(const Segment& p, const HorizonPiece& piece, const Stretch& 
     after.inked = true;
   } else if (role != Role::compared) {
     after.source = p;
-    after.inked = role == Role::drawn_occluder;
+    after.inked = inked;
   }
   return after;
 }
@@ -103,7 +104,8 @@ ClipStep clip_segments(const Segment& profile, std::uint32_t number, double x_be
   out.tied = step.tied;
   for (int i = 0; i < step.count; ++i) {
     const Stretch& s = step.stretches[static_cast<std::size_t>(i)];
-    out.new_horizon.push_back(raised(profile, horizon, s, step.tied, options.role));
+    out.new_horizon.push_back(
+        raised(profile, options.role == Role::drawn_occluder, horizon, s, step.tied, options.role));
     if (s.above && options.role != Role::occluder)
       out.draw = Piece{number, s.x_begin, s.x_end, s.t_begin, s.t_end};
   }
@@ -118,46 +120,62 @@ ClipStep clip_segments(const Segment& profile, std::uint32_t number, double x_be
   return out;
 }
 
-void clip(std::span<const Segment> segments, Horizon& horizon, const ClipOptions& options,
-          ClipWorkspace& workspace) {
-  auto& [visible, hidden, tied, keep_hidden, steps, pieces_uncollapsed, pieces_collapsed, ties,
-         next] = workspace;
-  visible.clear();
-  hidden.clear();
-  tied.clear();
+namespace {
+
+// An element of a list to be clipped: a source and the part of it.
+struct Item {
+  const Segment& source;
+  double x_begin, x_end;
+  bool inked; ///< whether it is drawn where it raises the horizon
+};
+Item item_of(const Segment& segment, const ClipOptions& options) {
+  return {segment, segment.x0, segment.x1, options.role == Role::drawn_occluder};
+}
+Item item_of(const HorizonPiece& piece, const ClipOptions&) {
+  return {piece.source, piece.x_begin, piece.x_end, piece.inked};
+}
+
+template <class List>
+void clip_list(const List& list, Horizon& horizon, const ClipOptions& options,
+               ClipWorkspace& workspace) {
+  workspace.visible.clear();
+  workspace.hidden.clear();
+  workspace.tied.clear();
+  Horizon& next = workspace.next;
   next.clear();
 
   std::size_t at = 0;
   HorizonPiece current = horizon.front(); // what is left of horizon[at]
   const auto emit = [&](const HorizonPiece& piece) {
     append(next, piece, options.collapse);
-    ++pieces_uncollapsed;
+    ++workspace.pieces_uncollapsed;
   };
-  for (std::uint32_t number = 0; number < segments.size(); ++number) {
-    const Segment& p = segments[number];
-    while (current.x_end <= p.x0) {
+  for (std::uint32_t number = 0; number < list.size(); ++number) {
+    const Item item = item_of(list[number], options);
+    if (item.source.id == kSky) continue;
+    while (current.x_end <= item.x_begin) {
       emit(current);
       current = horizon[++at];
     }
-    if (current.x_begin < p.x0) {
+    if (current.x_begin < item.x_begin) {
       HorizonPiece left = current;
-      left.x_end = p.x0;
+      left.x_end = item.x_begin;
       emit(left);
-      current.x_begin = p.x0;
+      current.x_begin = item.x_begin;
     }
-    for (double a = p.x0; a < p.x1;) {
-      const double b = std::min(p.x1, current.x_end);
-      const Step step = resolve(p, current, a, b, options);
-      ++steps;
-      ties += step.tied ? 1 : 0;
+    for (double a = item.x_begin; a < item.x_end;) {
+      const double b = std::min(item.x_end, current.x_end);
+      const Step step = resolve(item.source, current, a, b, options);
+      ++workspace.steps;
+      workspace.ties += step.tied ? 1 : 0;
       for (int i = 0; i < step.count; ++i) {
         const Stretch& s = step.stretches[static_cast<std::size_t>(i)];
-        emit(raised(p, current, s, step.tied, options.role));
+        emit(raised(item.source, item.inked, current, s, step.tied, options.role));
         const Piece piece{number, s.x_begin, s.x_end, s.t_begin, s.t_end};
         if (s.above && options.role != Role::occluder)
-          append(visible, piece);
-        else if (keep_hidden)
-          append(step.tied ? tied : hidden, piece);
+          append(workspace.visible, piece);
+        else if (workspace.keep_hidden)
+          append(step.tied ? workspace.tied : workspace.hidden, piece);
       }
       current.x_begin = a = b;
       if (current.x_end <= b) current = horizon[++at];
@@ -165,8 +183,60 @@ void clip(std::span<const Segment> segments, Horizon& horizon, const ClipOptions
   }
   emit(current);
   for (++at; at < horizon.size(); ++at) emit(horizon[at]);
-  pieces_collapsed += next.size();
+  workspace.pieces_collapsed += next.size();
   horizon.swap(next);
+}
+
+// The sky with a list of disjoint pieces in it.
+Horizon horizon_of(std::span<const HorizonPiece> pieces) {
+  Horizon horizon;
+  HorizonPiece sky = initial_horizon().front();
+  for (const HorizonPiece& piece : pieces) {
+    sky.x_end = piece.x_begin;
+    if (sky.x_begin < sky.x_end) horizon.push_back(sky);
+    horizon.push_back(piece);
+    sky.x_begin = piece.x_end;
+  }
+  sky.x_end = std::numeric_limits<double>::infinity();
+  horizon.push_back(sky);
+  return horizon;
+}
+
+Horizon envelope_of(std::span<const std::vector<HorizonPiece>> chains, ClipWorkspace& workspace) {
+  if (chains.size() == 1) return horizon_of(chains.front());
+  const std::size_t half = chains.size() / 2;
+  const Horizon left = envelope_of(chains.first(half), workspace);
+  Horizon right = envelope_of(chains.subspan(half), workspace);
+  clip_list(left, right, {Role::occluder, {}, true}, workspace);
+  return right;
+}
+
+} // namespace
+
+void clip(std::span<const Segment> segments, Horizon& horizon, const ClipOptions& options,
+          ClipWorkspace& workspace) {
+  clip_list(segments, horizon, options, workspace);
+}
+
+void raise(std::vector<HorizonPiece>& occluders, Horizon& horizon, ClipWorkspace& workspace) {
+  if (occluders.empty()) return;
+  std::sort(occluders.begin(), occluders.end(), [](const HorizonPiece& a, const HorizonPiece& b) {
+    return a.x_begin != b.x_begin ? a.x_begin < b.x_begin : a.source.id < b.source.id;
+  });
+  auto& chains = workspace.chains;
+  for (auto& pieces : chains) pieces.clear();
+  std::size_t used = 0;
+  for (const HorizonPiece& piece : occluders) {
+    std::size_t i = 0;
+    while (i < used && chains[i].back().x_end > piece.x_begin) ++i;
+    if (i == used && ++used > chains.size()) chains.emplace_back();
+    chains[i].push_back(piece);
+  }
+  const ClipOptions exact{Role::occluder, {}, true};
+  if (used == 1)
+    clip_list(chains.front(), horizon, exact, workspace);
+  else
+    clip_list(envelope_of(std::span(chains).first(used), workspace), horizon, exact, workspace);
 }
 
 } // namespace orograph

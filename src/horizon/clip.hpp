@@ -72,7 +72,8 @@ struct ClipWorkspace {
   std::size_t pieces_collapsed = 0;   ///< horizon pieces as kept, over all calls
   std::size_t ties = 0;               ///< over all calls
 
-  Horizon next; ///< scratch
+  Horizon next;                                  ///< scratch
+  std::vector<std::vector<HorizonPiece>> chains; ///< scratch of `raise`
 };
 
 /// Clips segments (in order of X, disjoint but for shared ends, gaps allowed) against `horizon` and
@@ -84,5 +85,11 @@ struct ClipWorkspace {
 ///  (3) the new horizon is nowhere below the old one.
 void clip(std::span<const Segment> segments, Horizon& horizon, const ClipOptions& options,
           ClipWorkspace& workspace);
+
+/// Raises `horizon` by occluders that may overlap and come in any order (it sorts them): compared
+/// exactly, nothing drawn. They are parted into chains of disjoint pieces, the chains are merged
+/// pairwise, and what comes out is merged into the horizon. Cost O(occluders * log of how many
+/// overlap + horizon pieces).
+void raise(std::vector<HorizonPiece>& occluders, Horizon& horizon, ClipWorkspace& workspace);
 
 } // namespace orograph

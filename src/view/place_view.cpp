@@ -149,7 +149,9 @@ void frame_perspective(View& view, const ViewRequest& request, const TerrainShap
           steepest_elevation(view, [&](View& v) { return distance(v).has_value(); }))
     throw Error(wrong, "the steepest elevation that works here is " + decimals(*steepest, 1) +
                            " degrees, or use --projection orthographic");
-  throw Error(wrong, "use a greater --distance, or --projection orthographic");
+  throw Error(wrong, std::string("use a ") +
+                         (request.distance_m ? "greater --distance" : "smaller --fov") +
+                         ", or --projection orthographic");
 }
 
 Box2 window_of_field(const View& view, Angle field, double aspect) {

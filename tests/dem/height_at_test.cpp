@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The height at a point against every triangle's barycentric coordinates.
 #include "dem/height_at.hpp"
-
 #include "tests/catch.hpp"
 #include "tests/support/made_grid.hpp"
 
@@ -34,9 +33,9 @@ TEST_CASE("the height at a point is that of the triangle that holds it") {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     Random random(seed);
     INFO("seed " << seed);
-    GridLattice lattice = turned_lattice(random.whole(2, 7), random.whole(2, 7), {10, 13},
-                                         random.pick({0.0, random.between(-0.7, 0.7)}),
-                                         random.pick({0.0, 0.4}));
+    GridLattice lattice =
+        turned_lattice(random.whole(2, 7), random.whole(2, 7), {10, 13},
+                       random.pick({0.0, random.between(-0.7, 0.7)}), random.pick({0.0, 0.4}));
     const double offset = random.pick({0.0, 1e3, 1e6});
     lattice.first_vertex_m = {random.between(-offset, offset), random.between(-offset, offset)};
     GridHeights heights;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/level_ground.hpp"
-
 #include "tests/catch.hpp"
 #include "tests/support/made_grid.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "profiles/plan.hpp"
-
 #include "geometry/error.hpp"
+#include "profiles/plan.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 #include "view/place_view.hpp"
@@ -153,7 +152,8 @@ TEST_CASE("an eye in the terrain gets all its profiles, most of them for what th
     REQUIRE(depths.size() == static_cast<std::size_t>(count));
     check_in_order(depths, view.near_m, ground.farthest_m);
     // Even on the page can't mean a crowd at the eye's feet.
-    const auto behind = std::count_if(depths.begin(), depths.end(), [](double d) { return d > 20; });
+    const auto behind =
+        std::count_if(depths.begin(), depths.end(), [](double d) { return d > 20; });
     REQUIRE(behind >= count / 2);
     CHECK_NOTHROW(plan_depths(PageSpacing{0.6}, ground, view, on_page(view)));
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/project_profile.hpp"
-
 #include "tests/catch.hpp"
 
 using namespace orograph;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/slab_lines.hpp"
-
 #include "tests/catch.hpp"
 #include "tests/profiles/triangle_cuts.hpp"
 #include "tests/support/made_grid.hpp"
@@ -47,7 +46,8 @@ TEST_CASE("the pieces of all slabs tile each line") {
     INFO("seed " << seed);
     const auto lines = random_lines(random);
     const double from = random.pick({-infinity, -2.0, 1.0, random.between(-4, 9)});
-    SlabLines slabs(lines, from);
+    SlabLines slabs(
+        static_cast<std::uint32_t>(lines.size()), [&](std::uint32_t i) { return lines[i]; }, from);
     std::vector<std::vector<SlabPiece>> by_line(lines.size());
     double plane = random.chance(0.5) ? std::max(from, -5.0) : std::max(from, 2.0), last = from;
     while (last < infinity) {
@@ -55,7 +55,8 @@ TEST_CASE("the pieces of all slabs tile each line") {
         const ProfileLine& line = lines[piece.line];
         by_line[piece.line].push_back(piece);
         REQUIRE(piece.t_begin < piece.t_end);
-        for (const auto& [t, at] : {std::pair(piece.t_begin, piece.begin), {piece.t_end, piece.end}}) {
+        for (const auto& [t, at] :
+             {std::pair(piece.t_begin, piece.begin), {piece.t_end, piece.end}}) {
           REQUIRE(at.v >= last - rounding);
           REQUIRE(at.v <= plane + rounding);
           const ProfilePoint on_line{line.from.u + t * (line.to.u - line.from.u),

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/extremes.hpp"
-
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
+#include "view/extremes.hpp"
 
 #include <limits>
 
@@ -25,7 +24,8 @@ TEST_CASE("the greatest value over blocks is that over all points, looking at fe
       const Vec3 low{random.between(-50, 50), random.between(0, 50), random.between(0, 5)};
       Box3 box;
       for (int i = random.whole(1, 20); i > 0; --i) {
-        block.push_back(low + Vec3{random.between(0, 5), random.between(0, 5), random.between(0, 5)});
+        block.push_back(low +
+                        Vec3{random.between(0, 5), random.between(0, 5), random.between(0, 5)});
         box.include(block.back());
       }
       points.boxes.push_back(box);

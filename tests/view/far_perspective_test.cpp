@@ -37,8 +37,8 @@ TEST_CASE("orthographic equals perspective from very far away") {
       const double width = parallel.window.width();
       const double delta = reach * reach / (distance - reach);
       // The picture plane's coordinates, about 1 / times, are differences of numbers about 1.
-      const double rounding = 32 * std::numeric_limits<double>::epsilon() * times *
-                              std::max(1.0, reach / width);
+      const double rounding =
+          32 * std::numeric_limits<double>::epsilon() * times * std::max(1.0, reach / width);
       for (const Vec3& p : terrain.vertices) {
         const auto on_page = [&](const View& view) {
           const Vec2 at = picture_of(view, p);

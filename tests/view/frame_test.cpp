@@ -18,13 +18,13 @@ ViewRequest random_request(Random& random, const MadeTerrain& terrain) {
   request.projection = parallel ? Projection::orthographic : Projection::perspective;
   request.from_azimuth =
       Angle::degrees(random.chance(0.5) ? 45.0 * random.whole(0, 7) : random.between(0, 360));
-  request.from_elevation = Angle::degrees(
-      parallel ? random.pick({0.0, 90.0, random.between(0, 90)}) : random.between(0, 60));
+  request.from_elevation = Angle::degrees(parallel ? random.pick({0.0, 90.0, random.between(0, 90)})
+                                                   : random.between(0, 60));
   request.roll = Angle::degrees(random.pick({0.0, 0.0, 180.0, random.between(-180, 180)}));
   request.exaggeration = random.pick({1.0, 1.5});
   if (random.chance(0.3))
-    request.look_at_m =
-        terrain.vertices[static_cast<std::size_t>(random.whole(0, static_cast<int>(terrain.vertices.size()) - 1))];
+    request.look_at_m = terrain.vertices[static_cast<std::size_t>(
+        random.whole(0, static_cast<int>(terrain.vertices.size()) - 1))];
   if (random.chance(0.3))
     request.distance_m = random.between(500, 5000);
   else
@@ -39,12 +39,10 @@ Pinhole camera_of(const ViewRequest& request, const View& view) {
   const Vec3 target = exaggerated(view.look_at_m, request.exaggeration);
   const bool parallel = request.projection == Projection::orthographic;
   // A parallel picture is measured from the target's ground point at height 0.
-  Pinhole camera = pinhole(parallel ? Vec3{target.x, target.y, 0}
-                                    : target + view.distance_m * to_viewer,
-                           // From straight above, "up" is where the viewer looks from less high.
-                           e == std::numbers::pi / 2 ? Vec3{-1e-9 * std::sin(a), -1e-9 * std::cos(a), -1}
-                                                     : -1.0 * to_viewer,
-                           request.roll.in_degrees());
+  const Vec3 eye = parallel ? Vec3{target.x, target.y, 0} : target + view.distance_m * to_viewer;
+  // From straight above, up is where the viewer would look from a little less high.
+  const Vec3 upward = e < 1.57 ? Vec3{0, 0, 1} : Vec3{-std::sin(a), -std::cos(a), 0};
+  Pinhole camera = pinhole(eye, -1.0 * to_viewer, request.roll.in_degrees(), upward);
   camera.parallel = parallel;
   return camera;
 }
@@ -75,7 +73,8 @@ double lowest_entered(const View& view, const MadeTerrain& terrain) {
         const ProfilePoint p{a.u + t * (b.u - a.u), a.v + t * (b.v - a.v), a.z + t * (b.z - a.z)};
         met.emplace_back(p.v, p);
       }
-      std::sort(met.begin(), met.end(), [](const auto& p, const auto& q) { return p.first < q.first; });
+      std::sort(met.begin(), met.end(),
+                [](const auto& p, const auto& q) { return p.first < q.first; });
       for (std::size_t i = 0; i < met.size(); i += 2)
         lowest = std::min(lowest, view.to_picture(project(view, met[i].second)).y);
     }
@@ -96,7 +95,7 @@ std::optional<View> placed(const ViewRequest& request, const MadeTerrain& terrai
 
 TEST_CASE("a framing window is the picture's box, but for ground below the near edge") {
   int framed = 0;
-  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const MadeTerrain terrain =
@@ -122,10 +121,9 @@ TEST_CASE("a framing window is the picture's box, but for ground below the near 
       box.include(camera.picture(exaggerated(p, request.exaggeration)));
     }
     const Box2& window = view->window;
-    // Pictures are right to a few roundings of the numbers they come from: 1e-9 is for a plan from
-    // straight above, which the camera can only nearly have.
-    const double tolerance = 1e-9 * std::max({1e-3, largest(box.low), largest(box.high)}) *
-                             (camera.parallel ? 1 : 10);
+    // A picture is right to some ten roundings of the numbers that it comes from: metres in a
+    // parallel view; otherwise, up to about 60 degrees, 1 and heights over near depths.
+    const double tolerance = camera.parallel ? 1e-11 : 1e-12 * std::max(1.0, largest(box.high));
     CAPTURE(box.low.x, window.low.x, box.high.x, window.high.x);
     REQUIRE(std::abs(window.low.x - box.low.x) <= tolerance);
     REQUIRE(std::abs(window.high.x - box.high.x) <= tolerance);
@@ -142,11 +140,15 @@ TEST_CASE("a framing window is the picture's box, but for ground below the near 
     }
     if (!camera.parallel && !request.distance_m) {
       const double wanted = 2 * std::tan(0.5 * request.field_of_view->in_radians());
-      REQUIRE(std::abs(window.width() - wanted) <= 1e-8 * wanted);
+      // The eye doesn't go nearer to a target at the terrain's edge than half a cell.
+      if (view->distance_m > 0.5 * cell_size_m(*terrain.grid))
+        REQUIRE(std::abs(window.width() - wanted) <= 1e-8 * wanted);
+      else
+        REQUIRE(window.width() < wanted);
     }
     if (request.distance_m && !camera.parallel) REQUIRE(view->distance_m == *request.distance_m);
   }
-  REQUIRE(framed > 400);
+  REQUIRE(framed > 700);
 }
 
 TEST_CASE("what perspective refuses, it can do at the elevation that it names") {
@@ -162,10 +164,10 @@ TEST_CASE("what perspective refuses, it can do at the elevation that it names") 
     if (placed(request, terrain, text)) continue;
     ++refused;
     CAPTURE(text);
-    REQUIRE(text.find(request.distance_m ? "--distance" : "--fov") != std::string::npos);
     const std::string naming = "steepest elevation that works here is ";
     const std::size_t at = text.find(naming);
     if (at == std::string::npos) { // then not even a level view works
+      REQUIRE(text.find(request.distance_m ? "--distance" : "--fov") != std::string::npos);
       request.from_elevation = Angle();
       REQUIRE_FALSE(placed(request, terrain, text));
       continue;

@@ -55,11 +55,11 @@ struct Pinhole {
   }
 };
 
-/// The camera at `eye` that looks along `axis` (not upright) and is turned so that the picture
-/// turns clockwise by `roll_deg`.
-inline Pinhole pinhole(Vec3 eye, Vec3 axis, double roll_deg) {
+/// The camera at `eye` that looks along `axis`, with `upward` (not along the axis) upwards in the
+/// picture, which is then turned clockwise by `roll_deg`.
+inline Pinhole pinhole(Vec3 eye, Vec3 axis, double roll_deg, Vec3 upward = {0, 0, 1}) {
   axis = (1 / length(axis)) * axis;
-  const Vec3 flat = cross(axis, Vec3{0, 0, 1});
+  const Vec3 flat = cross(axis, upward);
   const Vec3 right = (1 / length(flat)) * flat, up = cross(right, axis);
   const double roll = roll_deg * std::numbers::pi / 180, s = std::sin(roll), c = std::cos(roll);
   // Where the camera turns counterclockwise, the picture turns clockwise.

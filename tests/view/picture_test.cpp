@@ -11,14 +11,15 @@ ViewRequest random_eye(Random& random, Projection projection) {
   ViewRequest request;
   request.projection = projection;
   const double azimuth = random.between(0, 2 * std::numbers::pi);
-  const double descent = projection == Projection::perspective ? random.between(-60, 60)
-                                                               : random.between(0, 85);
+  const double descent =
+      projection == Projection::perspective ? random.between(-60, 60) : random.between(0, 85);
   const double distance = random.between(50, 5000);
   request.exaggeration = random.pick({1.0, 2.0});
   request.look_at_m = Vec3{random.between(-500, 500), random.between(-500, 500), 50};
   const double tangent = std::tan(descent * std::numbers::pi / 180);
-  request.eye_m = *request.look_at_m + Vec3{distance * std::sin(azimuth), distance * std::cos(azimuth),
-                                            distance * tangent / request.exaggeration};
+  request.eye_m =
+      *request.look_at_m + Vec3{distance * std::sin(azimuth), distance * std::cos(azimuth),
+                                distance * tangent / request.exaggeration};
   request.field_of_view = Angle::degrees(10);
   request.roll = Angle::degrees(random.pick({0.0, 90.0, random.between(-180, 180)}));
   return request;
@@ -96,7 +97,8 @@ TEST_CASE("nothing is mirrored") {
       request.from_azimuth = Angle::degrees(azimuth);
       const View view = place_view(request, terrain.shape(), 0.7);
       const double look = (azimuth + 180) * std::numbers::pi / 180;
-      const Vec3 ahead{std::sin(look), std::cos(look), 0}, right{std::cos(look), -std::sin(look), 0};
+      const Vec3 ahead{std::sin(look), std::cos(look), 0},
+          right{std::cos(look), -std::sin(look), 0};
       const Vec3 target = view.look_at_m;
       const Vec2 centre = picture_of(view, target);
       CHECK(picture_of(view, target + right).x > centre.x);

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/line_sweep.hpp"
+
+#include "draw/chain.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace orograph {
+namespace {
+
+// Lines' sources are told from profiles' segments by the highest bit of their id.
+constexpr std::uint64_t kLineBit = std::uint64_t{1} << 63U;
+
+// Shares of one edge that were reckoned on both sides of a slab's plane are equal to rounding.
+constexpr double kSameShare = 1e-12;
+
+double nearness(const View& view, ProfilePoint p) {
+  return view.is_perspective() ? 1 / p.v : -p.v;
+}
+
+void join(std::vector<LinePart>& parts) {
+  std::sort(parts.begin(), parts.end(), [](const LinePart& a, const LinePart& b) {
+    return a.line != b.line ? a.line < b.line : a.t_begin < b.t_begin;
+  });
+  std::size_t count = 0;
+  for (const LinePart& part : parts) {
+    if (count > 0 && parts[count - 1].line == part.line &&
+        parts[count - 1].t_end >= part.t_begin - kSameShare)
+      parts[count - 1].t_end = std::max(parts[count - 1].t_end, part.t_end);
+    else
+      parts[count++] = part;
+  }
+  parts.resize(count);
+}
+
+} // namespace
+
+LineSweep::LineSweep(const Grid& grid, const View& view, std::vector<SweptLine> lines,
+                     double from_m)
+    : view_(view), lines_(std::move(lines)), from_m_(from_m),
+      slabs_(
+          static_cast<std::uint32_t>(lines_.size()),
+          [&grid, &view, this](std::uint32_t i) { return line_of(grid, view, lines_[i].edge); },
+          from_m) {}
+
+LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLine& whole) const {
+  double t0 = 0, t1 = 1;
+  const auto& [from, to] = whole;
+  if (std::min(from.v, to.v) < from_m_) // what is nearer has no picture
+    (from.v < to.v ? t0 : t1) = (from_m_ - from.v) / (to.v - from.v);
+  Projected out{{}, t0, t1, point_between(from, to, t0), point_between(from, to, t1)};
+  Vec2 left = project(view_, out.left), right = project(view_, out.right);
+  if (left.x > right.x || (left.x == right.x && out.left.v > out.right.v)) {
+    std::swap(out.t_left, out.t_right);
+    std::swap(out.left, out.right);
+    std::swap(left, right);
+  }
+  out.source = {left.x, left.y, right.x, right.y, kLineBit | line};
+  return out;
+}
+
+// From a share of the way along the picture, left to right, to the share along the edge.
+double LineSweep::along_edge(const Projected& p, double share) const {
+  if (share <= 0) return p.t_left;
+  if (share >= 1) return p.t_right;
+  const double in_space =
+      view_.is_perspective() ? share_in_depth(share, p.left.v, p.right.v) : share;
+  return p.t_left + in_space * (p.t_right - p.t_left);
+}
+
+void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspace) {
+  in_slab_.clear();
+  for (const SlabPiece& piece : slabs_.next(to_m)) {
+    const Projected p = project_line(piece.line, piece.whole);
+    SurfaceLine line{p.source,
+                     nearness(view_, p.left),
+                     nearness(view_, p.right),
+                     project(view_, piece.begin).x,
+                     project(view_, piece.end).x,
+                     lines_[piece.line].hides,
+                     lines_[piece.line].drawn};
+    if (line.upright()) {
+      // Shares of the way along the picture, from shares of the way along the edge.
+      const auto share = [&](ProfilePoint at) {
+        if (at.v <= p.left.v) return 0.0;
+        if (at.v >= p.right.v) return 1.0;
+        const double in_space = (at.v - p.left.v) / (p.right.v - p.left.v);
+        return view_.is_perspective() ? share_in_depth(in_space, p.right.v, p.left.v) : in_space;
+      };
+      line.begin = share(piece.begin);
+      line.end = share(piece.end);
+    }
+    if (line.begin > line.end) std::swap(line.begin, line.end);
+    in_slab_.push_back(line);
+  }
+
+  const auto line_number = [&](const SurfaceLine& line) {
+    return static_cast<std::uint32_t>(line.source.id & ~kLineBit);
+  };
+  for (const auto& [index, t_begin, t_end] : slab_horizon_.visible_parts(in_slab_, horizon)) {
+    const std::uint32_t number = line_number(in_slab_[index]);
+    const Projected p = project_line(number, slabs_.line(number));
+    const auto [begin, end] = std::minmax({along_edge(p, t_begin), along_edge(p, t_end)});
+    parts_.push_back({number, begin, end});
+  }
+
+  occluders_.swap(in_last_plane_);
+  in_last_plane_.clear();
+  for (const SurfaceLine& line : in_slab_) {
+    if (!line.hides || !(line.begin < line.end) || line.upright()) continue;
+    const ProfileLine whole = slabs_.line(line_number(line));
+    const bool in_plane = whole.from.v == to_m && whole.to.v == to_m;
+    (in_plane ? in_last_plane_ : occluders_)
+        .push_back({line.begin, line.end, line.source, line.drawn});
+  }
+  raise(occluders_, horizon, workspace);
+}
+
+std::vector<LinePart> LineSweep::skyline(const Horizon& horizon) const {
+  std::vector<LinePart> parts;
+  for (const HorizonPiece& piece : horizon) {
+    if (is_sky(piece) || !(piece.source.id & kLineBit)) continue;
+    const auto number = static_cast<std::uint32_t>(piece.source.id & ~kLineBit);
+    if (lines_[number].kind != LineKind::silhouette || !lines_[number].drawn) continue;
+    const Projected p = project_line(number, slabs_.line(number));
+    const auto [begin, end] = std::minmax({along_edge(p, parameter_at(p.source, piece.x_begin)),
+                                           along_edge(p, parameter_at(p.source, piece.x_end))});
+    parts.push_back({number, begin, end});
+  }
+  join(parts);
+  return parts;
+}
+
+std::vector<LinePart> LineSweep::visible_parts(const std::vector<LinePart>& skyline) {
+  join(parts_);
+  std::vector<LinePart> rest;
+  rest.reserve(parts_.size());
+  auto taken = skyline.begin();
+  for (const LinePart& part : parts_) {
+    while (taken != skyline.end() && taken->line < part.line) ++taken;
+    double begin = part.t_begin;
+    const auto keep = [&](double end) {
+      if (end > begin + kSameShare) rest.push_back({part.line, begin, end});
+    };
+    for (auto t = taken; t != skyline.end() && t->line == part.line; ++t) {
+      keep(std::min(t->t_begin, part.t_end));
+      begin = std::max(begin, t->t_end);
+    }
+    keep(part.t_end);
+  }
+  return rest;
+}
+
+ProfilePoint LineSweep::point(std::uint32_t line, double t) const {
+  const ProfileLine whole = slabs_.line(line);
+  return point_between(whole.from, whole.to, t);
+}
+
+void draw_parts(const LineSweep& sweep, const std::vector<LinePart>& parts, const View& view,
+                StrokeBuilder& builder) {
+  std::vector<ChainLink> links;
+  links.reserve(parts.size());
+  for (const auto& [line, t_begin, t_end] : parts)
+    links.push_back({t_begin <= 0 ? sweep.line(line).edge.from : kLooseEnd,
+                     t_end >= 1 ? sweep.line(line).edge.to : kLooseEnd});
+  for (const auto& pieces : chain(links)) {
+    builder.begin(-1, std::numeric_limits<double>::quiet_NaN());
+    const auto add = [&](const ChainedPiece& piece, bool at_end) {
+      const LinePart& part = parts[piece.piece];
+      const ProfilePoint at = sweep.point(part.line, at_end ? part.t_end : part.t_begin);
+      builder.add({project(view, at), at});
+    };
+    add(pieces.front(), pieces.front().turned);
+    for (const ChainedPiece& piece : pieces) add(piece, !piece.turned);
+    builder.end();
+  }
+}
+
+} // namespace orograph

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines on the surface other than profiles, swept front to back: silhouettes, shores, the border.
+#pragma once
+
+#include "draw/stroke_builder.hpp"
+#include "horizon/clip.hpp"
+#include "horizon/surface_line.hpp"
+#include "profiles/slab_lines.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace orograph {
+
+/// Which layer a line is drawn in, if it is drawn.
+enum class LineKind : std::uint8_t { silhouette, shore, border };
+
+struct SweptLine {
+  GridEdge edge;
+  LineKind kind;
+  bool hides; ///< is an occluder
+  bool drawn;
+};
+
+/// A visible part of a line; along its edge, 0 at `edge.from` and 1 at `edge.to`.
+struct LinePart {
+  std::uint32_t line;
+  double t_begin, t_end;
+};
+
+/// Takes lines slab by slab: collects what is visible of those that are drawn, and raises the
+/// horizon by those that hide.
+class LineSweep {
+public:
+  /// REQUIRES that grid and view outlive the sweep. `from_m` is where the first slab begins.
+  LineSweep(const Grid& grid, const View& view, std::vector<SweptLine> lines, double from_m);
+
+  /// The slab up to the plane at `to_m`. `horizon` is made of what stands in front of the slab, and
+  /// then of what stands in the slab as well, but for lines that lie in its last plane: they hide
+  /// only what is behind that plane.
+  void take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspace);
+
+  /// After the last slab: the visible parts, joined across slabs, by line. Parts that the last
+  /// horizon is made of are left to `skyline`.
+  std::vector<LinePart> visible_parts(const std::vector<LinePart>& skyline);
+  /// The parts of drawn silhouettes that `horizon`, the one behind everything, is made of.
+  std::vector<LinePart> skyline(const Horizon& horizon) const;
+
+  const SweptLine& line(std::uint32_t i) const { return lines_[i]; }
+  std::size_t size() const { return lines_.size(); }
+  /// The point at a place along a line.
+  ProfilePoint point(std::uint32_t line, double t) const;
+
+private:
+  // A line as projected: its source, and which of the edge's ends is on the left (nearer, if
+  // upright).
+  struct Projected {
+    Segment source;
+    double t_left, t_right; ///< along the edge, at the source's ends
+    ProfilePoint left, right;
+  };
+  Projected project_line(std::uint32_t line, const ProfileLine& whole) const;
+  double along_edge(const Projected& projected, double share) const;
+
+  const View& view_;
+  std::vector<SweptLine> lines_;
+  double from_m_;
+  SlabLines slabs_;
+  SlabHorizon slab_horizon_;
+  std::vector<SurfaceLine> in_slab_;
+  std::vector<HorizonPiece> occluders_, in_last_plane_;
+  std::vector<LinePart> parts_;
+};
+
+/// Draws parts of lines as long strokes, joined at shared vertices.
+void draw_parts(const LineSweep& sweep, const std::vector<LinePart>& parts, const View& view,
+                StrokeBuilder& builder);
+
+} // namespace orograph

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every stretch is told by t along its line's source, so that a steep line keeps its ends exact.
+#include "horizon/surface_line.hpp"
+
+#include "horizon/compare.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace orograph {
+namespace {
+
+struct Stretch {
+  double begin, end;
+  bool empty() const { return !(begin < end); }
+};
+
+// Where a linear function is positive, as shares of the way from where it is f0 to where it is f1.
+Stretch positive(double f0, double f1) {
+  if (f0 > 0 && f1 > 0) return {0, 1};
+  if (f0 <= 0 && f1 <= 0) return {0, 0};
+  const double zero = f0 / (f0 - f1);
+  return f0 > 0 ? Stretch{0, zero} : Stretch{zero, 1};
+}
+
+Stretch intersection(Stretch a, Stretch b) {
+  return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
+}
+
+double nearness_at(const SurfaceLine& line, double x) {
+  const Segment nearness{line.source.x0, line.nearness0, line.source.x1, line.nearness1, 0};
+  return height_at(nearness, x);
+}
+
+// The first piece that reaches to or beyond x.
+Horizon::const_iterator piece_at(const Horizon& horizon, double x) {
+  return std::partition_point(horizon.begin(), horizon.end(),
+                              [&](const HorizonPiece& piece) { return piece.x_end < x; });
+}
+
+double greatest_height(const Horizon& horizon, double x) {
+  double height = -std::numeric_limits<double>::infinity();
+  for (auto piece = piece_at(horizon, x); piece != horizon.end() && piece->x_begin <= x; ++piece)
+    if (!is_sky(*piece)) height = std::max(height, height_at(piece->source, x));
+  return height;
+}
+
+bool is_below(const SurfaceLine& line, const Horizon& horizon) {
+  for (auto piece = piece_at(horizon, line.begin);
+       piece != horizon.end() && piece->x_begin < line.end; ++piece) {
+    if (is_sky(*piece)) return false;
+    for (const double x : {std::max(line.begin, piece->x_begin), std::min(line.end, piece->x_end)})
+      if (height_at(line.source, x) > height_at(piece->source, x)) return false;
+  }
+  return true;
+}
+
+template <class Take>
+void above_horizon(const SurfaceLine& line, const Horizon& horizon, const Take& take) {
+  using enum Standing::Kind;
+  const Segment& source = line.source;
+  for (auto piece = piece_at(horizon, line.begin);
+       piece != horizon.end() && piece->x_begin < line.end; ++piece) {
+    const Stretch part{parameter_at(source, std::max(line.begin, piece->x_begin)),
+                       parameter_at(source, std::min(line.end, piece->x_end))};
+    if (part.empty()) continue;
+    if (is_sky(*piece)) {
+      take(part);
+      continue;
+    }
+    const Standing standing = compare(source, piece->source, {});
+    const double t = std::clamp(standing.t, part.begin, part.end);
+    if (standing.kind == above) take(part);
+    if (standing.kind == above_then_below) take({part.begin, t});
+    if (standing.kind == below_then_above) take({t, part.end});
+  }
+}
+
+// A line straight away from the eye shows where it rises above all in front of it. Where it doesn't
+// rise, its own nearer end hides it.
+Stretch upright_above(const SurfaceLine& line, double height) {
+  const auto& [x0, y0, x1, y1, id] = line.source;
+  if (!(y1 > y0)) return {0, 0};
+  if (height == -std::numeric_limits<double>::infinity()) return {line.begin, line.end};
+  return intersection({line.begin, line.end}, positive(y0 - height, y1 - height));
+}
+
+void append(std::vector<VisibleLinePart>& parts, std::uint32_t line, double begin, double end) {
+  if (!(begin < end)) return;
+  if (!parts.empty() && parts.back().line == line && parts.back().t_end == begin)
+    parts.back().t_end = end;
+  else
+    parts.push_back({line, begin, end});
+}
+
+double first_x(const SurfaceLine& line) {
+  return line.upright() ? line.source.x0 : line.begin;
+}
+double last_x(const SurfaceLine& line) {
+  return line.upright() ? line.source.x0 : line.end;
+}
+
+} // namespace
+
+// Adds where `behind` is hidden by `front`: where that is nearer and higher.
+void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t front,
+                              std::uint32_t behind) {
+  const SurfaceLine &f = lines[front], &b = lines[behind];
+  if (!f.hides || !b.drawn || f.upright()) return;
+  if (b.upright()) {
+    const double x = b.source.x0, nearness = nearness_at(f, x), height = height_at(f.source, x);
+    const Stretch stretch = intersection(positive(nearness - b.nearness0, nearness - b.nearness1),
+                                         positive(height - b.source.y0, height - b.source.y1));
+    if (!stretch.empty()) hidden_.push_back({behind, stretch.begin, stretch.end});
+    return;
+  }
+  const double low = std::max(f.begin, b.begin), high = std::min(f.end, b.end);
+  if (!(low < high)) return;
+  const Stretch stretch =
+      intersection(positive(nearness_at(f, low) - nearness_at(b, low),
+                            nearness_at(f, high) - nearness_at(b, high)),
+                   positive(height_at(f.source, low) - height_at(b.source, low),
+                            height_at(f.source, high) - height_at(b.source, high)));
+  if (stretch.empty()) return;
+  const double t_low = parameter_at(b.source, low), t_high = parameter_at(b.source, high);
+  const auto t_at = [&](double share) {
+    return share >= 1 ? t_high : t_low + share * (t_high - t_low);
+  };
+  hidden_.push_back({behind, t_at(stretch.begin), t_at(stretch.end)});
+}
+
+std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceLine>& lines,
+                                                            const Horizon& horizon) {
+  parts_.clear();
+  std::erase_if(lines, [&](const SurfaceLine& line) {
+    return line.upright() ? !line.drawn : is_below(line, horizon);
+  });
+  const auto count = static_cast<std::uint32_t>(lines.size());
+
+  // Sweep over X: each pair that shares some of it, once.
+  by_x_.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) by_x_[i] = i;
+  std::sort(by_x_.begin(), by_x_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const double xa = first_x(lines[a]), xb = first_x(lines[b]);
+    return xa != xb ? xa < xb : a < b;
+  });
+  active_.clear();
+  hidden_.clear();
+  for (const std::uint32_t i : by_x_) {
+    const double x = first_x(lines[i]);
+    std::erase_if(active_, [&](std::uint32_t k) { return last_x(lines[k]) < x; });
+    for (const std::uint32_t k : active_) {
+      hide_behind(lines, k, i);
+      hide_behind(lines, i, k);
+    }
+    active_.push_back(i);
+  }
+  std::sort(hidden_.begin(), hidden_.end(), [](const Hidden& a, const Hidden& b) {
+    return a.line != b.line ? a.line < b.line : a.begin < b.begin;
+  });
+
+  auto hidden = hidden_.begin();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const SurfaceLine& line = lines[i];
+    const auto first = hidden;
+    while (hidden != hidden_.end() && hidden->line == i) ++hidden;
+    if (!line.drawn) continue;
+    // What is above the horizon, less the hidden stretches.
+    const auto take = [&](Stretch seen) {
+      double begin = seen.begin;
+      for (auto h = first; h != hidden; ++h) {
+        append(parts_, i, begin, std::min(h->begin, seen.end));
+        begin = std::max(begin, h->end);
+      }
+      append(parts_, i, begin, seen.end);
+    };
+    if (line.upright())
+      take(upright_above(line, greatest_height(horizon, line.source.x0)));
+    else
+      above_horizon(line, horizon, take);
+  }
+  return parts_;
+}
+
+} // namespace orograph

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines on the surface within one slab: what they hide of each other, and of what is behind.
+#pragma once
+
+#include "geometry/segment.hpp"
+#include "horizon/horizon.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// A straight line on the surface, projected, and the part of it that lies in a slab. `nearness` is
+/// a number that is linear in X along the projected line and greater for what is nearer: 1 / v in
+/// perspective, -v in a parallel view.
+///
+/// A line with no extent in X (straight away from the eye) has source.x0 == source.x1, its nearer
+/// end as (x0, y0), and begin and end as shares of the way along its picture.
+struct SurfaceLine {
+  Segment source;
+  double nearness0, nearness1; ///< at the source's ends
+  double begin, end;           ///< the part in the slab, as abscissae
+  bool hides;                  ///< is an occluder
+  bool drawn;                  ///< asked about, and drawn where visible
+
+  bool upright() const { return source.x0 == source.x1; }
+};
+
+/// A part of line number `line` of a slab; along its source, 0 at the left end and 1 at the right.
+struct VisibleLinePart {
+  std::uint32_t line;
+  double t_begin, t_end;
+};
+
+/// Finds, slab by slab, what is visible of lines on the surface, and raises a horizon by those that
+/// hide. Memory is reused from slab to slab.
+class SlabHorizon {
+public:
+  /// The visible parts of the drawn lines of a slab: above `horizon`, which is made of what stands
+  /// in front of the slab, and above what hides in the slab and is nearer. Along the X that two
+  /// lines share, each of "nearer" and "higher" changes at most once, so hidden stretches are found
+  /// in closed form; ends that two lines share count as exactly equal. Lines that are wholly below
+  /// `horizon` are dropped from `lines` first.
+  std::span<const VisibleLinePart> visible_parts(std::vector<SurfaceLine>& lines,
+                                                 const Horizon& horizon);
+
+private:
+  struct Hidden {
+    std::uint32_t line;
+    double begin, end;
+  };
+  void hide_behind(std::span<const SurfaceLine> lines, std::uint32_t front, std::uint32_t behind);
+
+  std::vector<std::uint32_t> by_x_, active_;
+  std::vector<Hidden> hidden_;
+  std::vector<VisibleLinePart> parts_;
+};
+
+} // namespace orograph

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reference for the clip: the same pieces, in exact rational arithmetic (DESIGN section 5).
+#pragma once
+
+#include "geometry/segment.hpp"
+#include "horizon/clip.hpp" // Role and Piece
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// Segments that don't hide one another (their interiors share no X), and what they do.
+struct ExactList {
+  std::span<const Segment> segments;
+  Role role = Role::drawn_occluder;
+};
+
+struct ExactClip {
+  /// In order of segments and, on each, of X; neighbouring pieces of one segment are joined. Their
+  /// ends are the true ones, rounded to the nearest double.
+  std::vector<Piece> visible;
+  /// Pieces of the true horizon behind the list, from -infinity to +infinity: no horizon of these
+  /// sources has fewer.
+  std::size_t least_horizon = 1;
+};
+
+/// Clips lists of segments, nearest list first, against the horizon of the lists in front. Doubles
+/// are taken as exact, and so is every comparison. A piece that lies on the horizon all along is
+/// drawn only where no line is drawn yet (DESIGN section 4, with a tolerance of 0).
+/// REQUIRES finite coordinates and x0 < x1. Cost about 5 microseconds for each segment and for
+/// each piece of horizon that it meets.
+std::vector<ExactClip> exact_clip(std::span<const ExactList> lists);
+
+} // namespace orograph

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Along the vertical plane of a ray, column and row are linear in depth w: at the point, plus
+// (w - the point's depth) * per_m. Three families of parallel lines hold all edges: columns, rows,
+// and the diagonals, on each of which column - row is constant.
+#include "reference/ray_walk.hpp"
+
+#include "dem/height_at.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace orograph {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+int whole(double number) {
+  return static_cast<int>(std::floor(number));
+}
+
+// The walk to one point.
+template <class Height>
+struct Walk {
+  const View& view;
+  const Height& height_m; ///< by column and row; NaN where there is none
+  int columns, rows;
+  double depth_m, column, row; ///< the point's
+  double column_per_m, row_per_m;
+  double begin_m;              ///< least depth
+  double rounding_m, rounding; ///< of a ground position, in metres and in cells
+  double rounding_z;           ///< of a height on the surface, metres, exaggerated
+  InFront found{};
+
+  double y_of(double z, double w) const { return project(view, {0, w, z}).y; }
+  double rounding_of_y(double y, double w) const {
+    return view.is_perspective() ? (rounding_z + rounding_m * std::abs(y)) / w
+                                 : rounding_z + rounding_m;
+  }
+
+  void meet(double surface_m, double w) {
+    const double y = y_of(surface_m * view.exaggeration, w);
+    found.rounding = std::max(found.rounding, rounding_of_y(y, w));
+    if (!(y > found.greatest_y)) return;
+    found.greatest_y = y;
+    found.at_depth_m = w;
+  }
+
+  // The edge from vertex (c, r) to the one `right` columns and `down` rows on, at share t of it. It
+  // is there if one of its two triangles is.
+  void meet_edge(int c, int r, int right, int down, double t, double w) {
+    const bool diagonal = right == down;
+    const double from = height_m(c, r), to = height_m(c + right, r + down);
+    const double third = diagonal ? height_m(c + 1, r) : height_m(c - down, r - right);
+    const double other = diagonal ? height_m(c, r + 1) : height_m(c + 1, r + 1);
+    if (std::isnan(from) || std::isnan(to) || (std::isnan(third) && std::isnan(other))) return;
+    meet(from + std::clamp(t, 0.0, 1.0) * (to - from), w);
+  }
+
+  // All crossings with one family of lines that are strictly in front of the point, which lies on
+  // line `number`, at `along` of it; both are linear in depth. `meet_at` gets the line, the edge
+  // along it, the share of that edge, and the depth.
+  template <class MeetAt>
+  void meet_lines(double number, double number_per_m, int first, int last, double along,
+                  double along_per_m, const MeetAt& meet_at) {
+    if (number_per_m == 0) return; // the ray keeps to its line and crosses those of the others
+    const double begin = number + (begin_m - depth_m) * number_per_m;
+    const double low = std::clamp(std::min(begin, number), first - 1.0, last + 1.0);
+    const double high = std::clamp(std::max(begin, number), first - 1.0, last + 1.0);
+    for (int line = std::max(whole(low), first); line <= std::min(whole(high) + 1, last); ++line) {
+      const double w = depth_m + (line - number) / number_per_m;
+      if (!(w >= begin_m && w < depth_m)) continue;
+      const double place = along + (w - depth_m) * along_per_m;
+      if (!(place > -1 && place < std::max(columns, rows))) continue;
+      // Near a vertex, both edges that meet there.
+      for (int edge = whole(place - rounding); edge <= whole(place + rounding); ++edge)
+        meet_at(line, edge, place - edge, w);
+    }
+  }
+
+  void meet_all() {
+    meet_lines(column, column_per_m, 0, columns - 1, row, row_per_m,
+               [&](int c, int r, double t, double w) { meet_edge(c, r, 0, 1, t, w); });
+    meet_lines(row, row_per_m, 0, rows - 1, column, column_per_m,
+               [&](int r, int c, double t, double w) { meet_edge(c, r, 1, 0, t, w); });
+    meet_lines(column - row, column_per_m - row_per_m, 2 - rows, columns - 2, column, column_per_m,
+               [&](int line, int c, double t, double w) { meet_edge(c, c - line, 1, 1, t, w); });
+  }
+};
+
+} // namespace
+
+RayWalk::RayWalk(const Grid& grid, const View& view) : grid_(grid), view_(view) {
+  const double area = cross(grid.column_step_m, grid.row_step_m);
+  per_column_ = (1 / area) * Vec2{grid.row_step_m.y, -grid.row_step_m.x};
+  per_row_ = (1 / area) * Vec2{-grid.column_step_m.y, grid.column_step_m.x};
+  for (int r = 0; r < grid.rows; r += grid.rows - 1)
+    for (int c = 0; c < grid.columns; c += grid.columns - 1)
+      reach_m_ = std::max(reach_m_, length(grid.position_m(c, r)));
+  for (int r = 0; r < grid.rows; ++r)
+    for (int c = 0; c < grid.columns; ++c) {
+      const double here = grid.height_m(c, r);
+      // fmax leaves out a NaN.
+      highest_m_ = std::fmax(highest_m_, std::abs(here));
+      for (const auto& [i, j] : {std::pair{c + 1, r}, {c, r + 1}, {c + 1, r + 1}})
+        if (i < grid.columns && j < grid.rows)
+          steepest_m_ = std::fmax(steepest_m_, std::abs(grid.height_m(i, j) - here));
+    }
+}
+
+InFront RayWalk::in_front(ProfilePoint p) const {
+  const Vec2 ground = view_.depth_origin_m + p.u * view_.right + p.v * view_.forward;
+  const Vec2 from_first = ground - grid_.first_vertex_m;
+  const Vec2 per_m =
+      view_.is_perspective() ? (p.u / p.v) * view_.right + view_.forward : view_.forward;
+  // Sums of products of these lengths, from the ground to the profile frame and back.
+  const double rounding_m =
+      16 * kEpsilon * (reach_m_ + length(view_.depth_origin_m) + std::abs(p.u) + std::abs(p.v));
+  const double rounding = rounding_m * (length(per_column_) + length(per_row_));
+  // A position that is off by a share of a cell has a height that is off by as much of two edges.
+  const double rounding_z =
+      view_.exaggeration * (2 * rounding * steepest_m_ + 8 * kEpsilon * highest_m_) +
+      4 * kEpsilon * std::abs(view_.eye_z_m);
+  return std::visit(
+      [&](const auto& heights) {
+        const auto height_m = [&](int c, int r) {
+          const bool inside = c >= 0 && r >= 0 && c < grid_.columns && r < grid_.rows;
+          return inside ? static_cast<double>(heights[grid_.index(c, r)])
+                        : std::numeric_limits<double>::quiet_NaN();
+        };
+        const double begin_m =
+            view_.is_perspective() ? view_.near_m : -std::numeric_limits<double>::infinity();
+        Walk walk{view_,
+                  height_m,
+                  grid_.columns,
+                  grid_.rows,
+                  p.v,
+                  dot(per_column_, from_first),
+                  dot(per_row_, from_first),
+                  dot(per_column_, per_m),
+                  dot(per_row_, per_m),
+                  begin_m,
+                  rounding_m,
+                  rounding,
+                  rounding_z};
+        walk.meet_all();
+        // In perspective, terrain is cut at the near plane.
+        if (view_.is_perspective() && begin_m < p.v)
+          if (const auto surface_m = height_at(grid_, ground - (p.v - begin_m) * per_m))
+            walk.meet(*surface_m, begin_m);
+        walk.found.rounding += walk.rounding_of_y(walk.y_of(p.z, p.v), p.v);
+        return walk.found;
+      },
+      grid_.heights_m);
+}
+
+} // namespace orograph

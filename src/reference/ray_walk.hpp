@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reference for visibility: what stands between the eye and a ground point (DESIGN section 5).
+#pragma once
+
+#include "dem/grid.hpp"
+#include "geometry/profile_point.hpp"
+#include "view/view.hpp"
+
+#include <limits>
+
+namespace orograph {
+
+/// What stands in front of a ground point: the surface that is seen at the point's X of the
+/// visibility plane and is strictly nearer.
+struct InFront {
+  double greatest_y = -std::numeric_limits<double>::infinity(); ///< -infinity: nothing is in front
+  double at_depth_m = 0; ///< of the place with the greatest Y
+  double rounding = 0;   ///< bound on the rounding of greatest_y less the point's own Y
+};
+
+/// Walks over every edge of the triangulated grid that the vertical plane of a point's ray crosses:
+/// no horizon, no profiles, no silhouettes. The section of the surface by that plane is greatest
+/// where it bends, begins or ends, which is at those edges, or at the near plane in perspective.
+class RayWalk {
+public:
+  /// REQUIRES that `grid` outlives the walk. Cost: one pass over the heights.
+  RayWalk(const Grid& grid, const View& view);
+
+  /// A point of the surface is hidden if and only if greatest_y is more than its own Y; where the
+  /// two differ by no more than `rounding`, double precision can't tell. Triangles hold their
+  /// edges: a ray along an edge or through a vertex meets what is there on either side.
+  /// REQUIRES p.v > 0 in perspective. Cost O(columns + rows), no allocation.
+  InFront in_front(ProfilePoint p) const;
+
+private:
+  const Grid& grid_;
+  View view_;
+  Vec2 per_column_, per_row_; ///< columns and rows in a ground step of 1 m east, and 1 m north
+  double reach_m_ = 0;        ///< bound on the coordinates in the ground frame
+  double highest_m_ = 0;      ///< greatest height, or depth below zero
+  double steepest_m_ = 0;     ///< greatest difference of height along an edge
+};
+
+} // namespace orograph

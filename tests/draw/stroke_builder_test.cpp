@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Strokes against sampled points of the polylines that they come from.
+#include "draw/stroke_builder.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/random.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace orograph;
+
+namespace {
+
+// A camera at height 0 that descends by an angle, its picture on a page.
+Homography camera(double descent, double mm) {
+  const double s = std::sin(descent), c = std::cos(descent);
+  return compose({{mm, 0, 100, 0, -mm, 70, 0, 0, 1}}, {{1, 0, 0, 0, c, s, 0, -s, c}});
+}
+
+struct Scene {
+  StrokeSettings settings;
+  std::vector<StrokePoint> points;
+};
+
+StrokePoint seen(ProfilePoint p, bool perspective) {
+  if (perspective) return {{p.u / p.v, p.z / p.v}, p};
+  return {{p.u, p.z + 0.5 * p.v}, p};
+}
+
+Scene made_scene(Random& random) {
+  Scene scene;
+  StrokeSettings& settings = scene.settings;
+  settings.perspective = random.chance(0.7);
+  settings.frame_mm = {{10, 10}, {190, 140}};
+  settings.simplify_mm = 0;
+  settings.to_map = [](ProfilePoint p) { return Vec3{p.u, p.v, p.z}; };
+  // Upwards steep enough, and points have no picture; on a whole-number page they lie on the frame.
+  const bool whole = random.chance(0.3);
+  settings.to_page = settings.perspective ? camera(random.pick({0.3, -0.9, 0.0}), 150)
+                                          : Homography{{10, 0, 100, 0, -10, 70, 0, 0, 1}};
+  const double reach = random.pick({3.0, 9.0, 30.0});
+  for (int i = random.whole(0, 25); i > 0; --i) {
+    ProfilePoint p{random.between(-reach, reach), random.between(1, 9),
+                   random.between(-reach, reach)};
+    if (whole) p = {std::round(p.u), 2.0 * random.whole(1, 2), std::round(p.z)};
+    scene.points.push_back(seen(p, settings.perspective));
+    if (random.chance(0.1)) scene.points.push_back(scene.points.back());
+  }
+  return scene;
+}
+
+Layer drawn(const Scene& scene) {
+  Layer layer;
+  StrokeBuilder builder(scene.settings, layer);
+  builder.begin(3, 250);
+  for (const StrokePoint& p : scene.points) builder.add(p);
+  builder.end();
+  return layer;
+}
+
+double to_segment(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 along = b - a;
+  const double squared = dot(along, along);
+  const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0;
+  return length(p - (a + t * along));
+}
+
+double to_strokes(Vec2 p, const Layer& layer) {
+  double least = HUGE_VAL;
+  for (const Stroke& stroke : layer.strokes) {
+    const auto points = layer.points(stroke);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      least = std::min(least, to_segment(p, points[i], points[i + 1]));
+  }
+  return least;
+}
+
+// Distance in the visibility plane of a point's picture to the polyline, and in space.
+struct Nearness {
+  double plane, space;
+};
+Nearness to_polyline(const Scene& scene, Vec3 map) {
+  const StrokePoint p = seen({map.x, map.y, map.z}, scene.settings.perspective);
+  Nearness least{HUGE_VAL, HUGE_VAL};
+  for (std::size_t i = 0; i + 1 < scene.points.size(); ++i) {
+    const StrokePoint &a = scene.points[i], &b = scene.points[i + 1];
+    least.plane = std::min(least.plane, to_segment(p.plane, a.plane, b.plane));
+    const Vec3 from{a.scene.u, a.scene.v, a.scene.z}, to{b.scene.u, b.scene.v, b.scene.z};
+    const double squared = dot(to - from, to - from);
+    const double t = squared > 0 ? std::clamp(dot(map - from, to - from) / squared, 0.0, 1.0) : 0;
+    least.space = std::min(least.space, length(map - (from + t * (to - from))));
+  }
+  return least;
+}
+
+} // namespace
+
+TEST_CASE("what lies in the frame is drawn, and nothing else") {
+  // Page coordinates up to 200, from plane coordinates up to 30: some ten roundings.
+  constexpr double rounding_mm = 1e-9;
+  std::size_t strokes = 0;
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    const Scene scene = made_scene(random);
+    const Layer layer = drawn(scene);
+    const Box2& frame = scene.settings.frame_mm;
+    const Homography& to_page = scene.settings.to_page;
+    strokes += layer.strokes.size();
+
+    REQUIRE(layer.map.size() == layer.page_mm.size());
+    std::size_t next = 0;
+    for (const Stroke& stroke : layer.strokes) {
+      REQUIRE(stroke.first_point == next);
+      REQUIRE(stroke.point_count >= 2);
+      REQUIRE(stroke.profile == 3);
+      REQUIRE(stroke.depth_m == 250);
+      next += stroke.point_count;
+    }
+    REQUIRE(next == layer.page_mm.size());
+    for (std::size_t i = 0; i < layer.page_mm.size(); ++i) {
+      const Vec2 p = layer.page_mm[i];
+      REQUIRE((p.x >= frame.low.x && p.x <= frame.high.x));
+      REQUIRE((p.y >= frame.low.y && p.y <= frame.high.y));
+      // The map point lies on the line in space, and its picture is the page point.
+      const Vec3 map = layer.map[i];
+      const Nearness near = to_polyline(scene, map);
+      REQUIRE(near.space <= 1e-12 * 100);
+      const Vec2 plane = seen({map.x, map.y, map.z}, scene.settings.perspective).plane;
+      REQUIRE(to_page.w(plane) > 0);
+      REQUIRE(length(to_page(plane) - p) <= rounding_mm);
+    }
+
+    for (std::size_t i = 0; i + 1 < scene.points.size(); ++i)
+      for (int k = 0; k <= 60; ++k) {
+        const Vec2 a = scene.points[i].plane, b = scene.points[i + 1].plane;
+        if (a == b) continue;
+        const Vec2 p = a + (k / 60.0) * (b - a);
+        if (!(to_page.w(p) > 1e-6)) continue;
+        const Vec2 page = to_page(p);
+        const double inside = std::min({page.x - frame.low.x, frame.high.x - page.x,
+                                        page.y - frame.low.y, frame.high.y - page.y});
+        CAPTURE(i, k, page.x, page.y);
+        if (inside > rounding_mm) REQUIRE(to_strokes(page, layer) <= rounding_mm);
+      }
+    // Nothing between the points of a stroke that isn't on the polyline.
+    for (const Stroke& stroke : layer.strokes) {
+      const auto points = layer.points(stroke);
+      for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        const std::size_t at = stroke.first_point + k;
+        const Nearness near = to_polyline(scene, 0.5 * (layer.map[at] + layer.map[at + 1]));
+        REQUIRE(near.space <= 1e-10);
+      }
+    }
+  }
+  REQUIRE(strokes > 3000);
+}
+
+TEST_CASE("a polyline that comes in through a vertex on the frame goes on from there") {
+  Scene scene;
+  scene.settings.frame_mm = {{10, 10}, {190, 140}};
+  scene.settings.perspective = false;
+  for (const double x : {5.0, 10.0, 20.0, 190.0, 195.0, 190.0, 150.0})
+    scene.points.push_back({{x, 50 + x}, {x, 0, 0}});
+  scene.settings.frame_mm.high.y = 300;
+  scene.settings.simplify_mm = 0;
+  const Layer layer = drawn(scene);
+  REQUIRE(layer.strokes.size() == 2);
+  CHECK(layer.points(layer.strokes[0]).front() == Vec2{10, 60});
+  CHECK(layer.points(layer.strokes[0]).back() == Vec2{190, 240});
+  CHECK(layer.points(layer.strokes[1]).front() == Vec2{190, 240});
+  CHECK(layer.points(layer.strokes[1]).back() == Vec2{150, 200});
+  CHECK(layer.map.empty());
+}
+
+TEST_CASE("strokes are simplified within the tolerance, and points counted before") {
+  Scene scene;
+  scene.settings.frame_mm = {{0, 0}, {300, 300}};
+  scene.settings.perspective = false;
+  scene.settings.simplify_mm = 0.02;
+  for (int i = 0; i <= 100; ++i)
+    scene.points.push_back({{1.0 * i, 50 + (i % 2) * 0.01}, {1.0 * i, 0, 0}});
+  Layer layer;
+  StrokeBuilder builder(scene.settings, layer);
+  for (int times = 0; times < 2; ++times) {
+    builder.begin(-1, 0);
+    for (const StrokePoint& p : scene.points) builder.add(p);
+    builder.end();
+  }
+  CHECK(builder.points_before_simplification() == 202);
+  REQUIRE(layer.strokes.size() == 2);
+  CHECK(layer.strokes[1].point_count == 2);
+  CHECK(layer.page_mm[2] == Vec2{0, 50});
+}
