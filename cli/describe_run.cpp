@@ -106,10 +106,13 @@ void describe_run(RunReport& report, const Terrain& terrain, const Scene& scene,
   report.view = describe_view(scene, terrain.map);
   report.profiles = {spacing_text(scene.plan), scene.depths_m};
   report.counts = drawn.counts;
+  report.left_out = drawn.left_out;
+  report.check = drawn.check;
   report.seconds.facing = drawn.seconds.facing;
   report.seconds.cut = drawn.seconds.cut;
   report.seconds.project = drawn.seconds.project;
   report.seconds.clip = drawn.seconds.clip;
+  report.seconds.check = drawn.seconds.check;
   report.seconds.layout = drawn.seconds.layout;
   report.peak_memory_bytes = peak_memory_bytes();
   report.error_budget = error_budget(terrain, scene, settings);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/draw_scene.hpp"
 
+#include "cli/check.hpp"
 #include "cli/line_sweep.hpp"
 #include "cli/tie_tolerance.hpp"
 #include "draw/round_drawing.hpp"
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace orograph {
 namespace {
@@ -153,7 +155,8 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   DrawnScene drawn;
   CountsReport& counts = drawn.counts;
   SecondsReport& seconds = drawn.seconds;
-  seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.layout = 0;
+  seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.check = seconds.layout =
+      0;
   const View& view = scene.view;
   const MapFrame& map = terrain.map;
   const bool surface = settings.occluder == Occluder::surface;
@@ -176,8 +179,12 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   LineSweep lines(terrain.grid, view, lines_of(terrain, scene, settings), from_m);
   watch.mark(seconds.facing);
 
-  const ClipOptions clip_options{surface ? Role::compared : Role::drawn_occluder,
-                                 tie_tolerance(scene, settings.visibility_tolerance_mm), true};
+  const TieTolerance tolerance = tie_tolerance(scene, settings.visibility_tolerance_mm);
+  const ClipOptions clip_options{surface ? Role::compared : Role::drawn_occluder, tolerance, true};
+  // Half of the points of a check are asked of profiles, half of the other lines.
+  std::optional<Check> check;
+  if (settings.check > 0) check.emplace(terrain.grid, view, tolerance);
+  const std::uint64_t asked_a_profile = settings.check / 2 / scene.depths_m.size() + 1;
   Horizon horizon = initial_horizon();
   Profile profile;
   std::vector<Segment> segments;
@@ -206,6 +213,8 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     if (draws_profiles)
       profile_strokes.add(profile, static_cast<std::int32_t>(i), segments, workspace.visible);
     watch.mark(seconds.layout);
+    if (check) check->ask(profile, segments, workspace.visible, asked_a_profile);
+    watch.mark(seconds.check);
 
     counts.cut_vertices += profile.size();
     counts.segments += segments.size();
@@ -216,8 +225,14 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   lines.take_slab(std::numeric_limits<double>::infinity(), horizon, workspace);
   watch.mark(seconds.clip);
 
+  lines.finish();
   const std::vector<LinePart> skyline = lines.skyline(horizon);
-  const std::vector<LinePart> visible = lines.visible_parts(skyline);
+  const std::vector<LinePart> visible = without(lines.visible_parts(), skyline);
+  if (check) {
+    check->ask(lines, lines.visible_parts(), settings.check / 2);
+    drawn.check = check->counts();
+  }
+  watch.mark(seconds.check);
   Drawing& drawing = drawn.drawing;
   drawing.page = scene.page;
   drawing.crs_wkt = map.crs_wkt;

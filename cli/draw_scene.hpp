@@ -10,13 +10,16 @@
 #include "draw/drawing.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace orograph {
 
 struct DrawnScene {
   Drawing drawing;
   CountsReport counts;
-  SecondsReport seconds; ///< cut, project, clip and layout only
+  SecondsReport seconds; ///< facing, cut, project, clip and layout only
+  LeftOutReport left_out;
+  std::optional<CheckReport> check; ///< where the settings ask for it
 };
 
 /// Draws the layers that the settings ask for. `progress` is told the share done, after each

@@ -132,18 +132,22 @@ std::vector<LinePart> LineSweep::skyline(const Horizon& horizon) const {
   return parts;
 }
 
-std::vector<LinePart> LineSweep::visible_parts(const std::vector<LinePart>& skyline) {
+void LineSweep::finish() {
   join(parts_);
+}
+
+std::vector<LinePart> without(const std::vector<LinePart>& parts,
+                              const std::vector<LinePart>& taken) {
   std::vector<LinePart> rest;
-  rest.reserve(parts_.size());
-  auto taken = skyline.begin();
-  for (const LinePart& part : parts_) {
-    while (taken != skyline.end() && taken->line < part.line) ++taken;
+  rest.reserve(parts.size());
+  auto first = taken.begin();
+  for (const LinePart& part : parts) {
+    while (first != taken.end() && first->line < part.line) ++first;
     double begin = part.t_begin;
     const auto keep = [&](double end) {
       if (end > begin + kSameShare) rest.push_back({part.line, begin, end});
     };
-    for (auto t = taken; t != skyline.end() && t->line == part.line; ++t) {
+    for (auto t = first; t != taken.end() && t->line == part.line; ++t) {
       keep(std::min(t->t_begin, part.t_end));
       begin = std::max(begin, t->t_end);
     }

@@ -40,9 +40,10 @@ public:
   /// only what is behind that plane.
   void take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspace);
 
-  /// After the last slab: the visible parts, joined across slabs, by line. Parts that the last
-  /// horizon is made of are left to `skyline`.
-  std::vector<LinePart> visible_parts(const std::vector<LinePart>& skyline);
+  /// After the last slab, to be called once: joins the visible parts across slabs.
+  void finish();
+  /// All visible parts, by line. REQUIRES `finish`.
+  const std::vector<LinePart>& visible_parts() const { return parts_; }
   /// The parts of drawn silhouettes that `horizon`, the one behind everything, is made of.
   std::vector<LinePart> skyline(const Horizon& horizon) const;
 
@@ -71,6 +72,10 @@ private:
   std::vector<HorizonPiece> occluders_, in_last_plane_;
   std::vector<LinePart> parts_;
 };
+
+/// What is left of `parts` without `taken`; both by line.
+std::vector<LinePart> without(const std::vector<LinePart>& parts,
+                              const std::vector<LinePart>& taken);
 
 /// Draws parts of lines as long strokes, joined at shared vertices.
 void draw_parts(const LineSweep& sweep, const std::vector<LinePart>& parts, const View& view,

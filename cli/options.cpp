@@ -300,6 +300,14 @@ void add_output(std::vector<Option>& options, RenderSettings& s) {
                      .help = "Write what was drawn, how exactly and in which time",
                      .allowed = "a file name",
                      .take = stored_name(s.report)});
+  options.push_back(with_integer({.group = kOutput,
+                                  .name = "--check",
+                                  .value = "N",
+                                  .help = "Ask N random points of the drawing of a ray walk over "
+                                          "the terrain, and tell how many are drawn wrongly",
+                                  .by_default = "0"},
+                                 0, 100000000,
+                                 [&s](int n) { s.check = static_cast<unsigned>(n); }));
   options.push_back({.group = kGeneral,
                      .name = "--quiet",
                      .letter = 'q',

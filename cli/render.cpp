@@ -63,6 +63,11 @@ void render(const RenderSettings& settings) {
   if (drawn.counts.strokes == 0)
     throw Error("nothing of the terrain is on the page",
                 "turn the view towards it, or widen --fov");
+  if (const auto& check = drawn.check)
+    fmt::print(stderr,
+               "orograph: check: {} points asked, {} tied, {} drawn but hidden, {} visible but not "
+               "drawn\n",
+               check->asked, check->ties, check->hidden, check->missing);
   entitle(drawn.drawing, terrain, scene, settings);
   const auto write_start = Clock::now();
   write_drawing(drawn.drawing, settings.output, settings.write);

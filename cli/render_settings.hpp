@@ -9,6 +9,7 @@
 #include "profiles/plan_request.hpp"
 #include "view/view_request.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,8 @@ struct RenderSettings {
   std::string title; ///< empty: the input's file name
 
   WriteOptions write;
-  std::string report; ///< path of the JSON report; empty: none
+  std::uint64_t check = 0; ///< points to ask of the ray walk
+  std::string report;      ///< path of the JSON report; empty: none
   bool quiet = false;
   std::optional<bool> progress; ///< none: where stderr is a terminal
 };

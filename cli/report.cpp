@@ -69,10 +69,18 @@ Json json_of(const CountsReport& counts) {
           {"dropped_strokes", counts.dropped_strokes}};
 }
 
+Json json_of(const CheckReport& check) {
+  return {{"asked", check.asked},
+          {"ties", check.ties},
+          {"drawn_but_hidden", check.hidden},
+          {"visible_but_not_drawn", check.missing}};
+}
+
 Json json_of(const SecondsReport& seconds) {
-  return {{"read", seconds.read},     {"place", seconds.place},     {"facing", seconds.facing},
-          {"cut", seconds.cut},       {"project", seconds.project}, {"clip", seconds.clip},
-          {"layout", seconds.layout}, {"write", seconds.write},     {"total", seconds.total}};
+  return {{"read", seconds.read},   {"place", seconds.place},     {"facing", seconds.facing},
+          {"cut", seconds.cut},     {"project", seconds.project}, {"clip", seconds.clip},
+          {"check", seconds.check}, {"layout", seconds.layout},   {"write", seconds.write},
+          {"total", seconds.total}};
 }
 
 Json json_of(const ErrorBudget& budget) {
@@ -110,6 +118,10 @@ std::string report_text(const RunReport& report) {
                   {"pen_down_mm", drawing.pen_down_mm},
                   {"pen_up_mm", drawing.pen_up_mm},
                   {"error_budget_mm", json_of(report.error_budget)},
+                  {"ink_left_out_mm",
+                   {{"silhouette_jump", report.left_out.silhouette_jump_mm},
+                    {"min_stroke", report.left_out.min_stroke_mm}}},
+                  {"check", report.check ? json_of(*report.check) : Json()},
                   {"seconds", json_of(report.seconds)},
                   {"peak_memory_bytes", report.peak_memory_bytes}};
   // Paths may be in any encoding; JSON is UTF-8.

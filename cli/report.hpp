@@ -57,10 +57,23 @@ struct CountsReport {
   std::uint64_t strokes = 0, points = 0, ties = 0, dropped_strokes = 0;
 };
 
+/// Random points asked of the ray walk (`--check`).
+struct CheckReport {
+  std::uint64_t asked = 0;
+  std::uint64_t ties = 0;    ///< within the visibility tolerance and rounding: not judged
+  std::uint64_t hidden = 0;  ///< drawn, but hidden
+  std::uint64_t missing = 0; ///< visible, but not drawn
+};
+
+/// Visible ink that was left out on purpose, mm on the page.
+struct LeftOutReport {
+  double silhouette_jump_mm = 0, min_stroke_mm = 0;
+};
+
 struct SecondsReport {
   double read = kNotMeasured, place = kNotMeasured, facing = kNotMeasured, cut = kNotMeasured,
-         project = kNotMeasured, clip = kNotMeasured, layout = kNotMeasured, write = kNotMeasured,
-         total = kNotMeasured;
+         project = kNotMeasured, clip = kNotMeasured, check = kNotMeasured, layout = kNotMeasured,
+         write = kNotMeasured, total = kNotMeasured;
 };
 
 /// Largest displacement on paper by cause, in mm. The report adds their sum as "total", the
@@ -85,6 +98,8 @@ struct RunReport {
   SecondsReport seconds;
   std::uint64_t peak_memory_bytes = 0;
   ErrorBudget error_budget;
+  LeftOutReport left_out;
+  std::optional<CheckReport> check; ///< where one was asked for
   DrawingReport drawing;
   std::map<std::string, std::string> libraries; ///< name to version
 };

@@ -10,8 +10,9 @@
 
 namespace orograph {
 
-/// What stands in front of a ground point: the surface that is seen at the point's X of the
-/// visibility plane and is strictly nearer.
+/// What stands in front of a ground point: the surface at the point's X of the visibility plane
+/// that is strictly nearer. The piece of it that leads up to the point counts where it begins; it
+/// ends at the point.
 struct InFront {
   double greatest_y = -std::numeric_limits<double>::infinity(); ///< -infinity: nothing is in front
   double at_depth_m = 0; ///< of the place with the greatest Y

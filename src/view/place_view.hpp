@@ -30,8 +30,9 @@ struct TerrainShape {
 /// A window given by a field of view is as high as `aspect` (height over width) says.
 ///
 /// Throws Error: perspective would need ground at v < v_near (it names the steepest elevation that
-/// works; where none does, it asks for a greater distance or a smaller field); the window would show rays with v <= 0; eye and target
-/// coincide, or lie above each other in perspective; all terrain is behind the eye.
+/// works; where none does, it asks for a greater distance or a smaller field); the window would
+/// show rays with v <= 0; eye and target coincide, or lie above each other in perspective; all
+/// terrain is behind the eye.
 View place_view(const ViewRequest& request, const TerrainShape& terrain, double aspect);
 
 /// The visibility plane's point with this picture: the inverse of `view.to_picture`.

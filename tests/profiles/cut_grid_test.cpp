@@ -59,8 +59,9 @@ double tolerance_of(const Grid& grid, const View& view) {
 // touches the plane from behind, and should be there, is left out.
 bool grazes(const Grid& grid, const View& view, const GridCutter& cutter, double depth,
             double tolerance) {
-  if (depth < cutter.nearest_m() || depth > cutter.farthest_m()) return true;
-  if (depth == cutter.nearest_m() || depth > cutter.nearest_m() + tolerance) return false;
+  const double behind = depth - cutter.nearest_m(), before = cutter.farthest_m() - depth;
+  if (behind < 0 || before < 0) return std::min(behind, before) >= -tolerance;
+  if (behind == 0 || behind > tolerance) return false;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
       if (depth_of(grid, view, column, row) == depth) return true;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/check.hpp"
+
+#include "profiles/project_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orograph {
+
+Check::Check(const Grid& grid, const View& view, const TieTolerance& tolerance)
+    : view_(view), tolerance_(tolerance), walk_(grid, view) {}
+
+double Check::share() {
+  return static_cast<double>(engine_() >> 11U) * 0x1p-53;
+}
+
+std::size_t Check::below(std::size_t count) {
+  return engine_() % count;
+}
+
+// Close to one of a piece's ends, on either side of it: from a thousandth to a tenth of its length.
+double Check::near_end(double begin, double end) {
+  const double distance = (end - begin) * std::pow(10, -1 - 2 * share());
+  const double at = engine_() & 1U ? begin : end;
+  return std::clamp(engine_() & 1U ? at + distance : at - distance, 0.0, 1.0);
+}
+
+void Check::judge(ProfilePoint at, bool drawn) {
+  const Vec2 plane = project(view_, at);
+  const InFront front = walk_.in_front(at);
+  const double above = plane.y - front.greatest_y;
+  ++counts_.asked;
+  if (std::abs(above) <= tolerance_.at(plane.x, plane.y) + front.rounding) {
+    ++counts_.ties;
+  } else if ((above > 0) != drawn) {
+    ++(drawn ? counts_.hidden : counts_.missing);
+  }
+}
+
+void Check::ask(const Profile& profile, const std::vector<Segment>& segments,
+                const std::vector<Piece>& visible, std::uint64_t count) {
+  if (segments.empty()) return;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    std::uint32_t number = 0;
+    double t = 0;
+    if (i % 2 == 0 || visible.empty()) {
+      number = static_cast<std::uint32_t>(below(segments.size()));
+      t = share();
+    } else {
+      const Piece& piece = visible[below(visible.size())];
+      number = piece.segment;
+      t = near_end(piece.t_begin, piece.t_end);
+    }
+    auto piece = std::partition_point(visible.begin(), visible.end(), [&](const Piece& p) {
+      return p.segment < number || (p.segment == number && p.t_end < t);
+    });
+    const bool drawn = piece != visible.end() && piece->segment == number && piece->t_begin <= t;
+    const std::uint32_t left = left_vertex(segments[number]);
+    const auto at = [&](std::uint32_t vertex) {
+      return ProfilePoint{profile.u_m[vertex], profile.depth_m, profile.z_m[vertex]};
+    };
+    judge(point_between(at(left), at(left + 1), t), drawn);
+  }
+}
+
+void Check::ask(const LineSweep& lines, const std::vector<LinePart>& visible, std::uint64_t count) {
+  if (lines.size() == 0) return;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    std::uint32_t line = 0;
+    double t = 0;
+    if (i % 2 == 0 || visible.empty()) {
+      line = static_cast<std::uint32_t>(below(lines.size()));
+      t = share();
+    } else {
+      const LinePart& part = visible[below(visible.size())];
+      line = part.line;
+      t = near_end(part.t_begin, part.t_end);
+    }
+    if (!lines.line(line).drawn) continue;
+    const ProfilePoint at = lines.point(line, t);
+    if (view_.is_perspective() && at.v <= view_.near_m) continue; // cut away
+    const auto part = std::partition_point(visible.begin(), visible.end(), [&](const LinePart& p) {
+      return p.line < line || (p.line == line && p.t_end < t);
+    });
+    judge(at, part != visible.end() && part->line == line && part->t_begin <= t);
+  }
+}
+
+} // namespace orograph
