@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace orograph {
 
@@ -26,16 +27,35 @@ double Check::near_end(double begin, double end) {
   return std::clamp(engine_() & 1U ? at + distance : at - distance, 0.0, 1.0);
 }
 
-void Check::judge(ProfilePoint at, bool drawn) {
+// A point of a line lies on an edge of the surface, which doesn't stand in front of itself.
+Check::Verdict Check::ask(ProfilePoint at, bool on_edge) const {
   const Vec2 plane = project(view_, at);
   const InFront front = walk_.in_front(at);
-  const double above = plane.y - front.greatest_y;
+  const double above = plane.y - (on_edge ? front.greatest_y_apart : front.greatest_y);
+  if (std::abs(above) <= tolerance_.at(plane.x, plane.y) + front.rounding) return Verdict::tied;
+  return above > 0 ? Verdict::visible : Verdict::hidden;
+}
+
+// Where an edge in front ends just at the point's X, rounding of the place decides whether the walk
+// meets it; so a point that seems wrong must seem so a rounding farther to either side as well.
+void Check::judge(const ProfileLine& line, double t, bool on_edge, bool drawn) {
+  const Verdict right = drawn ? Verdict::visible : Verdict::hidden;
+  const ProfilePoint at = point_between(line.from, line.to, t);
   ++counts_.asked;
-  if (std::abs(above) <= tolerance_.at(plane.x, plane.y) + front.rounding) {
-    ++counts_.ties;
-  } else if ((above > 0) != drawn) {
-    ++(drawn ? counts_.hidden : counts_.missing);
+  Verdict verdict = ask(at, on_edge);
+  if (verdict != right && verdict != Verdict::tied) {
+    constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+    const double length =
+        std::hypot(line.to.u - line.from.u, line.to.v - line.from.v, line.to.z - line.from.z);
+    const double step = kRounding * (std::abs(at.u) + std::abs(at.v) + length) / length;
+    for (const double aside : {t - step, t + step})
+      if (ask(point_between(line.from, line.to, std::clamp(aside, 0.0, 1.0)), on_edge) != verdict)
+        verdict = Verdict::tied;
   }
+  if (verdict == Verdict::tied)
+    ++counts_.ties;
+  else if (verdict != right)
+    ++(drawn ? counts_.hidden : counts_.missing);
 }
 
 void Check::ask(const Profile& profile, const std::vector<Segment>& segments,
@@ -60,7 +80,7 @@ void Check::ask(const Profile& profile, const std::vector<Segment>& segments,
     const auto at = [&](std::uint32_t vertex) {
       return ProfilePoint{profile.u_m[vertex], profile.depth_m, profile.z_m[vertex]};
     };
-    judge(point_between(at(left), at(left + 1), t), drawn);
+    judge({at(left), at(left + 1)}, t, false, drawn);
   }
 }
 
@@ -83,7 +103,8 @@ void Check::ask(const LineSweep& lines, const std::vector<LinePart>& visible, st
     const auto part = std::partition_point(visible.begin(), visible.end(), [&](const LinePart& p) {
       return p.line < line || (p.line == line && p.t_end < t);
     });
-    judge(at, part != visible.end() && part->line == line && part->t_begin <= t);
+    judge(lines.whole(line), t, true,
+          part != visible.end() && part->line == line && part->t_begin <= t);
   }
 }
 

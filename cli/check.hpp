@@ -34,7 +34,9 @@ private:
   double share();
   std::size_t below(std::size_t count);
   double near_end(double begin, double end);
-  void judge(ProfilePoint at, bool drawn);
+  enum class Verdict { visible, hidden, tied };
+  Verdict ask(ProfilePoint at, bool on_edge) const;
+  void judge(const ProfileLine& line, double t, bool on_edge, bool drawn);
 
   const View& view_;
   TieTolerance tolerance_;

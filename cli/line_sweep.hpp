@@ -49,6 +49,7 @@ public:
 
   const SweptLine& line(std::uint32_t i) const { return lines_[i]; }
   std::size_t size() const { return lines_.size(); }
+  ProfileLine whole(std::uint32_t i) const { return slabs_.line(i); }
   /// The point at a place along a line.
   ProfilePoint point(std::uint32_t line, double t) const;
 

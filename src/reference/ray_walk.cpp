@@ -41,6 +41,7 @@ struct Walk {
   void meet(double surface_m, double w) {
     const double y = y_of(surface_m * view.exaggeration, w);
     found.rounding = std::max(found.rounding, rounding_of_y(y, w));
+    if (w < depth_m - rounding_m) found.greatest_y_apart = std::max(found.greatest_y_apart, y);
     if (!(y > found.greatest_y)) return;
     found.greatest_y = y;
     found.at_depth_m = w;
