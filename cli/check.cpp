@@ -21,10 +21,11 @@ std::size_t Check::below(std::size_t count) {
 }
 
 // Close to one of a piece's ends, on either side of it: from a thousandth to a tenth of its length.
+// Not on the line's own ends, where what is on either side of an X meets.
 double Check::near_end(double begin, double end) {
   const double distance = (end - begin) * std::pow(10, -1 - 2 * share());
   const double at = engine_() & 1U ? begin : end;
-  return std::clamp(engine_() & 1U ? at + distance : at - distance, 0.0, 1.0);
+  return std::clamp(engine_() & 1U ? at + distance : at - distance, 1e-9, 1 - 1e-9);
 }
 
 // A point of a line lies on an edge of the surface, which doesn't stand in front of itself.
