@@ -45,10 +45,7 @@ ViewReport describe_view(const Scene& scene, const MapFrame& map) {
   out.look_at = map.to_map(view.look_at_m);
   if (view.is_perspective()) {
     out.eye = eye_on_map(view, map);
-    const Vec3 to_eye{view.depth_origin_m.x - view.look_at_m.x,
-                      view.depth_origin_m.y - view.look_at_m.y,
-                      view.eye_z_m / view.exaggeration - view.look_at_m.z};
-    out.distance_m = length(to_eye);
+    out.distance_m = view.distance_m;
     out.field_of_view_deg = atan2_angle(view.window.high.x, 1).in_degrees() -
                             atan2_angle(view.window.low.x, 1).in_degrees();
   }

@@ -22,7 +22,7 @@ namespace orograph {
 namespace {
 
 // Beside the profiles' pen: ridges and shores a little heavier, the border lighter.
-constexpr double kSilhouetteWeight = 1.6, kSkylineWeight = 2, kShoreWeight = 1.4;
+constexpr double kSilhouetteWeight = 1.6, kSkylineWeight = 2, kShoreWeight = 1.2;
 constexpr double kBorderWeight = 0.8, kBorderGrey = 0.45;
 
 // Adds the time since the last mark to a stage.

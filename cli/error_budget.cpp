@@ -41,12 +41,18 @@ double geodesy_mm(const Terrain& terrain, const Scene& scene) {
   constexpr double kEarthRadius_m = 6371e3, kRefraction = 0.13;
   const View& view = scene.view;
   const double nearest = scene.depths_m.front(), farthest = scene.depths_m.back();
-  const double mm_per_y = scene.to_page.mm_per_y(plane_of_picture(view, view.window.centre()));
   const double drop_per_m2 = (1 - kRefraction) / (2 * kEarthRadius_m);
-  if (view.is_perspective())
-    return mm_per_y * view.exaggeration * drop_per_m2 * (farthest - nearest);
-  const double reach = std::max(std::abs(nearest), std::abs(farthest));
-  return mm_per_y * drop_per_m2 * reach * reach * view.cos_elevation * view.exaggeration;
+  double greatest = 0;
+  for (const Vec2& corner : shown_corners(view)) {
+    // In perspective a point at depth v and X is v * sqrt(1 + X²) away.
+    const double moved =
+        view.is_perspective()
+            ? (1 + corner.x * corner.x) * (farthest - nearest)
+            : (corner.x * corner.x + std::max(nearest * nearest, farthest * farthest)) *
+                  view.cos_elevation;
+    greatest = std::max(greatest, scene.to_page.mm_per_y(corner) * drop_per_m2 * moved);
+  }
+  return greatest;
 }
 
 } // namespace

@@ -36,10 +36,7 @@ void say(const RenderSettings& settings, const std::string& text) {
 
 void check_outputs(const RenderSettings& settings) {
   if (settings.output != "-") check_writable(settings.output, settings.write);
-  if (!settings.report.empty() && settings.report != "-") {
-    WriteOptions report = settings.write;
-    check_writable(settings.report, report);
-  }
+  if (!settings.report.empty()) check_writable(settings.report, settings.write);
 }
 
 } // namespace

@@ -36,7 +36,7 @@ struct ViewReport {
   double elevation_deg = kNotMeasured;         ///< of the viewer above the target's horizontal
   std::optional<Vec3> eye;                     ///< none in a parallel view
   Vec3 look_at;
-  double distance_m = kNotMeasured; ///< eye to look_at, in space
+  double distance_m = kNotMeasured; ///< eye to look_at, in the exaggerated scene
   Vec2 depth_origin;                ///< where depth is 0
   Vec2 forward;                     ///< unit, horizontal
   double field_of_view_deg = kNotMeasured;

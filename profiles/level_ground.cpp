@@ -76,15 +76,8 @@ GridEdge edge(const Grid& grid, int c0, int r0, int c1, int r1) {
           static_cast<std::uint32_t>(grid.index(c1, r1))};
 }
 
-} // namespace
-
-std::size_t smallest_water(const Grid& grid) {
-  return std::max<std::size_t>(500, 2 * grid.size() / 5000);
-}
-
 template <class Height>
-static LevelGround find(const Grid& grid, const std::vector<Height>& heights,
-                        std::size_t smallest) {
+LevelGround find(const Grid& grid, const std::vector<Height>& heights, std::size_t smallest) {
   std::vector<Run> runs;
   Sets sets;
   std::size_t north = 0, south = 0;
@@ -140,6 +133,12 @@ static LevelGround find(const Grid& grid, const std::vector<Height>& heights,
     }
   }
   return level;
+}
+
+} // namespace
+
+std::size_t smallest_water(const Grid& grid) {
+  return std::max<std::size_t>(500, 2 * grid.size() / 5000);
 }
 
 LevelGround find_level_ground(const Grid& grid, std::size_t smallest) {

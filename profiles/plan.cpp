@@ -12,12 +12,14 @@
 namespace orograph {
 namespace {
 
-constexpr double kMostProfiles = 1e6;
+constexpr double kMostProfiles = 1e5;
 
 // A parallel view that descends by less than this shows slopes, not ground: sin 6 degrees.
 constexpr double kLeastSine = 0.1;
 // The plane lies at least this share of the relief under the eye.
 constexpr double kLeastDrop = 0.5;
+// From 25 degrees the ground takes up about 0.8 of a mountain picture's height, from 5 degrees 0.3.
+constexpr double kLeastFill = 2.0 / 3;
 
 class PagePath {
 public:
@@ -31,6 +33,14 @@ public:
   }
 
   double length_mm() const { return before_page_mm_ + page_mm(on_page_, farthest_); }
+
+  // The way that profiles share out between them: in a low view, where slopes and not the ground
+  // fill the picture, no less than kLeastFill of its height.
+  double filled_mm() const {
+    const auto at = [&](double y) { return to_page_(plane_of_picture(view_, {0, y})); };
+    const double height_mm = length(at(view_.window.high.y) - at(view_.window.low.y));
+    return std::max(length_mm(), kLeastFill * height_mm);
+  }
 
   // The depth at a way along the path; bisection, since the measure rises with depth.
   double depth_at(double way_mm) const {
@@ -94,7 +104,7 @@ std::vector<double> evenly_on_page(double count, const PagePath& path) {
 
 void check_count(double count) {
   if (count > kMostProfiles)
-    throw Error("that spacing makes more than a million profiles", "use a wider --spacing");
+    throw Error("that spacing makes more than 100000 profiles", "use a wider --spacing");
 }
 
 } // namespace
@@ -119,7 +129,7 @@ std::vector<double> plan_depths(const PlanRequest& request, const PlanGround& gr
   if (const auto* number = std::get_if<ProfileCount>(&request))
     return evenly_on_page(number->count, path);
   const double count =
-      std::max(1.0, std::round(path.length_mm() / std::get<PageSpacing>(request).mm));
+      std::max(1.0, std::round(path.filled_mm() / std::get<PageSpacing>(request).mm));
   check_count(count);
   return evenly_on_page(count, path);
 }

@@ -21,8 +21,9 @@ struct PlanGround {
 /// A number of profiles, or a spacing in mm, goes evenly over the page: as far apart as on a plane
 /// at the terrain's mean height. Where that plane is seen so flatly that hills and not the ground
 /// fill the page (an eye low among them, a parallel view from the side), the plane is lowered, or
-/// tilted, to what the relief fills. A spacing in metres goes evenly over the ground.
-/// Throws Error where that makes more than a million profiles.
+/// tilted, to what the relief fills, and a spacing makes no fewer profiles than would go on two
+/// thirds of the picture's height. A spacing in metres goes evenly over the ground.
+/// Throws Error where that makes more than 100000 profiles.
 std::vector<double> plan_depths(const PlanRequest& request, const PlanGround& ground,
                                 const View& view, const Homography& to_page);
 

@@ -19,7 +19,7 @@ struct InFront {
   /// The same of what is nearer by more than a ground position's rounding: for a point on an edge,
   /// which is never in front of itself.
   double greatest_y_apart = -std::numeric_limits<double>::infinity();
-  double rounding = 0;   ///< bound on the rounding of greatest_y less the point's own Y
+  double rounding = 0; ///< bound on the rounding of greatest_y less the point's own Y
 };
 
 /// Walks over every edge of the triangulated grid that the vertical plane of a point's ray crosses:

@@ -180,7 +180,7 @@ void look_from_eye(View& view, const ViewRequest& request) {
                 "give a --look-at that lies aside");
   if (ground > 0) {
     view.forward = (1 / ground) * Vec2{to_target.x, to_target.y};
-    view.right = {view.forward.y, -view.forward.x};
+    view.right = {view.forward.y, 0 - view.forward.x};
   }
   set_elevation(view, atan2_angle(-to_target.z, ground));
   if (view.is_perspective()) {
@@ -207,8 +207,8 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
   if (request.eye_m) {
     look_from_eye(view, request);
   } else {
-    view.forward = -1.0 * direction_of_azimuth(request.from_azimuth);
-    view.right = {view.forward.y, -view.forward.x};
+    view.forward = Vec2{} - direction_of_azimuth(request.from_azimuth); // without -0
+    view.right = {view.forward.y, 0 - view.forward.x};
     set_elevation(view, request.from_elevation);
   }
 

@@ -85,7 +85,9 @@ TEST_CASE("profiles are even on the page for a plane at the mean height") {
         page_mm(view, drop, ground.farthest_m) - page_mm(view, drop, ground.nearest_m);
     const double spacing = random.pick({0.6, 3.0, 2 * length});
     const auto spaced = plan_depths(PageSpacing{spacing}, ground, view, on_page(view));
-    REQUIRE(spaced.size() == static_cast<std::size_t>(std::max(1.0, std::round(length / spacing))));
+    // No fewer than go on two thirds of the picture's height.
+    const double way = std::max(length, 2.0 / 3 * scale_mm(view) * view.window.height());
+    REQUIRE(spaced.size() == static_cast<std::size_t>(std::max(1.0, std::round(way / spacing))));
     check_even(spaced, view, ground);
   }
 }

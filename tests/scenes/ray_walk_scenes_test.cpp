@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole pipeline with the surface as occluder, asked by the ray walk: nothing drawn is hidden,
+// nothing visible is missing, in any layer.
+#include "cli/draw_scene.hpp"
+#include "dem/height_at.hpp"
+#include "geometry/error.hpp"
+#include "tests/catch.hpp"
+#include "tests/scenes/random_scene.hpp"
+#include "tests/support/random.hpp"
+
+#include <cmath>
+
+using namespace orograph;
+
+namespace {
+
+// Unoptimized and sanitized builds are there to find other things.
+#ifdef NDEBUG
+constexpr std::uint64_t kScenes = 700, kSampleProbes = 10000;
+#else
+constexpr std::uint64_t kScenes = 50, kSampleProbes = 1000;
+#endif
+
+struct Sum {
+  std::uint64_t scenes = 0, asked = 0, ties = 0, hidden = 0, missing = 0;
+
+  void add(const CheckReport& check) {
+    ++scenes;
+    asked += check.asked;
+    ties += check.ties;
+    hidden += check.hidden;
+    missing += check.missing;
+  }
+};
+
+CheckReport check(const Terrain& terrain, RenderSettings settings, std::uint64_t probes) {
+  settings.occluder = Occluder::surface;
+  settings.simplify_mm = 0;
+  settings.check = probes;
+  const Scene scene = place_scene(terrain, settings);
+  const DrawnScene drawn = draw_scene(terrain, scene, settings, [](double) {});
+  const auto fault = find_fault(drawn.drawing);
+  INFO(fault.value_or(""));
+  REQUIRE(!fault);
+  REQUIRE(drawn.check);
+  CHECK(drawn.check->hidden == 0);
+  CHECK(drawn.check->missing == 0);
+  return *drawn.check;
+}
+
+void report(const char* what, const Sum& sum) {
+  WARN(what << ": " << sum.scenes << " scenes, " << sum.asked << " asked, " << sum.ties
+            << " ties, " << sum.hidden << " hidden but drawn, " << sum.missing << " missing");
+}
+
+// A view from an eye on the surface or a little above it, at a vertex or anywhere, which looks at
+// another vertex.
+void put_eye(RenderSettings& settings, const Grid& grid, Random& random) {
+  const auto anywhere = [&](bool at_vertex) -> Vec3 {
+    for (;;) {
+      const double column = random.between(1, grid.columns - 2.001);
+      const double row = random.between(1, grid.rows - 2.001);
+      Vec2 at = grid.position_m(static_cast<int>(column), static_cast<int>(row));
+      if (!at_vertex)
+        at = at + (column - std::floor(column)) * grid.column_step_m +
+             (row - std::floor(row)) * grid.row_step_m;
+      if (const auto height = height_at(grid, at)) return {at.x, at.y, *height};
+    }
+  };
+  Vec3 eye = anywhere(random.chance(0.6)), target = anywhere(true);
+  while (std::hypot(target.x - eye.x, target.y - eye.y) < 3 * cell_size_m(grid))
+    target = anywhere(true);
+  eye.z += random.pick({0.0, 0.0, 0.001, 1.7, 200.0});
+  target.z = eye.z + random.pick({0.0, 0.1, -0.1}) * length(Vec2{target.x - eye.x, target.y - eye.y});
+  settings.projection = Projection::perspective;
+  settings.exaggeration = 1;
+  settings.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 90.0}));
+  settings.eye_map = eye;
+  settings.look_at_map = target;
+}
+
+} // namespace
+
+TEST_CASE("the ray walk agrees with every line of made scenes") {
+  Sum sum;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    const RandomScene scene = random_scene(seed);
+    CAPTURE(seed, scene.what);
+    sum.add(check(scene.terrain, scene.settings, 2000));
+  }
+  report("made scenes", sum);
+  CHECK(sum.ties < sum.asked / 20);
+}
+
+TEST_CASE("and from an eye on the surface, on a vertex, a millimetre above it") {
+  Sum sum;
+  std::uint64_t refused = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    RandomScene scene = random_scene(seed);
+    Random random(seed + 100000);
+    put_eye(scene.settings, scene.terrain.grid, random);
+    CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
+            scene.settings.eye_map->z);
+    try {
+      sum.add(check(scene.terrain, scene.settings, 2000));
+    } catch (const Error&) {
+      ++refused; // the height below the eye rounds to above it, or the page shows the nadir
+    }
+  }
+  report("eyes at the surface", sum);
+  WARN(refused << " views refused");
+  CHECK(refused < kScenes / 10);
+  CHECK(sum.ties < sum.asked / 20);
+}
+
+TEST_CASE("and of the samples, from several sides") {
+  Sum sum;
+  for (const char* name : {"cone", "plateau", "saddle", "ridge_and_valley", "fractal_alps",
+                           "islands", "jacksboro", "volcano"}) {
+    const Terrain terrain =
+        read_raster(std::string(OROGRAPH_SOURCE_DIR "/data_samples/") + name + ".tif");
+    for (int side = 0; side < 4; ++side) {
+      CAPTURE(name, side);
+      RenderSettings settings;
+      settings.from_azimuth = Angle::degrees(side % 2 ? 45.0 * side + 3.7 : 90.0 * side);
+      settings.from_elevation = Angle::degrees(2 + 11 * side);
+      if (side >= 2) settings.projection = Projection::orthographic;
+      settings.plan = ProfileCount{40};
+      sum.add(check(terrain, settings, kSampleProbes));
+    }
+  }
+  report("samples", sum);
+  CHECK(sum.ties < sum.asked / 20);
+}
