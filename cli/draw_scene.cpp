@@ -3,12 +3,13 @@
 
 #include "cli/check.hpp"
 #include "cli/line_sweep.hpp"
+#include "cli/profile_strokes.hpp"
+#include "cli/scene_lines.hpp"
 #include "cli/tie_tolerance.hpp"
 #include "draw/round_drawing.hpp"
 #include "horizon/clip.hpp"
 #include "profiles/cut_grid.hpp"
 #include "profiles/project_profile.hpp"
-#include "profiles/silhouettes.hpp"
 
 #include <fmt/format.h>
 
@@ -46,89 +47,6 @@ Layer empty_layer(const std::string& name, double pen_width_mm, double grey) {
   return layer;
 }
 
-bool asks_for(const RenderSettings& settings, std::string_view layer) {
-  return std::find(settings.layers.begin(), settings.layers.end(), layer) != settings.layers.end();
-}
-
-// Feeds the visible pieces of one profile to a builder: pieces that meet are one stroke, and level
-// ground is left out where its shores are drawn instead.
-class ProfileStrokes {
-public:
-  ProfileStrokes(const View& view, bool draws_level, StrokeBuilder& builder)
-      : view_(view), draws_level_(draws_level), builder_(builder) {}
-
-  void add(const Profile& profile, std::int32_t number, const std::vector<Segment>& segments,
-           const std::vector<Piece>& visible) {
-    bool open = false;
-    std::uint32_t open_vertex = 0; // where the open stroke ends, if it ends at a vertex
-    bool at_vertex = false;
-    for (const Piece& piece : visible) {
-      const std::uint32_t left = left_vertex(segments[piece.segment]);
-      if (profile.after[left] == Span::level && !draws_level_) continue;
-      if (!(open && at_vertex && piece.t_begin <= 0 && joined(profile, open_vertex, left))) {
-        if (open) builder_.end();
-        builder_.begin(number, profile.depth_m);
-        builder_.add(point(profile, left, piece.t_begin));
-        open = true;
-      }
-      builder_.add(point(profile, left, piece.t_end));
-      at_vertex = piece.t_end >= 1;
-      open_vertex = left + 1;
-    }
-    if (open) builder_.end();
-  }
-
-private:
-  // Whether vertex `from` and a later one are one point of the profile: only spans without any
-  // extent in X, which have no segment, lie between them.
-  static bool joined(const Profile& profile, std::uint32_t from, std::uint32_t to) {
-    if (from > to) return false;
-    for (std::uint32_t i = from; i < to; ++i)
-      if (profile.after[i] == Span::gap || profile.u_m[i] < profile.u_m[i + 1]) return false;
-    return true;
-  }
-
-  StrokePoint point(const Profile& profile, std::uint32_t left, double t) const {
-    const auto at = [&](std::uint32_t i) {
-      return ProfilePoint{profile.u_m[i], profile.depth_m, profile.z_m[i]};
-    };
-    const ProfilePoint scene = point_between(at(left), at(left + 1), t);
-    return {project(view_, scene), scene};
-  }
-
-  const View& view_;
-  bool draws_level_;
-  StrokeBuilder& builder_;
-};
-
-// All lines but the profiles. With the seed's occluders only what is drawn of the profiles hides.
-std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
-                                const RenderSettings& settings) {
-  const bool surface = settings.occluder == Occluder::surface;
-  const bool silhouettes = asks_for(settings, "silhouettes") || asks_for(settings, "skyline");
-  const bool border = asks_for(settings, "border");
-  std::vector<SweptLine> lines;
-  std::vector<GridEdge> edges;
-  if (surface || silhouettes) edges = silhouette_edges(terrain.grid, scene.view);
-  for (const GridEdge& edge : edges)
-    lines.push_back({edge, LineKind::silhouette, surface, silhouettes});
-  if (surface || border)
-    for (const BorderEdge& edge : scene.border)
-      lines.push_back({edge.edge, LineKind::border, surface, border});
-  if (asks_for(settings, "shores")) {
-    // A shore that is a silhouette as well is drawn as such, once.
-    const auto before = [](const GridEdge& a, const GridEdge& b) {
-      return a.from != b.from ? a.from < b.from : a.to < b.to;
-    };
-    if (!silhouettes) edges.clear();
-    std::sort(edges.begin(), edges.end(), before);
-    for (const GridEdge& edge : scene.level.shores)
-      if (!std::binary_search(edges.begin(), edges.end(), edge, before))
-        lines.push_back({edge, LineKind::shore, false, true});
-  }
-  return lines;
-}
-
 // Where the near plane cuts the terrain, a section begins: the cut hides.
 void raise_near_cut(const GridCutter& cutter, const View& view, Horizon& horizon,
                     ClipWorkspace& workspace) {
@@ -138,6 +56,15 @@ void raise_near_cut(const GridCutter& cutter, const View& view, Horizon& horizon
   constexpr std::uint32_t kNearCut = 0x7fffffff; // no profile has this number
   project_profile(cut, kNearCut, view, segments);
   clip(segments, horizon, {Role::occluder, {}, true}, workspace);
+}
+
+double length_mm(const Layer& layer) {
+  double sum = 0;
+  for (const Stroke& stroke : layer.strokes) {
+    const auto points = layer.points(stroke);
+    for (std::size_t i = 1; i < points.size(); ++i) sum += length(points[i] - points[i - 1]);
+  }
+  return sum;
 }
 
 std::vector<LinePart> of_kind(const LineSweep& sweep, const std::vector<LinePart>& parts,
@@ -162,8 +89,12 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   const bool surface = settings.occluder == Occluder::surface;
   Stopwatch watch;
 
-  StrokeSettings strokes{
-      scene.to_page, scene.page.inner_mm(), settings.simplify_mm, view.is_perspective(), {}};
+  StrokeSettings strokes;
+  strokes.to_page = scene.to_page;
+  strokes.frame_mm = scene.page.inner_mm();
+  strokes.simplify_mm = settings.simplify_mm;
+  strokes.min_stroke_mm = settings.min_stroke_mm;
+  strokes.perspective = view.is_perspective();
   if (is_tied_to_ground(settings.write.format))
     strokes.to_map = [&](ProfilePoint p) { return map.to_map(to_ground_m(view, p)); };
 
@@ -227,7 +158,11 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
 
   lines.finish();
   const std::vector<LinePart> skyline = lines.skyline(horizon);
-  const std::vector<LinePart> visible = without(lines.visible_parts(), skyline);
+  std::vector<LinePart> visible = without(lines.visible_parts(), skyline);
+  const std::vector<LinePart> folded =
+      folds(lines, visible, terrain.grid, view, settings.silhouette_jump,
+            cutter.farthest_m() - cutter.nearest_m());
+  visible = without(visible, folded);
   if (check) {
     check->ask(lines, lines.visible_parts(), settings.check / 2);
     drawn.check = check->counts();
@@ -242,8 +177,14 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     Layer layer = empty_layer(name, weight * pen_mm, grey);
     StrokeBuilder builder(strokes, layer);
     draw_parts(lines, parts, view, builder);
+    drawn.left_out.min_stroke_mm += builder.left_out_mm();
     drawing.layers.push_back(std::move(layer));
   };
+  Layer left_out;
+  StrokeBuilder left_out_builder(strokes, left_out);
+  draw_parts(lines, folded, view, left_out_builder);
+  drawn.left_out.silhouette_jump_mm = length_mm(left_out);
+  drawn.left_out.min_stroke_mm = profile_builder.left_out_mm();
   if (draws_profiles) drawing.layers.push_back(std::move(profiles));
   add_lines(of_kind(lines, visible, LineKind::shore), "shores", kShoreWeight, 0);
   add_lines(of_kind(lines, visible, LineKind::border), "border", kBorderWeight, kBorderGrey);

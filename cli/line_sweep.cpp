@@ -134,6 +134,8 @@ std::vector<LinePart> LineSweep::skyline(const Horizon& horizon) const {
 
 void LineSweep::finish() {
   join(parts_);
+  // Where two occluders meet, rounding may leave a slit between them.
+  std::erase_if(parts_, [](const LinePart& p) { return p.t_end - p.t_begin <= kSameShare; });
 }
 
 std::vector<LinePart> without(const std::vector<LinePart>& parts,

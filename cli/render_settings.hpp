@@ -35,6 +35,8 @@ struct RenderSettings {
   Occluder occluder = Occluder::surface;
   double visibility_tolerance_mm = 1e-4;
   double simplify_mm = 0.02;
+  double silhouette_jump = 0.003; ///< share of the depth by which the ground behind is farther
+  double min_stroke_mm = 0;
   FlatGround flat = FlatGround::shore;
   std::vector<std::string> layers{"profiles", "shores", "border", "silhouettes", "skyline"};
 

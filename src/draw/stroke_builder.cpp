@@ -88,9 +88,19 @@ void StrokeBuilder::end() {
   has_last_ = false;
 }
 
+bool StrokeBuilder::is_long_enough() {
+  if (page_mm_.size() < 2) return false;
+  if (settings_.min_stroke_mm <= 0) return true;
+  double length_mm = 0;
+  for (std::size_t i = 1; i < page_mm_.size(); ++i)
+    length_mm += length(page_mm_[i] - page_mm_[i - 1]);
+  if (length_mm >= settings_.min_stroke_mm) return true;
+  left_out_mm_ += length_mm;
+  return false;
+}
+
 void StrokeBuilder::flush() {
-  points_before_ += page_mm_.size();
-  if (page_mm_.size() >= 2) {
+  if (is_long_enough()) {
     simplify(page_mm_, settings_.simplify_mm, kept_);
     stroke_.first_point = static_cast<std::uint32_t>(layer_.page_mm.size());
     stroke_.point_count = static_cast<std::uint32_t>(kept_.size());

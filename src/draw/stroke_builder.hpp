@@ -21,7 +21,8 @@ struct StrokeSettings {
   Homography to_page; ///< visibility plane to page
   Box2 frame_mm;      ///< strokes end here
   double simplify_mm = 0.02;
-  bool perspective = true; ///< depth is linear in 1/v along a projected line, not in v
+  double min_stroke_mm = 0; ///< shorter strokes are left out
+  bool perspective = true;  ///< depth is linear in 1/v along a projected line, not in v
   std::function<Vec3(ProfilePoint)> to_map; ///< empty where the output isn't tied to the ground
 };
 
@@ -38,7 +39,8 @@ public:
   void add(const StrokePoint& point);
   void end();
 
-  std::size_t points_before_simplification() const { return points_before_; }
+  /// Length of the strokes that were too short.
+  double left_out_mm() const { return left_out_mm_; }
 
 private:
   struct PagePoint {
@@ -48,6 +50,7 @@ private:
   bool is_inside(const PagePoint& p) const;
   StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) const;
   void append(const StrokePoint& point);
+  bool is_long_enough();
   void flush();
 
   const StrokeSettings& settings_;
@@ -59,7 +62,7 @@ private:
   std::vector<Vec2> page_mm_;
   std::vector<ProfilePoint> scene_;
   std::vector<std::uint32_t> kept_;
-  std::size_t points_before_ = 0;
+  double left_out_mm_ = 0;
 };
 
 } // namespace orograph

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options of the commands in groups, so that commands share them: each group stands once.
+#pragma once
+
+#include "cli/option.hpp"
+#include "cli/render_settings.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+/// Each appends a group; what its options store into must outlive them.
+void add_terrain_options(std::vector<Option>& options, std::string& input, RasterOptions& raster);
+void add_view_options(std::vector<Option>& options, RenderSettings& settings);
+void add_line_options(std::vector<Option>& options, RenderSettings& settings);
+void add_page_options(std::vector<Option>& options, RenderSettings& settings);
+void add_output_options(std::vector<Option>& options, RenderSettings& settings);
+/// With `--help`.
+void add_general_options(std::vector<Option>& options, bool& quiet, std::optional<bool>& progress);
+
+Option help_option();
+
+} // namespace orograph

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a picture is seen from, and how.
+#include "cli/option_groups.hpp"
+#include "cli/option_kinds.hpp"
+#include "cli/option_values.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace orograph {
+namespace {
+
+constexpr auto kGroup = "View";
+
+} // namespace
+
+void add_view_options(std::vector<Option>& options, RenderSettings& s) {
+  constexpr auto kPoint =
+      "coordinates of the terrain's CRS, height in the file's unit above its datum";
+  options.push_back({.group = kGroup,
+                     .name = "--view-from",
+                     .value = "AZ/EL",
+                     .help = "Where the viewer stands, seen from the terrain: azimuth clockwise "
+                             "from north and elevation above the horizontal",
+                     .allowed = "degrees, EL from 0 to 90",
+                     .by_default = fmt::format("{}/{}", s.from_azimuth.in_degrees(),
+                                               s.from_elevation.in_degrees()),
+                     .take = [&s](const std::string& text) {
+                       const auto from = parse_view_from(text);
+                       if (!from) return false;
+                       s.from_azimuth = from->azimuth;
+                       s.from_elevation = from->elevation;
+                       return true;
+                     }});
+  Option projection = with_choice<Projection>(
+      {.group = kGroup,
+       .name = "--projection",
+       .help = "Kind of picture",
+       .by_default = "perspective"},
+      {{"perspective", Projection::perspective}, {"orthographic", Projection::orthographic}},
+      s.projection);
+  projection.take = [take = projection.take](const std::string& text) {
+    if (text == "oblique" || text == "panorama")
+      throw UsageError("--projection " + text + " doesn't work yet",
+                       "use perspective or orthographic");
+    return take(text);
+  };
+  options.push_back(std::move(projection));
+  options.push_back(with_number(
+      {.group = kGroup,
+       .name = "--distance",
+       .value = "M",
+       .help = "From the eye to the point looked at, in space; perspective only",
+       .by_default = "so far that the terrain fills --fov"},
+      {.unit = "metres", .low = 0, .low_excluded = true}, [&s](double m) { s.distance_m = m; }));
+  options.push_back(with_number(
+      {.group = kGroup,
+       .name = "--fov",
+       .value = "DEG",
+       .help = "Horizontal field of view; perspective only",
+       .by_default = "30"},
+      {.unit = "degrees", .low = 0, .high = 180, .low_excluded = true, .high_excluded = true},
+      [&s](double deg) { s.field_of_view = Angle::degrees(deg); }));
+  options.push_back({.group = kGroup,
+                     .name = "--eye",
+                     .value = "X,Y,Z",
+                     .help = "Stand at this point; perspective only",
+                     .allowed = kPoint,
+                     .take = stored(parse_point, s.eye_map)});
+  options.push_back({.group = kGroup,
+                     .name = "--look-at",
+                     .value = "X,Y,Z",
+                     .help = "Look at this point",
+                     .allowed = kPoint,
+                     .by_default = "the terrain's centre",
+                     .take = stored(parse_point, s.look_at_map)});
+  options.push_back(with_number({.group = kGroup,
+                                 .name = "--roll",
+                                 .value = "DEG",
+                                 .help = "Turn the picture clockwise",
+                                 .by_default = "0"},
+                                {.unit = "degrees"},
+                                [&s](double deg) { s.roll = Angle::degrees(deg); }));
+  Option exaggeration = with_number(
+      {.group = kGroup,
+       .name = "--exaggeration",
+       .value = "K|auto",
+       .help = "Multiply all heights, the eye's and the target's too; 1 is true, auto takes 1, 1.5 "
+               "or 2 by the terrain's relief and says which",
+       .by_default = "auto"},
+      {.low = 0, .high = 1000, .low_excluded = true}, [&s](double k) { s.exaggeration = k; });
+  exaggeration.allowed = "a factor, " + exaggeration.allowed + ", or auto";
+  exaggeration.take = [&s, number = exaggeration.take](const std::string& text) {
+    if (text != "auto") return number(text);
+    s.exaggeration.reset();
+    return true;
+  };
+  options.push_back(std::move(exaggeration));
+}
+
+} // namespace orograph
