@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace orograph {
 
 Check::Check(const Grid& grid, const View& view, const TieTolerance& tolerance)
-    : view_(view), tolerance_(tolerance), walk_(grid, view) {}
+    : view_(view), judge_(grid, view, tolerance) {}
 
 double Check::share() {
   return static_cast<double>(engine_() >> 11U) * 0x1p-53;
@@ -21,41 +20,20 @@ std::size_t Check::below(std::size_t count) {
 }
 
 // Close to one of a piece's ends, on either side of it: from a thousandth to a tenth of its length.
-// Not on the line's own ends, where what is on either side of an X meets.
+// At the line's own ends inside of it, and not on them, where what is on either side of an X meets.
 double Check::near_end(double begin, double end) {
   const double distance = (end - begin) * std::pow(10, -1 - 2 * share());
   const double at = engine_() & 1U ? begin : end;
-  return std::clamp(engine_() & 1U ? at + distance : at - distance, 1e-9, 1 - 1e-9);
+  const double place = engine_() & 1U ? at + distance : at - distance;
+  return std::clamp(place > 0 && place < 1 ? place : 2 * at - place, 1e-9, 1 - 1e-9);
 }
 
-// A point of a line lies on an edge of the surface, which doesn't stand in front of itself.
-Check::Verdict Check::ask(ProfilePoint at, bool on_edge) const {
-  const Vec2 plane = project(view_, at);
-  const InFront front = walk_.in_front(at);
-  const double above = plane.y - (on_edge ? front.greatest_y_apart : front.greatest_y);
-  if (std::abs(above) <= tolerance_.at(plane.x, plane.y) + front.rounding) return Verdict::tied;
-  return above > 0 ? Verdict::visible : Verdict::hidden;
-}
-
-// Where an edge in front ends just at the point's X, rounding of the place decides whether the walk
-// meets it; so a point that seems wrong must seem so a rounding farther to either side as well.
 void Check::judge(const ProfileLine& line, double t, bool on_edge, bool drawn) {
-  const Verdict right = drawn ? Verdict::visible : Verdict::hidden;
-  const ProfilePoint at = point_between(line.from, line.to, t);
   ++counts_.asked;
-  Verdict verdict = ask(at, on_edge);
-  if (verdict != right && verdict != Verdict::tied) {
-    constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
-    const double length =
-        std::hypot(line.to.u - line.from.u, line.to.v - line.from.v, line.to.z - line.from.z);
-    const double step = kRounding * (std::abs(at.u) + std::abs(at.v) + length) / length;
-    for (const double aside : {t - step, t + step})
-      if (ask(point_between(line.from, line.to, std::clamp(aside, 0.0, 1.0)), on_edge) != verdict)
-        verdict = Verdict::tied;
-  }
+  const Verdict verdict = judge_.verdict(line, t, on_edge, drawn);
   if (verdict == Verdict::tied)
     ++counts_.ties;
-  else if (verdict != right)
+  else if ((verdict == Verdict::visible) != drawn)
     ++(drawn ? counts_.hidden : counts_.missing);
 }
 

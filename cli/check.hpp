@@ -3,11 +3,11 @@
 // clip.
 #pragma once
 
+#include "cli/judge.hpp"
 #include "cli/line_sweep.hpp"
 #include "cli/report.hpp"
 #include "horizon/clip.hpp"
 #include "profiles/profile.hpp"
-#include "reference/ray_walk.hpp"
 
 #include <cstdint>
 #include <random>
@@ -34,13 +34,10 @@ private:
   double share();
   std::size_t below(std::size_t count);
   double near_end(double begin, double end);
-  enum class Verdict { visible, hidden, tied };
-  Verdict ask(ProfilePoint at, bool on_edge) const;
   void judge(const ProfileLine& line, double t, bool on_edge, bool drawn);
 
   const View& view_;
-  TieTolerance tolerance_;
-  RayWalk walk_;
+  Judge judge_;
   std::mt19937_64 engine_{20240229}; ///< always the same: a check can be run again
   CheckReport counts_;
 };

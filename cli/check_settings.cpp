@@ -118,6 +118,10 @@ bool replaces_input(const std::string& input, const std::string& output) {
 void check_settings(RenderSettings& settings, const GivenOptions& given) {
   check_output(settings, given);
   check_report(settings, given);
+  check_picture_settings(settings, given);
+}
+
+void check_picture_settings(const RenderSettings& settings, const GivenOptions& given) {
   check_view(settings, given);
   check_page(settings);
 }

@@ -78,7 +78,8 @@ std::vector<LinePart> of_kind(const LineSweep& sweep, const std::vector<LinePart
 } // namespace
 
 DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSettings& settings,
-                      const std::function<void(double)>& progress) {
+                      const std::function<void(double)>& progress,
+                      const Instruments& instruments) {
   DrawnScene drawn;
   CountsReport& counts = drawn.counts;
   SecondsReport& seconds = drawn.seconds;
@@ -111,7 +112,8 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   watch.mark(seconds.facing);
 
   const TieTolerance tolerance = tie_tolerance(scene, settings.visibility_tolerance_mm);
-  const ClipOptions clip_options{surface ? Role::compared : Role::drawn_occluder, tolerance, true};
+  const ClipOptions clip_options{surface ? Role::compared : Role::drawn_occluder, tolerance,
+                                 instruments.collapse};
   // Half of the points of a check are asked of profiles, half of the other lines.
   std::optional<Check> check;
   if (settings.check > 0) check.emplace(terrain.grid, view, tolerance);
@@ -138,6 +140,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     cutter.cut(scene.depths_m[i], profile);
     watch.mark(seconds.cut);
     project_profile(profile, static_cast<std::uint32_t>(i), view, segments);
+    if (instruments.single_precision) round_to_float(segments);
     watch.mark(seconds.project);
     clip(segments, horizon, clip_options, workspace);
     watch.mark(seconds.clip);
@@ -145,6 +148,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
       profile_strokes.add(profile, static_cast<std::int32_t>(i), segments, workspace.visible);
     watch.mark(seconds.layout);
     if (check) check->ask(profile, segments, workspace.visible, asked_a_profile);
+    if (instruments.observer) instruments.observer->see(profile, segments, workspace.visible);
     watch.mark(seconds.check);
 
     counts.cut_vertices += profile.size();
@@ -163,6 +167,8 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
       folds(lines, visible, terrain.grid, view, settings.silhouette_jump,
             cutter.farthest_m() - cutter.nearest_m());
   visible = without(visible, folded);
+  watch.mark(seconds.layout);
+  if (instruments.observer) instruments.observer->see(lines, lines.visible_parts());
   if (check) {
     check->ask(lines, lines.visible_parts(), settings.check / 2);
     drawn.check = check->counts();

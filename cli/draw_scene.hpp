@@ -3,6 +3,7 @@
 // draw.
 #pragma once
 
+#include "cli/instruments.hpp"
 #include "cli/render_settings.hpp"
 #include "cli/report.hpp"
 #include "cli/scene.hpp"
@@ -25,6 +26,7 @@ struct DrawnScene {
 /// Draws the layers that the settings ask for. `progress` is told the share done, after each
 /// profile.
 DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSettings& settings,
-                      const std::function<void(double)>& progress);
+                      const std::function<void(double)>& progress,
+                      const Instruments& instruments = {});
 
 } // namespace orograph

@@ -4,6 +4,7 @@
 #include "draw/chain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace orograph {
@@ -17,6 +18,15 @@ constexpr double kSameShare = 1e-12;
 
 double nearness(const View& view, ProfilePoint p) {
   return view.is_perspective() ? 1 / p.v : -p.v;
+}
+
+// Of coordinates in the profile frame: sums of products of lengths up to this.
+double rounding_m(const Grid& grid, const View& view) {
+  double reach = 0;
+  for (const int row : {0, grid.rows - 1})
+    for (const int column : {0, grid.columns - 1})
+      reach = std::max(reach, length(grid.position_m(column, row)));
+  return 16 * std::numeric_limits<double>::epsilon() * (reach + length(view.depth_origin_m));
 }
 
 void join(std::vector<LinePart>& parts) {
@@ -38,7 +48,7 @@ void join(std::vector<LinePart>& parts) {
 
 LineSweep::LineSweep(const Grid& grid, const View& view, std::vector<SweptLine> lines,
                      double from_m)
-    : view_(view), lines_(std::move(lines)), from_m_(from_m),
+    : view_(view), lines_(std::move(lines)), from_m_(from_m), rounding_m_(rounding_m(grid, view)),
       slabs_(
           static_cast<std::uint32_t>(lines_.size()),
           [&grid, &view, this](std::uint32_t i) { return line_of(grid, view, lines_[i].edge); },
@@ -49,13 +59,19 @@ LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLi
   const auto& [from, to] = whole;
   if (std::min(from.v, to.v) < from_m_) // what is nearer has no picture
     (from.v < to.v ? t0 : t1) = (from_m_ - from.v) / (to.v - from.v);
-  Projected out{{}, t0, t1, point_between(from, to, t0), point_between(from, to, t1)};
+  Projected out{{}, t0, t1, point_between(from, to, t0), point_between(from, to, t1), rounding_m_};
   Vec2 left = project(view_, out.left), right = project(view_, out.right);
-  if (left.x > right.x || (left.x == right.x && out.left.v > out.right.v)) {
+  if (view_.is_perspective())
+    out.beside *= (1 + std::abs(left.x)) / std::min(out.left.v, out.right.v);
+  // A line that runs straight away from the eye is told from one that doesn't by more than
+  // rounding, which would make one visible by turns.
+  const bool upright = std::abs(left.x - right.x) <= out.beside;
+  if (upright ? out.left.v > out.right.v : left.x > right.x) {
     std::swap(out.t_left, out.t_right);
     std::swap(out.left, out.right);
     std::swap(left, right);
   }
+  if (upright) right.x = left.x;
   out.source = {left.x, left.y, right.x, right.y, kLineBit | line};
   return out;
 }
@@ -70,6 +86,7 @@ double LineSweep::along_edge(const Projected& p, double share) const {
 }
 
 void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspace) {
+  raise(in_last_plane_, horizon, workspace);
   in_slab_.clear();
   for (const SlabPiece& piece : slabs_.next(to_m)) {
     const Projected p = project_line(piece.line, piece.whole);
@@ -79,7 +96,8 @@ void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspac
                      project(view_, piece.begin).x,
                      project(view_, piece.end).x,
                      lines_[piece.line].hides,
-                     lines_[piece.line].drawn};
+                     lines_[piece.line].drawn,
+                     p.beside};
     if (line.upright()) {
       // Shares of the way along the picture, from shares of the way along the edge.
       const auto share = [&](ProfilePoint at) {
@@ -105,12 +123,13 @@ void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspac
     parts_.push_back({number, begin, end});
   }
 
-  occluders_.swap(in_last_plane_);
+  occluders_.clear();
   in_last_plane_.clear();
   for (const SurfaceLine& line : in_slab_) {
     if (!line.hides || !(line.begin < line.end) || line.upright()) continue;
     const ProfileLine whole = slabs_.line(line_number(line));
-    const bool in_plane = whole.from.v == to_m && whole.to.v == to_m;
+    const bool in_plane =
+        std::abs(whole.from.v - to_m) <= rounding_m_ && std::abs(whole.to.v - to_m) <= rounding_m_;
     (in_plane ? in_last_plane_ : occluders_)
         .push_back({line.begin, line.end, line.source, line.drawn});
   }

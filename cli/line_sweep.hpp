@@ -60,6 +60,7 @@ private:
     Segment source;
     double t_left, t_right; ///< along the edge, at the source's ends
     ProfilePoint left, right;
+    double beside; ///< rounding of X
   };
   Projected project_line(std::uint32_t line, const ProfileLine& whole) const;
   double along_edge(const Projected& projected, double share) const;
@@ -67,6 +68,7 @@ private:
   const View& view_;
   std::vector<SweptLine> lines_;
   double from_m_;
+  double rounding_m_; ///< bound on the rounding of u and v
   SlabLines slabs_;
   SlabHorizon slab_horizon_;
   std::vector<SurfaceLine> in_slab_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program: commands, and exceptions to messages and exit codes.
+#include "cli/accuracy.hpp"
 #include "cli/help.hpp"
 #include "cli/info.hpp"
 #include "cli/options.hpp"
@@ -24,8 +25,11 @@ void print(const std::string& text) {
 
 void run(std::vector<std::string> rest) {
   RenderSettings render_settings;
+  AccuracySettings accuracy_settings;
   InfoSettings info_settings;
-  const std::vector<Command> commands{render_command(render_settings), info_command(info_settings)};
+  const std::vector<Command> commands{render_command(render_settings),
+                                      accuracy_command(accuracy_settings),
+                                      info_command(info_settings)};
   const std::string command = rest.empty() ? "" : rest.front();
   if (!rest.empty()) rest.erase(rest.begin());
   if (command == "--help" || command == "-h") {
@@ -39,15 +43,20 @@ void run(std::vector<std::string> rest) {
       render(*settings);
     else
       print(command_help(commands[0]));
+  } else if (command == "accuracy") {
+    if (const auto settings = parse_accuracy(rest))
+      accuracy(*settings);
+    else
+      print(command_help(commands[1]));
   } else if (command == "info") {
     if (const auto settings = parse_info(rest))
       info(*settings);
     else
-      print(command_help(commands[1]));
+      print(command_help(commands[2]));
   } else {
     throw UsageError(command.empty() ? "no command is given" : "unknown command " + command,
-                     "use render or info, as in orograph render INPUT OUTPUT; orograph --help "
-                     "tells more");
+                     "use render, accuracy or info, as in orograph render INPUT OUTPUT; orograph "
+                     "--help tells more");
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw Error("can't write to standard output", "make room on the device, or keep it open");

@@ -2,6 +2,7 @@
 // The options of the commands in groups, so that commands share them: each group stands once.
 #pragma once
 
+#include "cli/accuracy.hpp"
 #include "cli/option.hpp"
 #include "cli/render_settings.hpp"
 
@@ -16,6 +17,8 @@ void add_terrain_options(std::vector<Option>& options, std::string& input, Raste
 void add_view_options(std::vector<Option>& options, RenderSettings& settings);
 void add_line_options(std::vector<Option>& options, RenderSettings& settings);
 void add_page_options(std::vector<Option>& options, RenderSettings& settings);
+/// What `accuracy` measures, and where it writes.
+void add_accuracy_options(std::vector<Option>& options, AccuracySettings& settings);
 void add_output_options(std::vector<Option>& options, RenderSettings& settings);
 /// With `--help`.
 void add_general_options(std::vector<Option>& options, bool& quiet, std::optional<bool>& progress);

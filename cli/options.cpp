@@ -12,24 +12,32 @@
 #include <fmt/ranges.h>
 
 namespace orograph {
+namespace {
+
+// Of the options for view, page and messages.
+std::vector<Conflict> picture_conflicts() {
+  return {{"--view-from", "--eye",
+           "give --view-from to frame the terrain, or --eye to stand somewhere"},
+          {"--distance", "--eye", "the distance is from --eye to --look-at"},
+          {"--portrait", "--landscape", "give one of the two"},
+          {"--progress", "--no-progress", "give one of the two"},
+          {"--quiet", "--progress", "give one of the two"}};
+}
+
+} // namespace
 
 Command render_command(RenderSettings& settings) {
   Command command{
       .name = "render",
       .summary = "Draw a perspective map of a terrain as vectors, hidden lines gone",
       .options = {},
-      .conflicts = {{"--view-from", "--eye",
-                     "give --view-from to frame the terrain, or --eye to stand somewhere"},
-                    {"--distance", "--eye", "the distance is from --eye to --look-at"},
-                    {"--profiles", "--spacing", "give one of the two"},
-                    {"--portrait", "--landscape", "give one of the two"},
-                    {"--progress", "--no-progress", "give one of the two"},
-                    {"--quiet", "--progress", "give one of the two"}},
+      .conflicts = picture_conflicts(),
       .examples = {{"orograph render dem.tif map.svg", "A map with the defaults, on A4."},
                    {"orograph render dem.tif map.pdf --view-from 225/15 --page a2",
                     "Seen from the south-west, low, on A2."},
                    {"orograph render dem.tif map.png --eye 250800,4071000,900 --fov 60",
                     "Seen from a point of the terrain's own coordinates."}}};
+  command.conflicts.push_back({"--profiles", "--spacing", "give one of the two"});
   add_terrain_options(command.options, settings.input, settings.raster);
   command.options.insert(
       command.options.begin() + 1,
@@ -43,6 +51,26 @@ Command render_command(RenderSettings& settings) {
   add_page_options(command.options, settings);
   add_output_options(command.options, settings);
   add_general_options(command.options, settings.quiet, settings.progress);
+  return command;
+}
+
+Command accuracy_command(AccuracySettings& settings) {
+  RenderSettings& render = settings.render;
+  Command command{.name = "accuracy",
+                  .summary = "Measure what each setting costs in time, and in error on paper",
+                  .options = {},
+                  .conflicts = picture_conflicts(),
+                  .examples = {{"orograph accuracy dem.tif",
+                                "The table, and accuracy.csv, .json and .svg (the curve)."},
+                               {"orograph accuracy dem.tif --view-from 225/10 --profiles 100,200",
+                                "Seen from the south-west, low, with two numbers of profiles."}}};
+  add_terrain_options(command.options, render.input, render.raster);
+  // Overviews are among the settings that are measured.
+  std::erase_if(command.options, [](const Option& o) { return o.name == "--overview"; });
+  add_view_options(command.options, render);
+  add_page_options(command.options, render);
+  add_accuracy_options(command.options, settings);
+  add_general_options(command.options, render.quiet, render.progress);
   return command;
 }
 
@@ -63,6 +91,14 @@ std::optional<RenderSettings> parse_render(const std::vector<std::string>& argum
   const auto given = parse_arguments(render_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
   check_settings(settings, given);
+  return settings;
+}
+
+std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& arguments) {
+  AccuracySettings settings;
+  const auto given = parse_arguments(accuracy_command(settings), arguments);
+  if (given.contains("--help")) return std::nullopt;
+  check_picture_settings(settings.render, given);
   return settings;
 }
 

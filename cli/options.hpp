@@ -3,6 +3,7 @@
 // page come.
 #pragma once
 
+#include "cli/accuracy.hpp"
 #include "cli/info.hpp"
 #include "cli/option.hpp"
 #include "cli/render_settings.hpp"
@@ -15,12 +16,14 @@ namespace orograph {
 
 /// The options store into `settings`, which must outlive the command.
 Command render_command(RenderSettings& settings);
+Command accuracy_command(AccuracySettings& settings);
 Command info_command(InfoSettings& settings);
 
 /// The settings that a command line (without "orograph render") asks for; nothing where it asks
 /// for help. Opens no file, but looks whether two of its paths are the same file.
 /// Throws UsageError.
 std::optional<RenderSettings> parse_render(const std::vector<std::string>& arguments);
+std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& arguments);
 std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments);
 
 } // namespace orograph

@@ -2,6 +2,9 @@
 #include "profiles/slab_lines.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace orograph {
 
@@ -15,21 +18,35 @@ ProfileLine line_of(const Grid& grid, const View& view, GridEdge edge) {
   return {end(edge.from), end(edge.to)};
 }
 
+// Lines are parted into buckets of depth, which is cheaper than sorting them: a bucket is begun as
+// a whole, and those of its lines that lie farther wait among the active ones.
 SlabLines::SlabLines(std::uint32_t count, LineOf line_of, double from_m)
     : line_of_(std::move(line_of)), by_depth_(count), from_m_(from_m) {
-  struct Key {
-    double nearest;
-    std::uint32_t line;
-  };
-  std::vector<Key> keys(count);
+  if (count == 0) return;
+  std::vector<float> nearest(count);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
   for (std::uint32_t i = 0; i < count; ++i) {
     const ProfileLine line = line_of_(i);
-    keys[i] = {std::min(line.from.v, line.to.v), i};
+    const double depth = std::min(line.from.v, line.to.v);
+    nearest[i] = static_cast<float>(depth);
+    low = std::min(low, depth);
+    high = std::max(high, depth);
   }
-  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return a.nearest != b.nearest ? a.nearest < b.nearest : a.line < b.line;
-  });
-  std::transform(keys.begin(), keys.end(), by_depth_.begin(), [](const Key& k) { return k.line; });
+  constexpr std::size_t kBuckets = 4096; // as many as there are rows in a large grid
+  const double per_m = high > low ? (kBuckets - 2) / (high - low) : 0;
+  const auto bucket = [&](float depth) {
+    return static_cast<std::size_t>(std::clamp((depth - low) * per_m, 0.0, kBuckets - 2.0));
+  };
+  bucket_end_.assign(kBuckets, 0);
+  for (const float depth : nearest) ++bucket_end_[bucket(depth) + 1];
+  std::partial_sum(bucket_end_.begin(), bucket_end_.end(), bucket_end_.begin());
+  for (std::uint32_t i = 0; i < count; ++i) by_depth_[bucket_end_[bucket(nearest[i])]++] = i;
+  bucket_begin_m_.resize(kBuckets);
+  for (std::size_t b = 0; b < kBuckets; ++b) {
+    // Rounding to float may have put a line into a bucket that begins behind it.
+    const double slack = 1e-6 * std::max(std::abs(low), std::abs(high));
+    bucket_begin_m_[b] = per_m > 0 ? low + static_cast<double>(b) / per_m - slack : low;
+  }
 }
 
 // Adds the line's piece up to `to_m`; tells whether the line goes on behind it.
@@ -37,6 +54,7 @@ bool SlabLines::cut(std::uint32_t i, double to_m) {
   const ProfileLine line = line_of_(i);
   const auto& [from, to] = line;
   const auto [nearest, farthest] = std::minmax(from.v, to.v);
+  if (nearest > to_m) return true;
   if (farthest < from_m_ || (farthest == from_m_ && nearest < farthest)) return false;
   const auto t_at = [&, &a = from, &b = to](double depth) {
     return std::clamp((depth - a.v) / (b.v - a.v), 0.0, 1.0);
@@ -54,12 +72,9 @@ bool SlabLines::cut(std::uint32_t i, double to_m) {
 std::span<const SlabPiece> SlabLines::next(double to_m) {
   pieces_.clear();
   std::erase_if(active_, [&](std::uint32_t i) { return !cut(i, to_m); });
-  for (; waiting_ < by_depth_.size(); ++waiting_) {
-    const std::uint32_t i = by_depth_[waiting_];
-    const ProfileLine line = line_of_(i);
-    if (std::min(line.from.v, line.to.v) > to_m) break;
-    if (cut(i, to_m)) active_.push_back(i);
-  }
+  for (; waiting_ < bucket_end_.size() && bucket_begin_m_[waiting_] <= to_m; ++waiting_)
+    for (; begun_ < bucket_end_[waiting_]; ++begun_)
+      if (cut(by_depth_[begun_], to_m)) active_.push_back(by_depth_[begun_]);
   from_m_ = to_m;
   return pieces_;
 }

@@ -49,8 +49,11 @@ private:
   bool cut(std::uint32_t line, double to_m);
 
   LineOf line_of_;
-  std::vector<std::uint32_t> by_depth_; ///< lines by their nearer end
-  std::size_t waiting_ = 0;             ///< first of `by_depth_` that hasn't begun
+  std::vector<std::uint32_t> by_depth_;   ///< lines, by bucket of their nearer end
+  std::vector<std::uint32_t> bucket_end_; ///< in `by_depth_`
+  std::vector<double> bucket_begin_m_;    ///< no line of the bucket is nearer
+  std::size_t waiting_ = 0;               ///< first bucket that hasn't begun
+  std::size_t begun_ = 0;                 ///< lines that have
   std::vector<std::uint32_t> active_;
   std::vector<SlabPiece> pieces_;
   double from_m_;

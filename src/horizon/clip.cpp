@@ -10,47 +10,55 @@
 namespace orograph {
 namespace {
 
-// A stretch of p above or below s; one step has at most two of them.
+// A stretch of p above or below s; one step has at most two of them. Its ends along p are reckoned
+// only where they are asked for, since they cost a division each: `t` is the crossing's where a
+// stretch begins or ends at one.
 struct Stretch {
-  double x_begin, x_end, t_begin, t_end;
+  double x_begin, x_end;
   bool above;
+  bool begins_at_crossing = false, ends_at_crossing = false;
 };
 
 struct Step {
-  int count = 0;
+  int count = 1;
   std::array<Stretch, 2> stretches;
   bool tied = false;
+  double t = 0; ///< of the crossing
 };
 
 // What [a, b] of p is against the piece. Where p is tied to it, `above` is whether to draw p there.
 Step resolve(const Segment& p, const HorizonPiece& piece, double a, double b,
              const ClipOptions& options) {
   using enum Standing::Kind;
-  const double t_a = parameter_at(p, a), t_b = parameter_at(p, b);
-  const auto whole = [&](bool above, double t_begin, double t_end) {
-    if (a == p.x0) t_begin = 0;
-    if (b == p.x1) t_end = 1;
-    return Step{1, {Stretch{a, b, t_begin, t_end, above}}, false};
-  };
-  if (is_sky(piece)) return whole(true, t_a, t_b);
+  const auto whole = [&](bool above) { return Step{1, {Stretch{a, b, above}}}; };
+  if (is_sky(piece)) return whole(true);
   const bool exact = options.role == Role::occluder;
   const Standing standing = compare(p, piece.source, exact ? TieTolerance{} : options.tolerance);
   if (standing.kind == tied) {
-    Step step = whole(!exact && !piece.inked, t_a, t_b);
+    Step step = whole(!exact && !piece.inked);
     step.tied = true;
     return step;
   }
-  if (standing.kind == above || standing.kind == below)
-    return whole(standing.kind == above, t_a, t_b);
+  if (standing.kind == above || standing.kind == below) return whole(standing.kind == above);
   const bool first_above = standing.kind == above_then_below;
   // A crossing may round to where a horizon has fragmented: then, too, its place along p is its
   // own.
-  if (standing.x <= a) return whole(!first_above, standing.x == a ? standing.t : t_a, t_b);
-  if (standing.x >= b) return whole(first_above, t_a, standing.x == b ? standing.t : t_b);
+  if (standing.x <= a)
+    return {1, {Stretch{a, b, !first_above, standing.x == a, false}}, false, standing.t};
+  if (standing.x >= b)
+    return {1, {Stretch{a, b, first_above, false, standing.x == b}}, false, standing.t};
   return {2,
-          {Stretch{a, standing.x, t_a, standing.t, first_above},
-           Stretch{standing.x, b, standing.t, t_b, !first_above}},
-          false};
+          {Stretch{a, standing.x, first_above, false, true},
+           Stretch{standing.x, b, !first_above, true, false}},
+          false,
+          standing.t};
+}
+
+Piece piece_of(const Segment& p, std::uint32_t number, const Step& step, const Stretch& s) {
+  const bool from_crossing = s.begins_at_crossing && s.x_begin != p.x0;
+  const bool to_crossing = s.ends_at_crossing && s.x_end != p.x1;
+  return {number, s.x_begin, s.x_end, from_crossing ? step.t : parameter_at(p, s.x_begin),
+          to_crossing ? step.t : parameter_at(p, s.x_end)};
 }
 
 // The horizon along a stretch after the step.
@@ -106,8 +114,7 @@ ClipStep clip_segments(const Segment& profile, std::uint32_t number, double x_be
     const Stretch& s = step.stretches[static_cast<std::size_t>(i)];
     out.new_horizon.push_back(
         raised(profile, options.role == Role::drawn_occluder, horizon, s, step.tied, options.role));
-    if (s.above && options.role != Role::occluder)
-      out.draw = Piece{number, s.x_begin, s.x_end, s.t_begin, s.t_end};
+    if (s.above && options.role != Role::occluder) out.draw = piece_of(profile, number, step, s);
   }
   if (profile.x1 > b) {
     out.rest_of_profile = profile;
@@ -135,32 +142,27 @@ Item item_of(const HorizonPiece& piece, const ClipOptions&) {
   return {piece.source, piece.x_begin, piece.x_end, piece.inked};
 }
 
-template <class List>
-void clip_list(const List& list, Horizon& horizon, const ClipOptions& options,
-               ClipWorkspace& workspace) {
+// The walk along a list and the horizon at once: `emit` gets what becomes of the horizon, piece by
+// piece, and the number of the old piece that it is of.
+template <class List, class Emit>
+void walk(const List& list, const Horizon& horizon, const ClipOptions& options,
+          ClipWorkspace& workspace, const Emit& emit) {
   workspace.visible.clear();
   workspace.hidden.clear();
   workspace.tied.clear();
-  Horizon& next = workspace.next;
-  next.clear();
-
   std::size_t at = 0;
   HorizonPiece current = horizon.front(); // what is left of horizon[at]
-  const auto emit = [&](const HorizonPiece& piece) {
-    append(next, piece, options.collapse);
-    ++workspace.pieces_uncollapsed;
-  };
   for (std::uint32_t number = 0; number < list.size(); ++number) {
     const Item item = item_of(list[number], options);
     if (item.source.id == kSky) continue;
     while (current.x_end <= item.x_begin) {
-      emit(current);
+      emit(current, at);
       current = horizon[++at];
     }
     if (current.x_begin < item.x_begin) {
       HorizonPiece left = current;
       left.x_end = item.x_begin;
-      emit(left);
+      emit(left, at);
       current.x_begin = item.x_begin;
     }
     for (double a = item.x_begin; a < item.x_end;) {
@@ -170,21 +172,68 @@ void clip_list(const List& list, Horizon& horizon, const ClipOptions& options,
       workspace.ties += step.tied ? 1 : 0;
       for (int i = 0; i < step.count; ++i) {
         const Stretch& s = step.stretches[static_cast<std::size_t>(i)];
-        emit(raised(item.source, item.inked, current, s, step.tied, options.role));
-        const Piece piece{number, s.x_begin, s.x_end, s.t_begin, s.t_end};
+        emit(raised(item.source, item.inked, current, s, step.tied, options.role), at);
         if (s.above && options.role != Role::occluder)
-          append(workspace.visible, piece);
+          append(workspace.visible, piece_of(item.source, number, step, s));
         else if (workspace.keep_hidden)
-          append(step.tied ? workspace.tied : workspace.hidden, piece);
+          append(step.tied ? workspace.tied : workspace.hidden,
+                 piece_of(item.source, number, step, s));
       }
       current.x_begin = a = b;
       if (current.x_end <= b) current = horizon[++at];
     }
   }
-  emit(current);
-  for (++at; at < horizon.size(); ++at) emit(horizon[at]);
+  emit(current, at);
+  for (++at; at < horizon.size(); ++at) emit(horizon[at], at);
+}
+
+template <class List>
+void clip_list(const List& list, Horizon& horizon, const ClipOptions& options,
+               ClipWorkspace& workspace) {
+  Horizon& next = workspace.next;
+  next.clear();
+  walk(list, horizon, options, workspace, [&](const HorizonPiece& piece, std::size_t) {
+    append(next, piece, options.collapse);
+    ++workspace.pieces_uncollapsed;
+  });
   workspace.pieces_collapsed += next.size();
   horizon.swap(next);
+}
+
+// Marks a part of horizon[at] as inked; what is collapsed stays collapsed.
+void ink(Horizon& horizon, std::size_t at, double begin, double end) {
+  HorizonPiece before = horizon[at], after = horizon[at];
+  before.x_end = horizon[at].x_begin = begin;
+  after.x_begin = horizon[at].x_end = end;
+  horizon[at].inked = true;
+  const auto place = [&](std::size_t i) {
+    return horizon.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  if (after.x_begin < after.x_end) {
+    horizon.insert(place(at + 1), after);
+  } else if (at + 1 < horizon.size() && continues(horizon[at], horizon[at + 1])) {
+    horizon[at].x_end = horizon[at + 1].x_end;
+    horizon.erase(place(at + 1));
+  }
+  if (before.x_begin < before.x_end) {
+    horizon.insert(place(at), before);
+  } else if (at > 0 && continues(horizon[at - 1], horizon[at])) {
+    horizon[at - 1].x_end = horizon[at].x_end;
+    horizon.erase(place(at));
+  }
+}
+
+// What is compared changes the horizon only where it is tied and drawn, which is rare: the horizon
+// is not written anew.
+void clip_compared(std::span<const Segment> segments, Horizon& horizon, const ClipOptions& options,
+                   ClipWorkspace& workspace) {
+  auto& marks = workspace.marks;
+  marks.clear();
+  walk(segments, horizon, options, workspace, [&](const HorizonPiece& piece, std::size_t at) {
+    if (piece.inked && !horizon[at].inked) marks.push_back({at, piece.x_begin, piece.x_end});
+  });
+  for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)
+    ink(horizon, mark->at, mark->begin, mark->end);
 }
 
 // The sky with a list of disjoint pieces in it.
@@ -215,7 +264,10 @@ Horizon envelope_of(std::span<const std::vector<HorizonPiece>> chains, ClipWorks
 
 void clip(std::span<const Segment> segments, Horizon& horizon, const ClipOptions& options,
           ClipWorkspace& workspace) {
-  clip_list(segments, horizon, options, workspace);
+  if (options.role == Role::compared)
+    clip_compared(segments, horizon, options, workspace);
+  else
+    clip_list(segments, horizon, options, workspace);
 }
 
 void raise(std::vector<HorizonPiece>& occluders, Horizon& horizon, ClipWorkspace& workspace) {

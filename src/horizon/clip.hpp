@@ -72,6 +72,11 @@ struct ClipWorkspace {
   std::size_t pieces_collapsed = 0;   ///< horizon pieces as kept, over all calls
   std::size_t ties = 0;               ///< over all calls
 
+  struct Mark {
+    std::size_t at;
+    double begin, end;
+  };
+  std::vector<Mark> marks;                       ///< scratch
   Horizon next;                                  ///< scratch
   std::vector<std::vector<HorizonPiece>> chains; ///< scratch of `raise`
 };

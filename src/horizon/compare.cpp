@@ -8,8 +8,7 @@ namespace orograph {
 Standing compare(const Segment& p, const Segment& s, const TieTolerance& tolerance) {
   using enum Standing::Kind;
   const double low = std::max(p.x0, s.x0), high = std::min(p.x1, s.x1);
-  const double at_low = height_at(p, low) - height_at(s, low);
-  const double at_high = height_at(p, high) - height_at(s, high);
+  const double at_low = height_difference(p, s, low), at_high = height_difference(p, s, high);
 
   const double greatest = std::max(std::abs(at_low), std::abs(at_high));
   if (greatest == 0) return {tied};

@@ -38,10 +38,13 @@ Horizon::const_iterator piece_at(const Horizon& horizon, double x) {
                               [&](const HorizonPiece& piece) { return piece.x_end < x; });
 }
 
-double greatest_height(const Horizon& horizon, double x) {
+double greatest_height(const Horizon& horizon, double x, double beside) {
   double height = -std::numeric_limits<double>::infinity();
-  for (auto piece = piece_at(horizon, x); piece != horizon.end() && piece->x_begin <= x; ++piece)
-    if (!is_sky(*piece)) height = std::max(height, height_at(piece->source, x));
+  for (auto piece = piece_at(horizon, x - beside);
+       piece != horizon.end() && piece->x_begin <= x + beside; ++piece)
+    if (!is_sky(*piece))
+      height =
+          std::max(height, height_at(piece->source, std::clamp(x, piece->x_begin, piece->x_end)));
   return height;
 }
 
@@ -79,7 +82,7 @@ void above_horizon(const SurfaceLine& line, const Horizon& horizon, const Take& 
 // A line straight away from the eye shows where it rises above all in front of it. Where it doesn't
 // rise, its own nearer end hides it.
 Stretch upright_above(const SurfaceLine& line, double height) {
-  const auto& [x0, y0, x1, y1, id] = line.source;
+  const double y0 = line.source.y0, y1 = line.source.y1;
   if (!(y1 > y0)) return {0, 0};
   if (height == -std::numeric_limits<double>::infinity()) return {line.begin, line.end};
   return intersection({line.begin, line.end}, positive(y0 - height, y1 - height));
@@ -94,10 +97,10 @@ void append(std::vector<VisibleLinePart>& parts, std::uint32_t line, double begi
 }
 
 double first_x(const SurfaceLine& line) {
-  return line.upright() ? line.source.x0 : line.begin;
+  return line.upright() ? line.source.x0 - line.beside : line.begin;
 }
 double last_x(const SurfaceLine& line) {
-  return line.upright() ? line.source.x0 : line.end;
+  return line.upright() ? line.source.x0 + line.beside : line.end;
 }
 
 } // namespace
@@ -108,7 +111,8 @@ void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t 
   const SurfaceLine &f = lines[front], &b = lines[behind];
   if (!f.hides || !b.drawn || f.upright()) return;
   if (b.upright()) {
-    const double x = b.source.x0, nearness = nearness_at(f, x), height = height_at(f.source, x);
+    const double x = std::clamp(b.source.x0, f.begin, f.end);
+    const double nearness = nearness_at(f, x), height = height_at(f.source, x);
     const Stretch stretch = intersection(positive(nearness - b.nearness0, nearness - b.nearness1),
                                          positive(height - b.source.y0, height - b.source.y1));
     if (!stretch.empty()) hidden_.push_back({behind, stretch.begin, stretch.end});
@@ -116,11 +120,10 @@ void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t 
   }
   const double low = std::max(f.begin, b.begin), high = std::min(f.end, b.end);
   if (!(low < high)) return;
-  const Stretch stretch =
-      intersection(positive(nearness_at(f, low) - nearness_at(b, low),
-                            nearness_at(f, high) - nearness_at(b, high)),
-                   positive(height_at(f.source, low) - height_at(b.source, low),
-                            height_at(f.source, high) - height_at(b.source, high)));
+  const Stretch stretch = intersection(positive(nearness_at(f, low) - nearness_at(b, low),
+                                                nearness_at(f, high) - nearness_at(b, high)),
+                                       positive(height_difference(f.source, b.source, low),
+                                                height_difference(f.source, b.source, high)));
   if (stretch.empty()) return;
   const double t_low = parameter_at(b.source, low), t_high = parameter_at(b.source, high);
   const auto t_at = [&](double share) {
@@ -175,7 +178,7 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
       append(parts_, i, begin, seen.end);
     };
     if (line.upright())
-      take(upright_above(line, greatest_height(horizon, line.source.x0)));
+      take(upright_above(line, greatest_height(horizon, line.source.x0, line.beside)));
     else
       above_horizon(line, horizon, take);
   }

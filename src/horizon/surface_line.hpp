@@ -16,13 +16,15 @@ namespace orograph {
 /// perspective, -v in a parallel view.
 ///
 /// A line with no extent in X (straight away from the eye) has source.x0 == source.x1, its nearer
-/// end as (x0, y0), and begin and end as shares of the way along its picture.
+/// end as (x0, y0), begin and end as shares of the way along its picture, and `beside`: what is
+/// that close in X counts as being at its X.
 struct SurfaceLine {
   Segment source;
   double nearness0, nearness1; ///< at the source's ends
   double begin, end;           ///< the part in the slab, as abscissae
   bool hides;                  ///< is an occluder
   bool drawn;                  ///< asked about, and drawn where visible
+  double beside = 0;
 
   bool upright() const { return source.x0 == source.x1; }
 };

@@ -21,15 +21,12 @@ namespace {
 using Exact = CGAL::Lazy_exact_nt<CGAL::Exact_rational>;
 
 double nearest_double(const Exact& x) {
-  const auto [low, high] = CGAL::to_interval(x);
-  if (low == high) return low;
   const CGAL::Exact_rational& exact = x.exact();
-  double best = CGAL::to_double(exact); // off by less than one ulp
-  for (const double other : {std::nextafter(best, -HUGE_VAL), std::nextafter(best, HUGE_VAL)})
-    if (CGAL::abs(exact - CGAL::Exact_rational(other)) <
-        CGAL::abs(exact - CGAL::Exact_rational(best)))
-      best = other;
-  return best;
+  const auto distance = [&](double to) { return CGAL::abs(exact - CGAL::Exact_rational(to)); };
+  double nearest = CGAL::to_double(exact); // some of CGAL's rationals truncate
+  for (const double other : {std::nextafter(nearest, -HUGE_VAL), std::nextafter(nearest, HUGE_VAL)})
+    if (distance(other) < distance(nearest)) nearest = other;
+  return nearest;
 }
 
 struct Line {

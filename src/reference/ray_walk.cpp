@@ -131,19 +131,19 @@ InFront RayWalk::in_front(ProfilePoint p) const {
         };
         const double begin_m =
             view_.is_perspective() ? view_.near_m : -std::numeric_limits<double>::infinity();
-        Walk walk{view_,
-                  height_m,
-                  grid_.columns,
-                  grid_.rows,
-                  p.v,
-                  dot(per_column_, from_first),
-                  dot(per_row_, from_first),
-                  dot(per_column_, per_m),
-                  dot(per_row_, per_m),
-                  begin_m,
-                  rounding_m,
-                  rounding,
-                  rounding_z};
+        Walk<decltype(height_m)> walk{view_,
+                                      height_m,
+                                      grid_.columns,
+                                      grid_.rows,
+                                      p.v,
+                                      dot(per_column_, from_first),
+                                      dot(per_row_, from_first),
+                                      dot(per_column_, per_m),
+                                      dot(per_row_, per_m),
+                                      begin_m,
+                                      rounding_m,
+                                      rounding,
+                                      rounding_z};
         walk.meet_all();
         // In perspective, terrain is cut at the near plane.
         if (view_.is_perspective() && begin_m < p.v)

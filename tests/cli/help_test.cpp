@@ -16,8 +16,10 @@ namespace {
 
 struct Tables {
   RenderSettings render_settings;
+  AccuracySettings accuracy_settings;
   InfoSettings info_settings;
-  std::vector<Command> commands{render_command(render_settings), info_command(info_settings)};
+  std::vector<Command> commands{render_command(render_settings),
+                                accuracy_command(accuracy_settings), info_command(info_settings)};
 };
 
 std::string without_backslashes(std::string text) {
@@ -37,6 +39,7 @@ std::vector<std::string> commands_in(const std::filesystem::path& page) {
       continue;
     }
     if (joined.find("orograph render") != std::string::npos ||
+        joined.find("orograph accuracy") != std::string::npos ||
         joined.find("orograph info") != std::string::npos)
       commands.push_back(joined);
     joined.clear();

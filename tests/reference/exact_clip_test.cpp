@@ -66,6 +66,7 @@ TEST_CASE("what lies on the horizon is drawn once") {
     const auto clips = exact_clip(std::vector<ExactList>{
         {ridge, Role::occluder}, {same, Role::compared}, {whole, Role::compared}, {whole}});
     CHECK(clips[1].visible == Pieces{{0, 1, 6, 0, 1}});
+    CHECK(clips[1].least_horizon == 3); // one source, though from 1 on it is inked
     // Beyond the ridge a compared line has left no trace.
     CHECK(clips[2].visible == Pieces{{0, 0, 1, 0, 1.0 / 6}, {0, 4, 6, 4.0 / 6, 1}});
     CHECK(clips[3].visible == Pieces{{0, 4, 6, 4.0 / 6, 1}});

@@ -94,7 +94,7 @@ inline std::vector<HardKind> hard_kinds() {
          double x = 4123456 + random.whole(0, 1000) / 1000.0;
          std::vector<Vec2> out;
          for (int i = 0; i < 15; ++i, x += random.whole(1, 3000) / 1000.0)
-           out.push_back({x, 5234567 + list / 10 + random.whole(0, 2000) / 1000.0});
+           out.push_back({x, 5234567 + 0.1 * list + random.whole(0, 2000) / 1000.0});
          return out;
        }},
       {"denormals and signed zeros", 20,

@@ -93,6 +93,7 @@ void check(const Grid& grid, const View& view, Vec2 ground_m, Sums& sums) {
                  << front.at_depth_m << ", sampled " << sampled << ", own " << own);
   REQUIRE(front.rounding > 0);
   REQUIRE(front.rounding < 1e-9);
+  REQUIRE(front.greatest_y_apart <= front.greatest_y);
   // `height_at` moves places within 1e-9 of a cell onto the line, where the exaggerated heights
   // differ by at most 2 * 20 m a cell; at depth near_m that is twice as much in Y.
   // `surface_y_beside` moves them by 1e-9 m, where Y changes by at most 2 * 120 a metre.
@@ -280,7 +281,7 @@ TEST_CASE("against the surface sampled along the ray: cone, ridge, steps, with a
   const GridLattice lattice = turned_lattice(13, 13, {1, 1}, 0);
   const auto cone = [](int c, int r) { return std::max(0.0, 8 - std::hypot(c - 6, r - 6)); };
   const auto ridge = [](int c, int r) { return std::max(0.0, 5 - 2.0 * std::abs(c + r - 12)); };
-  const auto steps = [](int c, int r) { return 2.0 * (c / 3) + (r / 4); };
+  const auto steps = [](int c, int r) { return 2 * (c / 3) + r / 4; };
   const std::vector<std::function<double(int, int)>> shapes{cone, ridge, steps};
   Random random(7);
   for (const auto& shape : shapes)

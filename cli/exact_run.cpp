@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/exact_run.hpp"
+
+#include "profiles/cut_grid.hpp"
+#include "profiles/project_profile.hpp"
+#include "reference/exact_clip.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace orograph {
+
+DrawnScene draw_exactly(const Terrain& terrain, const Scene& scene, LineObserver* observer) {
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  DrawnScene out;
+  SecondsReport& seconds = out.seconds;
+  seconds.facing = seconds.cut = seconds.project = seconds.layout = 0;
+  const GridCutter cutter(terrain.grid, scene.view, scene.level.triangles);
+  std::vector<Profile> profiles(scene.depths_m.size());
+  std::vector<std::vector<Segment>> segments(scene.depths_m.size());
+  std::vector<ExactList> lists;
+  for (std::size_t i = 0; i < scene.depths_m.size(); ++i) {
+    auto start = Clock::now();
+    cutter.cut(scene.depths_m[i], profiles[i]);
+    seconds.cut += since(start);
+    start = Clock::now();
+    project_profile(profiles[i], static_cast<std::uint32_t>(i), scene.view, segments[i]);
+    seconds.project += since(start);
+    out.counts.segments += segments[i].size();
+    lists.push_back({segments[i], Role::drawn_occluder});
+  }
+  const auto start = Clock::now();
+  const std::vector<ExactClip> clipped = exact_clip(lists);
+  seconds.clip = since(start);
+  for (std::size_t i = 0; i < clipped.size(); ++i) {
+    out.counts.largest_horizon =
+        std::max<std::uint64_t>(out.counts.largest_horizon, clipped[i].least_horizon);
+    if (observer) observer->see(profiles[i], segments[i], clipped[i].visible);
+  }
+  return out;
+}
+
+} // namespace orograph

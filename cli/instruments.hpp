@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `orograph accuracy` changes and watches of a run, beyond what a user may ask for.
+#pragma once
+
+#include "cli/line_sweep.hpp"
+#include "horizon/clip.hpp"
+#include "profiles/profile.hpp"
+
+#include <vector>
+
+namespace orograph {
+
+/// Is told of every line of a drawing as it is clipped, before anything is laid out: the whole line
+/// and what of it is visible. What it does counts as the stage `check`.
+class LineObserver {
+public:
+  virtual ~LineObserver() = default;
+  /// A profile; `visible` are pieces of `segments`, in order.
+  virtual void see(const Profile& profile, const std::vector<Segment>& segments,
+                   const std::vector<Piece>& visible) = 0;
+  /// All other lines; `visible` by line.
+  virtual void see(const LineSweep& lines, const std::vector<LinePart>& visible) = 0;
+};
+
+struct Instruments {
+  LineObserver* observer = nullptr;
+  bool collapse = true;          ///< join horizon pieces of one source
+  bool single_precision = false; ///< round projected profiles to float before they are clipped
+};
+
+/// Each coordinate becomes the nearest float. Segments that have no extent in X then are left out.
+void round_to_float(std::vector<Segment>& segments);
+
+} // namespace orograph

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orograph {
+
+Judge::Judge(const Grid& grid, const View& view, const TieTolerance& tolerance)
+    : view_(view), tolerance_(tolerance), walk_(grid, view) {}
+
+double Judge::above(ProfilePoint at, bool on_edge) const {
+  const InFront front = walk_.in_front(at);
+  return project(view_, at).y - (on_edge ? front.greatest_y_apart : front.greatest_y);
+}
+
+Verdict Judge::verdict(ProfilePoint at, bool on_edge) const {
+  const Vec2 plane = project(view_, at);
+  const InFront front = walk_.in_front(at);
+  const double above = plane.y - (on_edge ? front.greatest_y_apart : front.greatest_y);
+  if (std::abs(above) <= tolerance_.at(plane.x, plane.y) + front.rounding) return Verdict::tied;
+  return above > 0 ? Verdict::visible : Verdict::hidden;
+}
+
+// Where an edge in front ends just at the point's X, rounding of the place decides whether the walk
+// meets it; so a point that seems wrong must seem so a rounding farther to either side as well,
+// along its line and across the ray (the line may run straight away from the eye, or be shorter).
+Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool drawn) const {
+  const Verdict right = drawn ? Verdict::visible : Verdict::hidden;
+  const ProfilePoint at = point_between(line.from, line.to, t);
+  const Verdict found = verdict(at, on_edge);
+  if (found == right || found == Verdict::tied) return found;
+  constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+  const double length =
+      std::hypot(line.to.u - line.from.u, line.to.v - line.from.v, line.to.z - line.from.z);
+  const Vec3 ground = to_ground_m(view_, at);
+  const double rounding_m =
+      kRounding * (std::abs(ground.x) + std::abs(ground.y) + std::abs(view_.depth_origin_m.x) +
+                   std::abs(view_.depth_origin_m.y) + length);
+  if (length <= rounding_m) return Verdict::tied;
+  for (const double way_m : {-rounding_m, rounding_m}) {
+    const double aside = std::clamp(t + way_m / length, 0.0, 1.0);
+    if (verdict(point_between(line.from, line.to, aside), on_edge) != found ||
+        verdict({at.u + way_m, at.v, at.z}, on_edge) != found)
+      return Verdict::tied;
+  }
+  return found;
+}
+
+} // namespace orograph
