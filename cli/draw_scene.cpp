@@ -78,8 +78,7 @@ std::vector<LinePart> of_kind(const LineSweep& sweep, const std::vector<LinePart
 } // namespace
 
 DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSettings& settings,
-                      const std::function<void(double)>& progress,
-                      const Instruments& instruments) {
+                      const std::function<void(double)>& progress, const Instruments& instruments) {
   DrawnScene drawn;
   CountsReport& counts = drawn.counts;
   SecondsReport& seconds = drawn.seconds;

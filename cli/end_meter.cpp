@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -82,19 +84,39 @@ void EndMeter::measure(const End& end, bool on_edge) {
   const double length_mm = last.start_mm + last.picture.length_mm();
   const auto above = [&](double mm) { return above_mm(at(stretch, mm), on_edge); };
   ++ends_.asked;
-  for (double reach = kNearest_mm; reach <= kFarthestEnd_mm; reach *= 4) {
-    double drawn = std::clamp(end.at_mm + end.forward * reach, 0.0, length_mm);
-    double hidden = std::clamp(end.at_mm - end.forward * reach, 0.0, length_mm);
-    if (!(above(drawn) > 0) || !(above(hidden) < 0)) continue;
-    for (int step = 0; step < 60 && std::abs(drawn - hidden) > 1e-13; ++step) {
-      const double middle = 0.5 * (drawn + hidden);
-      (above(middle) > 0 ? drawn : hidden) = middle;
+
+  // Farther and farther to both sides, the first step from hidden to visible in the sense of the
+  // drawn piece.
+  const auto place = [&](double mm) { return std::clamp(mm, 0.0, length_mm); };
+  struct Place {
+    double mm;
+    bool visible;
+  };
+  const auto look = [&](double from_end_mm) {
+    const double mm = place(end.at_mm + end.forward * from_end_mm);
+    return Place{mm, above(mm) > 0};
+  };
+  Place back = look(-kNearest_mm), on = look(kNearest_mm);
+  std::optional<std::pair<Place, Place>> step; // hidden, visible
+  if (!back.visible && on.visible) step = {back, on};
+  for (double reach = 2 * kNearest_mm; reach <= kFarthestEnd_mm && !step; reach *= 2) {
+    const Place farther_back = look(-reach), farther_on = look(reach);
+    if (!farther_back.visible && back.visible) step = {farther_back, back};
+    if (!on.visible && farther_on.visible) step = {on, farther_on};
+    back = farther_back;
+    on = farther_on;
+  }
+  if (step) {
+    double hidden = step->first.mm, visible = step->second.mm;
+    for (int i = 0; i < 60 && std::abs(visible - hidden) > 1e-13; ++i) {
+      const double middle = 0.5 * (visible + hidden);
+      (above(middle) > 0 ? visible : hidden) = middle;
     }
-    const double along = std::abs(drawn - end.at_mm);
+    const double along = std::abs(visible - end.at_mm);
     double across = 0;
     constexpr int kParts = 8;
     for (int i = 0; i <= kParts; ++i)
-      across = std::max(across, std::abs(above(end.at_mm + (drawn - end.at_mm) * i / kParts)));
+      across = std::max(across, std::abs(above(end.at_mm + (visible - end.at_mm) * i / kParts)));
     ends_.largest_mm = std::max(ends_.largest_mm, std::min(along, across));
     return;
   }

@@ -38,7 +38,7 @@ Heights<Value> heights_in(const Grid& grid, const std::vector<Value>& heights, c
   for (int row = block.row; row < block.row + block.rows; ++row) {
     const Value* h = heights.data() + grid.index(block.column, row);
     for (int i = 0; i < block.columns; ++i) {
-      const bool valid = h[i] == h[i];
+      const bool valid = !std::isnan(h[i]);
       low[i] = h[i] < low[i] ? h[i] : low[i];
       high[i] = h[i] > high[i] ? h[i] : high[i];
       sum[i] += static_cast<double>(valid ? h[i] : Value{0});

@@ -5,6 +5,7 @@
 #include "profiles/level_ground.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace orograph {
@@ -113,7 +114,7 @@ LevelGround find(const Grid& grid, const std::vector<Height>& heights, std::size
                                               : heights[grid.index(column + 1, row)];
     const Height sum =
         corner + heights[grid.index(column, row)] + heights[grid.index(column + 1, row + 1)];
-    return sum == sum && !level.triangles.has(column, row, half);
+    return !std::isnan(sum) && !level.triangles.has(column, row, half);
   };
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!is_large(i)) continue;

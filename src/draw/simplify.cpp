@@ -43,7 +43,7 @@ void simplify(std::span<const Vec2> points, double tolerance, std::vector<std::u
       if (kept.back() != i - 1) kept.push_back(i - 1);
       sector = {};
       d = points[i] - points[kept.back()];
-      farthest = distance = length(d);
+      distance = length(d);
     }
     farthest = distance;
     sector.narrow(d, distance, tolerance);

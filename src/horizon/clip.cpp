@@ -142,62 +142,92 @@ Item item_of(const HorizonPiece& piece, const ClipOptions&) {
   return {piece.source, piece.x_begin, piece.x_end, piece.inked};
 }
 
-// The walk along a list and the horizon at once: `emit` gets what becomes of the horizon, piece by
-// piece, and the number of the old piece that it is of.
-template <class List, class Emit>
+// The walk along a list and the horizon at once. `sink` is told what becomes of the horizon, left
+// to right: `keep` for a part of a piece that nothing meets, `meet` for a stretch of the list
+// against a piece, `rest` for the piece from an X on and all behind it.
+template <class List, class Sink>
 void walk(const List& list, const Horizon& horizon, const ClipOptions& options,
-          ClipWorkspace& workspace, const Emit& emit) {
+          ClipWorkspace& workspace, Sink& sink) {
   workspace.visible.clear();
   workspace.hidden.clear();
   workspace.tied.clear();
   std::size_t at = 0;
-  HorizonPiece current = horizon.front(); // what is left of horizon[at]
+  double begin = horizon.front().x_begin; // of what is left of horizon[at]
   for (std::uint32_t number = 0; number < list.size(); ++number) {
     const Item item = item_of(list[number], options);
     if (item.source.id == kSky) continue;
-    while (current.x_end <= item.x_begin) {
-      emit(current, at);
-      current = horizon[++at];
+    while (horizon[at].x_end <= item.x_begin) {
+      sink.keep(horizon[at], begin, horizon[at].x_end);
+      begin = horizon[++at].x_begin;
     }
-    if (current.x_begin < item.x_begin) {
-      HorizonPiece left = current;
-      left.x_end = item.x_begin;
-      emit(left, at);
-      current.x_begin = item.x_begin;
-    }
-    for (double a = item.x_begin; a < item.x_end;) {
-      const double b = std::min(item.x_end, current.x_end);
-      const Step step = resolve(item.source, current, a, b, options);
+    if (begin < item.x_begin) sink.keep(horizon[at], begin, item.x_begin);
+    for (begin = item.x_begin; begin < item.x_end;) {
+      const HorizonPiece& piece = horizon[at];
+      const double end = std::min(item.x_end, piece.x_end);
+      const Step step = resolve(item.source, piece, begin, end, options);
       ++workspace.steps;
       workspace.ties += step.tied ? 1 : 0;
       for (int i = 0; i < step.count; ++i) {
         const Stretch& s = step.stretches[static_cast<std::size_t>(i)];
-        emit(raised(item.source, item.inked, current, s, step.tied, options.role), at);
+        sink.meet(item, at, s, step.tied);
         if (s.above && options.role != Role::occluder)
           append(workspace.visible, piece_of(item.source, number, step, s));
         else if (workspace.keep_hidden)
           append(step.tied ? workspace.tied : workspace.hidden,
                  piece_of(item.source, number, step, s));
       }
-      current.x_begin = a = b;
-      if (current.x_end <= b) current = horizon[++at];
+      begin = end;
+      if (piece.x_end <= end) ++at;
     }
   }
-  emit(current, at);
-  for (++at; at < horizon.size(); ++at) emit(horizon[at], at);
+  sink.rest(at, begin);
 }
+
+// Writes the horizon anew.
+struct Writer {
+  const Horizon& horizon;
+  const ClipOptions& options;
+  ClipWorkspace& workspace;
+
+  void write(const HorizonPiece& piece) {
+    append(workspace.next, piece, options.collapse);
+    ++workspace.pieces_uncollapsed;
+  }
+  void keep(HorizonPiece piece, double begin, double end) {
+    piece.x_begin = begin;
+    piece.x_end = end;
+    write(piece);
+  }
+  void meet(const Item& item, std::size_t at, const Stretch& stretch, bool tied) {
+    write(raised(item.source, item.inked, horizon[at], stretch, tied, options.role));
+  }
+  void rest(std::size_t at, double begin) {
+    keep(horizon[at], begin, horizon[at].x_end);
+    for (++at; at < horizon.size(); ++at) write(horizon[at]);
+  }
+};
+
+// Leaves the horizon as it is, and notes where it is tied and drawn.
+struct Marker {
+  const Horizon& horizon;
+  std::vector<ClipWorkspace::Mark>& marks;
+
+  void keep(const HorizonPiece&, double, double) {}
+  void meet(const Item&, std::size_t at, const Stretch& stretch, bool tied) {
+    if (tied && stretch.above && !horizon[at].inked)
+      marks.push_back({at, stretch.x_begin, stretch.x_end});
+  }
+  void rest(std::size_t, double) {}
+};
 
 template <class List>
 void clip_list(const List& list, Horizon& horizon, const ClipOptions& options,
                ClipWorkspace& workspace) {
-  Horizon& next = workspace.next;
-  next.clear();
-  walk(list, horizon, options, workspace, [&](const HorizonPiece& piece, std::size_t) {
-    append(next, piece, options.collapse);
-    ++workspace.pieces_uncollapsed;
-  });
-  workspace.pieces_collapsed += next.size();
-  horizon.swap(next);
+  workspace.next.clear();
+  Writer writer{horizon, options, workspace};
+  walk(list, horizon, options, workspace, writer);
+  workspace.pieces_collapsed += workspace.next.size();
+  horizon.swap(workspace.next);
 }
 
 // Marks a part of horizon[at] as inked; what is collapsed stays collapsed.
@@ -229,9 +259,8 @@ void clip_compared(std::span<const Segment> segments, Horizon& horizon, const Cl
                    ClipWorkspace& workspace) {
   auto& marks = workspace.marks;
   marks.clear();
-  walk(segments, horizon, options, workspace, [&](const HorizonPiece& piece, std::size_t at) {
-    if (piece.inked && !horizon[at].inked) marks.push_back({at, piece.x_begin, piece.x_end});
-  });
+  Marker marker{horizon, marks};
+  walk(segments, horizon, options, workspace, marker);
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)
     ink(horizon, mark->at, mark->begin, mark->end);
 }
