@@ -107,10 +107,10 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   const GridCutter cutter(terrain.grid, view, scene.level.triangles);
   const double from_m =
       view.is_perspective() ? view.near_m : -std::numeric_limits<double>::infinity();
-  LineSweep lines(terrain.grid, view, lines_of(terrain, scene, settings), from_m);
+  const TieTolerance tolerance = tie_tolerance(scene, settings.visibility_tolerance_mm);
+  LineSweep lines(terrain.grid, view, lines_of(terrain, scene, settings), from_m, tolerance);
   watch.mark(seconds.facing);
 
-  const TieTolerance tolerance = tie_tolerance(scene, settings.visibility_tolerance_mm);
   const ClipOptions clip_options{surface ? Role::compared : Role::drawn_occluder, tolerance,
                                  instruments.collapse};
   // Half of the points of a check are asked of profiles, half of the other lines.

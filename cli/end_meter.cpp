@@ -106,6 +106,7 @@ void EndMeter::measure(const End& end, bool on_edge) {
     back = farther_back;
     on = farther_on;
   }
+  std::optional<double> displacement;
   if (step) {
     double hidden = step->first.mm, visible = step->second.mm;
     for (int i = 0; i < 60 && std::abs(visible - hidden) > 1e-13; ++i) {
@@ -117,13 +118,16 @@ void EndMeter::measure(const End& end, bool on_edge) {
     constexpr int kParts = 8;
     for (int i = 0; i <= kParts; ++i)
       across = std::max(across, std::abs(above(end.at_mm + (visible - end.at_mm) * i / kParts)));
-    ends_.largest_mm = std::max(ends_.largest_mm, std::min(along, across));
-    return;
+    displacement = std::min(along, across);
   }
-  const double beside = kNearest_mm * end.forward;
-  const bool close = std::min(std::abs(above(end.at_mm - beside)),
-                              std::abs(above(end.at_mm + beside))) <= tolerance_mm_;
-  ++(close ? ends_.tied : ends_.astray);
+  // A stretch that is tied with what is in front is left out where that is drawn: it has ends, but
+  // the ray walk may see it a little above.
+  const bool tied = std::min(std::abs(above(end.at_mm - kNearest_mm)),
+                             std::abs(above(end.at_mm + kNearest_mm))) <= tolerance_mm_;
+  if (displacement && (!tied || *displacement <= tolerance_mm_))
+    ends_.largest_mm = std::max(ends_.largest_mm, *displacement);
+  else
+    ++(tied ? ends_.tied : ends_.astray);
 }
 
 void EndMeter::measure_some(std::uint64_t count, bool on_edge) {

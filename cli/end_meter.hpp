@@ -15,7 +15,7 @@ namespace orograph {
 
 struct EndSample {
   std::uint64_t asked = 0;
-  std::uint64_t tied = 0;   ///< nothing there but what is within the tolerance of the horizon
+  std::uint64_t tied = 0;   ///< there the line is within the tolerance of what is in front
   std::uint64_t astray = 0; ///< no true end within kFarthestEnd_mm: the ink around is wrong
   double largest_mm = 0;    ///< of the others
 };

@@ -47,8 +47,9 @@ void join(std::vector<LinePart>& parts) {
 } // namespace
 
 LineSweep::LineSweep(const Grid& grid, const View& view, std::vector<SweptLine> lines,
-                     double from_m)
-    : view_(view), lines_(std::move(lines)), from_m_(from_m), rounding_m_(rounding_m(grid, view)),
+                     double from_m, const TieTolerance& tolerance)
+    : view_(view), lines_(std::move(lines)), from_m_(from_m), tolerance_(tolerance),
+      rounding_m_(rounding_m(grid, view)),
       slabs_(
           static_cast<std::uint32_t>(lines_.size()),
           [&grid, &view, this](std::uint32_t i) { return line_of(grid, view, lines_[i].edge); },
@@ -116,7 +117,8 @@ void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspac
   const auto line_number = [&](const SurfaceLine& line) {
     return static_cast<std::uint32_t>(line.source.id & ~kLineBit);
   };
-  for (const auto& [index, t_begin, t_end] : slab_horizon_.visible_parts(in_slab_, horizon)) {
+  for (const auto& [index, t_begin, t_end] :
+       slab_horizon_.visible_parts(in_slab_, horizon, tolerance_)) {
     const std::uint32_t number = line_number(in_slab_[index]);
     const Projected p = project_line(number, slabs_.line(number));
     const auto [begin, end] = std::minmax({along_edge(p, t_begin), along_edge(p, t_end)});
@@ -148,7 +150,8 @@ std::vector<LinePart> LineSweep::skyline(const Horizon& horizon) const {
     parts.push_back({number, begin, end});
   }
   join(parts);
-  return parts;
+  // What is tied with another line may be of the horizon and not be drawn.
+  return without(parts, without(parts, parts_));
 }
 
 void LineSweep::finish() {

@@ -33,7 +33,8 @@ struct LinePart {
 class LineSweep {
 public:
   /// REQUIRES that grid and view outlive the sweep. `from_m` is where the first slab begins.
-  LineSweep(const Grid& grid, const View& view, std::vector<SweptLine> lines, double from_m);
+  LineSweep(const Grid& grid, const View& view, std::vector<SweptLine> lines, double from_m,
+            const TieTolerance& tolerance);
 
   /// The slab up to the plane at `to_m`. `horizon` is made of what stands in front of the slab, and
   /// then of what stands in the slab as well, but for lines that lie in its last plane: they hide
@@ -44,7 +45,8 @@ public:
   void finish();
   /// All visible parts, by line. REQUIRES `finish`.
   const std::vector<LinePart>& visible_parts() const { return parts_; }
-  /// The parts of drawn silhouettes that `horizon`, the one behind everything, is made of.
+  /// The visible parts of silhouettes that `horizon`, the one behind everything, is made of.
+  /// REQUIRES `finish`.
   std::vector<LinePart> skyline(const Horizon& horizon) const;
 
   const SweptLine& line(std::uint32_t i) const { return lines_[i]; }
@@ -68,6 +70,7 @@ private:
   const View& view_;
   std::vector<SweptLine> lines_;
   double from_m_;
+  TieTolerance tolerance_;
   double rounding_m_; ///< bound on the rounding of u and v
   SlabLines slabs_;
   SlabHorizon slab_horizon_;

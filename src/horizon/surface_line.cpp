@@ -59,7 +59,8 @@ bool is_below(const SurfaceLine& line, const Horizon& horizon) {
 }
 
 template <class Take>
-void above_horizon(const SurfaceLine& line, const Horizon& horizon, const Take& take) {
+void above_horizon(const SurfaceLine& line, const Horizon& horizon, const TieTolerance& tolerance,
+                   const Take& take) {
   using enum Standing::Kind;
   const Segment& source = line.source;
   for (auto piece = piece_at(horizon, line.begin);
@@ -71,9 +72,9 @@ void above_horizon(const SurfaceLine& line, const Horizon& horizon, const Take& 
       take(part);
       continue;
     }
-    const Standing standing = compare(source, piece->source, {});
+    const Standing standing = compare(source, piece->source, tolerance);
     const double t = std::clamp(standing.t, part.begin, part.end);
-    if (standing.kind == above) take(part);
+    if (standing.kind == above || (standing.kind == tied && !piece->inked)) take(part);
     if (standing.kind == above_then_below) take({part.begin, t});
     if (standing.kind == below_then_above) take({t, part.end});
   }
@@ -105,9 +106,9 @@ double last_x(const SurfaceLine& line) {
 
 } // namespace
 
-// Adds where `behind` is hidden by `front`: where that is nearer and higher.
+// Adds where `behind` is hidden by `front`: where that is nearer and higher, or tied with it.
 void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t front,
-                              std::uint32_t behind) {
+                              std::uint32_t behind, const TieTolerance& tolerance) {
   const SurfaceLine &f = lines[front], &b = lines[behind];
   if (!f.hides || !b.drawn || f.upright()) return;
   if (b.upright()) {
@@ -120,10 +121,13 @@ void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t 
   }
   const double low = std::max(f.begin, b.begin), high = std::min(f.end, b.end);
   if (!(low < high)) return;
-  const Stretch stretch = intersection(positive(nearness_at(f, low) - nearness_at(b, low),
-                                                nearness_at(f, high) - nearness_at(b, high)),
-                                       positive(height_difference(f.source, b.source, low),
-                                                height_difference(f.source, b.source, high)));
+  Stretch stretch = positive(nearness_at(f, low) - nearness_at(b, low),
+                             nearness_at(f, high) - nearness_at(b, high));
+  const bool one_line = f.drawn && tolerance.mm > 0 &&
+                        compare(b.source, f.source, tolerance).kind == Standing::Kind::tied;
+  if (!one_line)
+    stretch = intersection(stretch, positive(height_difference(f.source, b.source, low),
+                                             height_difference(f.source, b.source, high)));
   if (stretch.empty()) return;
   const double t_low = parameter_at(b.source, low), t_high = parameter_at(b.source, high);
   const auto t_at = [&](double share) {
@@ -133,7 +137,8 @@ void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t 
 }
 
 std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceLine>& lines,
-                                                            const Horizon& horizon) {
+                                                            const Horizon& horizon,
+                                                            const TieTolerance& tolerance) {
   parts_.clear();
   std::erase_if(lines, [&](const SurfaceLine& line) {
     return line.upright() ? !line.drawn : is_below(line, horizon);
@@ -153,8 +158,8 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
     const double x = first_x(lines[i]);
     std::erase_if(active_, [&](std::uint32_t k) { return last_x(lines[k]) < x; });
     for (const std::uint32_t k : active_) {
-      hide_behind(lines, k, i);
-      hide_behind(lines, i, k);
+      hide_behind(lines, k, i, tolerance);
+      hide_behind(lines, i, k, tolerance);
     }
     active_.push_back(i);
   }
@@ -180,7 +185,7 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
     if (line.upright())
       take(upright_above(line, greatest_height(horizon, line.source.x0, line.beside)));
     else
-      above_horizon(line, horizon, take);
+      above_horizon(line, horizon, tolerance, take);
   }
   return parts_;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/segment.hpp"
+#include "horizon/compare.hpp"
 #include "horizon/horizon.hpp"
 
 #include <cstdint>
@@ -45,14 +46,16 @@ public:
   /// in closed form; ends that two lines share count as exactly equal. Lines that are wholly below
   /// `horizon` are dropped from `lines` first.
   std::span<const VisibleLinePart> visible_parts(std::vector<SurfaceLine>& lines,
-                                                 const Horizon& horizon);
+                                                 const Horizon& horizon,
+                                                 const TieTolerance& tolerance = {});
 
 private:
   struct Hidden {
     std::uint32_t line;
     double begin, end;
   };
-  void hide_behind(std::span<const SurfaceLine> lines, std::uint32_t front, std::uint32_t behind);
+  void hide_behind(std::span<const SurfaceLine> lines, std::uint32_t front, std::uint32_t behind,
+                   const TieTolerance& tolerance);
 
   std::vector<std::uint32_t> by_x_, active_;
   std::vector<Hidden> hidden_;
