@@ -24,8 +24,8 @@ constexpr double kFarthestEnd_mm = 10;
 
 /// From ends of drawn pieces, taken at random where a line goes on but is hidden, looks for the
 /// true end nearest along the line, by the ray walk and bisection. Where line and horizon cross at
-/// so small an angle that they stay closer to each other than that, their distance counts (DESIGN
-/// section 4).
+/// so small an angle that they stay closer to each other than that, their distance counts
+/// (docs/how-it-works.md).
 class EndMeter : public LineObserver {
 public:
   /// At most so many ends of each profile, and of the other lines.

@@ -10,8 +10,8 @@
 namespace orograph {
 namespace {
 
-// Ends of strokes are within this, or the two lines that cross there are, measured across (DESIGN
-// section 4).
+// Ends of strokes are within this, or the two lines that cross there are, measured across
+// (docs/how-it-works.md).
 constexpr double kArithmetic_mm = 1e-9;
 
 double rounding_mm(const WriteOptions& write) {

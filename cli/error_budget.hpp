@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a drawn line can be from where it should be, by cause (DESIGN section 5).
+// How far a drawn line can be from where it should be, by cause (docs/how-it-works.md).
 #pragma once
 
 #include "cli/render_settings.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The run report: what was drawn, how exactly and in which time, as JSON (DESIGN section 8).
+// The run report: what was drawn, how exactly and in which time, as JSON (docs/how-it-works.md).
 #pragma once
 
 #include "geometry/homography.hpp"

@@ -14,8 +14,7 @@
 namespace orograph {
 namespace {
 
-// Pen widths between profiles that read well on real terrain (DESIGN section 3, "What looks
-// right").
+// Pen widths between profiles that read well on real terrain (docs/how-it-works.md).
 constexpr double kPenWidthsApart = 4;
 
 ViewRequest view_request(const RenderSettings& settings, const MapFrame& map, double exaggeration) {

@@ -11,7 +11,7 @@ function(orograph_stage name)
 endfunction()
 
 # The same drawing for the same input on every machine: no contraction to fused multiply-add
-# (DESIGN section 5). Debug information in sanitized builds for readable findings.
+# (docs/how-it-works.md). Debug information in sanitized builds for readable findings.
 function(orograph_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
     -Wcast-align -Woverloaded-virtual -Werror -ffp-contract=off)

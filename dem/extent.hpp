@@ -9,8 +9,8 @@ namespace orograph {
 
 /// What one pass over the heights tells.
 struct GridExtent {
-  BlockedPoints blocks;     ///< valid vertices (ground position and height, metres); refers to the grid
-  Box3 box;                 ///< of all valid vertices
+  BlockedPoints blocks; ///< valid vertices (ground position and height, metres); refers to the grid
+  Box3 box;             ///< of all valid vertices
   double mean_height_m = 0; ///< of all valid vertices
   std::size_t valid = 0;    ///< vertices that have a height
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A grid of heights: the terrain of a DEM (DESIGN section 3, "The surface").
+// A grid of heights: the terrain of a DEM (docs/how-it-works.md).
 #pragma once
 
 #include "geometry/vec.hpp"
@@ -21,9 +21,9 @@ namespace orograph {
 /// that they are small numbers.
 struct Grid {
   int columns = 0, rows = 0;
-  Vec2 first_vertex_m;  ///< ground position of vertex (0, 0), the north-west one
-  Vec2 column_step_m;   ///< from a column to the next, eastward
-  Vec2 row_step_m;      ///< from a row to the next, southward
+  Vec2 first_vertex_m; ///< ground position of vertex (0, 0), the north-west one
+  Vec2 column_step_m;  ///< from a column to the next, eastward
+  Vec2 row_step_m;     ///< from a row to the next, southward
   /// Row-major, rows * columns. float unless the file has heights in double precision.
   std::variant<std::vector<float>, std::vector<double>> heights_m;
 

@@ -13,11 +13,11 @@ namespace orograph {
 /// Between ground metres and the terrain's own coordinates (its CRS's axes and units, heights in
 /// the file's unit).
 struct MapFrame {
-  Vec2 origin;             ///< map coordinates of the ground frame's origin, in CRS units
-  double unit_m = 1;       ///< metres in one CRS unit
+  Vec2 origin;              ///< map coordinates of the ground frame's origin, in CRS units
+  double unit_m = 1;        ///< metres in one CRS unit
   double height_unit_m = 1; ///< metres in one unit of the file's heights
-  std::string crs_wkt;     ///< empty where the file has none
-  std::string crs_name;    ///< for people; "none" where the file has none
+  std::string crs_wkt;      ///< empty where the file has none
+  std::string crs_name;     ///< for people; "none" where the file has none
   std::string unit_name = "metre";
   std::string height_unit_name = "metre";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the terrain ends against what is behind it (DESIGN section 3).
+// Where the terrain ends against what is behind it (docs/how-it-works.md).
 #pragma once
 
 #include "dem/grid.hpp"

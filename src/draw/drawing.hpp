@@ -54,7 +54,7 @@ struct Drawing {
   Page page;
   std::string title;
   std::string description;
-  std::string crs_wkt; ///< of the map points; empty where the terrain has none
+  std::string crs_wkt;       ///< of the map points; empty where the terrain has none
   std::vector<Layer> layers; ///< in drawing order
 };
 

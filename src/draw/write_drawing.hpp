@@ -14,8 +14,8 @@ enum class Format { svg, pdf, ps, eps, png, geojson, gpkg };
 
 struct WriteOptions {
   Format format = Format::svg;
-  double dpi = 300;         ///< PNG only
-  bool overwrite = false;   ///< may replace an existing file
+  double dpi = 300;       ///< PNG only
+  bool overwrite = false; ///< may replace an existing file
 };
 
 /// Whether the format holds map points: the drawing must have them then.

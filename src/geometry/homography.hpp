@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of the visibility plane on the page: one 3x3 matrix (DESIGN section 3).
+// The picture of the visibility plane on the page: one 3x3 matrix (docs/how-it-works.md).
 #pragma once
 
 #include "geometry/vec.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A point in the profile frame of a view (DESIGN section 3).
+// A point in the profile frame of a view (docs/how-it-works.md).
 #pragma once
 
 namespace orograph {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clipping segments against the horizon: Greenspun and Little, "Recursive hidden-line elimination
-// on an infinite surface" (1988), "Recursive clipping" and "Real work"; made exact as in DESIGN
-// section 4.
+// on an infinite surface" (1988), "Recursive clipping" and "Real work"; made exact:
+// docs/how-it-works.md.
 #pragma once
 
 #include "horizon/compare.hpp"

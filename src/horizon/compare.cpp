@@ -20,7 +20,7 @@ Standing compare(const Segment& p, const Segment& s, const TieTolerance& toleran
   if (at_low <= 0 && at_high <= 0) return {below};
 
   // The parameter comes from the differences, not from the rounded x: on a steep segment one ulp of
-  // x is a long way (DESIGN section 4).
+  // x is a long way (docs/how-it-works.md).
   const double share = at_low / (at_low - at_high);
   const double x = std::min(low + share * (high - low), high);
   const double t_low = parameter_at(p, low), t_high = parameter_at(p, high);

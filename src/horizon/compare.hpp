@@ -9,7 +9,7 @@
 
 namespace orograph {
 
-/// The visibility tolerance τ (DESIGN section 4, "Ties"): a length on paper, turned into a
+/// The visibility tolerance τ (docs/how-it-works.md): a length on paper, turned into a
 /// difference of Y at a place.
 struct TieTolerance {
   double mm = 0; ///< 0 compares exactly

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reference for the clip: the same pieces, in exact rational arithmetic (DESIGN section 5).
+// The reference for the clip: the same pieces, in exact rational arithmetic (docs/how-it-works.md).
 #pragma once
 
 #include "geometry/segment.hpp"
@@ -28,7 +28,7 @@ struct ExactClip {
 
 /// Clips lists of segments, nearest list first, against the horizon of the lists in front. Doubles
 /// are taken as exact, and so is every comparison. A piece that lies on the horizon all along is
-/// drawn only where no line is drawn yet (DESIGN section 4, with a tolerance of 0).
+/// drawn only where no line is drawn yet (docs/how-it-works.md, with a tolerance of 0).
 /// REQUIRES finite coordinates and x0 < x1. Cost about 5 microseconds for each segment and for
 /// each piece of horizon that it meets.
 std::vector<ExactClip> exact_clip(std::span<const ExactList> lists);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reference for visibility: what stands between the eye and a ground point (DESIGN section 5).
+// The reference for visibility: what stands between the eye and a ground point
+// (docs/how-it-works.md).
 #pragma once
 
 #include "dem/grid.hpp"

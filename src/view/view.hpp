@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A view that has met its terrain: the profile frame and the visibility plane (DESIGN section 3).
+// A view that has met its terrain: the profile frame and the visibility plane
+// (docs/how-it-works.md).
 #pragma once
 
 #include "geometry/angle.hpp"

@@ -101,7 +101,8 @@ TEST_CASE("simplification is measured, and stays within its promise") {
 
 TEST_CASE("arithmetic is measured against exact arithmetic") {
   CHECK_FALSE(row_named("profiles, 25 profiles, exact").arithmetic_mm);
-  // Ends of the clip in double are within 1e-9 mm (DESIGN section 4), and float isn't that good.
+  // Ends of the clip in double are within 1e-9 mm (docs/how-it-works.md), and float isn't that
+  // good.
   CHECK(*row_named("profiles, 25 profiles, double").arithmetic_mm <= 1e-9);
   const double in_float = *row_named("profiles, 25 profiles, float").arithmetic_mm;
   CHECK(in_float > 1e-7);

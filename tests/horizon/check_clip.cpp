@@ -36,7 +36,7 @@ Front greatest_in_front(const FlatScene& scene, std::size_t list, long double x)
   return front;
 }
 
-// A few ulp of the heights, and of x times the slope (DESIGN section 4).
+// A few ulp of the heights, and of x times the slope (docs/how-it-works.md).
 double rounding_of(const Segment& s) {
   const double slope = std::abs((s.y1 - s.y0) / (s.x1 - s.x0));
   return 8 * std::numeric_limits<double>::epsilon() *

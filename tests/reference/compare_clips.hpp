@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `clip` against the exact clip, on a flat scene: what double precision promises (DESIGN section
-// 4).
+// `clip` against the exact clip, on a flat scene: what double precision promises
+// (docs/how-it-works.md).
 #pragma once
 
 #include "horizon/clip.hpp"
