@@ -266,8 +266,8 @@ void clip_compared(std::span<const Segment> segments, Horizon& horizon, const Cl
 }
 
 // The sky with a list of disjoint pieces in it.
-Horizon horizon_of(std::span<const HorizonPiece> pieces) {
-  Horizon horizon;
+void put_into_sky(std::span<const HorizonPiece> pieces, Horizon& horizon) {
+  horizon.clear();
   HorizonPiece sky = initial_horizon().front();
   for (const HorizonPiece& piece : pieces) {
     sky.x_end = piece.x_begin;
@@ -277,16 +277,6 @@ Horizon horizon_of(std::span<const HorizonPiece> pieces) {
   }
   sky.x_end = std::numeric_limits<double>::infinity();
   horizon.push_back(sky);
-  return horizon;
-}
-
-Horizon envelope_of(std::span<const std::vector<HorizonPiece>> chains, ClipWorkspace& workspace) {
-  if (chains.size() == 1) return horizon_of(chains.front());
-  const std::size_t half = chains.size() / 2;
-  const Horizon left = envelope_of(chains.first(half), workspace);
-  Horizon right = envelope_of(chains.subspan(half), workspace);
-  clip_list(left, right, {Role::occluder, {}, true}, workspace);
-  return right;
 }
 
 } // namespace
@@ -314,10 +304,17 @@ void raise(std::vector<HorizonPiece>& occluders, Horizon& horizon, ClipWorkspace
     chains[i].push_back(piece);
   }
   const ClipOptions exact{Role::occluder, {}, true};
-  if (used == 1)
+  if (used == 1) {
     clip_list(chains.front(), horizon, exact, workspace);
-  else
-    clip_list(envelope_of(std::span(chains).first(used), workspace), horizon, exact, workspace);
+    return;
+  }
+  auto& envelopes = workspace.envelopes;
+  if (envelopes.size() < used) envelopes.resize(used);
+  for (std::size_t i = 0; i < used; ++i) put_into_sky(chains[i], envelopes[i]);
+  for (std::size_t apart = 1; apart < used; apart *= 2)
+    for (std::size_t i = 0; i + apart < used; i += 2 * apart)
+      clip_list(envelopes[i + apart], envelopes[i], exact, workspace);
+  clip_list(envelopes.front(), horizon, exact, workspace);
 }
 
 } // namespace orograph

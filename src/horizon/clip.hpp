@@ -79,6 +79,7 @@ struct ClipWorkspace {
   std::vector<Mark> marks;                       ///< scratch
   Horizon next;                                  ///< scratch
   std::vector<std::vector<HorizonPiece>> chains; ///< scratch of `raise`
+  std::vector<Horizon> envelopes;                ///< scratch of `raise`
 };
 
 /// Clips segments (in order of X, disjoint but for shared ends, gaps allowed) against `horizon` and
@@ -93,8 +94,8 @@ void clip(std::span<const Segment> segments, Horizon& horizon, const ClipOptions
 
 /// Raises `horizon` by occluders that may overlap and come in any order (it sorts them): compared
 /// exactly, nothing drawn. They are parted into chains of disjoint pieces, the chains are merged
-/// pairwise, and what comes out is merged into the horizon. Cost O(occluders * log of how many
-/// overlap + horizon pieces).
+/// pairwise, and what comes out is merged into the horizon. No allocation once warm. Cost
+/// O(occluders * log of how many overlap + horizon pieces).
 void raise(std::vector<HorizonPiece>& occluders, Horizon& horizon, ClipWorkspace& workspace);
 
 } // namespace orograph
