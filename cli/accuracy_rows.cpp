@@ -9,7 +9,7 @@ namespace {
 // As many as the file has, told by which of them can be read. The coarsest may be too small to be a
 // terrain.
 int overview_count(const RenderSettings& settings) {
-  RasterOptions options = settings.raster;
+  ReadOptions options = settings.raster;
   for (int level = 0;; ++level) {
     options.overview = level;
     try {

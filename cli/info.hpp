@@ -11,7 +11,7 @@ namespace orograph {
 
 struct InfoSettings {
   std::string input;
-  RasterOptions raster;
+  ReadOptions raster;
 };
 
 /// Aligned lines of "word   value": file, size, cell, CRS, units, bounds of the vertices in map

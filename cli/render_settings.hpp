@@ -21,7 +21,7 @@ enum class FlatGround { shore, draw };
 
 struct RenderSettings {
   std::string input, output;
-  RasterOptions raster;
+  ReadOptions raster;
 
   Projection projection = Projection::perspective;
   Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);

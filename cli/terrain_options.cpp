@@ -13,7 +13,7 @@ constexpr auto kGroup = "Terrain";
 
 } // namespace
 
-void add_terrain_options(std::vector<Option>& options, std::string& input, RasterOptions& raster) {
+void add_terrain_options(std::vector<Option>& options, std::string& input, ReadOptions& raster) {
   options.push_back({.name = "INPUT",
                      .help = "the terrain: any raster of heights that GDAL opens, in a projected "
                              "CRS or none; /vsizip/ and other /vsi paths too",

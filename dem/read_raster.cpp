@@ -97,7 +97,7 @@ void note_unwritten(GDALRasterBand& band, const RasterWindow& window, const Heig
     notes.push_back("Parts of the file were never written: their heights are taken as 0.");
 }
 
-Terrain read(const std::string& path, const RasterOptions& options) {
+Terrain read(const std::string& path, const ReadOptions& options) {
   GdalMessages messages;
   Terrain terrain;
   terrain.source = path;
@@ -120,20 +120,21 @@ Terrain read(const std::string& path, const RasterOptions& options) {
   const RasterWindow window = wanted_window(lattice, options.bbox, path);
   const GridOrder order = grid_order(part_of(lattice, window));
   terrain.map.origin = order.first;
-  terrain.grid = empty_grid(order, terrain.map.unit_m);
-  read_heights(band, window, order, code, path, terrain.grid);
+  Grid grid = empty_grid(order, terrain.map.unit_m);
+  read_heights(band, window, order, code, path, grid);
   note_unwritten(band, window, code, terrain.notes);
-  if (options.bbox) cut_to(*options.bbox, lattice, order, terrain.grid);
-  if (!has_height(terrain.grid))
+  if (options.bbox) cut_to(*options.bbox, lattice, order, grid);
+  if (!has_height(grid))
     throw Error(fmt::format("{}{} holds no heights, nodata only", path,
                             options.bbox ? " in the window" : ""),
                 "see 'gdalinfo -stats' for its values and nodata value");
+  terrain.surface = std::move(grid);
   return terrain;
 }
 
 } // namespace
 
-Terrain read_raster(const std::string& path, const RasterOptions& options) {
+Terrain read_raster(const std::string& path, const ReadOptions& options) {
   try {
     return read(path, options);
   } catch (const std::bad_alloc&) {

@@ -2,21 +2,12 @@
 // Reading a DEM through GDAL; the only place that knows GDAL's raster side.
 #pragma once
 
+#include "dem/read_options.hpp"
 #include "dem/terrain.hpp"
-#include "geometry/box.hpp"
 
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace orograph {
-
-struct RasterOptions {
-  int band = 1;                          ///< counted from 1
-  std::vector<std::string> open_options; ///< NAME=VALUE each, handed to the driver
-  std::optional<Box2> bbox;              ///< in map coordinates; keeps the vertices inside it
-  std::optional<int> overview;           ///< level from 0, the finest; none reads full heights
-};
 
 /// Reads one band of any raster that GDAL opens as heights in metres, vertices at cell centres,
 /// brought to the order of `Grid` whatever the file's own (south-up, mirrored, rotated).
@@ -29,6 +20,6 @@ struct RasterOptions {
 /// window doesn't exist or holds fewer than 2 x 2 vertices; every height is nodata; the CRS is
 /// geographic (degrees) or geocentric; the image is colours (Terrain-RGB, RGBA bytes, a palette),
 /// complex, or has ground control points only.
-Terrain read_raster(const std::string& path, const RasterOptions& options = {});
+Terrain read_raster(const std::string& path, const ReadOptions& options = {});
 
 } // namespace orograph

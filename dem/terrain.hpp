@@ -2,9 +2,11 @@
 // What a reader brings: a surface, and how its metres are tied to the file's coordinates.
 #pragma once
 
-#include "dem/grid.hpp"
+#include "dem/surface.hpp"
+#include "dem/triangulate.hpp"
 #include "geometry/vec.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,10 +33,14 @@ struct MapFrame {
 };
 
 struct Terrain {
-  Grid grid;
+  Surface surface;
   MapFrame map;
   std::string source;             ///< the path it was read from, as given
   std::vector<std::string> notes; ///< what the reader assumed, a sentence each, for the report
+  std::optional<TriangulationCounts> triangulation; ///< where it was made of points
+  /// How far the surface may be, in height, from what it was made to stand for; 0 where it stands
+  /// for itself.
+  double surface_error_m = 0;
 };
 
 } // namespace orograph

@@ -15,6 +15,7 @@
 #include "cli/draw_scene.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/grid_of.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,7 @@ void add_rows(Grid& grid, int count, const std::vector<double>& row) {
 }
 
 void read_line(Case& scene, const std::string& word, std::istringstream& words) {
-  Grid& grid = scene.terrain.grid;
+  Grid& grid = grid_of(scene.terrain);
   RenderSettings& settings = scene.settings;
   if (word == "layer") {
     WantedLayer wanted;
@@ -102,7 +103,7 @@ void read_line(Case& scene, const std::string& word, std::istringstream& words) 
 
 Case read_case(const std::filesystem::path& path) {
   Case scene;
-  scene.terrain.grid = {0, 0, {}, {1, 0}, {0, -1}, std::vector<double>()};
+  grid_of(scene.terrain) = {0, 0, {}, {1, 0}, {0, -1}, std::vector<double>()};
   scene.settings.exaggeration = 1;
   scene.settings.flat = FlatGround::draw;
   scene.settings.simplify_mm = 0;

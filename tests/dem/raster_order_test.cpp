@@ -22,7 +22,7 @@ constexpr double rounding = 1e-8;
 
 TEST_CASE("every storage of a surface comes to one grid order, at every angle") {
   for (int angle_deg = -44; angle_deg <= 44; angle_deg += 4) {
-    const Surface surface = rotated_surface(angle_deg);
+    const StoredSurface surface = rotated_surface(angle_deg);
     for (const Storage how : all_storages()) {
       const RasterLattice lattice = stored_lattice(surface, how);
       const GridOrder order = grid_order(lattice);
@@ -61,7 +61,7 @@ TEST_CASE("turning by more than 45 degrees takes the other order of axes") {
 
 TEST_CASE("at 45 degrees all storages agree too") {
   for (const double angle_deg : {45., 135., 225., 315.}) {
-    const Surface surface = rotated_surface(angle_deg);
+    const StoredSurface surface = rotated_surface(angle_deg);
     for (const Storage how : all_storages()) {
       const GridOrder order = grid_order(stored_lattice(surface, how));
       CHECK(order.column_step.x > 0);
@@ -74,7 +74,7 @@ TEST_CASE("at 45 degrees all storages agree too") {
 
 TEST_CASE("a sheared raster keeps its rows to the right of its columns") {
   for (const double shear : {-3., -1., -0.2, 0.2, 1., 3.}) {
-    Surface surface;
+    StoredSurface surface;
     surface.row_step = {8 * shear, -8};
     Vec2 column, row;
     for (const Storage how : all_storages()) {
@@ -103,7 +103,7 @@ TEST_CASE("steps that don't span a plane are told") {
 }
 
 TEST_CASE("a window holds the vertices in the box and no others") {
-  const Surface surface;
+  const StoredSurface surface;
   const Box2 box{{500014, 4999970}, {500036, 4999990}}; // columns 1 to 3, rows 1 to 3
   for (const Storage how : all_storages()) {
     const RasterLattice lattice = stored_lattice(surface, how);
@@ -122,8 +122,8 @@ TEST_CASE("a window holds the vertices in the box and no others") {
 }
 
 TEST_CASE("the window's border counts, whatever rounding does to it") {
-  const Surface surface = [] {
-    Surface odd;
+  const StoredSurface surface = [] {
+    StoredSurface odd;
     odd.first = {0.1, 0.7};
     odd.column_step = {0.1, 0};
     odd.row_step = {0, -0.1};

@@ -10,7 +10,7 @@
 
 namespace orograph {
 
-inline Terrain read_back(const RasterFile& raster, const RasterOptions& options = {}) {
+inline Terrain read_back(const RasterFile& raster, const ReadOptions& options = {}) {
   const TempFolder folder;
   write_raster(raster, folder.file("dem.tif"));
   return read_raster(folder.file("dem.tif"), options);

@@ -15,7 +15,7 @@ using namespace orograph;
 namespace {
 
 // "" if nothing is thrown.
-std::string message_of(const std::string& path, const RasterOptions& options = {}) {
+std::string message_of(const std::string& path, const ReadOptions& options = {}) {
   try {
     read_raster(path, options);
   } catch (const Error& error) {
@@ -35,14 +35,14 @@ void check_message(const std::string& message, const std::vector<std::string>& w
 }
 
 void refused(const RasterFile& raster, const std::vector<std::string>& words,
-             const RasterOptions& options = {}) {
+             const ReadOptions& options = {}) {
   const TempFolder folder;
   write_raster(raster, folder.file("dem.tif"));
   check_message(message_of(folder.file("dem.tif"), options), words);
 }
 
-RasterOptions window(double west, double south, double east, double north) {
-  RasterOptions options;
+ReadOptions window(double west, double south, double east, double north) {
+  ReadOptions options;
   options.bbox = Box2{{west, south}, {east, north}};
   return options;
 }
@@ -102,7 +102,7 @@ TEST_CASE("rasters without a surface are refused") {
 
 TEST_CASE("bands and overviews that aren't there are refused") {
   RasterFile raster = counting_raster(20, 10);
-  RasterOptions options;
+  ReadOptions options;
   options.band = 2;
   refused(raster, {"no band 2", "one band"}, options);
   options.band = 0;
@@ -146,7 +146,7 @@ TEST_CASE("pictures are refused with what to do") {
   raster.bands = 4;
   raster.colours = {"Red", "Green", "Blue", "Alpha"};
   refused(raster, {"colours", "Red", "Terrain-RGB", "gdal_calc.py", "R*65536"});
-  RasterOptions alpha;
+  ReadOptions alpha;
   alpha.band = 4;
   refused(raster, {"colours", "Alpha"}, alpha);
   raster.bands = 1;
@@ -168,7 +168,7 @@ TEST_CASE("values and places that aren't a grid of heights are refused") {
 }
 
 TEST_CASE("an open option without a value is refused") {
-  RasterOptions options;
+  ReadOptions options;
   options.open_options = {"NUM_THREADS"};
   refused(counting_raster(4, 4), {"NUM_THREADS", "NAME=VALUE"}, options);
   options.open_options = {"NUM_THREADS=2"};

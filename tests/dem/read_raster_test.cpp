@@ -6,6 +6,7 @@
 #include "tests/dem/read_back.hpp"
 #include "tests/dem/stored_surface.hpp"
 #include "tests/dem/temp_folder.hpp"
+#include "tests/support/grid_of.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -17,15 +18,15 @@ namespace {
 
 // Every vertex where the surface has it (to the rounding of coordinates of 5e6) and as high, but
 // for a hole at (3, 2).
-void check_surface(const Terrain& terrain, const Surface& surface, double height_tolerance_m) {
-  REQUIRE(terrain.grid.columns == surface.columns);
-  REQUIRE(terrain.grid.rows == surface.rows);
+void check_surface(const Terrain& terrain, const StoredSurface& surface, double height_tolerance_m) {
+  REQUIRE(grid_of(terrain).columns == surface.columns);
+  REQUIRE(grid_of(terrain).rows == surface.rows);
   for (int row = 0; row < surface.rows; ++row)
     for (int column = 0; column < surface.columns; ++column) {
-      const Vec2 ground = terrain.grid.position_m(column, row);
+      const Vec2 ground = grid_of(terrain).position_m(column, row);
       const Vec3 map = terrain.map.to_map({ground.x, ground.y, 0});
       CHECK(length(Vec2{map.x, map.y} - surface.position(column, row)) <= 1e-8);
-      const double height = terrain.grid.height_m(column, row);
+      const double height = grid_of(terrain).height_m(column, row);
       if (column == 3 && row == 2)
         CHECK(std::isnan(height));
       else
@@ -34,7 +35,7 @@ void check_surface(const Terrain& terrain, const Surface& surface, double height
 }
 
 // Raw values from heights, with a hole of `hole`.
-RasterFile encoded(const Surface& surface, Storage how, double scale, double offset, double hole) {
+RasterFile encoded(const StoredSurface& surface, Storage how, double scale, double offset, double hole) {
   RasterFile raster = stored(surface, how);
   for (double& value : raster.values)
     value = value == surface.height(3, 2) ? hole : std::round((value - offset) / scale);
@@ -54,21 +55,21 @@ void for_all_storages(const Check& check) {
 } // namespace
 
 TEST_CASE("one grid from all storages: Float32 with NaN and no nodata value") {
-  for_all_storages([](const Surface& surface, Storage how) {
+  for_all_storages([](const StoredSurface& surface, Storage how) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     check_surface(read_back(encoded(surface, how, 1, 0, nan)), surface, 0);
   });
 }
 
 TEST_CASE("one grid from all storages: Float32 with an infinite hole") {
-  for_all_storages([](const Surface& surface, Storage how) {
+  for_all_storages([](const StoredSurface& surface, Storage how) {
     const double infinity = std::numeric_limits<double>::infinity();
     check_surface(read_back(encoded(surface, how, 1, 0, -infinity)), surface, 0);
   });
 }
 
 TEST_CASE("one grid from all storages: Int16 with nodata +32767") {
-  for_all_storages([](const Surface& surface, Storage how) {
+  for_all_storages([](const StoredSurface& surface, Storage how) {
     RasterFile raster = encoded(surface, how, 1, 0, 32767);
     raster.type = "Int16";
     raster.nodata = 32767;
@@ -77,7 +78,7 @@ TEST_CASE("one grid from all storages: Int16 with nodata +32767") {
 }
 
 TEST_CASE("one grid from all storages: UInt16 with scale and offset, raw nodata") {
-  for_all_storages([](const Surface& surface, Storage how) {
+  for_all_storages([](const StoredSurface& surface, Storage how) {
     RasterFile raster = encoded(surface, how, 0.1, -100, 65535);
     raster.type = "UInt16";
     raster.nodata = 65535;
@@ -89,7 +90,7 @@ TEST_CASE("one grid from all storages: UInt16 with scale and offset, raw nodata"
 }
 
 TEST_CASE("one grid from all storages: Float64") {
-  for_all_storages([](const Surface& surface, Storage how) {
+  for_all_storages([](const StoredSurface& surface, Storage how) {
     RasterFile raster = encoded(surface, how, 1, 0, -9999);
     raster.type = "Float64";
     raster.nodata = -9999;
@@ -102,16 +103,16 @@ TEST_CASE("nodata at the end of float's range, as written with 15 digits") {
   raster.values[5] = static_cast<double>(std::numeric_limits<float>::lowest());
   raster.nodata = -3.40282346638529e+38;
   const Terrain terrain = read_back(raster);
-  CHECK(std::isnan(terrain.grid.height_m(1, 1)));
-  CHECK(terrain.grid.height_m(2, 1) == 6);
+  CHECK(std::isnan(grid_of(terrain).height_m(1, 1)));
+  CHECK(grid_of(terrain).height_m(2, 1) == 6);
 }
 
 TEST_CASE("positions along a row of an upright grid are whole steps, exactly") {
   for (const Storage how : all_storages()) {
-    const Terrain terrain = read_back(stored(Surface{}, how));
-    for (int row = 0; row < terrain.grid.rows; ++row)
-      for (int column = 0; column < terrain.grid.columns; ++column)
-        CHECK(terrain.grid.position_m(column, row) == Vec2{10. * column, -8. * row});
+    const Terrain terrain = read_back(stored(StoredSurface{}, how));
+    for (int row = 0; row < grid_of(terrain).rows; ++row)
+      for (int column = 0; column < grid_of(terrain).columns; ++column)
+        CHECK(grid_of(terrain).position_m(column, row) == Vec2{10. * column, -8. * row});
     CHECK(terrain.map.origin == Vec2{500005, 4999995});
   }
 }
@@ -120,13 +121,13 @@ TEST_CASE("heights are double only where float can't hold the file's") {
   RasterFile raster = counting_raster(4, 3);
   const auto in_double = [&](const char* type) {
     raster.type = type;
-    return std::holds_alternative<std::vector<double>>(read_back(raster).grid.heights_m);
+    return std::holds_alternative<std::vector<double>>(grid_of(read_back(raster)).heights_m);
   };
   for (const char* type : {"Byte", "Int16", "UInt16", "Float32"}) CHECK(!in_double(type));
   for (const char* type : {"Int32", "UInt32", "Float64"}) CHECK(in_double(type));
   raster.values[5] = 16777217; // the first integer that float can't hold
   raster.type = "Int32";
-  CHECK(read_back(raster).grid.height_m(1, 1) == 16777217);
+  CHECK(grid_of(read_back(raster)).height_m(1, 1) == 16777217);
 }
 
 TEST_CASE("a mask in the file makes gaps as nodata does") {
@@ -135,13 +136,13 @@ TEST_CASE("a mask in the file makes gaps as nodata does") {
   raster.type = "Byte";
   raster.creation_options = {"ALPHA=YES"};
   const Terrain terrain = read_back(raster); // band 2 holds the same values: 0 at the first vertex
-  CHECK(std::isnan(terrain.grid.height_m(0, 0)));
-  CHECK(terrain.grid.height_m(1, 0) == 1);
+  CHECK(std::isnan(grid_of(terrain).height_m(0, 0)));
+  CHECK(grid_of(terrain).height_m(1, 0) == 1);
 }
 
 TEST_CASE("any block layout gives the same heights") {
   RasterFile raster = counting_raster(700, 500);
-  const auto plain = std::get<std::vector<float>>(read_back(raster).grid.heights_m);
+  const auto plain = std::get<std::vector<float>>(grid_of(read_back(raster)).heights_m);
   REQUIRE(plain.size() == 350000);
   CHECK(plain[123456] == 123456);
   for (const std::vector<std::string>& layout :
@@ -150,14 +151,14 @@ TEST_CASE("any block layout gives the same heights") {
         {"BLOCKYSIZE=500", "COMPRESS=DEFLATE"},
         {"BLOCKYSIZE=7"}}) {
     raster.creation_options = layout;
-    CHECK(std::get<std::vector<float>>(read_back(raster).grid.heights_m) == plain);
-    RasterOptions part;
+    CHECK(std::get<std::vector<float>>(grid_of(read_back(raster)).heights_m) == plain);
+    ReadOptions part;
     part.bbox = Box2{{500995, 4996995}, {505005, 4999005}};
     const Terrain window = read_back(raster, part);
-    CHECK(window.grid.columns == 402);
-    CHECK(window.grid.rows == 202);
-    CHECK(window.grid.height_m(0, 0) == 99 * 700 + 99);
-    CHECK(window.grid.height_m(401, 201) == 300 * 700 + 500);
+    CHECK(grid_of(window).columns == 402);
+    CHECK(grid_of(window).rows == 202);
+    CHECK(grid_of(window).height_m(0, 0) == 99 * 700 + 99);
+    CHECK(grid_of(window).height_m(401, 201) == 300 * 700 + 500);
   }
 }
 

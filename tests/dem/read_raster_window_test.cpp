@@ -5,41 +5,42 @@
 #include "tests/dem/read_back.hpp"
 #include "tests/dem/stored_surface.hpp"
 #include "tests/dem/temp_folder.hpp"
+#include "tests/support/grid_of.hpp"
 
 #include <cmath>
 
 using namespace orograph;
 
 TEST_CASE("a window holds the vertices inside it, border included, in any storage") {
-  RasterOptions options;
+  ReadOptions options;
   options.bbox = Box2{{500015, 4999971}, {500034, 4999990}}; // columns 1 to 2, rows 1 to 3
   for (const Storage how : all_storages()) {
-    const Surface surface;
+    const StoredSurface surface;
     const Terrain terrain = read_back(stored(surface, how), options);
-    REQUIRE(terrain.grid.columns == 2);
-    REQUIRE(terrain.grid.rows == 3);
+    REQUIRE(grid_of(terrain).columns == 2);
+    REQUIRE(grid_of(terrain).rows == 3);
     CHECK(terrain.map.origin == surface.position(1, 1));
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 2; ++column)
-        CHECK(terrain.grid.height_m(column, row) == surface.height(column + 1, row + 1));
+        CHECK(grid_of(terrain).height_m(column, row) == surface.height(column + 1, row + 1));
   }
 }
 
 TEST_CASE("a window of a rotated raster has no heights outside the box") {
-  const Surface surface = rotated_surface(30);
+  const StoredSurface surface = rotated_surface(30);
   const Box2 box{{500010, 4999965}, {500055, 5000005}};
-  RasterOptions options;
+  ReadOptions options;
   options.bbox = box;
   for (const Storage how : all_storages()) {
     const Terrain terrain = read_back(stored(surface, how), options);
     int kept = 0, expected = 0;
-    for (int row = 0; row < terrain.grid.rows; ++row)
-      for (int column = 0; column < terrain.grid.columns; ++column) {
-        const Vec2 ground = terrain.grid.position_m(column, row);
+    for (int row = 0; row < grid_of(terrain).rows; ++row)
+      for (int column = 0; column < grid_of(terrain).columns; ++column) {
+        const Vec2 ground = grid_of(terrain).position_m(column, row);
         const Vec3 map = terrain.map.to_map({ground.x, ground.y, 0});
         const bool inside =
             map.x >= box.low.x && map.x <= box.high.x && map.y >= box.low.y && map.y <= box.high.y;
-        CHECK(std::isnan(terrain.grid.height_m(column, row)) == !inside);
+        CHECK(std::isnan(grid_of(terrain).height_m(column, row)) == !inside);
         kept += inside;
       }
     for (int row = 0; row < surface.rows; ++row)
@@ -61,20 +62,20 @@ TEST_CASE("an overview covers the same ground with larger cells") {
   raster.offset = 3;
   raster.unit = "ft";
   for (const int level : {0, 1}) {
-    RasterOptions options;
+    ReadOptions options;
     options.overview = level;
     const Terrain terrain = read_back(raster, options);
     const int columns = level == 0 ? 51 : 26, rows = level == 0 ? 34 : 17;
-    REQUIRE(terrain.grid.columns == columns);
-    REQUIRE(terrain.grid.rows == rows);
+    REQUIRE(grid_of(terrain).columns == columns);
+    REQUIRE(grid_of(terrain).rows == rows);
     const double across = 1010. / columns, down = 670. / rows;
-    CHECK(std::abs(terrain.grid.column_step_m.x - across) <= 1e-12);
-    CHECK(std::abs(terrain.grid.row_step_m.y + down) <= 1e-12);
+    CHECK(std::abs(grid_of(terrain).column_step_m.x - across) <= 1e-12);
+    CHECK(std::abs(grid_of(terrain).row_step_m.y + down) <= 1e-12);
     CHECK(std::abs(terrain.map.origin.x - (500000 + across / 2)) <= 1e-8);
     CHECK(std::abs(terrain.map.origin.y - (5000000 - down / 2)) <= 1e-8);
     // Scale, offset and unit stay those of the full heights; the first cell's value is 0, or a
     // neighbour's within a factor of 4 cells.
-    const double raw = (terrain.grid.height_m(0, 0) / 0.3048 - 3) / 0.5;
+    const double raw = (grid_of(terrain).height_m(0, 0) / 0.3048 - 3) / 0.5;
     CHECK(raw >= -1e-4);
     CHECK(raw <= 4 + 4 * 101);
     CHECK(std::abs(raw - std::round(raw)) <= 1e-4);
@@ -84,12 +85,12 @@ TEST_CASE("an overview covers the same ground with larger cells") {
 TEST_CASE("a window of an overview") {
   RasterFile raster = counting_raster(100, 60);
   raster.overviews = {2};
-  RasterOptions options;
+  ReadOptions options;
   options.overview = 0;
   options.bbox = Box2{{500100, 4999700}, {500300, 4999900}};
   const Terrain terrain = read_back(raster, options);
-  CHECK(terrain.grid.columns == 10);
-  CHECK(terrain.grid.rows == 10);
+  CHECK(grid_of(terrain).columns == 10);
+  CHECK(grid_of(terrain).rows == 10);
   CHECK(terrain.map.origin == Vec2{500110, 4999890});
 }
 
@@ -98,7 +99,7 @@ TEST_CASE("a band other than the first") {
   RasterFile raster = counting_raster(4, 3);
   raster.bands = 2;
   write_raster(raster, folder.file("dem.tif"));
-  RasterOptions options;
+  ReadOptions options;
   options.band = 2;
-  CHECK(read_raster(folder.file("dem.tif"), options).grid.height_m(1, 1) == 5);
+  CHECK(grid_of(read_raster(folder.file("dem.tif"), options)).height_m(1, 1) == 5);
 }

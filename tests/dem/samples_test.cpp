@@ -3,6 +3,7 @@
 #include "dem/extent.hpp"
 #include "dem/read_raster.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/grid_of.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,12 +43,12 @@ TEST_CASE("every sample is read, with its size, cells and heights") {
   for (const Sample& sample : samples) {
     INFO(sample.name);
     const Terrain terrain = read_raster(path_of(sample.name));
-    const GridExtent extent = extent_of(terrain.grid);
+    const GridExtent extent = extent_of(grid_of(terrain));
     CHECK(terrain.notes.empty());
-    CHECK(terrain.grid.columns == sample.columns);
-    CHECK(terrain.grid.rows == sample.rows);
-    CHECK(std::abs(cell_size_m(terrain.grid) - sample.cell_m) <= 1e-9);
-    CHECK(extent.valid == terrain.grid.size());
+    CHECK(grid_of(terrain).columns == sample.columns);
+    CHECK(grid_of(terrain).rows == sample.rows);
+    CHECK(std::abs(cell_size_m(grid_of(terrain)) - sample.cell_m) <= 1e-9);
+    CHECK(extent.valid == grid_of(terrain).size());
     // Heights are kept as float, to 1e-4 m or better.
     CHECK(std::abs(extent.box.low.z - sample.low_m) <= 1e-3);
     CHECK(std::abs(extent.box.high.z - sample.high_m) <= 1e-3);
@@ -59,7 +60,7 @@ TEST_CASE("every sample is read, with its size, cells and heights") {
 TEST_CASE("made samples are what the program makes today") {
   for (const MadeTerrain kind : all_made_terrains) {
     INFO(name_of(kind));
-    const Grid kept = read_raster(path_of(name_of(kind))).grid;
+    const Grid kept = grid_of(read_raster(path_of(name_of(kind))));
     const Grid made = make_terrain(kind, kept.columns);
     double largest = 0;
     for (int row = 0; row < kept.rows; ++row)
@@ -73,7 +74,7 @@ TEST_CASE("made samples are what the program makes today") {
 }
 
 TEST_CASE("the volcano's crater opens where it does in nature") {
-  const Grid grid = read_raster(path_of("volcano")).grid;
+  const Grid grid = grid_of(read_raster(path_of("volcano")));
   // The summit is on the southern rim, the crater's floor north of it, lower than the rim around.
   const auto& heights = std::get<std::vector<float>>(grid.heights_m);
   const auto highest = std::max_element(heights.begin(), heights.end()) - heights.begin();

@@ -11,7 +11,7 @@
 namespace orograph {
 
 /// A lattice of 7 columns and 5 rows with a height at each vertex that no other one has.
-struct Surface {
+struct StoredSurface {
   int columns = 7, rows = 5;
   Vec2 first{500005, 4999995}, column_step{10, 0}, row_step{0, -8};
 
@@ -19,8 +19,8 @@ struct Surface {
   Vec2 position(int column, int row) const { return first + column * column_step + row * row_step; }
 };
 
-inline Surface rotated_surface(double angle_deg) {
-  Surface surface;
+inline StoredSurface rotated_surface(double angle_deg) {
+  StoredSurface surface;
   const double angle = angle_deg * M_PI / 180, c = std::cos(angle), s = std::sin(angle);
   surface.column_step = {10 * c, 10 * s};
   surface.row_step = {8 * s, -8 * c};
@@ -38,7 +38,7 @@ inline std::array<Storage, 8> all_storages() {
   return all;
 }
 
-inline RasterLattice stored_lattice(const Surface& surface, Storage how) {
+inline RasterLattice stored_lattice(const StoredSurface& surface, Storage how) {
   RasterLattice lattice;
   lattice.pixels = how.transposed ? surface.rows : surface.columns;
   lattice.lines = how.transposed ? surface.columns : surface.rows;
@@ -52,7 +52,7 @@ inline RasterLattice stored_lattice(const Surface& surface, Storage how) {
 }
 
 /// As a raster with the surface's heights as raw values.
-inline RasterFile stored(const Surface& surface, Storage how) {
+inline RasterFile stored(const StoredSurface& surface, Storage how) {
   const RasterLattice lattice = stored_lattice(surface, how);
   RasterFile raster = counting_raster(lattice.pixels, lattice.lines);
   const Vec2 p = lattice.pixel_step, l = lattice.line_step;

@@ -5,6 +5,7 @@
 #include "cli/draw_scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_scene.hpp"
+#include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
 
 #include <algorithm>
@@ -88,16 +89,16 @@ Picture picture_of(std::uint64_t seed) {
   Random random(seed + 5);
   settings.from_azimuth = Angle::degrees(random.between(0, 360));
   if (settings.from_elevation < Angle::degrees(1)) settings.from_elevation = Angle::degrees(13);
-  auto& heights = std::get<std::vector<float>>(picture.terrain.grid.heights_m);
+  auto& heights = std::get<std::vector<float>>(grid_of(picture.terrain).heights_m);
   // In double, so that what is done to them rounds little; off their plateaus.
   std::vector<double> wider(heights.begin(), heights.end());
   for (double& h : wider) h += random.between(0, 0.5);
-  picture.terrain.grid.heights_m = std::move(wider);
+  grid_of(picture.terrain).heights_m = std::move(wider);
   return picture;
 }
 
 std::vector<double>& heights_of(Picture& picture) {
-  return std::get<std::vector<double>>(picture.terrain.grid.heights_m);
+  return std::get<std::vector<double>>(grid_of(picture.terrain).heights_m);
 }
 
 // Draws both, and compares all layers.
@@ -137,14 +138,15 @@ TEST_CASE("turning terrain and view together changes nothing") {
     Random random(seed);
     const double degrees = random.between(-180, 180);
     const double turn = degrees * std::acos(-1.0) / 180;
-    Grid& grid = other.terrain.grid;
+    Grid& grid = grid_of(other.terrain);
     // About the middle, which the view is placed by.
     grid.first_vertex_m = turned(grid.first_vertex_m, turn);
     grid.column_step_m = turned(grid.column_step_m, turn);
     grid.row_step_m = turned(grid.row_step_m, turn);
     // A view looks at the middle of the bounding box, which doesn't turn along: name the target.
     const Vec2 target =
-        one.terrain.grid.position_m(one.terrain.grid.columns / 2, one.terrain.grid.rows / 2);
+        grid_of(one.terrain)
+            .position_m(grid_of(one.terrain).columns / 2, grid_of(one.terrain).rows / 2);
     Picture first = one;
     first.settings.look_at_map = Vec3{target.x, target.y, 100};
     const Vec2 turned_target = turned(target, turn);
@@ -160,7 +162,7 @@ TEST_CASE("scaling everything changes nothing; by a power of two, not a bit") {
     const Picture one = picture_of(seed);
     for (const double scale : {1024.0, 0.3}) {
       Picture other = one;
-      Grid& grid = other.terrain.grid;
+      Grid& grid = grid_of(other.terrain);
       grid.first_vertex_m = scale * grid.first_vertex_m;
       grid.column_step_m = scale * grid.column_step_m;
       grid.row_step_m = scale * grid.row_step_m;
@@ -175,7 +177,7 @@ TEST_CASE("a shift by 1e7 changes nothing") {
     CAPTURE(seed);
     const Picture one = picture_of(seed);
     Picture other = one;
-    other.terrain.grid.first_vertex_m = other.terrain.grid.first_vertex_m + Vec2{1e7, -1e7};
+    grid_of(other.terrain).first_vertex_m = grid_of(other.terrain).first_vertex_m + Vec2{1e7, -1e7};
     check_same(one, other, kNear, kShare);
   }
 }
@@ -186,8 +188,8 @@ TEST_CASE("doubling every vertex changes nothing") {
     CAPTURE(seed);
     Picture one = picture_of(seed);
     Picture other = one;
-    const Grid& coarse = one.terrain.grid;
-    Grid& fine = other.terrain.grid;
+    const Grid& coarse = grid_of(one.terrain);
+    Grid& fine = grid_of(other.terrain);
     fine.columns = 2 * coarse.columns - 1;
     fine.rows = 2 * coarse.rows - 1;
     fine.column_step_m = 0.5 * coarse.column_step_m;
@@ -215,7 +217,7 @@ TEST_CASE("a half turn, which keeps the diagonals, changes nothing") {
     CAPTURE(seed);
     const Picture one = picture_of(seed);
     Picture other = one;
-    Grid& grid = other.terrain.grid;
+    Grid& grid = grid_of(other.terrain);
     // The same ground, told from its other end.
     grid.first_vertex_m = grid.position_m(grid.columns - 1, grid.rows - 1);
     grid.column_step_m = -1.0 * grid.column_step_m;
@@ -231,7 +233,7 @@ TEST_CASE("a mirror image of ground whose diagonals don't matter is the mirrored
     Picture one = picture_of(seed);
     Random random(seed);
     // Cells are planar where a height is a function of the column plus one of the row.
-    Grid& grid = one.terrain.grid;
+    Grid& grid = grid_of(one.terrain);
     std::vector<double> by_column, by_row;
     for (int c = 0; c < grid.columns; ++c) by_column.push_back(random.between(0, 300));
     for (int r = 0; r < grid.rows; ++r) by_row.push_back(random.between(0, 300));

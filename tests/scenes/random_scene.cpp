@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/scenes/random_scene.hpp"
 
+#include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
 
 #include <algorithm>
@@ -70,8 +71,8 @@ RandomScene random_scene(std::uint64_t seed) {
   RandomScene scene;
   const MadeTerrain made = all_made_terrains[seed % all_made_terrains.size()];
   scene.what = name_of(made);
-  scene.terrain.grid = window_of(made, random);
-  roughen(scene.terrain.grid, random, scene.what);
+  grid_of(scene.terrain) = window_of(made, random);
+  roughen(grid_of(scene.terrain), random, scene.what);
 
   RenderSettings& settings = scene.settings;
   const double along = 90 * random.whole(0, 3);

@@ -6,6 +6,7 @@
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_scene.hpp"
+#include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
 
 #include <cmath>
@@ -98,7 +99,7 @@ TEST_CASE("and with profiles along rows, columns and diagonals, through their ve
   Sum sum;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_scene(seed);
-    Grid& grid = scene.terrain.grid;
+    Grid& grid = grid_of(scene.terrain);
     Random random(seed + 200000);
     const bool diagonal = random.chance(0.3);
     if (diagonal) grid.row_step_m = {grid.column_step_m.y, -grid.column_step_m.x};
@@ -127,7 +128,7 @@ TEST_CASE("and from an eye on the surface, on a vertex, a millimetre above it") 
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_scene(seed);
     Random random(seed + 100000);
-    put_eye(scene.settings, scene.terrain.grid, random);
+    put_eye(scene.settings, grid_of(scene.terrain), random);
     CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
             scene.settings.eye_map->z);
     try {

@@ -8,13 +8,14 @@
 #include "tests/catch.hpp"
 #include "tests/horizon/check_clip.hpp"
 #include "tests/scenes/random_scene.hpp"
+#include "tests/support/grid_of.hpp"
 
 using namespace orograph;
 
 namespace {
 
 FlatScene cut_all(const Terrain& terrain, const Scene& scene) {
-  const GridCutter cutter(terrain.grid, scene.view, scene.level.triangles);
+  const GridCutter cutter(grid_of(terrain), scene.view, scene.level.triangles);
   FlatScene flat;
   Profile profile;
   for (const double depth : scene.depths_m) {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a user says of the files that a terrain is read from.
+#pragma once
+
+#include "geometry/box.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+struct ReadOptions {
+  std::optional<Box2> bbox; ///< in map coordinates; keeps the vertices inside it
+
+  // Rasters.
+  int band = 1;                          ///< counted from 1
+  std::vector<std::string> open_options; ///< NAME=VALUE each, handed to GDAL's driver
+  std::optional<int> overview;           ///< level from 0, the finest; none reads full heights
+
+  // Triangles and points.
+  std::string layer;   ///< of a vector file, or a LandXML surface's name; empty: the only one
+  bool repair = false; ///< triangles that aren't a terrain are reduced to their upper surface
+
+  // Points.
+  std::array<std::string, 3> columns{"x", "y", "z"}; ///< of a text file
+  std::string height_field;                          ///< of a vector file whose points have no Z
+  std::string breaklines;                            ///< a vector file with lines; empty: none
+  std::string boundary;                              ///< a vector file with polygons; empty: none
+  std::optional<double> max_edge_m;
+};
+
+} // namespace orograph
