@@ -63,7 +63,7 @@ Box2 map_bounds(const Terrain& terrain) {
 std::string describe(const Terrain& terrain) {
   const Grid& grid = terrain.grid;
   const MapFrame& map = terrain.map;
-  const GridExtent extent = extent_of(grid);
+  const SurfaceExtent extent = extent_of(grid);
   const bool single = std::holds_alternative<std::vector<float>>(grid.heights_m);
   const std::size_t missing = grid.size() - extent.valid;
   const auto size = static_cast<double>(grid.size());

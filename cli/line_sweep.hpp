@@ -16,7 +16,7 @@ namespace orograph {
 enum class LineKind : std::uint8_t { silhouette, shore, border };
 
 struct SweptLine {
-  GridEdge edge;
+  SurfaceEdge edge;
   LineKind kind;
   bool hides; ///< is an occluder
   bool drawn;

@@ -14,7 +14,7 @@
 namespace orograph {
 
 struct Scene {
-  GridExtent extent;
+  SurfaceExtent extent;
   std::vector<BorderEdge> border;
   LevelGround level; ///< empty where level ground is drawn like any other
   View view;

@@ -19,21 +19,21 @@ std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
   const bool silhouettes = asks_for(settings, "silhouettes") || asks_for(settings, "skyline");
   const bool border = asks_for(settings, "border");
   std::vector<SweptLine> lines;
-  std::vector<GridEdge> edges;
+  std::vector<SurfaceEdge> edges;
   if (surface || silhouettes) edges = silhouette_edges(terrain.grid, scene.view);
-  for (const GridEdge& edge : edges)
+  for (const SurfaceEdge& edge : edges)
     lines.push_back({edge, LineKind::silhouette, surface, silhouettes});
   if (surface || border)
     for (const BorderEdge& edge : scene.border)
       lines.push_back({edge.edge, LineKind::border, surface, border});
   if (asks_for(settings, "shores")) {
     // A shore that is a silhouette as well is drawn as such, once.
-    const auto before = [](const GridEdge& a, const GridEdge& b) {
+    const auto before = [](const SurfaceEdge& a, const SurfaceEdge& b) {
       return a.from != b.from ? a.from < b.from : a.to < b.to;
     };
     if (!silhouettes) edges.clear();
     std::sort(edges.begin(), edges.end(), before);
-    for (const GridEdge& edge : scene.level.shores)
+    for (const SurfaceEdge& edge : scene.level.shores)
       if (!std::binary_search(edges.begin(), edges.end(), edge, before))
         lines.push_back({edge, LineKind::shore, false, true});
   }

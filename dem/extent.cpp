@@ -101,8 +101,8 @@ std::vector<Vec3> points_in(const Grid& grid, const Block& block, std::vector<Ve
 
 } // namespace
 
-GridExtent extent_of(const Grid& grid) {
-  GridExtent extent;
+SurfaceExtent extent_of(const Grid& grid) {
+  SurfaceExtent extent;
   std::vector<Block> occupied;
   double sum = 0;
   std::visit(

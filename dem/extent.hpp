@@ -1,22 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a grid's heights are, by blocks.
+// Where a surface's heights are, by blocks.
 #pragma once
 
-#include "dem/grid.hpp"
+#include "dem/surface.hpp"
 #include "geometry/blocked_points.hpp"
 
 namespace orograph {
 
 /// What one pass over the heights tells.
-struct GridExtent {
-  BlockedPoints blocks; ///< valid vertices (ground position and height, metres); refers to the grid
+struct SurfaceExtent {
+  BlockedPoints blocks; ///< valid vertices (ground position and height, metres); refers to the surface
   Box3 box;             ///< of all valid vertices
-  double mean_height_m = 0; ///< of all valid vertices
+  double mean_height_m = 0; ///< of all valid vertices; of a TIN, of its ground
   std::size_t valid = 0;    ///< vertices that have a height
 };
 
 /// REQUIRES at least one valid vertex. One pass, at the speed of memory. Blocks are 32 x 32
 /// vertices, so about a thousandth of the heights' memory.
-GridExtent extent_of(const Grid& grid);
+SurfaceExtent extent_of(const Grid& grid);
+/// REQUIRES a triangle. The mean height is that of the ground, each triangle counting by its area
+/// seen from above. Blocks are 1024 vertices on end, which lie close together if the TIN's order is
+/// spatial.
+SurfaceExtent extent_of(const Tin& tin);
+SurfaceExtent extent_of(const Surface& surface);
+
+/// The finest ground detail that a surface holds, in metres: a grid's smaller step; for a TIN the
+/// step of a square grid with as many triangles on as much ground.
+double cell_size_m(const Tin& tin);
+double cell_size_m(const Surface& surface);
 
 } // namespace orograph

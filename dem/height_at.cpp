@@ -48,4 +48,30 @@ std::optional<double> height_at(const Grid& grid, Vec2 ground_m) {
   return std::nullopt;
 }
 
+std::optional<double> height_at(const Tin& tin, Vec2 ground_m) {
+  // A point that is off an edge by the rounding of coordinates is on it.
+  constexpr double kRounding = 1e-12;
+  std::optional<double> highest;
+  for (const auto& [a, b, c] : tin.triangles) {
+    const Vec3 corners[] = {tin.vertices_m[a], tin.vertices_m[b], tin.vertices_m[c]};
+    const auto from_point = [&](int i) {
+      return Vec2{corners[i].x - ground_m.x, corners[i].y - ground_m.y};
+    };
+    const Vec2 p = from_point(0), q = from_point(1), r = from_point(2);
+    const double at_p = cross(q, r), at_q = cross(r, p), at_r = cross(p, q);
+    const double twice_area = at_p + at_q + at_r;
+    if (!(twice_area > 0)) continue; // a wall
+    const double slack = kRounding * twice_area;
+    if (at_p < -slack || at_q < -slack || at_r < -slack) continue;
+    const double height =
+        (at_p * corners[0].z + at_q * corners[1].z + at_r * corners[2].z) / twice_area;
+    if (!highest || height > *highest) highest = height;
+  }
+  return highest;
+}
+
+std::optional<double> height_at(const Surface& surface, Vec2 ground_m) {
+  return std::visit([&](const auto& s) { return height_at(s, ground_m); }, surface);
+}
+
 } // namespace orograph

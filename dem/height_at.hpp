@@ -2,7 +2,7 @@
 // The height of the terrain at a ground point.
 #pragma once
 
-#include "dem/grid.hpp"
+#include "dem/surface.hpp"
 
 #include <optional>
 
@@ -12,5 +12,8 @@ namespace orograph {
 /// none outside of the grid and where no such triangle is there. Exact at vertices: a point within
 /// 1e-9 of a cell of a column or row line counts as on it.
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m);
+/// The highest where a wall stands. Cost: one pass over the triangles.
+std::optional<double> height_at(const Tin& tin, Vec2 ground_m);
+std::optional<double> height_at(const Surface& surface, Vec2 ground_m);
 
 } // namespace orograph

@@ -69,7 +69,9 @@ struct Walk {
     const int row = std::min({a.row, b.row, c.row});
     const auto is_north_east = [&](const Vertex& p) { return p.column > column && p.row == row; };
     const bool upper = is_north_east(a) || is_north_east(b) || is_north_east(c);
-    return level.has(column, row, upper ? Half::upper : Half::lower) ? Span::level : Span::slope;
+    return level.has(grid_triangle(grid, column, row, upper ? Half::upper : Half::lower))
+               ? Span::level
+               : Span::slope;
   }
 
   // What the plane meets on its way through triangle (near, far, ahead).

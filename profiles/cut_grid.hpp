@@ -15,7 +15,7 @@ namespace orograph {
 ///      order from left to right, once; a plane through a grid vertex has that vertex.
 ///  (2) Between two vertices the profile lies in one triangle; where that isn't there is a gap. An
 ///      edge that lies in the plane is there if either of its triangles is, and level if either is.
-///  (3) A crossing is reckoned from its edge's lower vertex (`GridEdge`), exact at both ends.
+///  (3) A crossing is reckoned from its edge's lower vertex (`SurfaceEdge`), exact at both ends.
 /// Cost a plane: O(columns + rows), and no allocation once `out` is warm.
 class GridCutter {
 public:

@@ -72,7 +72,7 @@ void join_rows(const std::vector<Run>& runs, std::size_t north, std::size_t sout
   }
 }
 
-GridEdge edge(const Grid& grid, int c0, int r0, int c1, int r1) {
+SurfaceEdge edge(const Grid& grid, int c0, int r0, int c1, int r1) {
   return {static_cast<std::uint32_t>(grid.index(c0, r0)),
           static_cast<std::uint32_t>(grid.index(c1, r1))};
 }
@@ -98,14 +98,14 @@ LevelGround find(const Grid& grid, const std::vector<Height>& heights, std::size
       std::count_if(size.begin(), size.end(), [&](std::size_t s) { return s >= smallest; }));
   if (level.regions == 0) return level;
 
-  level.triangles = TriangleSet(grid);
+  level.triangles = TriangleSet(grid_triangle_count(grid));
   const auto is_large = [&](std::size_t i) {
     return size[sets.find(static_cast<std::uint32_t>(i))] >= smallest;
   };
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (is_large(i))
       for (std::int32_t t = runs[i].begin; t < runs[i].end; ++t)
-        level.triangles.add(t / 2, runs[i].row, static_cast<Half>(t % 2));
+        level.triangles.add(grid_triangle(grid, t / 2, runs[i].row, static_cast<Half>(t % 2)));
 
   // A shore has level ground on one side and, on the other, terrain that isn't.
   const auto land = [&](int column, int row, Half half) {
@@ -114,7 +114,7 @@ LevelGround find(const Grid& grid, const std::vector<Height>& heights, std::size
                                               : heights[grid.index(column + 1, row)];
     const Height sum =
         corner + heights[grid.index(column, row)] + heights[grid.index(column + 1, row + 1)];
-    return !std::isnan(sum) && !level.triangles.has(column, row, half);
+    return !std::isnan(sum) && !level.triangles.has(grid_triangle(grid, column, row, half));
   };
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!is_large(i)) continue;
@@ -133,18 +133,19 @@ LevelGround find(const Grid& grid, const std::vector<Height>& heights, std::size
       }
     }
   }
+  std::sort(level.shores.begin(), level.shores.end());
   return level;
 }
 
 } // namespace
 
-std::size_t smallest_water(const Grid& grid) {
-  return std::max<std::size_t>(500, 2 * grid.size() / 5000);
-}
-
 LevelGround find_level_ground(const Grid& grid, std::size_t smallest) {
   return std::visit([&](const auto& heights) { return find(grid, heights, smallest); },
                     grid.heights_m);
+}
+
+LevelGround find_water(const Grid& grid) {
+  return find_level_ground(grid, std::max<std::size_t>(500, 2 * grid.size() / 5000));
 }
 
 } // namespace orograph

@@ -2,7 +2,8 @@
 // Seas and lakes: connected triangles of exactly one height.
 #pragma once
 
-#include "dem/grid.hpp"
+#include "dem/surface.hpp"
+#include "profiles/surface_edge.hpp"
 #include "profiles/triangles.hpp"
 
 #include <vector>
@@ -10,8 +11,8 @@
 namespace orograph {
 
 struct LevelGround {
-  TriangleSet triangles;        ///< empty where there is no level ground
-  std::vector<GridEdge> shores; ///< edges between level ground and other terrain
+  TriangleSet triangles;           ///< empty where there is no level ground
+  std::vector<SurfaceEdge> shores; ///< edges between level ground and other terrain, in order
   std::size_t regions = 0;
 };
 
@@ -19,9 +20,14 @@ struct LevelGround {
 /// an edge. Cost: one pass over the heights; memory a bit a triangle and 12 bytes for each run of
 /// level triangles along a row.
 LevelGround find_level_ground(const Grid& grid, std::size_t smallest);
+/// The level regions of at least `smallest_m2`, seen from above. Cost: one pass.
+LevelGround find_level_ground(const Tin& tin, double smallest_m2);
 
-/// The size from which level ground reads as water on a page rather than as a step of whole-metre
-/// heights: 500 triangles, and a five-thousandth of the grid (10 mm² of an A4 map).
-std::size_t smallest_water(const Grid& grid);
+/// Level ground of the size from which it reads as water on a page rather than as a step of
+/// whole-metre heights. Of a grid: 500 triangles, and a five-thousandth of it (10 mm² of an A4
+/// map). Of a TIN, where triangles on a contour line's inner bends are level too: a thousandth of
+/// its ground.
+LevelGround find_water(const Grid& grid);
+LevelGround find_water(const Tin& tin);
 
 } // namespace orograph

@@ -3,6 +3,9 @@
 // diagonal; one more column and row of empty cells closes the east and south sides.
 #include "profiles/outline.hpp"
 
+#include "profiles/tin_edges.hpp"
+
+#include <algorithm>
 #include <cmath>
 
 namespace orograph {
@@ -66,22 +69,49 @@ Vec3 vertex_at(const Grid& grid, std::uint32_t index) {
   return {at.x, at.y, grid.height_m(column, row)};
 }
 
+template <class VertexAt>
+std::vector<OutlineEdge> outline_of_border(const std::vector<BorderEdge>& border,
+                                           const VertexAt& at) {
+  std::vector<OutlineEdge> outline;
+  outline.reserve(border.size());
+  for (const auto& [edge, left] : border)
+    outline.push_back(left ? OutlineEdge{at(edge.from), at(edge.to)}
+                           : OutlineEdge{at(edge.to), at(edge.from)});
+  return outline;
+}
+
+void put_in_order(std::vector<BorderEdge>& edges) {
+  std::sort(edges.begin(), edges.end(),
+            [](const BorderEdge& a, const BorderEdge& b) { return a.edge < b.edge; });
+}
+
 } // namespace
 
 std::vector<BorderEdge> border_edges(const Grid& grid, bool all_valid) {
-  if (all_valid) return hull_edges(grid);
-  return std::visit([&](const auto& heights) { return edges_with_one_side(grid, heights); },
-                    grid.heights_m);
+  std::vector<BorderEdge> edges =
+      all_valid ? hull_edges(grid)
+                : std::visit([&](const auto& h) { return edges_with_one_side(grid, h); },
+                             grid.heights_m);
+  put_in_order(edges);
+  return edges;
+}
+
+std::vector<BorderEdge> border_edges(const Tin& tin) {
+  std::vector<BorderEdge> edges;
+  for_each_edge(tin, [&](const TinEdge& e) {
+    if (e.left == kNoTriangle || e.right == kNoTriangle)
+      edges.push_back({e.edge, e.right == kNoTriangle});
+  });
+  put_in_order(edges);
+  return edges;
 }
 
 std::vector<OutlineEdge> outline_of(const Grid& grid, const std::vector<BorderEdge>& border) {
-  std::vector<OutlineEdge> outline;
-  outline.reserve(border.size());
-  for (const auto& [edge, left] : border) {
-    const Vec3 from = vertex_at(grid, edge.from), to = vertex_at(grid, edge.to);
-    outline.push_back(left ? OutlineEdge{from, to} : OutlineEdge{to, from});
-  }
-  return outline;
+  return outline_of_border(border, [&](std::uint32_t i) { return vertex_at(grid, i); });
+}
+
+std::vector<OutlineEdge> outline_of(const Tin& tin, const std::vector<BorderEdge>& border) {
+  return outline_of_border(border, [&](std::uint32_t i) { return tin.vertices_m[i]; });
 }
 
 } // namespace orograph

@@ -12,7 +12,8 @@ namespace orograph {
 enum class Span : std::uint8_t {
   gap,   ///< no terrain
   slope, ///< terrain
-  level  ///< terrain that belongs to level ground (a sea, a lake)
+  level, ///< terrain that belongs to level ground (a sea, a lake)
+  wall   ///< straight up or down a vertical triangle that the eye sees
 };
 
 /// Vertices from left to right in the profile frame. `after[i]` tells what is between vertex i and

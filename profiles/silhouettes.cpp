@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // In cell coordinates (c to the east, r to the south, in steps of the grid) a triangle's height is
 // h = h0 + gc * (c - c0) + gr * (r - r0). The eye sees it where the eye is above that plane; in a
-// parallel view, where walking away along F raises Y. Both are one expression of gc and gr.
+// parallel view, where walking away along F raises Y. Both are one expression of gc and gr. That
+// decides nearly all triangles; the few signs within its rounding are asked of `facing_of`.
 #include "profiles/silhouettes.hpp"
+
+#include "profiles/facing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +15,9 @@
 namespace orograph {
 namespace {
 
-// Bits of a triangle: what its facing may be. A missing one has none.
-constexpr std::uint8_t kMayFace = 1, kMayTurn = 2;
-
 // Where the eye is on the ground, in cell coordinates; in a parallel view a direction to it.
 struct EyeInCells {
   double column, row, height;
-  double slack; ///< rounding of column and row
 };
 
 EyeInCells eye_in_cells(const Grid& grid, const View& view) {
@@ -28,43 +27,48 @@ EyeInCells eye_in_cells(const Grid& grid, const View& view) {
   };
   if (!view.is_perspective()) {
     const Vec2 back = solve(-1.0 * view.forward);
-    return {back.x, back.y, 0, 1e-12 * (std::abs(back.x) + std::abs(back.y))};
+    return {back.x, back.y, 0};
   }
   const Vec2 at = solve(view.depth_origin_m - grid.first_vertex_m);
-  return {at.x, at.y, view.eye_z_m / view.exaggeration,
-          1e-12 * (std::abs(at.x) + std::abs(at.y) + grid.columns + grid.rows)};
-}
-
-// Which sides of a line, on which `eye` - `line` has a sign, may be the nearer one.
-struct Nearer {
-  bool lower, higher; ///< the side of smaller, of greater coordinates
-};
-Nearer nearer_side(double eye_beyond_line, double slack) {
-  return {eye_beyond_line <= slack, eye_beyond_line >= -slack};
+  return {at.x, at.y, view.eye_z_m / view.exaggeration};
 }
 
 // The facing of a row of cells. Loops over a row are plain arithmetic without branches, for the
 // vector units, and the rounding bound is one for the row, from its greatest height and gradients.
+template <class Height>
 class RowFacing {
 public:
-  RowFacing(const EyeInCells& eye, const View& view, std::size_t cells)
-      : lower(cells), upper(cells), eye_(eye), perspective_(view.is_perspective()),
-        sin_elevation_(view.sin_elevation), cos_elevation_(view.cos_elevation * view.exaggeration),
-        lower_sign_(cells), upper_sign_(cells) {}
+  RowFacing(const Grid& grid, const std::vector<Height>& heights, const View& view)
+      : lower(static_cast<std::size_t>(grid.columns) - 1), upper(lower.size()), grid_(grid),
+        heights_(heights), view_(view), eye_(eye_in_cells(grid, view)),
+        mirrored_(cross(grid.column_step_m, grid.row_step_m) > 0), lower_sign_(lower.size()),
+        upper_sign_(lower.size()) {
+    // Vertices are rounded to metres, which moves them, in cells, by ulps of how far they are from
+    // the origin; a gradient is off by as much, and counts as far as the eye is away.
+    cells_away_ = 4.0 * (grid.columns + grid.rows);
+    if (view.is_perspective()) cells_away_ += 4 * (std::abs(eye_.column) + std::abs(eye_.row));
+  }
 
   std::vector<std::uint8_t> lower, upper; ///< bits, a cell each
 
-  // Heights of the row of vertices to the north of the cells and of that to the south.
-  template <class Height>
-  void reckon(const Height* north, const Height* south, int row) {
+  ProfilePoint vertex(int column, int row) const {
+    const Vec2 at = grid_.position_m(column, row);
+    return to_profile_frame(view_,
+                            {at.x, at.y, static_cast<double>(heights_[grid_.index(column, row)])});
+  }
+
+  void reckon(int row) {
+    const Height* north = &heights_[grid_.index(0, row)];
+    const Height* south = &heights_[grid_.index(0, row + 1)];
+    const bool perspective = view_.is_perspective();
     // A sign is constant + per_height * h0 + per_c * gc + per_r * gr, where per_c grows along the
     // row in perspective.
-    const double scale = perspective_ ? 1 : -cos_elevation_;
-    const double constant = perspective_ ? eye_.height : sin_elevation_;
-    const double per_height = perspective_ ? -1 : 0;
-    const double per_r = perspective_ ? row - eye_.row : scale * eye_.row;
-    const double first_per_c = perspective_ ? -eye_.column : scale * eye_.column;
-    const double step_per_c = perspective_ ? 1 : 0;
+    const double scale = perspective ? 1 : -view_.cos_elevation * view_.exaggeration;
+    const double constant = perspective ? eye_.height : view_.sin_elevation;
+    const double per_height = perspective ? -1 : 0;
+    const double per_r = perspective ? row - eye_.row : scale * eye_.row;
+    const double first_per_c = perspective ? -eye_.column : scale * eye_.column;
+    const double step_per_c = perspective ? 1 : 0;
     const auto cells = static_cast<int>(lower.size());
     double greatest_height = 0, greatest_gc = 0, greatest_gr = 0;
     const auto take = [](double& greatest, double value) {
@@ -86,12 +90,16 @@ public:
     const double reach_c = std::abs(first_per_c) + step_per_c * cells;
     const double reach_r = std::abs(per_r) + std::abs(eye_.row);
     const double bound =
-        16 * std::numeric_limits<double>::epsilon() *
+        16 * std::numeric_limits<double>::epsilon() * cells_away_ *
         (std::abs(constant) + greatest_height + greatest_gc * reach_c + greatest_gr * reach_r);
+    std::uint8_t doubt = 0;
     for (std::size_t c = 0; c < lower.size(); ++c) {
       lower[c] = bits(lower_sign_[c], bound);
       upper[c] = bits(upper_sign_[c], bound);
+      doubt |=
+          static_cast<std::uint8_t>((lower[c] & (lower[c] >> 1U)) | (upper[c] & (upper[c] >> 1U)));
     }
+    if (doubt & 1U) settle(row);
   }
 
 private:
@@ -101,50 +109,80 @@ private:
                                      (sign <= bound ? kMayTurn : 0));
   }
 
+  // Asks again of the triangles in doubt.
+  void settle(int row) {
+    for (int c = 0; c < static_cast<int>(lower.size()); ++c) {
+      std::uint8_t &below = lower[static_cast<std::size_t>(c)],
+                   &above = upper[static_cast<std::size_t>(c)];
+      if (below == (kMayFace | kMayTurn))
+        below = facing(vertex(c, row), vertex(c, row + 1), vertex(c + 1, row + 1));
+      if (above == (kMayFace | kMayTurn))
+        above = facing(vertex(c, row), vertex(c + 1, row + 1), vertex(c + 1, row));
+    }
+  }
+  std::uint8_t facing(ProfilePoint a, ProfilePoint b, ProfilePoint c) const {
+    return mirrored_ ? facing_of(view_, a, c, b) : facing_of(view_, a, b, c);
+  }
+
+  const Grid& grid_;
+  const std::vector<Height>& heights_;
+  const View& view_;
   EyeInCells eye_;
-  bool perspective_;
-  double sin_elevation_, cos_elevation_; ///< the latter with exaggeration
+  bool mirrored_; ///< columns and rows turn the other way
+  double cells_away_;
   std::vector<double> lower_sign_, upper_sign_;
 };
 
-bool is_silhouette(std::uint8_t lower_side, std::uint8_t higher_side, Nearer nearer) {
-  return (nearer.lower && (lower_side & kMayFace) && (higher_side & kMayTurn)) ||
-         (nearer.higher && (higher_side & kMayFace) && (lower_side & kMayTurn));
-}
+struct CellVertex {
+  int column, row;
+};
 
 template <class Height>
-std::vector<GridEdge> find(const Grid& grid, const std::vector<Height>& heights, const View& view) {
-  const EyeInCells eye = eye_in_cells(grid, view);
-  const auto side = [&](double eye_coordinate, double line) {
-    return nearer_side(view.is_perspective() ? eye_coordinate - line : eye_coordinate, eye.slack);
-  };
-  const auto cells = static_cast<std::size_t>(grid.columns) - 1;
-  RowFacing facing(eye, view, cells);
+std::vector<SurfaceEdge> find(const Grid& grid, const std::vector<Height>& heights,
+                              const View& view) {
+  RowFacing facing(grid, heights, view);
   const std::vector<std::uint8_t>&lower = facing.lower, &upper = facing.upper;
+  const std::size_t cells = lower.size();
   std::vector<std::uint8_t> north_lower(cells, 0);
-  std::vector<GridEdge> edges;
-  const auto add = [&](int c0, int r0, int c1, int r1) {
-    edges.push_back({static_cast<std::uint32_t>(grid.index(c0, r0)),
-                     static_cast<std::uint32_t>(grid.index(c1, r1))});
+  std::vector<SurfaceEdge> edges;
+  // Twice 16 ulp of the four heights, as far as positions are off in cells.
+  const double rounding =
+      32 * std::numeric_limits<double>::epsilon() * 4 * (grid.columns + grid.rows);
+  const auto height = [&](CellVertex v) {
+    return static_cast<double>(heights[grid.index(v.column, v.row)]);
+  };
+  // The two triangles at an edge make a parallelogram: it is a ridge where its middle is higher
+  // than the middle between the other two vertices.
+  const auto is_ridge = [&](CellVertex from, CellVertex to, CellVertex left, CellVertex right) {
+    const double a = height(from), b = height(to), c = height(left), d = height(right);
+    const double above = (a - c) + (b - d);
+    if (std::abs(above) > rounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d)))
+      return above > 0;
+    const auto at = [&](CellVertex v) { return facing.vertex(v.column, v.row); };
+    return cross(grid.column_step_m, grid.row_step_m) > 0
+               ? may_be_ridge(at(from), at(to), at(right), at(left))
+               : may_be_ridge(at(from), at(to), at(left), at(right));
+  };
+  const auto add_if = [&](std::uint8_t a, std::uint8_t b, CellVertex from, CellVertex to,
+                          CellVertex left, CellVertex right) {
+    if (!are_seen_and_turned(a, b) || !is_ridge(from, to, left, right)) return;
+    edges.push_back({static_cast<std::uint32_t>(grid.index(from.column, from.row)),
+                     static_cast<std::uint32_t>(grid.index(to.column, to.row))});
   };
   for (int row = 0; row + 1 < grid.rows; ++row) {
-    facing.reckon(&heights[grid.index(0, row)], &heights[grid.index(0, row + 1)], row);
-    const Nearer by_row = side(eye.row, row);
+    facing.reckon(row);
     std::uint8_t west_upper = 0;
-    for (std::size_t c = 0; c < cells; ++c) {
+    for (std::size_t i = 0; i < cells; ++i) {
       // Where all that meet here face one way, as nearly everywhere, there is no silhouette.
       const auto together =
-          static_cast<std::uint8_t>(lower[c] | upper[c] | north_lower[c] | west_upper);
+          static_cast<std::uint8_t>(lower[i] | upper[i] | north_lower[i] | west_upper);
       if (together == (kMayFace | kMayTurn)) {
-        const int column = static_cast<int>(c);
-        if (is_silhouette(north_lower[c], upper[c], by_row)) add(column, row, column + 1, row);
-        if (is_silhouette(west_upper, lower[c], side(eye.column, column)))
-          add(column, row, column, row + 1);
-        // East of the diagonal c - r = column - row lies the upper triangle.
-        if (is_silhouette(lower[c], upper[c], side(eye.column - eye.row, column - row)))
-          add(column, row, column + 1, row + 1);
+        const int c = static_cast<int>(i), r = row;
+        add_if(north_lower[i], upper[i], {c, r}, {c + 1, r}, {c, r - 1}, {c + 1, r + 1});
+        add_if(west_upper, lower[i], {c, r}, {c, r + 1}, {c + 1, r + 1}, {c - 1, r});
+        add_if(lower[i], upper[i], {c, r}, {c + 1, r + 1}, {c + 1, r}, {c, r + 1});
       }
-      west_upper = upper[c];
+      west_upper = upper[i];
     }
     north_lower = lower;
   }
@@ -153,7 +191,7 @@ std::vector<GridEdge> find(const Grid& grid, const std::vector<Height>& heights,
 
 } // namespace
 
-std::vector<GridEdge> silhouette_edges(const Grid& grid, const View& view) {
+std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view) {
   return std::visit([&](const auto& heights) { return find(grid, heights, view); }, grid.heights_m);
 }
 

@@ -2,8 +2,8 @@
 // Where the terrain ends against what is behind it (docs/how-it-works.md).
 #pragma once
 
-#include "dem/grid.hpp"
-#include "profiles/triangles.hpp"
+#include "dem/surface.hpp"
+#include "profiles/surface_edge.hpp"
 #include "view/view.hpp"
 
 #include <vector>
@@ -11,11 +11,12 @@
 namespace orograph {
 
 /// The edges between a triangle that the eye sees, on the nearer side, and one turned away from it,
-/// on the farther side; row by row. Facing is the sign of N . (E - P); zero counts as turned away.
-/// Where a sign is within its rounding bound, and where the eye can't be told to be on one side of
-/// an edge's line, both cases are taken as possible, so that no silhouette is missed: an edge more
-/// hides nothing that isn't hidden.
-/// Cost: one pass over the heights, a few flops a triangle.
-std::vector<GridEdge> silhouette_edges(const Grid& grid, const View& view);
+/// on the farther side, in order. Facing is the sign of N . (E - P); zero counts as turned away.
+/// Where a sign is within its rounding bound (profiles/facing.hpp) both cases are taken as
+/// possible, so that no silhouette is missed: an edge more hides nothing that isn't hidden. A grid
+/// and the TIN of its triangles have the same.
+/// Cost: one pass over the triangles, a few flops each.
+std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view);
+std::vector<SurfaceEdge> silhouette_edges(const Tin& tin, const View& view);
 
 } // namespace orograph

@@ -8,7 +8,7 @@
 
 namespace orograph {
 
-ProfileLine line_of(const Grid& grid, const View& view, GridEdge edge) {
+ProfileLine line_of(const Grid& grid, const View& view, SurfaceEdge edge) {
   const auto columns = static_cast<std::uint32_t>(grid.columns);
   const auto end = [&](std::uint32_t index) {
     const int column = static_cast<int>(index % columns), row = static_cast<int>(index / columns);
@@ -16,6 +16,15 @@ ProfileLine line_of(const Grid& grid, const View& view, GridEdge edge) {
     return to_profile_frame(view, {at.x, at.y, grid.height_m(column, row)});
   };
   return {end(edge.from), end(edge.to)};
+}
+
+ProfileLine line_of(const Tin& tin, const View& view, SurfaceEdge edge) {
+  return {to_profile_frame(view, tin.vertices_m[edge.from]),
+          to_profile_frame(view, tin.vertices_m[edge.to])};
+}
+
+ProfileLine line_of(const Surface& surface, const View& view, SurfaceEdge edge) {
+  return std::visit([&](const auto& s) { return line_of(s, view, edge); }, surface);
 }
 
 // Lines are parted into buckets of depth, which is cheaper than sorting them: a bucket is begun as

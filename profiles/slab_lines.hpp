@@ -2,9 +2,9 @@
 // Lines on the surface, handed out slab by slab.
 #pragma once
 
-#include "dem/grid.hpp"
+#include "dem/surface.hpp"
 #include "geometry/profile_point.hpp"
-#include "profiles/triangles.hpp"
+#include "profiles/surface_edge.hpp"
 #include "view/view.hpp"
 
 #include <cstdint>
@@ -18,7 +18,9 @@ namespace orograph {
 struct ProfileLine {
   ProfilePoint from, to;
 };
-ProfileLine line_of(const Grid& grid, const View& view, GridEdge edge);
+ProfileLine line_of(const Grid& grid, const View& view, SurfaceEdge edge);
+ProfileLine line_of(const Tin& tin, const View& view, SurfaceEdge edge);
+ProfileLine line_of(const Surface& surface, const View& view, SurfaceEdge edge);
 
 /// The part of a line that lies in one slab, from t_begin to t_end (0 at the line's `from` end, 1
 /// at its `to` end). Where a slab's plane cuts a line, the t on both sides is the same number.

@@ -56,7 +56,7 @@ Brute brute_force(const Grid& grid, int first_column, int first_row, int columns
 }
 
 void check_against_brute_force(const Grid& grid) {
-  GridExtent extent = extent_of(grid);
+  SurfaceExtent extent = extent_of(grid);
   const Brute all = brute_force(grid, 0, 0, grid.columns, grid.rows);
   CHECK(extent.valid == all.valid);
   CHECK(extent.box.low == all.box.low);
@@ -98,7 +98,7 @@ TEST_CASE("a single valid vertex is the extent") {
   Grid grid = scattered_grid<float>(50, 50, 1);
   auto& heights = std::get<std::vector<float>>(grid.heights_m);
   heights[grid.index(40, 10)] = -7;
-  const GridExtent extent = extent_of(grid);
+  const SurfaceExtent extent = extent_of(grid);
   CHECK(extent.valid == 1);
   CHECK(extent.mean_height_m == -7);
   CHECK(extent.blocks.boxes.size() == 1);
@@ -107,7 +107,7 @@ TEST_CASE("a single valid vertex is the extent") {
 
 TEST_CASE("points of blocks reuse one buffer") {
   const Grid grid = scattered_grid<float>(64, 64, 0);
-  const GridExtent extent = extent_of(grid);
+  const SurfaceExtent extent = extent_of(grid);
   const Vec3* first = extent.blocks.points(0).data();
   for (std::size_t i = 0; i < 4; ++i) CHECK(extent.blocks.points(i).data() == first);
 }

@@ -43,7 +43,7 @@ TEST_CASE("every sample is read, with its size, cells and heights") {
   for (const Sample& sample : samples) {
     INFO(sample.name);
     const Terrain terrain = read_raster(path_of(sample.name));
-    const GridExtent extent = extent_of(grid_of(terrain));
+    const SurfaceExtent extent = extent_of(grid_of(terrain));
     CHECK(terrain.notes.empty());
     CHECK(grid_of(terrain).columns == sample.columns);
     CHECK(grid_of(terrain).rows == sample.rows);

@@ -92,7 +92,7 @@ TEST_CASE("level ground and its shores are what a flood fill finds") {
       REQUIRE(marked == there);
     }
     std::vector<DirectedEdge> shores;
-    for (const GridEdge& edge : found.shores) shores.emplace_back(edge.from, edge.to);
+    for (const SurfaceEdge& edge : found.shores) shores.emplace_back(edge.from, edge.to);
     std::sort(shores.begin(), shores.end());
     REQUIRE(shores == shores_by_triangles(triangles, expected.level));
   }

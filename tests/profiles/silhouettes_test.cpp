@@ -100,8 +100,8 @@ private:
 
 std::set<DirectedEdge> found_in(const Grid& grid, const View& view) {
   std::set<DirectedEdge> edges;
-  const std::vector<GridEdge> list = silhouette_edges(grid, view);
-  for (const GridEdge& edge : list) edges.insert({edge.from, edge.to});
+  const std::vector<SurfaceEdge> list = silhouette_edges(grid, view);
+  for (const SurfaceEdge& edge : list) edges.insert({edge.from, edge.to});
   CHECK(edges.size() == list.size()); // none twice
   return edges;
 }

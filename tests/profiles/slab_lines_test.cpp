@@ -108,7 +108,7 @@ TEST_CASE("a grid edge in the profile frame runs from its lower vertex to its hi
     CHECK(std::abs(p.v - ((at.x - 5) * 0.6 + (at.y + 7) * 0.8)) <= 1e-13);
     CHECK(p.z == 1.5 * at.z);
   };
-  for (const GridEdge edge : {GridEdge{0, 1}, {3, 8}, {7, 13}, {14, 19}}) {
+  for (const SurfaceEdge edge : {SurfaceEdge{0, 1}, {3, 8}, {7, 13}, {14, 19}}) {
     const ProfileLine line = line_of(grid, view, edge);
     check(edge.from, line.from);
     check(edge.to, line.to);

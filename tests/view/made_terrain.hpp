@@ -13,7 +13,7 @@ namespace orograph {
 
 struct MadeTerrain {
   std::unique_ptr<Grid> grid; ///< stays where it is: the extent refers to it
-  GridExtent extent;
+  SurfaceExtent extent;
   std::vector<OutlineEdge> outline;
   std::vector<Vec3> vertices; ///< those with a height
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/extent.hpp"
+#include "dem/plan_area.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace orograph {
+namespace {
+
+constexpr std::size_t kBlock = 1024; // vertices
+
+// A TIN of walls alone has no ground: then all vertices count alike.
+double mean_height_m(const Tin& tin) {
+  double ground_m2 = 0, sum = 0, vertex_sum = 0;
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+    const auto& [a, b, c] = tin.triangles[t];
+    const double height =
+        (tin.vertices_m[a].z + tin.vertices_m[b].z + tin.vertices_m[c].z) / 3;
+    const double area = plan_area_m2(tin, t);
+    ground_m2 += area;
+    sum += area * height;
+    vertex_sum += height;
+  }
+  return ground_m2 > 0 ? sum / ground_m2 : vertex_sum / static_cast<double>(tin.triangles.size());
+}
+
+} // namespace
+
+SurfaceExtent extent_of(const Tin& tin) {
+  SurfaceExtent extent;
+  const std::span<const Vec3> vertices(tin.vertices_m);
+  const auto block = [vertices](std::size_t i) {
+    const std::size_t begin = i * kBlock;
+    return vertices.subspan(begin, std::min(kBlock, vertices.size() - begin));
+  };
+  for (std::size_t i = 0; i * kBlock < vertices.size(); ++i) {
+    Box3 box;
+    for (const Vec3& vertex : block(i)) box.include(vertex);
+    extent.blocks.boxes.push_back(box);
+    extent.box.include(box.low);
+    extent.box.include(box.high);
+  }
+  extent.blocks.points = block;
+  extent.mean_height_m = mean_height_m(tin);
+  extent.valid = vertices.size();
+  return extent;
+}
+
+SurfaceExtent extent_of(const Surface& surface) {
+  return std::visit([](const auto& s) { return extent_of(s); }, surface);
+}
+
+double cell_size_m(const Tin& tin) {
+  std::size_t count = 0;
+  double ground_m2 = 0;
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+    const double area = plan_area_m2(tin, t);
+    ground_m2 += area;
+    count += area > 0;
+  }
+  if (count > 0) return std::sqrt(2 * ground_m2 / static_cast<double>(count));
+  const Box3 box = extent_of(tin).box; // walls alone
+  return std::hypot(box.high.x - box.low.x, box.high.y - box.low.y);
+}
+
+double cell_size_m(const Surface& surface) {
+  return std::visit([](const auto& s) { return cell_size_m(s); }, surface);
+}
+
+} // namespace orograph

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact cut of a TIN by planes of constant depth.
+#pragma once
+
+#include "dem/tin.hpp"
+#include "profiles/profile.hpp"
+#include "profiles/triangles.hpp"
+#include "view/view.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace orograph {
+
+/// Cuts one TIN for one view, plane after plane, in any order; the profile is that of `GridCutter`,
+/// but that there are no vertices where there is no terrain.
+///
+///  (1) There is a vertex wherever the plane crosses an edge, in order from left to right, once; a
+///      plane through a TIN's vertex has that vertex.
+///  (2) Between two vertices the profile lies in one triangle, or there is a gap. An edge that lies
+///      in the plane is there, and level if either of its triangles is.
+///  (3) A crossing is reckoned from its edge's vertex of lower index, exact at both ends.
+///  (4) A wall is crossed straight up or down; where it is turned away from the eye there is a gap.
+///      A wall that lies in the plane isn't crossed: the profile keeps to its foot or its top,
+///      whichever the ground in front of it has.
+/// Cost a plane: O(segments + border edges of about its depth).
+/// Memory: 8 bytes and more for a border edge.
+class TinCutter {
+public:
+  /// REQUIRES that `tin` and `level` (the triangles whose spans are marked level; may be empty)
+  /// outlive the cutter. Cost O(triangles).
+  TinCutter(const Tin& tin, const View& view, const TriangleSet& level);
+
+  void cut(double depth_m, Profile& out) const;
+
+  /// Depths between which the TIN lies.
+  double nearest_m() const { return nearest_m_; }
+  double farthest_m() const { return farthest_m_; }
+
+private:
+  struct BorderSide {
+    std::uint32_t triangle;
+    std::uint8_t k; ///< the side opposite to this vertex
+  };
+
+  std::size_t bucket_of(double depth_m) const;
+
+  const Tin& tin_;
+  View view_;
+  const TriangleSet& level_;
+  double nearest_m_, farthest_m_;
+  double buckets_per_m_ = 0;
+  std::vector<std::uint32_t> bucket_begin_; ///< of bucket i in `sides_`; one more at the end
+  std::vector<BorderSide> sides_;           ///< by the buckets of depth that they reach into
+  TriangleSet walls_, turned_walls_;
+};
+
+} // namespace orograph

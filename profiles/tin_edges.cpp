@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "profiles/tin_edges.hpp"
+
+#include "profiles/facing.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace orograph {
+namespace {
+
+// With the vertex of lowest index first, as `facing_of` asks.
+std::array<std::uint32_t, 3> lowest_first(std::array<std::uint32_t, 3> triangle) {
+  std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+  return triangle;
+}
+
+// Whether the edge is the upper border of a wall on one side of it. A vertical edge isn't.
+bool is_top_of(const Tin& tin, std::uint32_t wall, SurfaceEdge edge) {
+  const Vec3 a = tin.vertices_m[edge.from], b = tin.vertices_m[edge.to];
+  const Vec3 apex = tin.vertices_m[apex_of(tin, wall, edge)];
+  const Vec2 along{b.x - a.x, b.y - a.y}, to_apex{apex.x - a.x, apex.y - a.y};
+  const double square = dot(along, along);
+  return square > 0 && apex.z < a.z + dot(to_apex, along) / square * (b.z - a.z);
+}
+
+} // namespace
+
+std::vector<std::uint8_t> facing_of_triangles(const Tin& tin, const View& view) {
+  std::vector<std::uint8_t> facing(tin.triangles.size());
+  const auto at = [&](std::uint32_t i) { return to_profile_frame(view, tin.vertices_m[i]); };
+  for (std::size_t t = 0; t < facing.size(); ++t) {
+    const auto [a, b, c] = lowest_first(tin.triangles[t]);
+    facing[t] = facing_of(view, at(a), at(b), at(c));
+  }
+  return facing;
+}
+
+TriangleSet walls_of(const Tin& tin) {
+  TriangleSet walls;
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+    const auto& [a, b, c] = tin.triangles[t];
+    const Vec3 p = tin.vertices_m[a], q = tin.vertices_m[b], r = tin.vertices_m[c];
+    const double one = (q.x - p.x) * (r.y - p.y), other = (q.y - p.y) * (r.x - p.x);
+    constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+    if (std::abs(one - other) > kRounding * (std::abs(one) + std::abs(other))) continue;
+    if (walls.empty()) walls = TriangleSet(tin.triangles.size());
+    walls.add(t);
+  }
+  return walls;
+}
+
+std::vector<SurfaceEdge> edges_behind_walls(const Tin& tin, const View& view) {
+  std::vector<SurfaceEdge> edges;
+  const TriangleSet walls = walls_of(tin);
+  if (walls.empty()) return edges;
+  const std::vector<std::uint8_t> facing = facing_of_triangles(tin, view);
+  for_each_edge(tin, [&](const TinEdge& e) {
+    for (const auto& [wall, beyond] : {std::pair{e.left, e.right}, {e.right, e.left}}) {
+      if (wall == kNoTriangle || !walls.has(wall) || facing[wall] != kMayTurn) continue;
+      const Vec3 a = tin.vertices_m[e.edge.from], b = tin.vertices_m[e.edge.to];
+      if (a.x == b.x && a.y == b.y) {
+        // The corner of a building shows between a wall that is seen and one that isn't.
+        const auto at = [&](std::uint32_t i) { return to_profile_frame(view, tin.vertices_m[i]); };
+        if (beyond == kNoTriangle ||
+            ((facing[beyond] & kMayFace) &&
+             may_be_ridge(at(e.edge.from), at(e.edge.to), at(apex_of(tin, e.left, e.edge)),
+                          at(apex_of(tin, e.right, e.edge)))))
+          continue;
+      } else if (is_top_of(tin, wall, e.edge)) {
+        continue;
+      }
+      edges.push_back(e.edge);
+      return;
+    }
+  });
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+} // namespace orograph
