@@ -46,13 +46,13 @@ int main(int argc, char** argv) {
   const int vertices = argc > 1 ? std::atoi(argv[1]) : 2000;
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
   Terrain terrain;
-  terrain.grid = make_terrain(MadeTerrain::fractal_alps, vertices);
+  terrain.surface = make_terrain(MadeTerrain::fractal_alps, vertices);
   for (const double elevation : {5.0, 20.0})
     for (const double azimuth : {180.0, 213.0}) {
       RenderSettings settings;
       settings.from_azimuth = Angle::degrees(azimuth);
       settings.from_elevation = Angle::degrees(elevation);
-      settings.plan = GroundSpacing{cell_size_m(terrain.grid)};
+      settings.plan = GroundSpacing{cell_size_m(terrain.surface)};
       settings.layers = {"profiles"};
       const Scene scene = place_scene(terrain, settings);
       const double infinity = std::numeric_limits<double>::infinity();
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
         profiles = least(profiles, run(terrain, scene, settings, Occluder::profiles));
         surface = least(surface, run(terrain, scene, settings, Occluder::surface));
         const auto start = std::chrono::steady_clock::now();
-        const std::size_t edges = silhouette_edges(terrain.grid, scene.view).size();
+        const std::size_t edges = silhouette_edges(terrain.surface, scene.view).size();
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         if (edges > 0) facing_s = std::min(facing_s, took.count());
       }

@@ -4,6 +4,7 @@
 #include "cli/accuracy_report.hpp"
 #include "cli/plot_accuracy.hpp"
 #include "cli/progress.hpp"
+#include "dem/read_terrain.hpp"
 #include "draw/output_file.hpp"
 #include "geometry/error.hpp"
 
@@ -34,7 +35,7 @@ void accuracy(const AccuracySettings& settings) {
                     svg = settings.prefix + ".svg";
   for (const std::string& path : {csv, json, svg}) check_writable(path, render.write);
 
-  const Terrain terrain = read_raster(render.input, render.raster);
+  const Terrain terrain = read_terrain(render.input, render.reading);
   std::vector<AccuracyRow> rows = accuracy_rows(settings);
   ProgressBar bar(shows_progress(render.quiet, render.progress));
   for (std::size_t i = 0; i < rows.size(); ++i) {

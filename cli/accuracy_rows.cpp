@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which settings `orograph accuracy` measures.
 #include "cli/accuracy.hpp"
+#include "dem/read_raster.hpp"
 #include "geometry/error.hpp"
 
 namespace orograph {
@@ -9,7 +10,7 @@ namespace {
 // As many as the file has, told by which of them can be read. The coarsest may be too small to be a
 // terrain.
 int overview_count(const RenderSettings& settings) {
-  ReadOptions options = settings.raster;
+  ReadOptions options = settings.reading;
   for (int level = 0;; ++level) {
     options.overview = level;
     try {

@@ -8,8 +8,8 @@
 
 namespace orograph {
 
-Check::Check(const Grid& grid, const View& view, const TieTolerance& tolerance)
-    : view_(view), judge_(grid, view, tolerance) {}
+Check::Check(const Surface& surface, const View& view, const TieTolerance& tolerance)
+    : view_(view), judge_(surface, view, tolerance) {}
 
 double Check::share() {
   return static_cast<double>(engine_() >> 11U) * 0x1p-53;
@@ -59,7 +59,8 @@ void Check::ask(const Profile& profile, const std::vector<Segment>& segments,
     const auto at = [&](std::uint32_t vertex) {
       return ProfilePoint{profile.u_m[vertex], profile.depth_m, profile.z_m[vertex]};
     };
-    judge({at(left), at(left + 1)}, t, false, drawn);
+    // On a wall the way up is an edge: what is above and below it is at the same depth.
+    judge({at(left), at(left + 1)}, t, profile.after[left] == Span::wall, drawn);
   }
 }
 

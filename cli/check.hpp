@@ -19,8 +19,8 @@ namespace orograph {
 /// Half of them are anywhere, half close to where a drawn piece ends.
 class Check {
 public:
-  /// REQUIRES that grid and view outlive the check.
-  Check(const Grid& grid, const View& view, const TieTolerance& tolerance);
+  /// REQUIRES that surface and view outlive the check.
+  Check(const Surface& surface, const View& view, const TieTolerance& tolerance);
 
   /// `count` points of a profile, of which `visible` pieces of `segments` are drawn.
   void ask(const Profile& profile, const std::vector<Segment>& segments,

@@ -61,19 +61,28 @@ ViewReport describe_view(const Scene& scene, const MapFrame& map) {
 
 InputReport describe_input(const Terrain& terrain) {
   const MapFrame& map = terrain.map;
-  const Grid& grid = terrain.grid;
-  return {terrain.source,
-          map.crs_name,
-          map.crs_wkt,
-          map.unit_name,
-          map.height_unit_name,
-          map.unit_m,
-          map.height_unit_m,
-          grid.columns,
-          grid.rows,
-          length(grid.column_step_m),
-          length(grid.row_step_m),
-          terrain.notes};
+  InputReport out;
+  out.path = terrain.source;
+  out.crs_name = map.crs_name;
+  out.crs_wkt = map.crs_wkt;
+  out.unit_name = map.unit_name;
+  out.height_unit_name = map.height_unit_name;
+  out.unit_m = map.unit_m;
+  out.height_unit_m = map.height_unit_m;
+  if (const Grid* grid = std::get_if<Grid>(&terrain.surface)) {
+    out.columns = static_cast<std::uint64_t>(grid->columns);
+    out.rows = static_cast<std::uint64_t>(grid->rows);
+    out.column_step_m = length(grid->column_step_m);
+    out.row_step_m = length(grid->row_step_m);
+  } else {
+    const Tin& tin = std::get<Tin>(terrain.surface);
+    out.vertices = tin.vertices_m.size();
+    out.triangles = tin.triangles.size();
+  }
+  out.triangulation = terrain.triangulation;
+  out.surface_error_m = terrain.surface_error_m;
+  out.notes = terrain.notes;
+  return out;
 }
 
 std::uint64_t peak_memory_bytes() {

@@ -8,7 +8,8 @@
 #include "cli/tie_tolerance.hpp"
 #include "draw/round_drawing.hpp"
 #include "horizon/clip.hpp"
-#include "profiles/cut_grid.hpp"
+#include "horizon/upright.hpp"
+#include "profiles/cut_surface.hpp"
 #include "profiles/project_profile.hpp"
 
 #include <fmt/format.h>
@@ -25,6 +26,10 @@ namespace {
 // Beside the profiles' pen: ridges and shores a little heavier, the border lighter.
 constexpr double kSilhouetteWeight = 1.6, kSkylineWeight = 2, kShoreWeight = 1.2;
 constexpr double kBorderWeight = 0.8, kBorderGrey = 0.45;
+constexpr double kEdgeWeight = 0.6, kEdgeGrey = 0.45;
+
+// In X: far above rounding, and no distance on a page.
+constexpr double kBesideWall = 1e-12;
 
 // Adds the time since the last mark to a stage.
 class Stopwatch {
@@ -48,13 +53,13 @@ Layer empty_layer(const std::string& name, double pen_width_mm, double grey) {
 }
 
 // Where the near plane cuts the terrain, a section begins: the cut hides.
-void raise_near_cut(const GridCutter& cutter, const View& view, Horizon& horizon,
+void raise_near_cut(const SurfaceCutter& cutter, const View& view, Horizon& horizon,
                     ClipWorkspace& workspace) {
   Profile cut;
-  std::vector<Segment> segments;
+  std::vector<Segment> segments, uprights;
   cutter.cut(view.near_m, cut);
   constexpr std::uint32_t kNearCut = 0x7fffffff; // no profile has this number
-  project_profile(cut, kNearCut, view, segments);
+  project_profile(cut, kNearCut, view, segments, uprights);
   clip(segments, horizon, {Role::occluder, {}, true}, workspace);
 }
 
@@ -104,28 +109,28 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   const bool draws_profiles = asks_for(settings, "profiles");
   ProfileStrokes profile_strokes(view, settings.flat == FlatGround::draw, profile_builder);
 
-  const GridCutter cutter(terrain.grid, view, scene.level.triangles);
+  const SurfaceCutter cutter(terrain.surface, view, scene.level.triangles);
   const double from_m =
       view.is_perspective() ? view.near_m : -std::numeric_limits<double>::infinity();
   const TieTolerance tolerance = tie_tolerance(scene, settings.visibility_tolerance_mm);
-  LineSweep lines(terrain.grid, view, lines_of(terrain, scene, settings), from_m, tolerance);
+  LineSweep lines(terrain.surface, view, lines_of(terrain, scene, settings), from_m, tolerance);
   watch.mark(seconds.facing);
 
   const ClipOptions clip_options{surface ? Role::compared : Role::drawn_occluder, tolerance,
                                  instruments.collapse};
   // Half of the points of a check are asked of profiles, half of the other lines.
   std::optional<Check> check;
-  if (settings.check > 0) check.emplace(terrain.grid, view, tolerance);
+  if (settings.check > 0) check.emplace(terrain.surface, view, tolerance);
   const std::uint64_t asked_a_profile = settings.check / 2 / scene.depths_m.size() + 1;
   Horizon horizon = initial_horizon();
   Profile profile;
-  std::vector<Segment> segments;
+  std::vector<Segment> segments, uprights;
   ClipWorkspace workspace;
   if (surface && view.is_perspective()) raise_near_cut(cutter, view, horizon, workspace);
 
   // Slabs are about a cell thick, so that few lines meet in one.
-  double plane = std::max(cutter.nearest_m(), from_m);
-  const double thickness = cell_size_m(terrain.grid);
+  double plane = std::max(scene.nearest_m, from_m);
+  const double thickness = scene.cell_m;
   const auto take_slabs = [&](double to_m) {
     const double count = surface ? std::ceil((to_m - plane) / thickness) : 1;
     for (int i = 1; i < count; ++i)
@@ -138,10 +143,12 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     watch.mark(seconds.clip);
     cutter.cut(scene.depths_m[i], profile);
     watch.mark(seconds.cut);
-    project_profile(profile, static_cast<std::uint32_t>(i), view, segments);
+    project_profile(profile, static_cast<std::uint32_t>(i), view, segments, uprights);
     if (instruments.single_precision) round_to_float(segments);
     watch.mark(seconds.project);
+    const std::vector<Piece> on_walls = visible_uprights(uprights, horizon, kBesideWall);
     clip(segments, horizon, clip_options, workspace);
+    if (!uprights.empty()) insert_uprights(uprights, on_walls, segments, workspace.visible);
     watch.mark(seconds.clip);
     if (draws_profiles)
       profile_strokes.add(profile, static_cast<std::int32_t>(i), segments, workspace.visible);
@@ -155,7 +162,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     counts.largest_horizon = std::max<std::uint64_t>(counts.largest_horizon, horizon.size());
     progress(static_cast<double>(i + 1) / static_cast<double>(scene.depths_m.size()));
   }
-  if (plane < cutter.farthest_m()) take_slabs(cutter.farthest_m());
+  if (plane < scene.farthest_m) take_slabs(scene.farthest_m);
   lines.take_slab(std::numeric_limits<double>::infinity(), horizon, workspace);
   watch.mark(seconds.clip);
 
@@ -163,8 +170,8 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   const std::vector<LinePart> skyline = lines.skyline(horizon);
   std::vector<LinePart> visible = without(lines.visible_parts(), skyline);
   const std::vector<LinePart> folded =
-      folds(lines, visible, terrain.grid, view, settings.silhouette_jump,
-            cutter.farthest_m() - cutter.nearest_m());
+      folds(lines, visible, terrain.surface, view, settings.silhouette_jump,
+            scene.farthest_m - scene.nearest_m);
   visible = without(visible, folded);
   watch.mark(seconds.layout);
   if (instruments.observer) instruments.observer->see(lines, lines.visible_parts());
@@ -191,6 +198,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   drawn.left_out.silhouette_jump_mm = length_mm(left_out);
   drawn.left_out.min_stroke_mm = profile_builder.left_out_mm();
   if (draws_profiles) drawing.layers.push_back(std::move(profiles));
+  add_lines(of_kind(lines, visible, LineKind::edge), "edges", kEdgeWeight, kEdgeGrey);
   add_lines(of_kind(lines, visible, LineKind::shore), "shores", kShoreWeight, 0);
   add_lines(of_kind(lines, visible, LineKind::border), "border", kBorderWeight, kBorderGrey);
   add_lines(of_kind(lines, visible, LineKind::silhouette), "silhouettes", kSilhouetteWeight, 0);

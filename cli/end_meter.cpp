@@ -18,11 +18,11 @@ constexpr double kNearest_mm = 1e-9;
 
 } // namespace
 
-EndMeter::EndMeter(const Grid& grid, const Scene& scene, const RenderSettings& settings,
+EndMeter::EndMeter(const Surface& surface, const Scene& scene, const RenderSettings& settings,
                    Wanted wanted)
     : scene_(scene), tolerance_mm_(settings.visibility_tolerance_mm),
       draws_level_(settings.flat == FlatGround::draw),
-      judge_(grid, scene.view, tie_tolerance(scene, settings.visibility_tolerance_mm)),
+      judge_(surface, scene.view, tie_tolerance(scene, settings.visibility_tolerance_mm)),
       wanted_(wanted) {}
 
 // The profile as runs of connected stretches on the page, and which segment is which stretch.

@@ -33,7 +33,8 @@ public:
     std::uint64_t of_profile, of_lines;
   };
   /// REQUIRES that all outlive the meter.
-  EndMeter(const Grid& grid, const Scene& scene, const RenderSettings& settings, Wanted wanted);
+  EndMeter(const Surface& surface, const Scene& scene, const RenderSettings& settings,
+           Wanted wanted);
 
   void see(const Profile& profile, const std::vector<Segment>& segments,
            const std::vector<Piece>& visible) override;

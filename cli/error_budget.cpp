@@ -55,12 +55,26 @@ double geodesy_mm(const Terrain& terrain, const Scene& scene) {
   return greatest;
 }
 
+// How far points of the surface are from where those that it stands for would be drawn. (Where two
+// ridges nearly coincide in the picture, what one hides of the other may change by more.)
+double level_of_detail_mm(const Terrain& terrain, const Scene& scene) {
+  const View& view = scene.view;
+  const double height_m = terrain.surface_error_m * view.exaggeration;
+  const double per_height =
+      view.is_perspective() ? 1 / std::max(scene.nearest_m, view.near_m) : view.cos_elevation;
+  double greatest = 0;
+  for (const Vec2& corner : shown_corners(view))
+    greatest = std::max(greatest, scene.to_page.mm_per_y(corner) * height_m * per_height);
+  return greatest;
+}
+
 } // namespace
 
 ErrorBudget error_budget(const Terrain& terrain, const Scene& scene,
                          const RenderSettings& settings) {
   ErrorBudget budget;
-  if (settings.raster.overview) budget.level_of_detail_mm.reset();
+  budget.level_of_detail_mm = level_of_detail_mm(terrain, scene);
+  if (settings.reading.overview) budget.level_of_detail_mm.reset();
   budget.simplification_mm = settings.simplify_mm;
   budget.visibility_tolerance_mm = settings.visibility_tolerance_mm;
   budget.arithmetic_mm = kArithmetic_mm;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/exact_run.hpp"
 
-#include "profiles/cut_grid.hpp"
+#include "profiles/cut_surface.hpp"
 #include "profiles/project_profile.hpp"
 #include "reference/exact_clip.hpp"
 
@@ -18,16 +18,17 @@ DrawnScene draw_exactly(const Terrain& terrain, const Scene& scene, LineObserver
   DrawnScene out;
   SecondsReport& seconds = out.seconds;
   seconds.facing = seconds.cut = seconds.project = seconds.layout = 0;
-  const GridCutter cutter(terrain.grid, scene.view, scene.level.triangles);
+  const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles);
   std::vector<Profile> profiles(scene.depths_m.size());
   std::vector<std::vector<Segment>> segments(scene.depths_m.size());
+  std::vector<Segment> uprights; // of walls: the exact clip compares what has an extent in X
   std::vector<ExactList> lists;
   for (std::size_t i = 0; i < scene.depths_m.size(); ++i) {
     auto start = Clock::now();
     cutter.cut(scene.depths_m[i], profiles[i]);
     seconds.cut += since(start);
     start = Clock::now();
-    project_profile(profiles[i], static_cast<std::uint32_t>(i), scene.view, segments[i]);
+    project_profile(profiles[i], static_cast<std::uint32_t>(i), scene.view, segments[i], uprights);
     seconds.project += since(start);
     out.counts.segments += segments[i].size();
     lists.push_back({segments[i], Role::drawn_occluder});

@@ -3,6 +3,8 @@
 #include "cli/info.hpp"
 
 #include "dem/extent.hpp"
+#include "dem/read_terrain.hpp"
+#include "profiles/tin_edges.hpp"
 
 #include <fmt/format.h>
 
@@ -46,33 +48,104 @@ std::string describe_units(const MapFrame& map) {
   return text;
 }
 
-Box2 map_bounds(const Terrain& terrain) {
-  const Grid& grid = terrain.grid;
+Box2 map_bounds(const Grid& grid, const MapFrame& map) {
   Box2 bounds;
   for (const int column : {0, grid.columns - 1})
     for (const int row : {0, grid.rows - 1}) {
       const Vec2 ground = grid.position_m(column, row);
-      const Vec3 map = terrain.map.to_map({ground.x, ground.y, 0});
-      bounds.include({map.x, map.y});
+      const Vec3 corner = map.to_map({ground.x, ground.y, 0});
+      bounds.include({corner.x, corner.y});
     }
   return bounds;
+}
+
+Box2 map_bounds(const Tin& tin, const MapFrame& map) {
+  Box2 bounds;
+  for (const Vec3& vertex : tin.vertices_m) {
+    const Vec3 at = map.to_map(vertex);
+    bounds.include({at.x, at.y});
+  }
+  return bounds;
+}
+
+void add_size(std::string& text, const Grid& grid) {
+  add_line(text, "Size", fmt::format("{} x {} vertices", grid.columns, grid.rows));
+  add_line(text, "Cell", describe_cell(grid));
+}
+
+void add_size(std::string& text, const Tin& tin) {
+  add_line(text, "Size",
+           fmt::format("{} vertices, {} triangles", tin.vertices_m.size(), tin.triangles.size()));
+  Box2 edges; // from the shortest to the longest, in x
+  std::size_t border = 0, walls = 0;
+  for_each_edge(tin, [&](const TinEdge& e) {
+    const Vec3 along = tin.vertices_m[e.edge.to] - tin.vertices_m[e.edge.from];
+    edges.include({std::hypot(along.x, along.y), 0});
+    if (e.left == kNoTriangle || e.right == kNoTriangle) ++border;
+  });
+  const TriangleSet is_wall = walls_of(tin);
+  if (!is_wall.empty())
+    for (std::size_t t = 0; t < tin.triangles.size(); ++t) walls += is_wall.has(t);
+  add_line(text, "Edges",
+           fmt::format("{:.4g} to {:.4g} m long seen from above, {} at the border", edges.low.x,
+                       edges.high.x, border));
+  if (walls > 0) add_line(text, "Walls", fmt::format("{} vertical triangles", walls));
+}
+
+void add_memory(std::string& text, const Grid& grid, const SurfaceExtent& extent) {
+  const std::size_t missing = grid.size() - extent.valid;
+  const auto size = static_cast<double>(grid.size());
+  const bool single = std::holds_alternative<std::vector<float>>(grid.heights_m);
+  add_line(text, "No data",
+           missing == 0 ? std::string("none")
+                        : fmt::format("{:.3g} % ({} vertices)",
+                                      100 * static_cast<double>(missing) / size, missing));
+  add_line(text, "In memory",
+           fmt::format("{}, {:.1f} MB", single ? "float32" : "float64",
+                       size * (single ? sizeof(float) : sizeof(double)) / 1e6));
+}
+
+void add_memory(std::string& text, const Tin& tin, const SurfaceExtent&) {
+  const std::size_t bytes = tin.vertices_m.size() * sizeof(tin.vertices_m[0]) +
+                            tin.triangles.size() * 2 * sizeof(tin.triangles[0]);
+  add_line(text, "In memory", fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6));
+}
+
+void add_triangulation(std::string& text, const TriangulationCounts& counts) {
+  std::string points = fmt::format("{}", counts.points);
+  if (counts.merged > 0)
+    points += fmt::format(", {} at the place of another (heights up to {:.3g} m apart)",
+                          counts.merged, counts.greatest_merged_m);
+  add_line(text, "Points", points);
+  if (counts.breaklines > 0) {
+    std::string lines = fmt::format("{}", counts.breaklines);
+    if (counts.crossings > 0)
+      lines += fmt::format(", with {} crossings (heights up to {:.3g} m apart)", counts.crossings,
+                           counts.greatest_crossing_m);
+    add_line(text, "Breaklines", lines);
+  }
+  if (counts.outside > 0)
+    add_line(text, "Outside", fmt::format("{} triangles beyond the boundary", counts.outside));
+  if (counts.beyond_max_edge > 0)
+    add_line(text, "Too long",
+             fmt::format("{} triangles at the border taken away", counts.beyond_max_edge));
 }
 
 } // namespace
 
 std::string describe(const Terrain& terrain) {
-  const Grid& grid = terrain.grid;
+  const Surface& surface = terrain.surface;
   const MapFrame& map = terrain.map;
-  const SurfaceExtent extent = extent_of(grid);
-  const bool single = std::holds_alternative<std::vector<float>>(grid.heights_m);
-  const std::size_t missing = grid.size() - extent.valid;
-  const auto size = static_cast<double>(grid.size());
-  const Box2 bounds = map_bounds(terrain);
+  const SurfaceExtent extent = extent_of(surface);
+  const Box2 bounds = std::visit([&](const auto& s) { return map_bounds(s, map); }, surface);
 
   std::string text;
   add_line(text, "File", terrain.source);
-  add_line(text, "Size", fmt::format("{} x {} vertices", grid.columns, grid.rows));
-  add_line(text, "Cell", describe_cell(grid));
+  std::visit([&](const auto& s) { add_size(text, s); }, surface);
+  if (terrain.triangulation) add_triangulation(text, *terrain.triangulation);
+  if (terrain.surface_error_m > 0)
+    add_line(text, "Stands for",
+             fmt::format("heights that are up to {:.4g} m away", terrain.surface_error_m));
   add_line(text, "CRS", map.crs_name);
   add_line(text, "Units", describe_units(map));
   add_line(text, "Bounds",
@@ -86,19 +159,13 @@ std::string describe(const Terrain& terrain) {
         fmt::format(" ({:.6g} to {:.6g} in the file's unit)", extent.box.low.z / map.height_unit_m,
                     extent.box.high.z / map.height_unit_m);
   add_line(text, "Heights", heights);
-  add_line(text, "No data",
-           missing == 0 ? std::string("none")
-                        : fmt::format("{:.3g} % ({} vertices)",
-                                      100 * static_cast<double>(missing) / size, missing));
-  add_line(text, "In memory",
-           fmt::format("{}, {:.1f} MB", single ? "float32" : "float64",
-                       size * (single ? sizeof(float) : sizeof(double)) / 1e6));
+  std::visit([&](const auto& s) { add_memory(text, s, extent); }, surface);
   for (const auto& note : terrain.notes) add_line(text, "Note", note);
   return text;
 }
 
 void info(const InfoSettings& settings) {
-  const std::string text = describe(read_raster(settings.input, settings.raster));
+  const std::string text = describe(read_terrain(settings.input, settings.reading));
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 

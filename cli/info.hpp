@@ -2,7 +2,7 @@
 // `orograph info`: what a terrain is, for people.
 #pragma once
 
-#include "dem/read_raster.hpp"
+#include "dem/read_options.hpp"
 #include "dem/terrain.hpp"
 
 #include <string>
@@ -11,12 +11,12 @@ namespace orograph {
 
 struct InfoSettings {
   std::string input;
-  ReadOptions raster;
+  ReadOptions reading;
 };
 
-/// Aligned lines of "word   value": file, size, cell, CRS, units, bounds of the vertices in map
-/// coordinates, heights, missing heights, memory, and the reader's notes. One pass over the
-/// heights.
+/// Aligned lines of "word   value": file, size, cells or triangles, CRS, units, bounds of the
+/// vertices in map coordinates, heights, missing heights, memory, and the reader's notes. A few
+/// passes over the surface.
 std::string describe(const Terrain& terrain);
 
 /// Reads the terrain and prints its description to standard output. Throws Error.

@@ -32,10 +32,10 @@ InkSample operator+(const InkSample& a, const InkSample& b) {
           a.hidden + b.hidden, a.missing + b.missing, a.length_mm + b.length_mm};
 }
 
-InkMeter::InkMeter(const Grid& grid, const Scene& scene, const RenderSettings& settings,
-                   double stride_mm, const Grid* full_heights)
+InkMeter::InkMeter(const Surface& surface, const Scene& scene, const RenderSettings& settings,
+                   double stride_mm, const Surface* full_heights)
     : scene_(scene), full_(full_heights), draws_level_(settings.flat == FlatGround::draw),
-      judge_(full_ ? *full_ : grid, scene.view,
+      judge_(full_ ? *full_ : surface, scene.view,
              tie_tolerance(scene, settings.visibility_tolerance_mm)),
       stride_mm_(stride_mm), to_next_mm_(stride_mm * share()),
       rest_of_stride_mm_(stride_mm_ - to_next_mm_) {}
@@ -103,7 +103,7 @@ void InkMeter::see(const Profile& profile, const std::vector<Segment>& segments,
         if (piece->t_begin <= t && t <= piece->t_end) return true;
       return false;
     };
-    ask({at(left), at(left + 1)}, false, is_drawn, profiles_);
+    ask({at(left), at(left + 1)}, profile.after[left] == Span::wall, is_drawn, profiles_);
   }
 }
 

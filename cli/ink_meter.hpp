@@ -38,8 +38,8 @@ InkSample operator+(const InkSample& a, const InkSample& b);
 class InkMeter : public LineObserver {
 public:
   /// REQUIRES that all outlive the meter. A stride of infinity only measures lengths.
-  InkMeter(const Grid& grid, const Scene& scene, const RenderSettings& settings, double stride_mm,
-           const Grid* full_heights);
+  InkMeter(const Surface& surface, const Scene& scene, const RenderSettings& settings,
+           double stride_mm, const Surface* full_heights);
 
   void see(const Profile& profile, const std::vector<Segment>& segments,
            const std::vector<Piece>& visible) override;
@@ -57,7 +57,7 @@ private:
   double share();
 
   const Scene& scene_;
-  const Grid* full_;
+  const Surface* full_;
   bool draws_level_;
   Judge judge_;
   std::mt19937_64 engine_{20240301}; ///< always the same: a measurement can be made again

@@ -7,8 +7,8 @@
 
 namespace orograph {
 
-Judge::Judge(const Grid& grid, const View& view, const TieTolerance& tolerance)
-    : view_(view), tolerance_(tolerance), walk_(grid, view) {}
+Judge::Judge(const Surface& surface, const View& view, const TieTolerance& tolerance)
+    : view_(view), tolerance_(tolerance), walk_(surface, view) {}
 
 double Judge::above(ProfilePoint at, bool on_edge) const {
   const InFront front = walk_.in_front(at);

@@ -12,8 +12,8 @@ enum class Verdict { visible, hidden, tied };
 
 class Judge {
 public:
-  /// REQUIRES that grid and view outlive the judge.
-  Judge(const Grid& grid, const View& view, const TieTolerance& tolerance);
+  /// REQUIRES that surface and view outlive the judge.
+  Judge(const Surface& surface, const View& view, const TieTolerance& tolerance);
 
   /// How far the point's Y is above all that stands in front, negative below it. A point of an edge
   /// of the surface (`on_edge`) isn't hidden by that edge.

@@ -14,8 +14,8 @@ namespace orograph {
 namespace {
 
 constexpr auto kGroup = "Profiles and lines";
-const std::array<std::string, 5> kLayerNames{"profiles", "shores", "border", "silhouettes",
-                                             "skyline"};
+const std::array<std::string, 6> kLayerNames{"profiles", "edges",       "shores",
+                                             "border",   "silhouettes", "skyline"};
 
 } // namespace
 
@@ -82,9 +82,10 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
   options.push_back({.group = kGroup,
                      .name = "--layers",
                      .value = "LIST",
-                     .help = "Layers to draw, with commas between",
+                     .help = "Layers to draw, with commas between; edges are those of the "
+                             "terrain's triangles",
                      .allowed = fmt::format("each once of {}", fmt::join(kLayerNames, ",")),
-                     .by_default = "all of them",
+                     .by_default = fmt::format("{}", fmt::join(s.layers, ",")),
                      .take = [&s](const std::string& text) {
                        s.layers = split(text, ',');
                        return std::all_of(s.layers.begin(), s.layers.end(), [&](const auto& layer) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/line_sweep.hpp"
 
+#include "dem/extent.hpp"
 #include "draw/chain.hpp"
 
 #include <algorithm>
@@ -21,11 +22,8 @@ double nearness(const View& view, ProfilePoint p) {
 }
 
 // Of coordinates in the profile frame: sums of products of lengths up to this.
-double rounding_m(const Grid& grid, const View& view) {
-  double reach = 0;
-  for (const int row : {0, grid.rows - 1})
-    for (const int column : {0, grid.columns - 1})
-      reach = std::max(reach, length(grid.position_m(column, row)));
+double rounding_m(const Surface& surface, const View& view) {
+  const double reach = reach_m(surface);
   return 16 * std::numeric_limits<double>::epsilon() * (reach + length(view.depth_origin_m));
 }
 
@@ -46,14 +44,15 @@ void join(std::vector<LinePart>& parts) {
 
 } // namespace
 
-LineSweep::LineSweep(const Grid& grid, const View& view, std::vector<SweptLine> lines,
+LineSweep::LineSweep(const Surface& surface, const View& view, std::vector<SweptLine> lines,
                      double from_m, const TieTolerance& tolerance)
     : view_(view), lines_(std::move(lines)), from_m_(from_m), tolerance_(tolerance),
-      rounding_m_(rounding_m(grid, view)),
-      slabs_(
-          static_cast<std::uint32_t>(lines_.size()),
-          [&grid, &view, this](std::uint32_t i) { return line_of(grid, view, lines_[i].edge); },
-          from_m) {}
+      rounding_m_(rounding_m(surface, view)), slabs_(
+                                                  static_cast<std::uint32_t>(lines_.size()),
+                                                  [&surface, &view, this](std::uint32_t i) {
+                                                    return line_of(surface, view, lines_[i].edge);
+                                                  },
+                                                  from_m) {}
 
 LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLine& whole) const {
   double t0 = 0, t1 = 1;
@@ -67,7 +66,10 @@ LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLi
   // A line that runs straight away from the eye is told from one that doesn't by more than
   // rounding, which would make one visible by turns.
   const bool upright = std::abs(left.x - right.x) <= out.beside;
-  if (upright ? out.left.v > out.right.v : left.x > right.x) {
+  // Of a vertical edge, which is as near at both ends, the foot comes first.
+  const bool turned =
+      out.left.v != out.right.v ? out.left.v > out.right.v : out.left.z > out.right.z;
+  if (upright ? turned : left.x > right.x) {
     std::swap(out.t_left, out.t_right);
     std::swap(out.left, out.right);
     std::swap(left, right);
@@ -107,8 +109,9 @@ void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspac
         const double in_space = (at.v - p.left.v) / (p.right.v - p.left.v);
         return view_.is_perspective() ? share_in_depth(in_space, p.right.v, p.left.v) : in_space;
       };
-      line.begin = share(piece.begin);
-      line.end = share(piece.end);
+      const bool vertical = p.left.v == p.right.v;
+      line.begin = vertical ? 0 : share(piece.begin);
+      line.end = vertical ? 1 : share(piece.end);
     }
     if (line.begin > line.end) std::swap(line.begin, line.end);
     in_slab_.push_back(line);

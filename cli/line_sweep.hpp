@@ -13,7 +13,7 @@
 namespace orograph {
 
 /// Which layer a line is drawn in, if it is drawn.
-enum class LineKind : std::uint8_t { silhouette, shore, border };
+enum class LineKind : std::uint8_t { silhouette, shore, border, edge };
 
 struct SweptLine {
   SurfaceEdge edge;
@@ -32,8 +32,8 @@ struct LinePart {
 /// horizon by those that hide.
 class LineSweep {
 public:
-  /// REQUIRES that grid and view outlive the sweep. `from_m` is where the first slab begins.
-  LineSweep(const Grid& grid, const View& view, std::vector<SweptLine> lines, double from_m,
+  /// REQUIRES that surface and view outlive the sweep. `from_m` is where the first slab begins.
+  LineSweep(const Surface& surface, const View& view, std::vector<SweptLine> lines, double from_m,
             const TieTolerance& tolerance);
 
   /// The slab up to the plane at `to_m`. `horizon` is made of what stands in front of the slab, and

@@ -5,8 +5,10 @@
 #include "cli/error_budget.hpp"
 #include "cli/exact_run.hpp"
 #include "cli/visible_record.hpp"
+#include "dem/read_raster.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace orograph {
@@ -16,13 +18,21 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 // Points for each end that is asked about, which takes a few hundred rays.
 constexpr int kProbesAnEnd = 40;
 
+// One profile a grid row, or as far apart as a TIN's triangles are large.
+int one_a_cell(const Surface& surface) {
+  if (const Grid* grid = std::get_if<Grid>(&surface)) return grid->rows;
+  const Box3 box = extent_of(surface).box;
+  const double side_m = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  return static_cast<int>(std::clamp(std::round(side_m / cell_size_m(surface)), 1.0, 10000.0));
+}
+
 RenderSettings settings_of(const AccuracyRow& row, const RenderSettings& render,
                            const Terrain& full) {
   RenderSettings out = render;
   out.occluder = row.settings.occluder;
-  out.plan = ProfileCount{row.settings.profiles.value_or(full.grid.rows)};
+  out.plan = ProfileCount{row.settings.profiles.value_or(one_a_cell(full.surface))};
   out.simplify_mm = row.settings.simplify_mm;
-  out.raster.overview = row.settings.overview;
+  out.reading.overview = row.settings.overview;
   if (row.settings.arithmetic == Arithmetic::exact) out.layers = {"profiles"};
   return out;
 }
@@ -74,9 +84,9 @@ void keep_least(SecondsReport& least, const SecondsReport& run) {
 void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terrain& full) {
   const RenderSettings render = settings_of(row, settings.render, full);
   std::optional<Terrain> overview;
-  if (row.settings.overview) overview = read_raster(render.input, render.raster);
+  if (row.settings.overview) overview = read_raster(render.input, render.reading);
   const Terrain& terrain = overview ? *overview : full;
-  const Grid* full_heights = overview ? &full.grid : nullptr;
+  const Surface* full_heights = overview ? &full.surface : nullptr;
   const Scene scene = place_scene(terrain, render);
   row.profile_count = scene.depths_m.size();
   row.promise = promise_of(row.settings, error_budget(terrain, scene, render));
@@ -93,16 +103,16 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
   // Lengths don't depend on what is hidden, so double precision measures those of any row.
   RenderSettings unsimplified = render;
   unsimplified.simplify_mm = 0;
-  InkMeter lengths(terrain.grid, scene, render, kNever, full_heights);
+  InkMeter lengths(terrain.surface, scene, render, kNever, full_heights);
   const DrawnScene whole =
       draw_scene(terrain, scene, unsimplified, [](double) {}, {&lengths, true, false});
 
   // Profiles get the points that were asked for, whether other lines are drawn too or not: rows
   // with the same profiles are asked of the same points.
   const double stride_mm = lengths.profiles().length_mm / settings.probes;
-  InkMeter ink(terrain.grid, scene, render, stride_mm, full_heights);
+  InkMeter ink(terrain.surface, scene, render, stride_mm, full_heights);
   const auto ends = static_cast<std::uint64_t>(settings.probes / kProbesAnEnd);
-  EndMeter end_meter(terrain.grid, scene, render,
+  EndMeter end_meter(terrain.surface, scene, render,
                      {ends / 2 / scene.depths_m.size() + 1, ends / 2 + 1});
   VisibleRecord visible(scene);
   AllOf observers({&ink});

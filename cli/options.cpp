@@ -38,7 +38,7 @@ Command render_command(RenderSettings& settings) {
                    {"orograph render dem.tif map.png --eye 250800,4071000,900 --fov 60",
                     "Seen from a point of the terrain's own coordinates."}}};
   command.conflicts.push_back({"--profiles", "--spacing", "give one of the two"});
-  add_terrain_options(command.options, settings.input, settings.raster);
+  add_terrain_options(command.options, settings.input, settings.reading);
   command.options.insert(
       command.options.begin() + 1,
       {.name = "OUTPUT",
@@ -64,7 +64,7 @@ Command accuracy_command(AccuracySettings& settings) {
                                 "The table, and accuracy.csv, .json and .svg (the curve)."},
                                {"orograph accuracy dem.tif --view-from 225/10 --profiles 100,200",
                                 "Seen from the south-west, low, with two numbers of profiles."}}};
-  add_terrain_options(command.options, render.input, render.raster);
+  add_terrain_options(command.options, render.input, render.reading);
   // Overviews are among the settings that are measured.
   std::erase_if(command.options, [](const Option& o) { return o.name == "--overview"; });
   add_view_options(command.options, render);
@@ -81,7 +81,7 @@ Command info_command(InfoSettings& settings) {
       .options = {},
       .conflicts = {},
       .examples = {{"orograph info dem.tif", "What the file holds, as render reads it."}}};
-  add_terrain_options(command.options, settings.input, settings.raster);
+  add_terrain_options(command.options, settings.input, settings.reading);
   command.options.push_back(help_option());
   return command;
 }

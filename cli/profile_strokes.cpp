@@ -11,7 +11,9 @@ namespace {
 bool joined(const Profile& profile, std::uint32_t from, std::uint32_t to) {
   if (from > to) return false;
   for (std::uint32_t i = from; i < to; ++i)
-    if (profile.after[i] == Span::gap || profile.u_m[i] < profile.u_m[i + 1]) return false;
+    if (profile.after[i] == Span::gap || profile.after[i] == Span::wall ||
+        profile.u_m[i] < profile.u_m[i + 1])
+      return false;
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include "cli/draw_scene.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene.hpp"
+#include "dem/read_terrain.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ void render(const RenderSettings& settings) {
   SecondsReport& seconds = report.seconds;
 
   const Terrain terrain =
-      timed(seconds.read, [&] { return read_raster(settings.input, settings.raster); });
+      timed(seconds.read, [&] { return read_terrain(settings.input, settings.reading); });
   const Scene scene = timed(seconds.place, [&] { return place_scene(terrain, settings); });
   if (scene.exaggeration_chosen && scene.view.exaggeration != 1)
     say(settings, fmt::format("heights are exaggerated {} times (--exaggeration 1 draws them true)",

@@ -2,7 +2,7 @@
 // Everything that `orograph render` is told, checked and in its own types.
 #pragma once
 
-#include "dem/read_raster.hpp"
+#include "dem/read_options.hpp"
 #include "draw/page.hpp"
 #include "draw/write_drawing.hpp"
 #include "geometry/angle.hpp"
@@ -21,7 +21,7 @@ enum class FlatGround { shore, draw };
 
 struct RenderSettings {
   std::string input, output;
-  ReadOptions raster;
+  ReadOptions reading;
 
   Projection projection = Projection::perspective;
   Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);

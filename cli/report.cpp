@@ -22,6 +22,22 @@ Json json_of(Vec3 p) {
   return {p.x, p.y, p.z};
 }
 
+Json json_of(const TriangulationCounts& counts) {
+  return {{"points", counts.points},
+          {"merged", counts.merged},
+          {"greatest_merged_m", counts.greatest_merged_m},
+          {"breaklines", counts.breaklines},
+          {"crossings", counts.crossings},
+          {"greatest_crossing_m", counts.greatest_crossing_m},
+          {"outside_boundary", counts.outside},
+          {"beyond_max_edge", counts.beyond_max_edge}};
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
 Json json_of(const InputReport& input) {
   return {{"path", input.path},
           {"crs", {{"name", input.crs_name}, {"wkt", input.crs_wkt}}},
@@ -29,10 +45,15 @@ Json json_of(const InputReport& input) {
           {"unit_m", input.unit_m},
           {"height_unit", input.height_unit_name},
           {"height_unit_m", input.height_unit_m},
-          {"columns", input.columns},
-          {"rows", input.rows},
+          {"surface", input.vertices ? "tin" : "grid"},
+          {"columns", or_null(input.columns)},
+          {"rows", or_null(input.rows)},
           {"column_step_m", input.column_step_m},
           {"row_step_m", input.row_step_m},
+          {"vertices", or_null(input.vertices)},
+          {"triangles", or_null(input.triangles)},
+          {"triangulation", input.triangulation ? json_of(*input.triangulation) : Json()},
+          {"surface_error_m", input.surface_error_m},
           {"notes", input.notes}};
 }
 

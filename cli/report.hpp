@@ -2,6 +2,7 @@
 // The run report: what was drawn, how exactly and in which time, as JSON (docs/how-it-works.md).
 #pragma once
 
+#include "dem/triangulate.hpp"
 #include "geometry/homography.hpp"
 #include "geometry/vec.hpp"
 
@@ -23,8 +24,11 @@ struct InputReport {
   std::string crs_name, crs_wkt; ///< as in MapFrame
   std::string unit_name, height_unit_name;
   double unit_m = 1, height_unit_m = 1;
-  int columns = 0, rows = 0;
-  double column_step_m = kNotMeasured, row_step_m = kNotMeasured; ///< lengths
+  std::optional<std::uint64_t> columns, rows;                     ///< of a grid
+  double column_step_m = kNotMeasured, row_step_m = kNotMeasured; ///< lengths; of a grid
+  std::optional<std::uint64_t> vertices, triangles;               ///< of a TIN
+  std::optional<TriangulationCounts> triangulation;               ///< of points
+  double surface_error_m = 0;                                     ///< as in Terrain
   std::vector<std::string> notes;
 };
 

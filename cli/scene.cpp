@@ -3,7 +3,7 @@
 
 #include "dem/height_at.hpp"
 #include "geometry/error.hpp"
-#include "profiles/cut_grid.hpp"
+#include "profiles/cut_surface.hpp"
 #include "profiles/plan.hpp"
 #include "view/place_view.hpp"
 
@@ -41,13 +41,20 @@ double page_aspect(PageRequest request) {
 void check_eye(const View& view, const Terrain& terrain) {
   if (!view.is_perspective()) return;
   const double eye_m = view.eye_z_m / view.exaggeration;
-  const auto ground = height_at(terrain.grid, view.depth_origin_m);
+  const auto ground = height_at(terrain.surface, view.depth_origin_m);
   if (!ground || eye_m >= *ground) return;
   const double unit = terrain.map.height_unit_m;
   throw Error(
       fmt::format("the eye, at height {:.6g}, is under the ground, which is at {:.6g} there",
                   eye_m / unit, *ground / unit),
       "raise the eye, or move it");
+}
+
+std::vector<BorderEdge> border_of(const Grid& grid, const SurfaceExtent& extent) {
+  return border_edges(grid, extent.valid == grid.size());
+}
+std::vector<BorderEdge> border_of(const Tin& tin, const SurfaceExtent&) {
+  return border_edges(tin);
 }
 
 } // namespace
@@ -59,20 +66,22 @@ double chosen_exaggeration(const Box3& terrain) {
 }
 
 Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
-  const Grid& grid = terrain.grid;
+  const Surface& surface = terrain.surface;
   Scene scene;
-  scene.extent = extent_of(grid);
-  scene.border = border_edges(grid, scene.extent.valid == grid.size());
+  scene.extent = extent_of(surface);
+  scene.cell_m = cell_size_m(surface);
+  scene.border = std::visit([&](const auto& s) { return border_of(s, scene.extent); }, surface);
   if (settings.flat == FlatGround::shore)
-    scene.level = find_level_ground(grid, smallest_water(grid));
+    scene.level = std::visit([](const auto& s) { return find_water(s); }, surface);
 
   // A given eye sees the world as it is; exaggerating would lift the eye off its ground as well.
   scene.exaggeration_chosen = !settings.exaggeration;
   const double exaggeration =
       settings.exaggeration.value_or(settings.eye_map ? 1 : chosen_exaggeration(scene.extent.box));
-  const std::vector<OutlineEdge> outline = outline_of(grid, scene.border);
+  const std::vector<OutlineEdge> outline =
+      std::visit([&](const auto& s) { return outline_of(s, scene.border); }, surface);
   const TerrainShape shape{scene.extent.blocks, outline, scene.extent.box,
-                           scene.extent.mean_height_m, cell_size_m(grid)};
+                           scene.extent.mean_height_m, scene.cell_m};
   scene.view = place_view(view_request(settings, terrain.map, exaggeration), shape,
                           page_aspect(settings.page));
   check_eye(scene.view, terrain);
@@ -81,14 +90,16 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
   scene.page = placement.page;
   scene.to_page = compose(placement.to_page, scene.view.to_picture);
 
-  const GridCutter extent_in_depth(grid, scene.view, scene.level.triangles);
+  const SurfaceCutter cutter(surface, scene.view, scene.level.triangles);
+  scene.nearest_m = cutter.nearest_m();
+  scene.farthest_m = cutter.farthest_m();
   const Box3& box = scene.extent.box;
   scene.plan = settings.plan.value_or(PageSpacing{kPenWidthsApart * settings.pen_width_mm});
-  scene.depths_m = plan_depths(scene.plan,
-                               {extent_in_depth.nearest_m(), extent_in_depth.farthest_m(),
-                                scene.extent.mean_height_m * exaggeration,
-                                (box.high.z - box.low.z) * exaggeration},
-                               scene.view, scene.to_page);
+  scene.depths_m =
+      plan_depths(scene.plan,
+                  {scene.nearest_m, scene.farthest_m, scene.extent.mean_height_m * exaggeration,
+                   (box.high.z - box.low.z) * exaggeration},
+                  scene.view, scene.to_page);
   return scene;
 }
 

@@ -22,7 +22,9 @@ struct Scene {
   Homography to_page; ///< visibility plane to page mm
   PlanRequest plan;
   std::vector<double> depths_m;
-  bool exaggeration_chosen = false; ///< by us, not by the user
+  double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
+  double cell_m = 0;                    ///< its finest ground detail
+  bool exaggeration_chosen = false;     ///< by us, not by the user
 };
 
 /// 1, 1.5 or 2, so that most terrains read well from 25 degrees: by highest less lowest height over

@@ -3,8 +3,10 @@
 
 #include "profiles/ground_behind.hpp"
 #include "profiles/silhouettes.hpp"
+#include "profiles/surface_edges.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace orograph {
 
@@ -19,38 +21,46 @@ std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
   const bool silhouettes = asks_for(settings, "silhouettes") || asks_for(settings, "skyline");
   const bool border = asks_for(settings, "border");
   std::vector<SweptLine> lines;
-  std::vector<SurfaceEdge> edges;
-  if (surface || silhouettes) edges = silhouette_edges(terrain.grid, scene.view);
-  for (const SurfaceEdge& edge : edges)
-    lines.push_back({edge, LineKind::silhouette, surface, silhouettes});
+  std::vector<SurfaceEdge> drawn; // in order: an edge of several kinds is drawn as the first
+  const auto add_drawn = [&](const std::vector<SurfaceEdge>& edges, LineKind kind) {
+    std::vector<SurfaceEdge> news;
+    std::set_difference(edges.begin(), edges.end(), drawn.begin(), drawn.end(),
+                        std::back_inserter(news));
+    for (const SurfaceEdge& edge : news) lines.push_back({edge, kind, false, true});
+    const auto middle = static_cast<std::ptrdiff_t>(drawn.size());
+    drawn.insert(drawn.end(), news.begin(), news.end());
+    std::inplace_merge(drawn.begin(), drawn.begin() + middle, drawn.end());
+  };
+  const std::vector<SurfaceEdge> behind_walls = edges_behind_walls(terrain.surface, scene.view);
+  const auto add_hiding = [&](SurfaceEdge edge, LineKind kind, bool is_drawn) {
+    if (is_drawn && std::binary_search(behind_walls.begin(), behind_walls.end(), edge))
+      is_drawn = false;
+    lines.push_back({edge, kind, surface, is_drawn});
+    if (is_drawn) drawn.push_back(edge);
+  };
+  drawn = behind_walls; // not to be drawn at all
+  if (surface || silhouettes)
+    for (const SurfaceEdge& edge : silhouette_edges(terrain.surface, scene.view))
+      add_hiding(edge, LineKind::silhouette, silhouettes);
   if (surface || border)
-    for (const BorderEdge& edge : scene.border)
-      lines.push_back({edge.edge, LineKind::border, surface, border});
-  if (asks_for(settings, "shores")) {
-    // A shore that is a silhouette as well is drawn as such, once.
-    const auto before = [](const SurfaceEdge& a, const SurfaceEdge& b) {
-      return a.from != b.from ? a.from < b.from : a.to < b.to;
-    };
-    if (!silhouettes) edges.clear();
-    std::sort(edges.begin(), edges.end(), before);
-    for (const SurfaceEdge& edge : scene.level.shores)
-      if (!std::binary_search(edges.begin(), edges.end(), edge, before))
-        lines.push_back({edge, LineKind::shore, false, true});
-  }
+    for (const BorderEdge& edge : scene.border) add_hiding(edge.edge, LineKind::border, border);
+  std::sort(drawn.begin(), drawn.end());
+  if (asks_for(settings, "shores")) add_drawn(scene.level.shores, LineKind::shore);
+  if (asks_for(settings, "edges")) add_drawn(edges_of(terrain.surface), LineKind::edge);
   return lines;
 }
 
 std::vector<LinePart> folds(const LineSweep& sweep, const std::vector<LinePart>& parts,
-                            const Grid& grid, const View& view, double share,
+                            const Surface& surface, const View& view, double share,
                             double parallel_depth_m) {
   std::vector<LinePart> out;
   if (share <= 0) return out;
-  const GroundBehind ground(grid, view);
+  const GroundBehind ground(surface, view);
   for (const LinePart& part : parts) {
     if (sweep.line(part.line).kind != LineKind::silhouette) continue;
     const ProfilePoint middle = sweep.point(part.line, 0.5 * (part.t_begin + part.t_end));
     const double depth = view.is_perspective() ? middle.v : parallel_depth_m;
-    if (ground.rises_within(middle, share * depth)) out.push_back(part);
+    if (ground.rises_within(sweep.line(part.line).edge, middle, share * depth)) out.push_back(part);
   }
   return out;
 }

@@ -20,7 +20,7 @@ std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
 /// (`--silhouette-jump`): folds of a slope, not ridges. In a parallel view, which has no eye to be
 /// far from, the share is of the terrain's own extent in depth, `parallel_depth_m`.
 std::vector<LinePart> folds(const LineSweep& sweep, const std::vector<LinePart>& parts,
-                            const Grid& grid, const View& view, double share,
+                            const Surface& surface, const View& view, double share,
                             double parallel_depth_m);
 
 } // namespace orograph

@@ -13,7 +13,7 @@ constexpr auto kGroup = "Terrain";
 
 } // namespace
 
-void add_terrain_options(std::vector<Option>& options, std::string& input, ReadOptions& raster) {
+void add_terrain_options(std::vector<Option>& options, std::string& input, ReadOptions& reading) {
   options.push_back({.name = "INPUT",
                      .help = "the terrain: any raster of heights that GDAL opens, in a projected "
                              "CRS or none; /vsizip/ and other /vsi paths too",
@@ -23,18 +23,18 @@ void add_terrain_options(std::vector<Option>& options, std::string& input, ReadO
                                   .letter = 'b',
                                   .value = "N",
                                   .help = "Band that holds the heights",
-                                  .by_default = std::to_string(raster.band)},
+                                  .by_default = std::to_string(reading.band)},
                                  1, std::numeric_limits<int>::max(),
-                                 [&raster](int n) { raster.band = n; }));
+                                 [&reading](int n) { reading.band = n; }));
   options.push_back({.group = kGroup,
                      .name = "--oo",
                      .value = "NAME=VALUE",
                      .help = "Open option for GDAL's driver; may be repeated",
                      .repeatable = true,
-                     .take = [&raster](const std::string& text) {
+                     .take = [&reading](const std::string& text) {
                        const auto equals = text.find('=');
                        if (equals == 0 || equals == std::string::npos) return false;
-                       raster.open_options.push_back(text);
+                       reading.open_options.push_back(text);
                        return true;
                      }});
   options.push_back(
@@ -44,14 +44,14 @@ void add_terrain_options(std::vector<Option>& options, std::string& input, ReadO
        .help = "Keep only the terrain inside this window",
        .allowed = "coordinates of the terrain's CRS, XMIN below XMAX, YMIN below YMAX",
        .by_default = "all of it",
-       .take = stored(parse_box, raster.bbox)});
+       .take = stored(parse_box, reading.bbox)});
   options.push_back(with_integer({.group = kGroup,
                                   .name = "--overview",
                                   .value = "LEVEL",
                                   .help = "Read a smaller overview of the file instead of the full "
                                           "heights; 0 is the finest overview",
                                   .by_default = "full heights"},
-                                 0, 100, [&raster](int level) { raster.overview = level; }));
+                                 0, 100, [&reading](int level) { reading.overview = level; }));
 }
 
 } // namespace orograph

@@ -9,8 +9,9 @@ namespace orograph {
 
 /// What one pass over the heights tells.
 struct SurfaceExtent {
-  BlockedPoints blocks; ///< valid vertices (ground position and height, metres); refers to the surface
-  Box3 box;             ///< of all valid vertices
+  BlockedPoints
+      blocks; ///< valid vertices (ground position and height, metres); refers to the surface
+  Box3 box;   ///< of all valid vertices
   double mean_height_m = 0; ///< of all valid vertices; of a TIN, of its ground
   std::size_t valid = 0;    ///< vertices that have a height
 };
@@ -28,5 +29,8 @@ SurfaceExtent extent_of(const Surface& surface);
 /// step of a square grid with as many triangles on as much ground.
 double cell_size_m(const Tin& tin);
 double cell_size_m(const Surface& surface);
+
+/// Bound on how far vertices are from the ground frame's origin, in metres on the ground.
+double reach_m(const Surface& surface);
 
 } // namespace orograph

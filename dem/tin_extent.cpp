@@ -16,8 +16,7 @@ double mean_height_m(const Tin& tin) {
   double ground_m2 = 0, sum = 0, vertex_sum = 0;
   for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
     const auto& [a, b, c] = tin.triangles[t];
-    const double height =
-        (tin.vertices_m[a].z + tin.vertices_m[b].z + tin.vertices_m[c].z) / 3;
+    const double height = (tin.vertices_m[a].z + tin.vertices_m[b].z + tin.vertices_m[c].z) / 3;
     const double area = plan_area_m2(tin, t);
     ground_m2 += area;
     sum += area * height;
@@ -46,6 +45,19 @@ SurfaceExtent extent_of(const Tin& tin) {
   extent.mean_height_m = mean_height_m(tin);
   extent.valid = vertices.size();
   return extent;
+}
+
+double reach_m(const Surface& surface) {
+  double reach = 0;
+  if (const Grid* grid = std::get_if<Grid>(&surface)) {
+    for (const int row : {0, grid->rows - 1})
+      for (const int column : {0, grid->columns - 1})
+        reach = std::max(reach, length(grid->position_m(column, row)));
+  } else {
+    for (const Vec3& vertex : std::get<Tin>(surface).vertices_m)
+      reach = std::max(reach, std::hypot(vertex.x, vertex.y));
+  }
+  return reach;
 }
 
 SurfaceExtent extent_of(const Surface& surface) {

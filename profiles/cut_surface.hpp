@@ -17,8 +17,7 @@ public:
   SurfaceCutter(const Surface& surface, const View& view, const TriangleSet& level)
       : cutter_(std::holds_alternative<Grid>(surface)
                     ? Cutter(std::in_place_type<GridCutter>, std::get<Grid>(surface), view, level)
-                    : Cutter(std::in_place_type<TinCutter>, std::get<Tin>(surface), view, level)) {
-  }
+                    : Cutter(std::in_place_type<TinCutter>, std::get<Tin>(surface), view, level)) {}
 
   void cut(double depth_m, Profile& out) const {
     std::visit([&](const auto& cutter) { cutter.cut(depth_m, out); }, cutter_);

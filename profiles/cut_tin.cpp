@@ -34,12 +34,8 @@ struct Walk {
   bool far_at_plane; ///< whether a vertex in the plane counts as far
   Profile& out;      ///< of one run after the other
 
-  CutVertex vertex(std::uint32_t i) const {
-    return {i, to_profile_frame(view, tin.vertices_m[i])};
-  }
-  bool is_far(const CutVertex& p) const {
-    return far_at_plane ? p.at.v >= depth : p.at.v > depth;
-  }
+  CutVertex vertex(std::uint32_t i) const { return {i, to_profile_frame(view, tin.vertices_m[i])}; }
+  bool is_far(const CutVertex& p) const { return far_at_plane ? p.at.v >= depth : p.at.v > depth; }
   bool is_wall(std::uint32_t t) const { return !walls.empty() && walls.has(t); }
 
   Span span_in(std::uint32_t t) const {
@@ -198,7 +194,7 @@ void TinCutter::cut(double depth_m, Profile& out) const {
   Profile found;
   // Vertices in the plane count as far, except where the TIN only touches the plane from behind:
   // then nothing would be near.
-  Walk walk{tin_,  view_, level_, walls_, turned_walls_, depth_m, depth_m > nearest_m_, found};
+  Walk walk{tin_, view_, level_, walls_, turned_walls_, depth_m, depth_m > nearest_m_, found};
   std::vector<Run> runs;
   const std::size_t bucket = bucket_of(depth_m);
   for (std::size_t i = bucket_begin_[bucket]; i < bucket_begin_[bucket + 1]; ++i) {

@@ -38,8 +38,7 @@ double between(const Grid& grid, const std::vector<Height>& heights, int column,
 
 } // namespace
 
-GroundBehindGrid::GroundBehindGrid(const Grid& grid, const View& view)
-    : grid_(grid), view_(view) {
+GroundBehindGrid::GroundBehindGrid(const Grid& grid, const View& view) : grid_(grid), view_(view) {
   const double area = cross(grid.column_step_m, grid.row_step_m);
   per_column_ = (1 / area) * Vec2{grid.row_step_m.y, -grid.row_step_m.x};
   per_row_ = (1 / area) * Vec2{-grid.column_step_m.y, grid.column_step_m.x};
@@ -87,9 +86,10 @@ bool GroundBehindGrid::rises_within(SurfaceEdge, ProfilePoint from, double reach
 
 GroundBehind::GroundBehind(const Surface& surface, const View& view)
     : ground_(std::holds_alternative<Grid>(surface)
-                  ? std::variant<GroundBehindGrid, GroundBehindTin>(
-                        std::in_place_index<0>, std::get<Grid>(surface), view)
-                  : std::variant<GroundBehindGrid, GroundBehindTin>(
-                        std::in_place_index<1>, std::get<Tin>(surface), view)) {}
+                  ? std::variant<GroundBehindGrid, GroundBehindTin>(std::in_place_index<0>,
+                                                                    std::get<Grid>(surface), view)
+                  : std::variant<GroundBehindGrid, GroundBehindTin>(std::in_place_index<1>,
+                                                                    std::get<Tin>(surface), view)) {
+}
 
 } // namespace orograph

@@ -49,8 +49,7 @@ bool GroundBehindTin::rises_within(SurfaceEdge edge, ProfilePoint from, double r
     const bool apex_on_right = right_of_ray(at(triangle[k])) > 0;
     const std::size_t leave = apex_on_right ? (k + 2) % 3 : (k + 1) % 3;
     // As every point on an edge, from the vertex of lower index.
-    const auto [low, high] =
-        std::minmax({triangle[(leave + 1) % 3], triangle[(leave + 2) % 3]});
+    const auto [low, high] = std::minmax({triangle[(leave + 1) % 3], triangle[(leave + 2) % 3]});
     const ProfilePoint a = at(low), b = at(high);
     const double side_a = right_of_ray(a), side_b = right_of_ray(b);
     const double share = side_a == side_b ? 0.5 : std::clamp(side_a / (side_a - side_b), 0.0, 1.0);

@@ -89,9 +89,9 @@ void put_in_order(std::vector<BorderEdge>& edges) {
 
 std::vector<BorderEdge> border_edges(const Grid& grid, bool all_valid) {
   std::vector<BorderEdge> edges =
-      all_valid ? hull_edges(grid)
-                : std::visit([&](const auto& h) { return edges_with_one_side(grid, h); },
-                             grid.heights_m);
+      all_valid
+          ? hull_edges(grid)
+          : std::visit([&](const auto& h) { return edges_with_one_side(grid, h); }, grid.heights_m);
   put_in_order(edges);
   return edges;
 }

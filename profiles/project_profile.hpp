@@ -11,10 +11,9 @@
 namespace orograph {
 
 /// The profile's spans as segments, left to right, into `out`; those along walls, which stand
-/// upright (x0 == x1), into `uprights`. A segment's id is `number` in the upper 32 bits and the index
-/// of its left vertex in the lower. Spans that are gaps, and others that have no extent in X after
-/// rounding, have no segment.
-/// REQUIRES profile.depth_m > 0 in perspective.
+/// upright (x0 == x1), into `uprights`. A segment's id is `number` in the upper 32 bits and the
+/// index of its left vertex in the lower. Spans that are gaps, and others that have no extent in X
+/// after rounding, have no segment. REQUIRES profile.depth_m > 0 in perspective.
 void project_profile(const Profile& profile, std::uint32_t number, const View& view,
                      std::vector<Segment>& out, std::vector<Segment>& uprights);
 

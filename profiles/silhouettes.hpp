@@ -18,5 +18,6 @@ namespace orograph {
 /// Cost: one pass over the triangles, a few flops each.
 std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view);
 std::vector<SurfaceEdge> silhouette_edges(const Tin& tin, const View& view);
+std::vector<SurfaceEdge> silhouette_edges(const Surface& surface, const View& view);
 
 } // namespace orograph

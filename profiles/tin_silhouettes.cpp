@@ -23,4 +23,8 @@ std::vector<SurfaceEdge> silhouette_edges(const Tin& tin, const View& view) {
   return edges;
 }
 
+std::vector<SurfaceEdge> silhouette_edges(const Surface& surface, const View& view) {
+  return std::visit([&](const auto& s) { return silhouette_edges(s, view); }, surface);
+}
+
 } // namespace orograph

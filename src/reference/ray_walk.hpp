@@ -3,47 +3,39 @@
 // (docs/how-it-works.md).
 #pragma once
 
-#include "dem/grid.hpp"
+#include "dem/surface.hpp"
 #include "geometry/profile_point.hpp"
+#include "reference/grid_ray_walk.hpp"
+#include "reference/in_front.hpp"
+#include "reference/tin_ray_walk.hpp"
 #include "view/view.hpp"
 
-#include <limits>
+#include <variant>
 
 namespace orograph {
 
-/// What stands in front of a ground point: the surface at the point's X of the visibility plane
-/// that is strictly nearer. The piece of it that leads up to the point counts where it begins; it
-/// ends at the point.
-struct InFront {
-  double greatest_y = -std::numeric_limits<double>::infinity(); ///< -infinity: nothing is in front
-  double at_depth_m = 0; ///< of the place with the greatest Y
-  /// The same of what is nearer by more than a ground position's rounding: for a point on an edge,
-  /// which is never in front of itself.
-  double greatest_y_apart = -std::numeric_limits<double>::infinity();
-  double rounding = 0; ///< bound on the rounding of greatest_y less the point's own Y
-};
-
-/// Walks over every edge of the triangulated grid that the vertical plane of a point's ray crosses:
-/// no horizon, no profiles, no silhouettes. The section of the surface by that plane is greatest
-/// where it bends, begins or ends, which is at those edges, or at the near plane in perspective.
+/// Walks over every edge of the surface that the vertical plane of a point's ray crosses: no
+/// horizon, no profiles, no silhouettes. The section of the surface by that plane is greatest where
+/// it bends, begins or ends, which is at those edges, or at the near plane in perspective.
 class RayWalk {
 public:
-  /// REQUIRES that `grid` outlives the walk. Cost: one pass over the heights.
-  RayWalk(const Grid& grid, const View& view);
+  /// REQUIRES that the surface outlives the walk. Cost: one pass over it.
+  RayWalk(const Grid& grid, const View& view) : walk_(std::in_place_index<0>, grid, view) {}
+  RayWalk(const Tin& tin, const View& view) : walk_(std::in_place_index<1>, tin, view) {}
+  RayWalk(const Surface& surface, const View& view)
+      : RayWalk(std::holds_alternative<Grid>(surface) ? RayWalk(std::get<Grid>(surface), view)
+                                                      : RayWalk(std::get<Tin>(surface), view)) {}
 
   /// A point of the surface is hidden if and only if greatest_y is more than its own Y; where the
   /// two differ by no more than `rounding`, double precision can't tell. Triangles hold their
   /// edges: a ray along an edge or through a vertex meets what is there on either side.
-  /// REQUIRES p.v > 0 in perspective. Cost O(columns + rows), no allocation.
-  InFront in_front(ProfilePoint p) const;
+  /// REQUIRES p.v > 0 in perspective. Cost: the edges near the ray.
+  InFront in_front(ProfilePoint p) const {
+    return std::visit([&](const auto& walk) { return walk.in_front(p); }, walk_);
+  }
 
 private:
-  const Grid& grid_;
-  View view_;
-  Vec2 per_column_, per_row_; ///< columns and rows in a ground step of 1 m east, and 1 m north
-  double reach_m_ = 0;        ///< bound on the coordinates in the ground frame
-  double highest_m_ = 0;      ///< greatest height, or depth below zero
-  double steepest_m_ = 0;     ///< greatest difference of height along an edge
+  std::variant<GridRayWalk, TinRayWalk> walk_;
 };
 
 } // namespace orograph

@@ -4,6 +4,7 @@
 #include "cli/accuracy_report.hpp"
 #include "cli/options.hpp"
 #include "cli/plot_accuracy.hpp"
+#include "dem/read_raster.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"
@@ -30,7 +31,7 @@ AccuracySettings small_settings() {
 }
 
 std::vector<AccuracyRow> measured(const AccuracySettings& settings) {
-  const Terrain terrain = read_raster(settings.render.input, settings.render.raster);
+  const Terrain terrain = read_raster(settings.render.input, settings.render.reading);
   std::vector<AccuracyRow> rows = accuracy_rows(settings);
   for (AccuracyRow& row : rows) measure_row(row, settings, terrain);
   return rows;

@@ -76,11 +76,11 @@ TEST_CASE("two names alone give the defaults") {
 TEST_CASE("terrain options") {
   const auto s =
       given({"-b", "2", "--oo", "A=1", "--oo=B=x=y", "--bbox", "-10,-20,30,40", "--overview", "0"});
-  CHECK(s.raster.band == 2);
-  CHECK(s.raster.open_options == Arguments{"A=1", "B=x=y"});
-  REQUIRE(s.raster.bbox);
-  CHECK(s.raster.bbox->low == Vec2{-10, -20});
-  CHECK(s.raster.overview == 0);
+  CHECK(s.reading.band == 2);
+  CHECK(s.reading.open_options == Arguments{"A=1", "B=x=y"});
+  REQUIRE(s.reading.bbox);
+  CHECK(s.reading.bbox->low == Vec2{-10, -20});
+  CHECK(s.reading.overview == 0);
   check_refused({"--band", "0"}, "whole number, at least 1");
   check_refused({"--oo", "A"}, "NAME=VALUE");
   check_refused({"--oo", "=1"}, "NAME=VALUE");
@@ -247,8 +247,8 @@ TEST_CASE("forms of giving a value") {
   CHECK(given({"--title="}).title.empty());
   CHECK(given({"--title", ""}).title.empty());
   CHECK(given({"--title=--fov"}).title == "--fov");
-  CHECK(given({"-b2"}).raster.band == 2);
-  CHECK(given({"-qb", "2"}).raster.band == 2);
+  CHECK(given({"-b2"}).reading.band == 2);
+  CHECK(given({"-qb", "2"}).reading.band == 2);
   CHECK(parse_render({"--", "-in.tif", "-out.svg"})->input == "-in.tif");
   CHECK_FALSE(parse_render({"--help"}));
   CHECK_FALSE(parse_render({"-h", "in.tif"}));
@@ -285,8 +285,8 @@ TEST_CASE("options of info") {
   const auto s = parse_info({"in.tif", "-b", "3", "--bbox", "0,0,1,1", "--overview", "1"});
   REQUIRE(s);
   CHECK(s->input == "in.tif");
-  CHECK(s->raster.band == 3);
-  CHECK(s->raster.overview == 1);
+  CHECK(s->reading.band == 3);
+  CHECK(s->reading.overview == 1);
   CHECK_FALSE(parse_info({"--help"}));
   CHECK_THROWS_AS(parse_info({"in.tif", "--fov", "30"}), UsageError);
 }

@@ -37,9 +37,9 @@ std::vector<double> interesting_depths(Random& random, const Grid& grid, const V
 }
 
 TriangleSet some_level(Random& random, const Grid& grid) {
-  TriangleSet level(grid);
+  TriangleSet level(grid_triangle_count(grid));
   for (const GridTriangle& t : triangles_of(grid))
-    if (random.chance(0.5)) level.add(t.column, t.row, t.half);
+    if (random.chance(0.5)) level.add(grid_triangle(grid, t.column, t.row, t.half));
   return level;
 }
 

@@ -82,13 +82,13 @@ TEST_CASE("level ground and its shores are what a flood fill finds") {
       std::size_t there = 0, marked = 0;
       for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto& [vertices, column, row, half] = triangles[i];
-        REQUIRE(found.triangles.has(column, row, half) == expected.level[i]);
+        REQUIRE(found.triangles.has(grid_triangle(grid, column, row, half)) == expected.level[i]);
         there += expected.level[i];
       }
       for (int row = 0; row + 1 < grid.rows; ++row)
         for (int column = 0; column + 1 < grid.columns; ++column)
           for (const Half half : {Half::lower, Half::upper})
-            marked += found.triangles.has(column, row, half);
+            marked += found.triangles.has(grid_triangle(grid, column, row, half));
       REQUIRE(marked == there);
     }
     std::vector<DirectedEdge> shores;
@@ -100,9 +100,18 @@ TEST_CASE("level ground and its shores are what a flood fill finds") {
 }
 
 TEST_CASE("water has at least 500 triangles and a five-thousandth of the grid") {
-  Grid grid;
-  grid.columns = grid.rows = 10;
-  CHECK(smallest_water(grid) == 500);
-  grid.columns = grid.rows = 5000;
-  CHECK(smallest_water(grid) == 10000);
+  const auto regions = [](int side, int level_cells) {
+    Grid grid{side, side, {}, {1, 0}, {0, -1}, std::vector<float>()};
+    std::vector<float> heights(grid.size());
+    for (int row = 0; row < side; ++row)
+      for (int column = 0; column < side; ++column)
+        heights[grid.index(column, row)] =
+            row <= 1 && column <= level_cells ? 0.F : static_cast<float>(1 + row + 3 * column);
+    grid.heights_m = heights;
+    return find_water(grid).regions;
+  };
+  CHECK(regions(300, 249) == 0);
+  CHECK(regions(300, 250) == 1); // 500 triangles
+  CHECK(regions(1500, 449) == 0);
+  CHECK(regions(1500, 450) == 1); // 900 of 4,500,000
 }

@@ -16,8 +16,8 @@ const Profile profile{100,
 TEST_CASE("spans become segments with the profile's number and their left vertex") {
   View view;
   view.eye_z_m = 4;
-  std::vector<Segment> segments{{0, 0, 1, 1, 99}};
-  project_profile(profile, 7, view, segments);
+  std::vector<Segment> uprights, segments{{0, 0, 1, 1, 99}};
+  project_profile(profile, 7, view, segments, uprights);
   REQUIRE(segments.size() == 3); // not the upright one, not the gap
   const std::uint64_t id = std::uint64_t{7} << 32U;
   const double expected[3][4] = {{-10, 1, 0, 2}, {0, 5, 20, 8}, {30, 9, 40, 0}};
@@ -38,8 +38,8 @@ TEST_CASE("a parallel view keeps u, and mixes height and depth by its elevation"
   view.projection = Projection::orthographic;
   view.sin_elevation = 0.6;
   view.cos_elevation = 0.8;
-  std::vector<Segment> segments;
-  project_profile(profile, 0, view, segments);
+  std::vector<Segment> uprights, segments;
+  project_profile(profile, 0, view, segments, uprights);
   REQUIRE(segments.size() == 3);
   CHECK(segments[1].x0 == 0);
   CHECK(segments[1].x1 == 20);

@@ -74,7 +74,8 @@ TriangleCuts cut_by_triangles(const Grid& grid, const View& view, const Triangle
       cut_edge(a, points[triangle.vertices[(k + 1) % 3]], depth, met);
     }
     if (met.size() < 2) continue; // not met, or touched in a vertex
-    const bool is_level = !level.empty() && level.has(triangle.column, triangle.row, triangle.half);
+    const bool is_level = !level.empty() && level.has(grid_triangle(grid, triangle.column,
+                                                                    triangle.row, triangle.half));
     const bool in_order = met[0].u <= met[1].u;
     cuts.segments.push_back({met[in_order ? 0 : 1], met[in_order ? 1 : 0], is_level});
   }

@@ -3,25 +3,26 @@
 // what stands above all nearer profiles.
 #include "cli/scene.hpp"
 #include "cli/tie_tolerance.hpp"
-#include "profiles/cut_grid.hpp"
+#include "dem/read_raster.hpp"
+#include "profiles/cut_surface.hpp"
 #include "profiles/project_profile.hpp"
 #include "tests/catch.hpp"
 #include "tests/horizon/check_clip.hpp"
 #include "tests/scenes/random_scene.hpp"
-#include "tests/support/grid_of.hpp"
 
 using namespace orograph;
 
 namespace {
 
 FlatScene cut_all(const Terrain& terrain, const Scene& scene) {
-  const GridCutter cutter(grid_of(terrain), scene.view, scene.level.triangles);
+  const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles);
   FlatScene flat;
   Profile profile;
+  std::vector<Segment> uprights;
   for (const double depth : scene.depths_m) {
     cutter.cut(depth, profile);
     project_profile(profile, static_cast<std::uint32_t>(flat.size()), scene.view,
-                    flat.emplace_back());
+                    flat.emplace_back(), uprights);
   }
   return flat;
 }

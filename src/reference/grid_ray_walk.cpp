@@ -2,7 +2,7 @@
 // Along the vertical plane of a ray, column and row are linear in depth w: at the point, plus
 // (w - the point's depth) * per_m. Three families of parallel lines hold all edges: columns, rows,
 // and the diagonals, on each of which column - row is constant.
-#include "reference/ray_walk.hpp"
+#include "reference/grid_ray_walk.hpp"
 
 #include "dem/height_at.hpp"
 
@@ -91,7 +91,7 @@ struct Walk {
 
 } // namespace
 
-RayWalk::RayWalk(const Grid& grid, const View& view) : grid_(grid), view_(view) {
+GridRayWalk::GridRayWalk(const Grid& grid, const View& view) : grid_(grid), view_(view) {
   const double area = cross(grid.column_step_m, grid.row_step_m);
   per_column_ = (1 / area) * Vec2{grid.row_step_m.y, -grid.row_step_m.x};
   per_row_ = (1 / area) * Vec2{-grid.column_step_m.y, grid.column_step_m.x};
@@ -109,7 +109,7 @@ RayWalk::RayWalk(const Grid& grid, const View& view) : grid_(grid), view_(view) 
     }
 }
 
-InFront RayWalk::in_front(ProfilePoint p) const {
+InFront GridRayWalk::in_front(ProfilePoint p) const {
   const Vec2 ground = view_.depth_origin_m + p.u * view_.right + p.v * view_.forward;
   const Vec2 from_first = ground - grid_.first_vertex_m;
   const Vec2 per_m =
