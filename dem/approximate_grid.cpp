@@ -3,6 +3,7 @@
 
 #include "dem/grid_ground.hpp"
 #include "dem/insertion_order.hpp"
+#include "dem/lattice_edge.hpp"
 #include "dem/lattice_plane.hpp"
 #include "dem/lattice_tin.hpp"
 #include "dem/lattice_triangulation.hpp"
@@ -10,9 +11,12 @@
 #include "geometry/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <queue>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -37,10 +41,10 @@ LatticeTriangulation outline_triangulation(const Grid& grid,
   return triangulation;
 }
 
-// Of one triangle: the grid's vertex that is farthest from it in height.
+// Of one triangle: where it is farthest from the grid in height, and the grid's vertex to add.
 struct Farthest {
   double distance_m = 0;
-  LatticePoint at;
+  LatticePoint add;
   bool operator==(const Farthest&) const = default;
 };
 
@@ -55,59 +59,99 @@ struct IsAfter {
   bool operator()(const Candidate& one, const Candidate& other) const {
     const Farthest &a = one.farthest, &b = other.farthest;
     if (a.distance_m != b.distance_m) return a.distance_m < b.distance_m;
-    return a.at.row != b.at.row ? a.at.row > b.at.row : a.at.column > b.at.column;
+    return std::pair(a.add.row, a.add.column) > std::pair(b.add.row, b.add.column);
   }
 };
 
+// Adds vertices until the bound holds.
 template <class Value>
-Farthest farthest_vertex(const Grid& grid, const std::vector<Value>& heights,
-                         const LatticeTriangulation& triangulation, std::uint32_t number) {
-  const auto& triangle = triangulation.triangles()[number];
-  const auto corner = [&](int k) {
-    const LatticePoint at = triangulation.corner(triangle, k);
-    return LatticeCorner{at, static_cast<double>(heights[grid.index(at.column, at.row)])};
-  };
-  const LatticePlane plane({corner(0), corner(1), corner(2)});
-  Farthest farthest;
-  plane.for_each_vertex([&](LatticePoint at, double height_m) {
-    const double distance_m = std::abs(heights[grid.index(at.column, at.row)] - height_m);
-    // At its corners rounding may leave a distance.
-    if (distance_m > farthest.distance_m && !plane.is_corner(at)) farthest = {distance_m, at};
-  });
-  return farthest;
-}
-
-// Adds vertices until all are within the bound, and gives the triangles that have ground.
-template <class Value>
-std::vector<unsigned char> refine(const Grid& grid, const std::vector<Value>& heights,
-                                  double max_error_m, LatticeTriangulation& triangulation) {
-  std::vector<Farthest> farthest; // by triangle, as it is now
-  std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> candidates;
-  const auto look = [&](std::uint32_t triangle) {
-    farthest[triangle] = farthest_vertex(grid, heights, triangulation, triangle);
-    if (farthest[triangle].distance_m > max_error_m)
-      candidates.push({farthest[triangle], triangle});
-  };
-
-  std::vector<unsigned char> ground(triangulation.triangles().size());
-  farthest.resize(ground.size());
-  for (std::uint32_t t = 0; t < ground.size(); ++t) {
-    const auto& triangle = triangulation.triangles()[t];
-    ground[t] = has_ground(grid, triangulation.corner(triangle, 0),
-                           triangulation.corner(triangle, 1), triangulation.corner(triangle, 2));
-    if (ground[t]) look(t);
+class Refinement {
+public:
+  Refinement(const Grid& grid, const std::vector<Value>& heights, double max_error_m,
+             LatticeTriangulation& triangulation)
+      : grid_(grid), heights_(heights), max_error_m_(max_error_m), triangulation_(triangulation),
+        has_ground_(triangulation.triangles().size()), is_added_(grid.size()) {
+    for (const LatticePoint point : triangulation.points()) is_added_[index(point)] = true;
+    farthest_.resize(has_ground_.size());
+    for (std::uint32_t t = 0; t < has_ground_.size(); ++t) {
+      const auto& triangle = triangulation_.triangles()[t];
+      has_ground_[t] =
+          has_ground(grid, triangulation_.corner(triangle, 0), triangulation_.corner(triangle, 1),
+                     triangulation_.corner(triangle, 2));
+      if (has_ground_[t]) look_at(t);
+    }
   }
-  while (!candidates.empty()) {
-    const Candidate next = candidates.top();
-    candidates.pop();
-    if (farthest[next.triangle] != next.farthest) continue; // it has changed since
-    const auto& changed = triangulation.add(next.farthest.at, next.triangle);
-    farthest.resize(triangulation.triangles().size());
-    for (const std::uint32_t triangle : changed) look(triangle);
+
+  // By triangle, whether it has ground.
+  std::vector<unsigned char> run() {
+    while (!candidates_.empty()) {
+      const Candidate next = candidates_.top();
+      candidates_.pop();
+      if (farthest_[next.triangle] != next.farthest) continue; // it has changed since
+      if (!is_added_[index(next.farthest.add)]) add(next.farthest.add, next.triangle);
+      // A vertex that cures a crossing may lie outside of the triangle and leave it as it was.
+      if (farthest_[next.triangle] == next.farthest) look_at(next.triangle);
+    }
+    has_ground_.resize(triangulation_.triangles().size(), 1); // only ground is ever split
+    return has_ground_;
   }
-  ground.resize(triangulation.triangles().size(), 1); // only ground is ever split
-  return ground;
-}
+
+private:
+  std::size_t index(LatticePoint p) const { return grid_.index(p.column, p.row); }
+
+  void add(LatticePoint point, std::uint32_t near) {
+    const auto& changed = triangulation_.add(point, triangulation_.find(point, near));
+    is_added_[index(point)] = true;
+    farthest_.resize(triangulation_.triangles().size());
+    for (const std::uint32_t triangle : changed) look_at(triangle);
+  }
+
+  void look_at(std::uint32_t triangle) {
+    farthest_[triangle] = farthest_of(triangulation_.triangles()[triangle]);
+    if (farthest_[triangle].distance_m > max_error_m_)
+      candidates_.push({farthest_[triangle], triangle});
+  }
+
+  Farthest farthest_of(const LatticeTriangulation::Triangle& triangle) const {
+    std::array<LatticeCorner, 3> corners;
+    for (int k = 0; k < 3; ++k) {
+      const LatticePoint at = triangulation_.corner(triangle, k);
+      corners[static_cast<std::size_t>(k)] = {at, static_cast<double>(heights_[index(at)])};
+    }
+    Farthest farthest;
+    const LatticePlane plane(corners);
+    plane.for_each_vertex([&](LatticePoint at, double height_m) {
+      const double distance_m = std::abs(heights_[index(at)] - height_m);
+      // At its corners rounding may leave a distance.
+      if (distance_m > farthest.distance_m && !plane.is_corner(at)) farthest = {distance_m, at};
+    });
+    for (std::size_t k = 0; k < 3; ++k)
+      LatticeEdge(corners[k], corners[(k + 1) % 3])
+          .for_each_crossing([&](const GridCrossing& crossing) {
+            const double crossing_m = distance_m(grid_, heights_, crossing);
+            if (crossing_m > max_error_m_ && crossing_m > farthest.distance_m)
+              farthest = {crossing_m, end_to_add(crossing)};
+          });
+    return farthest;
+  }
+
+  // The nearer end that isn't a vertex yet. One of them isn't, because the grid's edge would be one
+  // of the triangulation if both were (lattice_triangulation.hpp, 2), and nothing would cross it.
+  LatticePoint end_to_add(const GridCrossing& crossing) const {
+    if (is_added_[index(crossing.first)]) return crossing.last;
+    if (is_added_[index(crossing.last)]) return crossing.first;
+    return crossing.share < 0.5 ? crossing.first : crossing.last;
+  }
+
+  const Grid& grid_;
+  const std::vector<Value>& heights_;
+  const double max_error_m_;
+  LatticeTriangulation& triangulation_;
+  std::vector<unsigned char> has_ground_; // by triangle before the first was split
+  std::vector<bool> is_added_;            // by vertex of the grid
+  std::vector<Farthest> farthest_;        // by triangle, as it is now
+  std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> candidates_;
+};
 
 } // namespace
 
@@ -119,7 +163,9 @@ ApproximatedGrid approximate(const Grid& grid, double max_error_m) {
 
   LatticeTriangulation triangulation = outline_triangulation(grid, outline.vertices);
   const auto ground = std::visit(
-      [&](const auto& heights) { return refine(grid, heights, max_error_m, triangulation); },
+      [&](const auto& heights) {
+        return Refinement(grid, heights, max_error_m, triangulation).run();
+      },
       grid.heights_m);
   LatticeTin found = lattice_tin(grid, triangulation, ground);
   const double at_vertices_m = greatest_distance_at_vertices_m(grid, found.tin, found.at);

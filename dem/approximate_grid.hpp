@@ -10,17 +10,16 @@ namespace orograph {
 
 struct ApproximatedGrid {
   Tin tin;
-  double greatest_at_vertices_m = 0; ///< vertical distance at the grid's vertices; within the bound
-  /// Vertical distance between the two surfaces anywhere: greatest at the grid's vertices or where
-  /// edges of the two cross. The bound doesn't bound it: between its ends an edge of the Tin may
-  /// cut across a cell whose four heights all lie within the bound of it and whose diagonal
-  /// doesn't.
-  double greatest_m = 0;
+  double greatest_at_vertices_m = 0; ///< vertical distance at the grid's vertices
+  double greatest_m = 0;             ///< vertical distance between the surfaces anywhere
 };
 
-/// Vertices of the grid are added to a Delaunay triangulation, always the one farthest from its
-/// triangle (Garland and Heckbert 1995, greedy insertion), until none is farther than
-/// `max_error_m`.
+/// Vertices of the grid are added to a Delaunay triangulation, always where it is farthest from the
+/// grid in height (greedy insertion: Garland and Heckbert 1995), until it is nowhere farther than
+/// `max_error_m`. That is more than a bound at the grid's vertices, which alone would let an edge
+/// of the Tin bridge a gully in the middle of a cell: where such an edge crosses one of the grid
+/// too far above or below it, an end of the grid's edge is added. Both distances are measured on
+/// the Tin once it is made.
 ///  (1) Delaunay by columns and rows, as if cells were square; the same triangles however the grid
 ///      lies on the ground.
 ///  (2) Vertices are the grid's: the same positions and heights to the last bit.

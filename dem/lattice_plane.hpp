@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/lattice_triangulation.hpp"
+#include "dem/whole_steps.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,14 +49,17 @@ public:
   void for_each_vertex(Visit visit) const {
     const auto& [a, b, c] = corners_;
     const bool b_is_west = area_ < 0;
+    WholeSteps across(a.at.column, c.at.column - a.at.column, c.at.row - a.at.row);
+    const auto from_to = [](LatticePoint from, LatticePoint to) {
+      return WholeSteps(from.column, to.column - from.column, std::max(to.row - from.row, 1));
+    };
+    WholeSteps around = from_to(a.at, b.at);
     for (int row = a.at.row; row <= c.at.row; ++row) {
-      const Fraction across = at_row(a.at, c.at, row);
-      const Fraction around = row == b.at.row  ? Fraction{b.at.column, true}
-                              : row < b.at.row ? at_row(a.at, b.at, row)
-                                               : at_row(b.at, c.at, row);
-      const Fraction& west = b_is_west ? around : across;
-      const Fraction& east = b_is_west ? across : around;
-      const int first = west.floor + (west.whole ? 0 : 1), last = east.floor;
+      if (row == b.at.row) around = from_to(b.at, c.at);
+      const int first = (b_is_west ? around : across).ceiling();
+      const int last = (b_is_west ? across : around).floor();
+      across.next();
+      around.next();
       // Weights are whole numbers, so that stepping is exact.
       auto weight_b = static_cast<double>(twice_area(a.at, {first, row}, c.at));
       auto weight_c = static_cast<double>(twice_area(a.at, b.at, {first, row}));
@@ -69,19 +73,6 @@ public:
   }
 
 private:
-  struct Fraction {
-    int floor;
-    bool whole;
-  };
-
-  // Where the edge meets a row. REQUIRES from.row < to.row.
-  static Fraction at_row(LatticePoint from, LatticePoint to, int row) {
-    const std::int64_t height = to.row - from.row;
-    const std::int64_t run = std::int64_t{row - from.row} * (to.column - from.column);
-    const std::int64_t quotient = run / height, rest = run % height;
-    return {from.column + static_cast<int>(quotient) - (rest < 0 ? 1 : 0), rest == 0};
-  }
-
   std::array<LatticeCorner, 3> corners_; // from north to south
   std::int64_t area_ = 0;
   double to_b_ = 0, to_c_ = 0; // what a unit of weight adds
