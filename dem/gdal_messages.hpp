@@ -16,6 +16,7 @@ public:
   GdalMessages(const GdalMessages&) = delete;
   GdalMessages& operator=(const GdalMessages&) = delete;
 
+  bool has_failure() const { return !failures_.empty(); }
   /// In one line; "no reason given" if there was none.
   std::string last_failure() const;
   const std::vector<std::string>& warnings() const { return warnings_; }

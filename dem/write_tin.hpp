@@ -15,10 +15,17 @@ enum class TinFormat { gpkg, off, ply, obj };
 std::optional<TinFormat> tin_format_of(const std::string& path);
 
 /// Writes the terrain's Tin in map coordinates and the file's height unit, every number so that it
-/// reads back as it was. A GeoPackage holds one TIN Z feature and the CRS; the mesh formats name
-/// CRS and units in a comment. `terrain.surface_error_m`, where above 0, goes along (a field
-/// `surface_error_m`, a comment), and `read_terrain` finds it there.
+/// reads back as it was written (`MapFrame::to_map` may round when it makes the numbers).
+///  - GeoPackage: a layer `tin` with one TIN Z feature, in the CRS; fields `surface_error_m` (null
+///    where it is 0) and `height_unit_m`. One geometry holds up to 9 million triangles there.
+///  - OFF, PLY (ascii) and OBJ: comments `orograph: units UNIT_M HEIGHT_UNIT_M`, `orograph: crs
+///    WKT` (on one line, where there is one) and `orograph: surface_error_m NUMBER` (where it is
+///    above 0). Vertices and triangles keep their order.
+/// The same bytes on any day. A file at `path` is overwritten; one that couldn't be written whole
+/// is left to whoever named it (a temporary file that is renamed when all is well). Messages call
+/// the file `name`, or `path` where that is empty.
 /// REQUIRES a Tin in `terrain.surface`. Throws Error where the file can't be written whole.
-void write_tin(const Terrain& terrain, const std::string& path, TinFormat format);
+void write_tin(const Terrain& terrain, const std::string& path, TinFormat format,
+               const std::string& name = {});
 
 } // namespace orograph
