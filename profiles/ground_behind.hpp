@@ -8,36 +8,11 @@
 #include "view/view.hpp"
 
 #include <cstdint>
-#include <variant>
 #include <vector>
 
 namespace orograph {
 
-/// Answers for one grid and one view.
-class GroundBehindGrid {
-public:
-  GroundBehindGrid(const Grid& grid, const View& view);
-  bool rises_within(SurfaceEdge edge, ProfilePoint from, double reach_m) const;
-
-private:
-  const Grid& grid_;
-  const View& view_;
-  Vec2 per_column_, per_row_; ///< columns and rows in a ground step of 1 m east, and 1 m north
-};
-
-/// Answers for one TIN and one view.
-class GroundBehindTin {
-public:
-  GroundBehindTin(const Tin& tin, const View& view);
-  bool rises_within(SurfaceEdge edge, ProfilePoint from, double reach_m) const;
-
-private:
-  const Tin& tin_;
-  const View& view_;
-  std::vector<std::uint32_t> begin_, triangles_; ///< at vertex i: [begin_[i], begin_[i + 1])
-};
-
-/// Answers for either kind of surface.
+/// Answers for one surface and one view.
 class GroundBehind {
 public:
   /// REQUIRES that both outlive this. Of a TIN: one pass over the triangles.
@@ -46,13 +21,13 @@ public:
   /// Whether, walking on from a point of an edge along its ray, the surface comes up to the ray
   /// again within `reach_m` of depth. Where the terrain ends or has a hole it doesn't. Exact: the
   /// surface is looked at wherever the ray passes an edge. Cost O(triangles passed).
-  bool rises_within(SurfaceEdge edge, ProfilePoint from, double reach_m) const {
-    return std::visit([&](const auto& ground) { return ground.rises_within(edge, from, reach_m); },
-                      ground_);
-  }
+  bool rises_within(SurfaceEdge edge, ProfilePoint from, double reach_m) const;
 
 private:
-  std::variant<GroundBehindGrid, GroundBehindTin> ground_;
+  const Surface& surface_;
+  const View& view_;
+  std::vector<std::uint32_t> begin_, triangles_; ///< of a TIN, at vertex i: [begin_[i],
+                                                 ///< begin_[i + 1])
 };
 
 } // namespace orograph
