@@ -2,6 +2,7 @@
 #include "dem/read_landxml.hpp"
 
 #include "dem/landxml_frame.hpp"
+#include "dem/words.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -31,30 +31,14 @@ pugi::xml_node child(const pugi::xml_node& node, std::string_view name) {
   return node.find_child([&](const pugi::xml_node& n) { return is(n, name); });
 }
 
-// Cuts the next word off the text.
-std::string_view next_word(std::string_view& text) {
-  constexpr const char* blanks = " \t\r\n";
-  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-  text.remove_prefix(begin);
-  const std::string_view word = text.substr(0, text.find_first_of(blanks));
-  text.remove_prefix(word.size());
-  return word;
-}
-
-std::optional<double> number(std::string_view word) {
-  if (word.size() > 1 && word.front() == '+' && word[1] != '-') word.remove_prefix(1);
-  double value = 0;
-  const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (fault != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
 Vec3 point_of(const pugi::xml_node& p, const std::string& path) {
   std::string_view text = p.text().get();
-  const auto northing = number(next_word(text)), easting = number(next_word(text));
-  const auto elevation = number(next_word(text));
-  if (!northing || !easting || !elevation || !next_word(text).empty())
+  const auto northing = number_of<double>(next_word(text)),
+             easting = number_of<double>(next_word(text));
+  const auto elevation = number_of<double>(next_word(text));
+  const bool finite = northing && easting && elevation && std::isfinite(*northing) &&
+                      std::isfinite(*easting) && std::isfinite(*elevation);
+  if (!finite || !next_word(text).empty())
     throw Error(fmt::format("{}: point {} is '{:.60}'", path, p.attribute("id").value(),
                             std::string_view(p.text().get())),
                 "it must be three numbers: northing, easting, elevation");

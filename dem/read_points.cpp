@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read_points.hpp"
 
+#include "dem/words.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -76,14 +76,6 @@ void split(std::string_view line, char separator, Fields& fields) {
 // Many programs end each line with a separator.
 void drop_empty_end(Fields& fields, std::size_t wanted) {
   if (fields.size() == wanted + 1 && fields.back().empty()) fields.pop_back();
-}
-
-std::optional<double> number(std::string_view text) {
-  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
-  double value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
 }
 
 constexpr std::array<std::array<std::string_view, 5>, 3> usual_names{
@@ -191,8 +183,8 @@ MapShapes read_points(const std::string& path, const std::array<std::string, 3>&
   split(lines.text(), separator, fields);
   drop_empty_end(fields, fields.size() - 1);
   const std::size_t count = fields.size();
-  const bool has_names =
-      !std::all_of(fields.begin(), fields.end(), [](auto f) { return number(f).has_value(); });
+  const bool has_names = !std::all_of(fields.begin(), fields.end(),
+                                      [](auto f) { return number_of<double>(f).has_value(); });
   std::array<std::size_t, 3> places{0, 1, 2};
   if (has_names) {
     places = places_of(fields, path, columns);
@@ -215,7 +207,7 @@ MapShapes read_points(const std::string& path, const std::array<std::string, 3>&
                           : ""));
     std::array<double, 3> xyz{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto value = number(fields[places[axis]]);
+      const auto value = number_of<double>(fields[places[axis]]);
       if (!value || !std::isfinite(*value))
         refuse_value(path, lines.number(), fields[places[axis]], columns[axis]);
       xyz[axis] = *value;

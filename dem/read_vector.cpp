@@ -133,9 +133,13 @@ void check_content(const MapShapes& shapes, const std::string& layer) {
 bool is_vector_file(const std::string& path, const ReadOptions& options) {
   GdalMessages messages;
   const Dataset vector = open(path, GDAL_OF_VECTOR, options);
-  if (!vector || vector->GetLayerCount() == 0) return false;
+  return vector && vector->GetLayerCount() > 0 && !is_raster_file(path, options);
+}
+
+bool is_raster_file(const std::string& path, const ReadOptions& options) {
+  GdalMessages messages;
   const Dataset raster = open(path, GDAL_OF_RASTER, options);
-  return !raster || raster->GetRasterCount() == 0;
+  return raster && raster->GetRasterCount() > 0;
 }
 
 MapShapes read_vector(const std::string& path, VectorUse use, const ReadOptions& options) {

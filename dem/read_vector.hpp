@@ -31,7 +31,9 @@ enum class VectorUse {
 /// geometries, no heights, heights or places that aren't numbers, a CRS in degrees.
 MapShapes read_vector(const std::string& path, VectorUse use, const ReadOptions& options);
 
-/// Whether the file holds vector layers and no raster.
+/// Whether GDAL opens the file as vector layers, and not as a raster.
 bool is_vector_file(const std::string& path, const ReadOptions& options);
+/// Whether GDAL opens it as a raster.
+bool is_raster_file(const std::string& path, const ReadOptions& options);
 
 } // namespace orograph
