@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <new>
 #include <optional>
@@ -37,7 +38,6 @@ bool is_one_of(std::string_view text, Words... words) {
   return ((text == words) || ...);
 }
 
-// Empty if there is no such file, as for the names that GDAL gives to parts of one.
 std::string first_bytes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes(2000, '\0');
@@ -104,18 +104,23 @@ Terrain from_vector(const std::string& path, const ReadOptions& options) {
 
 Terrain read(const std::string& path, const ReadOptions& options) {
   const std::string extension = extension_of(path), begin = first_bytes(path);
+  const bool is_file = std::filesystem::is_regular_file(path); // GDAL has names of its own
   if (is_one_of(extension, ".las", ".laz") || begin.starts_with("LASF")) refuse_lidar(path);
-  if (begin.empty()) // GDAL says best what is wrong with a path, and knows paths of its own
-    return is_vector_file(path, options) ? from_vector(path, options) : from_raster(path, options);
-  if (const auto format = mesh_format(path, begin))
-    return from_triangles(read_mesh(path, *format), options);
-  if (is_landxml(extension, begin))
+  const auto format = mesh_format(path, begin);
+  if (is_file && format) return from_triangles(read_mesh(path, *format), options);
+  if (is_file && is_landxml(extension, begin))
     return from_triangles(read_landxml(path, options.layer), options);
-  const bool text = is_one_of(extension, ".txt", ".xyz", ".dat", ".pts", ".asc");
-  // Text that GDAL takes for a grid is one: Arc/Info ASCII, or x, y, z in regular rows.
-  if (is_one_of(extension, ".csv", ".tsv") || (text && !is_raster_file(path, options)))
+  if (is_file && is_one_of(extension, ".csv", ".tsv"))
     return from_points(read_points(path, options.columns), options);
-  return is_vector_file(path, options) ? from_vector(path, options) : from_raster(path, options);
+  // Other text that GDAL takes for a grid is one: Arc/Info ASCII, or x, y, z in regular rows.
+  if (is_file && is_one_of(extension, ".txt", ".xyz", ".dat", ".pts") &&
+      !is_raster_file(path, options))
+    return from_points(read_points(path, options.columns), options);
+  const bool is_vector =
+      is_vector_file(path, options) ||
+      (is_file && is_one_of(extension, ".gpkg", ".shp", ".geojson", ".json", ".dxf", ".fgb") &&
+       !is_raster_file(path, options));
+  return is_vector ? from_vector(path, options) : from_raster(path, options);
 }
 
 } // namespace

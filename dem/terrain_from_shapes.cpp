@@ -97,8 +97,8 @@ void add_stretches(const std::vector<Vec3>& line, const Box2& window,
 
 void note_units(const MapFrame& map, bool known, std::vector<std::string>& notes) {
   if (map.crs_wkt.empty())
-    notes.push_back(known ? fmt::format("The file has no CRS; its coordinates are in {} (heights "
-                                        "in {}).",
+    notes.push_back(known ? fmt::format("The file has no CRS; its coordinates are in units of one "
+                                        "{}, heights of one {}.",
                                         map.unit_name, map.height_unit_name)
                           : "The file has no CRS: its coordinates and heights are taken as "
                             "metres.");
