@@ -29,15 +29,16 @@ std::string_view comment_at(std::string_view text, std::size_t at) {
   return line;
 }
 
-// A positive length; `words` loses it.
-double next_length(std::string_view& words, bool may_be_zero, const MapShapes& shapes) {
+// A positive length; `words` loses it. `key` is what the comment begins with.
+double next_length(std::string_view& words, std::string_view key, bool may_be_zero,
+                   const MapShapes& shapes) {
   const std::string_view all = words;
   while (!words.empty() && words.front() == ' ') words.remove_prefix(1);
   double value = 0;
   const auto [end, fault] = std::from_chars(words.data(), words.data() + words.size(), value);
   if (fault != std::errc{} || !std::isfinite(value) || value < 0 || (value == 0 && !may_be_zero))
     throw Error(
-        fmt::format("{}: its comment 'orograph: ...{:.40}' tells no length", shapes.path, all),
+        fmt::format("{}: its comment 'orograph: {} {:.40}' tells no length", shapes.path, key, all),
         "metres are wanted there; take the comment out if it isn't known");
   words.remove_prefix(static_cast<std::size_t>(end - words.data()));
   return value;
@@ -60,8 +61,8 @@ void read_crs(std::string_view wkt, MapShapes& shapes) {
 
 void read_units(std::string_view words, MapShapes& shapes) {
   MapFrame& map = shapes.map;
-  map.unit_m = next_length(words, false, shapes);
-  map.height_unit_m = next_length(words, false, shapes);
+  map.unit_m = next_length(words, "units", false, shapes);
+  map.height_unit_m = next_length(words, "units", false, shapes);
   map.unit_name = unit_name(map.unit_m);
   map.height_unit_name = unit_name(map.height_unit_m);
   shapes.units_known = true;
@@ -84,7 +85,7 @@ void read_mesh_comments(std::string_view text, MapShapes& shapes) {
     else if (starts("units "))
       units = line;
     else if (starts("surface_error_m "))
-      shapes.surface_error_m = next_length(line, true, shapes);
+      shapes.surface_error_m = next_length(line, "surface_error_m", true, shapes);
   }
   // After the CRS, whose units they make more precise.
   if (!units.empty()) read_units(units, shapes);

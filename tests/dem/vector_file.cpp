@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/dem/vector_file.hpp"
 
+#include <cpl_conv.h>
 #include <cpl_string.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -24,18 +25,26 @@ public:
   }
 };
 
+OGRGeometryUniquePtr geometry_of(const std::string& wkt) {
+  OGRGeometry* geometry = nullptr;
+  demand(OGRGeometryFactory::createFromWkt(wkt.c_str(), nullptr, &geometry) == OGRERR_NONE,
+         "no geometry in the test file");
+  MarkedToNan visitor;
+  geometry->accept(&visitor);
+  return OGRGeometryUniquePtr(geometry);
+}
+
+// Not all formats can hold a layer of anything.
+OGRwkbGeometryType type_of(const VectorFile& file) {
+  if (file.driver == "GPKG" || file.features.empty()) return wkbUnknown;
+  return geometry_of(file.features[0].wkt)->getGeometryType();
+}
+
 void add_feature(const VectorFeature& given, OGRLayer& layer) {
   OGRFeature feature(layer.GetLayerDefn());
   if (given.height) feature.SetField("height", *given.height);
   if (given.surface_error_m) feature.SetField("surface_error_m", *given.surface_error_m);
-  if (!given.wkt.empty()) {
-    OGRGeometry* geometry = nullptr;
-    demand(OGRGeometryFactory::createFromWkt(given.wkt.c_str(), nullptr, &geometry) == OGRERR_NONE,
-           "no geometry in the test file");
-    MarkedToNan visitor;
-    geometry->accept(&visitor);
-    feature.SetGeometryDirectly(geometry);
-  }
+  if (!given.wkt.empty()) feature.SetGeometryDirectly(geometry_of(given.wkt).release());
   demand(layer.CreateFeature(&feature) == OGRERR_NONE, "no feature in the test file");
 }
 
@@ -43,6 +52,7 @@ void add_feature(const VectorFeature& given, OGRLayer& layer) {
 
 void write_vector(const VectorFile& file, const std::string& path) {
   GDALAllRegister();
+  CPLSetConfigOption("OGR_SQLITE_SYNCHRONOUS", "OFF"); // the files don't outlive the test
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(file.driver.c_str());
   demand(driver, "no such driver for the test file");
   const std::unique_ptr<GDALDataset> dataset(
@@ -56,7 +66,7 @@ void write_vector(const VectorFile& file, const std::string& path) {
   CPLStringList options;
   if (file.driver == "GeoJSON") options.SetNameValue("RFC7946", "NO");
   OGRLayer* layer = dataset->CreateLayer(file.layer.c_str(), file.crs.empty() ? nullptr : &crs,
-                                         wkbUnknown, options.List());
+                                         type_of(file), options.List());
   demand(layer, "no layer in the test file");
   if (file.driver != "DXF") {
     OGRFieldDefn height("height", file.height_type == "Real" ? OFTReal : OFTString);
