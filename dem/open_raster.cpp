@@ -44,8 +44,8 @@ std::string archive_hint(const std::string& path) {
   if (const std::string hint = archive_hint(path); !hint.empty())
     throw Error(fmt::format("{} is an archive, not a raster", path), hint);
   throw Error(fmt::format("{} can't be opened as a raster ({})", path, messages.last_failure()),
-              "give a DEM that GDAL reads, such as GeoTIFF, .hgt or .asc; "
-              "'gdalinfo --formats' lists them");
+              "give a DEM that GDAL reads, such as GeoTIFF, .hgt or .asc ('gdalinfo --formats' "
+              "lists them), or triangles or points in a file with a usual extension");
 }
 
 [[noreturn]] void refuse_container(GDALDataset& dataset, const std::string& path) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/raster_frame.hpp"
 
+#include "dem/crs_frame.hpp"
 #include "geometry/error.hpp"
 
-#include <cpl_conv.h>
-#include <cpl_string.h>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -58,65 +57,19 @@ std::string in_lower_case(std::string text) {
   return text;
 }
 
-// A fitting projected CRS for a place in degrees: its UTM zone, beyond them the polar ones.
-int projected_epsg(double longitude_deg, double latitude_deg) {
-  if (latitude_deg > 84) return 32661;
-  if (latitude_deg < -80) return 32761;
-  const double turned = longitude_deg - 360 * std::floor((longitude_deg + 180) / 360);
-  const int zone = std::clamp(static_cast<int>(std::floor((turned + 180) / 6)) + 1, 1, 60);
-  return (latitude_deg >= 0 ? 32600 : 32700) + zone;
-}
-
-[[noreturn]] void refuse_degrees(const OGRSpatialReference& crs, const std::string& path,
-                                 Vec2 centre) {
-  const double to_deg = crs.GetAngularUnits() * 180 / M_PI;
-  throw Error(fmt::format("{} is in degrees ({}), which isn't supported yet", path, crs.GetName()),
-              fmt::format("project it first: gdalwarp -t_srs EPSG:{} -r cubic {} projected.tif",
-                          projected_epsg(centre.x * to_deg, centre.y * to_deg), path));
-}
-
-std::string name_for_people(const OGRSpatialReference& crs) {
-  const char* name = crs.GetName();
-  const char *authority = crs.GetAuthorityName(nullptr), *code = crs.GetAuthorityCode(nullptr);
-  std::string text = name ? name : "unnamed";
-  if (authority && code) text += fmt::format(" ({}:{})", authority, code);
-  return text;
-}
-
-std::string well_known_text(const OGRSpatialReference& crs) {
-  char* text = nullptr;
-  const std::array<const char*, 2> options{"FORMAT=WKT2_2018", nullptr};
-  crs.exportToWkt(&text, options.data());
-  const std::string wkt = text ? text : "";
-  CPLFree(text);
-  return wkt;
-}
-
 void set_horizontal(MapFrame& map, const OGRSpatialReference* crs, const std::string& path,
                     Vec2 centre, std::vector<std::string>& notes) {
   map.crs_name = "none";
-  if (!crs || crs->IsEmpty() || (crs->IsVertical() && !crs->IsCompound())) {
+  if (!tells_place(crs)) {
     notes.push_back("The file has no CRS: its coordinates are taken as metres.");
     return;
   }
-  if (crs->IsGeographic()) refuse_degrees(*crs, path, centre);
-  if (crs->IsGeocentric())
-    throw Error(fmt::format("{} is in a geocentric CRS", path), "project it with gdalwarp first");
-  map.crs_name = name_for_people(*crs);
-  map.crs_wkt = well_known_text(*crs);
-  const char* unit = nullptr;
-  map.unit_m = crs->GetLinearUnits(&unit);
-  if (map.unit_m != 1 && unit) map.unit_name = unit;
+  set_crs(map, *crs, path, FileKind::raster, centre);
 }
 
 void set_vertical(MapFrame& map, const OGRSpatialReference* crs, const std::string& written,
                   const std::string& path, std::vector<std::string>& notes) {
-  if (written.empty() && crs && crs->IsCompound()) {
-    const char* unit = nullptr;
-    map.height_unit_m = crs->GetTargetLinearUnits("VERT_CS", &unit);
-    if (map.height_unit_m != 1 && unit) map.height_unit_name = unit;
-    return;
-  }
+  if (written.empty() && crs && set_height_unit(map, *crs)) return;
   if (written.empty()) {
     notes.push_back("The file names no unit of height: metres are taken.");
     return;

@@ -6,6 +6,7 @@
 #include "dem/raster_frame.hpp"
 #include "dem/raster_heights.hpp"
 #include "dem/raster_order.hpp"
+#include "dem/window_words.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
@@ -29,28 +30,21 @@ RasterLattice coarser(const RasterLattice& full, int pixels, int lines) {
   return lattice;
 }
 
-std::string in_words(const Box2& box) {
-  return fmt::format("{:.10g},{:.10g} to {:.10g},{:.10g}", box.low.x, box.low.y, box.high.x,
-                     box.high.y);
-}
-
 RasterWindow wanted_window(const RasterLattice& lattice, const std::optional<Box2>& bbox,
                            const std::string& path) {
   if (lattice.pixels < 2 || lattice.lines < 2)
     throw Error(fmt::format("{} has {} x {} cells", path, lattice.pixels, lattice.lines),
                 "a terrain needs at least 2 x 2");
   if (!bbox) return {0, 0, lattice.pixels, lattice.lines};
-  const std::string has = fmt::format("the terrain reaches from {}", in_words(box_of(lattice)));
-  if (bbox->empty())
-    throw Error(fmt::format("the window {} is empty", in_words(*bbox)),
-                "its first corner must be south-west of its second; " + has);
+  const Box2 extent = box_of(lattice);
+  check_window(*bbox, extent);
   const RasterWindow window = window_of(lattice, *bbox);
-  if (window.pixels == 0 || window.lines == 0)
-    throw Error(fmt::format("the window {} holds nothing of {}", in_words(*bbox), path), has);
+  if (window.pixels == 0 || window.lines == 0) refuse_window(*bbox, extent, path);
   if (window.pixels < 2 || window.lines < 2)
-    throw Error(fmt::format("the window {} holds {} x {} vertices of {}", in_words(*bbox),
-                            window.pixels, window.lines, path),
-                "it needs at least 2 x 2; " + has);
+    throw Error(
+        fmt::format("the window {} holds {} x {} vertices of {}", in_words(*bbox), window.pixels,
+                    window.lines, path),
+        fmt::format("it needs at least 2 x 2; the terrain reaches from {}", in_words(extent)));
   return window;
 }
 

@@ -18,7 +18,8 @@ namespace {
 
 // Every vertex where the surface has it (to the rounding of coordinates of 5e6) and as high, but
 // for a hole at (3, 2).
-void check_surface(const Terrain& terrain, const StoredSurface& surface, double height_tolerance_m) {
+void check_surface(const Terrain& terrain, const StoredSurface& surface,
+                   double height_tolerance_m) {
   REQUIRE(grid_of(terrain).columns == surface.columns);
   REQUIRE(grid_of(terrain).rows == surface.rows);
   for (int row = 0; row < surface.rows; ++row)
@@ -35,7 +36,8 @@ void check_surface(const Terrain& terrain, const StoredSurface& surface, double 
 }
 
 // Raw values from heights, with a hole of `hole`.
-RasterFile encoded(const StoredSurface& surface, Storage how, double scale, double offset, double hole) {
+RasterFile encoded(const StoredSurface& surface, Storage how, double scale, double offset,
+                   double hole) {
   RasterFile raster = stored(surface, how);
   for (double& value : raster.values)
     value = value == surface.height(3, 2) ? hole : std::round((value - offset) / scale);

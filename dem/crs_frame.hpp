@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a CRS as GDAL knows it to a MapFrame, for rasters, vectors and all others alike.
+#pragma once
+
+#include "dem/terrain.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+class OGRSpatialReference;
+
+namespace orograph {
+
+struct ReleaseCrs {
+  void operator()(OGRSpatialReference* crs) const;
+};
+using Crs = std::unique_ptr<OGRSpatialReference, ReleaseCrs>;
+
+/// From WKT, "EPSG:32632" and the like; null if it can't be understood.
+Crs crs_from_text(const std::string& text);
+
+/// False where there is none, or one of heights only, or one that only says that none is known.
+bool tells_place(const OGRSpatialReference* crs);
+
+/// What would bring a file into a projected CRS, for the hint.
+enum class FileKind { raster, vector, other };
+
+/// Sets the CRS, its name and the unit of eastings and northings; heights stay in metres.
+/// `centre`, in the CRS's own coordinates, only serves to name a fitting projection. REQUIRES
+/// tells_place. Throws Error for a geographic or geocentric CRS.
+void set_crs(MapFrame& map, const OGRSpatialReference& crs, const std::string& path, FileKind kind,
+             Vec2 centre);
+
+/// Sets the unit of height if the CRS has a vertical part, and tells whether it has.
+bool set_height_unit(MapFrame& map, const OGRSpatialReference& crs);
+
+/// Whether two CRSs (WKT) have the same eastings and northings, whatever their heights.
+bool same_place(const std::string& wkt, const std::string& other_wkt);
+
+/// "EPSG:32632", or the name if it has no code: as a command line takes it.
+std::string crs_for_command(const std::string& wkt);
+
+/// The name of a unit of length; its metres if it has no name that we know.
+std::string unit_name(double unit_m);
+
+} // namespace orograph

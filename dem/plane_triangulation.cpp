@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/plane_triangulation.hpp"
+
+#include "dem/tin.hpp"
+#include "geometry/error.hpp"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+// Its own vertices CGAL makes without a word.
+constexpr std::uint32_t kUnnumbered = 0xffffffff;
+struct Number {
+  std::uint32_t value = kUnnumbered;
+};
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<
+    Kernel, CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Delaunay =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
+using WithLines = CGAL::Constrained_triangulation_plus_2<Delaunay>;
+using Point = Kernel::Point_2;
+
+// How often the split of one line may call for another's, because rounding moved it across a third.
+constexpr int kMostNested = 1000;
+
+using Exact = CGAL::Exact_rational;
+struct ExactVec {
+  Exact x, y;
+};
+ExactVec exact_difference(const Point& to, const Point& from) {
+  return {Exact(to.x()) - Exact(from.x()), Exact(to.y()) - Exact(from.y())};
+}
+Exact exact_cross(const ExactVec& a, const ExactVec& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+// Where the lines ab and cd cross: exact, then rounded. REQUIRES that they aren't parallel.
+Point crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const ExactVec u = exact_difference(b, a), v = exact_difference(d, c);
+  const Exact share = exact_cross(exact_difference(c, a), v) / exact_cross(u, v);
+  return {CGAL::to_double(Exact(Exact(a.x()) + share * u.x)),
+          CGAL::to_double(Exact(Exact(a.y()) + share * u.y))};
+}
+
+// How far from a to b is p, which is on the line through them.
+double share_along(const Point& a, const Point& b, const Point& p) {
+  const ExactVec u = exact_difference(b, a), v = exact_difference(p, a);
+  return CGAL::to_double(Exact(u.x != 0 ? v.x / u.x : v.y / u.y));
+}
+
+// p = a + first * (b - a) + second * (c - a).
+std::pair<double, double> shares_of(const Point& a, const Point& b, const Point& c,
+                                    const Point& p) {
+  const ExactVec u = exact_difference(b, a), v = exact_difference(c, a), w = exact_difference(p, a);
+  const Exact area = exact_cross(u, v);
+  return {CGAL::to_double(Exact(exact_cross(w, v) / area)),
+          CGAL::to_double(Exact(exact_cross(u, w) / area))};
+}
+
+} // namespace
+
+struct PlaneTriangulation::Inside : WithLines {
+  std::vector<Vec2> places;
+  std::vector<Vertex_handle> vertices;
+  std::vector<Constraint_id> lines;
+  int nested = 0;
+
+  std::uint32_t number(Vertex_handle v) {
+    if (v->info().value == kUnnumbered) {
+      v->info().value = static_cast<std::uint32_t>(vertices.size());
+      vertices.push_back(v);
+      places.push_back({v->point().x(), v->point().y()});
+    }
+    return v->info().value;
+  }
+
+  std::array<std::uint32_t, 3> numbers_of(Face_handle f) const {
+    return {f->vertex(0)->info().value, f->vertex(1)->info().value, f->vertex(2)->info().value};
+  }
+
+  // Called where a -> b, about to be put in, crosses the constrained edge of f opposite to its
+  // vertex i; gives the vertex that both are to pass through. The base class's own version reckons
+  // the place in double precision and loses a split where it falls on a third line.
+  Vertex_handle intersect(Face_handle f, int i, Vertex_handle a, Vertex_handle b) override {
+    const Vertex_handle c = f->vertex(cw(i)), d = f->vertex(ccw(i));
+    const Point p = crossing(a->point(), b->point(), c->point(), d->point());
+    if (p == c->point() || p == d->point()) return p == c->point() ? c : d;
+    // A place outside of the two triangles at the edge would put other edges on the wrong side.
+    if (!within(f, i, p))
+      return CGAL::compare_distance(p, c->point(), d->point()) == CGAL::SMALLER ? c : d;
+    if (++nested > kMostNested)
+      throw Error("lines cross too close to each other for double precision",
+                  "leave out lines that repeat others nearly");
+    remove_constrained_edge(f, i);
+    const Vertex_handle v = insert(p, f);
+    number(v);
+    hierarchy.split_constraint(c, d, v);
+    insert_subconstraint(c, v);
+    insert_subconstraint(v, d);
+    --nested;
+    return v;
+  }
+
+  // Whether p is in one of the two triangles at the edge of f opposite to its vertex i.
+  bool within(Face_handle f, int i, const Point& p) const {
+    const auto in = [&](Face_handle g, int j) {
+      const Point &apex = g->vertex(j)->point(), &right = g->vertex(ccw(j))->point(),
+                  &left = g->vertex(cw(j))->point();
+      return orientation(apex, right, p) != CGAL::RIGHT_TURN &&
+             orientation(left, apex, p) != CGAL::RIGHT_TURN &&
+             orientation(right, left, p) != CGAL::RIGHT_TURN;
+    };
+    return in(f, i) || in(f->neighbor(i), mirror_index(f, i));
+  }
+
+  // Exact: two convex sets are apart where a line along an edge of either parts them.
+  bool meets(Face_handle f, const Point& from, const Point& to) const {
+    int left = 0, right = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Point &begin = f->vertex(i)->point(), &end = f->vertex(ccw(i))->point();
+      if (orientation(begin, end, from) == CGAL::RIGHT_TURN &&
+          orientation(begin, end, to) == CGAL::RIGHT_TURN)
+        return false;
+      const CGAL::Orientation side = orientation(from, to, begin);
+      left += side == CGAL::LEFT_TURN;
+      right += side == CGAL::RIGHT_TURN;
+    }
+    return left < 3 && right < 3;
+  }
+
+  // The finite one of a face and the one beyond its hull edge.
+  Face_handle finite(Face_handle f) const {
+    return is_infinite(f) ? f->neighbor(f->index(infinite_vertex())) : f;
+  }
+};
+
+PlaneTriangulation::PlaneTriangulation(std::span<const Vec2> places)
+    : inside_(std::make_unique<Inside>()) {
+  inside_->places.reserve(places.size());
+  inside_->vertices.reserve(places.size());
+  for (const Vec2 place : places) insert(place);
+}
+
+PlaneTriangulation::~PlaneTriangulation() = default;
+
+bool PlaneTriangulation::has_area() const {
+  return inside_->dimension() == 2;
+}
+
+const std::vector<Vec2>& PlaneTriangulation::places() const {
+  return inside_->places;
+}
+
+std::uint32_t PlaneTriangulation::insert(Vec2 place) {
+  const auto near =
+      inside_->vertices.empty() ? WithLines::Face_handle() : inside_->vertices.back()->face();
+  return inside_->number(inside_->insert({place.x, place.y}, near));
+}
+
+std::uint32_t PlaneTriangulation::add_line(std::uint32_t from, std::uint32_t to) {
+  inside_->lines.push_back(
+      inside_->insert_constraint(inside_->vertices[from], inside_->vertices[to]));
+  return static_cast<std::uint32_t>(inside_->lines.size() - 1);
+}
+
+std::vector<std::uint32_t> PlaneTriangulation::line(std::uint32_t number) const {
+  std::vector<std::uint32_t> on_line;
+  for (const auto v : inside_->vertices_in_constraint(inside_->lines[number]))
+    on_line.push_back(v->info().value);
+  return on_line;
+}
+
+std::vector<Share> PlaneTriangulation::around(Vec2 place) const {
+  WithLines::Locate_type type{};
+  int i = 0;
+  const Point p(place.x, place.y);
+  const auto f = inside_->locate(p, type, i, inside_->vertices.back()->face());
+  const auto vertex = [&](int k) { return f->vertex(k); };
+  const auto number = [&](int k) { return f->vertex(k)->info().value; };
+  switch (type) {
+  case WithLines::VERTEX:
+    return {{number(i), 1}};
+  case WithLines::EDGE: {
+    const int a = WithLines::ccw(i), b = WithLines::cw(i);
+    const double share = share_along(vertex(a)->point(), vertex(b)->point(), p);
+    return {{number(a), 1 - share}, {number(b), share}};
+  }
+  case WithLines::FACE: {
+    const auto [b, c] = shares_of(vertex(0)->point(), vertex(1)->point(), vertex(2)->point(), p);
+    return {{number(0), 1 - b - c}, {number(1), b}, {number(2), c}};
+  }
+  default:
+    return {};
+  }
+}
+
+std::vector<std::array<std::uint32_t, 3>> PlaneTriangulation::triangles_along(Vec2 from,
+                                                                              Vec2 to) const {
+  const Point begin(from.x, from.y), end(to.x, to.y);
+  std::vector<std::array<std::uint32_t, 3>> found;
+  // Those that a segment within the hull meets hang together.
+  std::vector<WithLines::Face_handle> open{
+      inside_->finite(inside_->locate(begin, inside_->vertices.back()->face()))};
+  std::set<WithLines::Face_handle> seen{open.front()};
+  while (!open.empty()) {
+    const auto f = open.back();
+    open.pop_back();
+    if (!inside_->meets(f, begin, end)) continue;
+    found.push_back(inside_->numbers_of(f));
+    for (int i = 0; i < 3; ++i) {
+      const auto next = f->neighbor(i);
+      if (!inside_->is_infinite(next) && seen.insert(next).second) open.push_back(next);
+    }
+  }
+  return found;
+}
+
+std::vector<std::array<std::uint32_t, 2>> PlaneTriangulation::hull_edges() const {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  auto f = inside_->incident_faces(inside_->infinite_vertex());
+  const auto first = f;
+  do {
+    const int i = f->index(inside_->infinite_vertex());
+    edges.push_back(
+        {f->vertex(WithLines::ccw(i))->info().value, f->vertex(WithLines::cw(i))->info().value});
+  } while (++f != first);
+  return edges;
+}
+
+PlaneMesh PlaneTriangulation::mesh() const {
+  PlaneMesh mesh;
+  mesh.triangles.reserve(inside_->number_of_faces());
+  mesh.neighbours.reserve(inside_->number_of_faces());
+  for (const auto f : inside_->finite_face_handles()) {
+    f->info() = static_cast<std::uint32_t>(mesh.triangles.size());
+    mesh.triangles.push_back(inside_->numbers_of(f));
+  }
+  for (const auto f : inside_->finite_face_handles()) {
+    auto& across = mesh.neighbours.emplace_back();
+    for (int i = 0; i < 3; ++i)
+      across[i] = inside_->is_infinite(f->neighbor(i)) ? kNoTriangle : f->neighbor(i)->info();
+  }
+  return mesh;
+}
+
+} // namespace orograph
