@@ -12,6 +12,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <bit>
 #include <set>
 #include <utility>
 
@@ -35,6 +36,45 @@ using Point = Kernel::Point_2;
 
 // How often the split of one line may call for another's, because rounding moved it across a third.
 constexpr int kMostNested = 1000;
+
+Point point(Vec2 place) {
+  return {place.x, place.y};
+}
+
+// The first place that makes a triangle with the first two; none if all are on one line.
+std::uint32_t first_off_line(std::span<const Vec2> places) {
+  std::uint32_t k = 2;
+  while (k < places.size() && CGAL::collinear(point(places[0]), point(places[1]), point(places[k])))
+    ++k;
+  return k;
+}
+
+// Numbers in which the bits of neighbouring ones have nothing to do with each other (the mixer of
+// Steele, Lea and Flood 2014, splitmix64).
+std::uint64_t scattered(std::uint64_t number) {
+  number += 0x9e3779b97f4a7c15;
+  number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9;
+  number = (number ^ (number >> 27U)) * 0x94d049bb133111eb;
+  return number ^ (number >> 31U);
+}
+
+// A triangle first; a line only, where there is none. Then rounds, each with a scattered quarter of
+// the places that the next rounds have, so that a few bad places (a line of them, a curve) can't
+// make every insertion rebuild most of what is there; in each round as given, so that the next
+// place is near (Amenta, Choi and Rote 2003).
+std::vector<std::uint32_t> insertion_order(std::span<const Vec2> places) {
+  std::vector<std::uint32_t> order;
+  const std::uint32_t third = first_off_line(places);
+  if (third == places.size()) return order;
+  order = {0, 1, third};
+  constexpr int rounds = 12;
+  std::array<std::vector<std::uint32_t>, rounds> later;
+  for (std::uint32_t i = 2; i < places.size(); ++i)
+    if (i != third) later[std::min(std::countr_zero(scattered(i)) / 2, rounds - 1)].push_back(i);
+  for (int round = rounds - 1; round >= 0; --round)
+    order.insert(order.end(), later[round].begin(), later[round].end());
+  return order;
+}
 
 using Exact = CGAL::Exact_rational;
 struct ExactVec {
@@ -149,9 +189,15 @@ struct PlaneTriangulation::Inside : WithLines {
 
 PlaneTriangulation::PlaneTriangulation(std::span<const Vec2> places)
     : inside_(std::make_unique<Inside>()) {
-  inside_->places.reserve(places.size());
-  inside_->vertices.reserve(places.size());
-  for (const Vec2 place : places) insert(place);
+  inside_->places.assign(places.begin(), places.end());
+  inside_->vertices.resize(places.size());
+  const std::vector<std::uint32_t> order = insertion_order(places);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const auto near = k == 0 ? WithLines::Face_handle() : inside_->vertices[order[k - 1]]->face();
+    const auto v = inside_->insert(point(places[order[k]]), near);
+    v->info().value = order[k];
+    inside_->vertices[order[k]] = v;
+  }
 }
 
 PlaneTriangulation::~PlaneTriangulation() = default;
@@ -165,9 +211,7 @@ const std::vector<Vec2>& PlaneTriangulation::places() const {
 }
 
 std::uint32_t PlaneTriangulation::insert(Vec2 place) {
-  const auto near =
-      inside_->vertices.empty() ? WithLines::Face_handle() : inside_->vertices.back()->face();
-  return inside_->number(inside_->insert({place.x, place.y}, near));
+  return inside_->number(inside_->insert(point(place), inside_->vertices.back()->face()));
 }
 
 std::uint32_t PlaneTriangulation::add_line(std::uint32_t from, std::uint32_t to) {
@@ -186,7 +230,7 @@ std::vector<std::uint32_t> PlaneTriangulation::line(std::uint32_t number) const 
 std::vector<Share> PlaneTriangulation::around(Vec2 place) const {
   WithLines::Locate_type type{};
   int i = 0;
-  const Point p(place.x, place.y);
+  const Point p = point(place);
   const auto f = inside_->locate(p, type, i, inside_->vertices.back()->face());
   const auto vertex = [&](int k) { return f->vertex(k); };
   const auto number = [&](int k) { return f->vertex(k)->info().value; };
@@ -209,7 +253,7 @@ std::vector<Share> PlaneTriangulation::around(Vec2 place) const {
 
 std::vector<std::array<std::uint32_t, 3>> PlaneTriangulation::triangles_along(Vec2 from,
                                                                               Vec2 to) const {
-  const Point begin(from.x, from.y), end(to.x, to.y);
+  const Point begin = point(from), end = point(to);
   std::vector<std::array<std::uint32_t, 3>> found;
   // Those that a segment within the hull meets hang together.
   std::vector<WithLines::Face_handle> open{
