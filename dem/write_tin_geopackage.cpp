@@ -50,14 +50,21 @@ std::unique_ptr<OGRTriangulatedSurface> geometry_of(const Terrain& terrain, cons
   return surface;
 }
 
+// GDAL takes none for a geographic one; this name it knows for what it is (srs_id -1).
+constexpr const char* kNoCrs = "Undefined Cartesian SRS";
+
+bool set_crs(const MapFrame& map, OGRSpatialReference& crs) {
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (map.crs_wkt.empty()) return crs.SetLocalCS(kNoCrs) == OGRERR_NONE;
+  return crs.importFromWkt(map.crs_wkt.c_str()) == OGRERR_NONE;
+}
+
 OGRLayer* add_layer(GDALDataset& dataset, const MapFrame& map) {
   OGRSpatialReference crs;
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  if (!map.crs_wkt.empty() && crs.importFromWkt(map.crs_wkt.c_str()) != OGRERR_NONE) return nullptr;
+  if (!set_crs(map, crs)) return nullptr;
   CPLStringList options;
   options.SetNameValue("SPATIAL_INDEX", "NO"); // of one feature
-  OGRLayer* const layer = dataset.CreateLayer(kLayerName, map.crs_wkt.empty() ? nullptr : &crs,
-                                              wkbTINZ, options.List());
+  OGRLayer* const layer = dataset.CreateLayer(kLayerName, &crs, wkbTINZ, options.List());
   if (layer == nullptr) return nullptr;
   for (const char* name : {"surface_error_m", "height_unit_m"}) {
     OGRFieldDefn field(name, OFTReal);

@@ -2,6 +2,7 @@
 // An approximated grid against every triangle of the Tin at every vertex of the grid, every pair of
 // edges, and the ground that each two triangles share. All in columns and rows.
 #include "dem/approximate_grid.hpp"
+#include "dem/verify_tin.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/grid_triangles.hpp"
@@ -177,6 +178,7 @@ TEST_CASE("an approximated grid covers the grid's ground, within the bound every
     const auto of_tin = in_columns_and_rows(made.tin, grid);
     for (const Corners& triangle : corners_of(made.tin)) REQUIRE(twice_area_m2(triangle) > 0);
     REQUIRE(made.tin.neighbours == neighbours_by_pairs(made.tin));
+    REQUIRE_FALSE(verify(made.tin));
     check_same_ground(of_grid, of_tin);
     check_outline_is_kept(grid, made.tin);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Tin of a grid against the plain list of the grid's triangles.
 #include "dem/tin_of_grid.hpp"
+#include "dem/verify_tin.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/grid_triangles.hpp"
 
@@ -50,6 +51,7 @@ TEST_CASE("the Tin of a grid has its triangles, in their order, and its vertices
       REQUIRE(twice_area_m2(corners_of(tin)[t]) > 0);
     }
     REQUIRE(tin.neighbours == neighbours_by_pairs(tin));
+    if (!expected.empty()) REQUIRE_FALSE(verify(tin));
   }
 }
 
