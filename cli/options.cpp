@@ -7,6 +7,7 @@
 #include "cli/option_kinds.hpp"
 #include "cli/parse_arguments.hpp"
 #include "draw/write_drawing.hpp"
+#include "geometry/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
