@@ -97,21 +97,23 @@ int height_field(OGRLayer& layer, const std::string& path, const std::string& na
   return index;
 }
 
-std::optional<double> height_of(const OGRFeature& feature, int field, const std::string& words) {
+std::optional<double> height_of(const OGRFeature& feature, int field, const std::string& path) {
   if (field < 0) return std::nullopt;
   if (!feature.IsFieldSetAndNotNull(field))
-    throw Error(fmt::format("{} has no height in the field '{}'", words,
+    throw Error(fmt::format("{} has no height in the field '{}'",
+                            feature_name(feature.GetFID(), path),
                             feature.GetFieldDefnRef(field)->GetNameRef()),
                 "give every point a height, or take the point out");
   return feature.GetFieldAsDouble(field);
 }
 
-void read_error(const OGRFeature& feature, const std::string& words, MapShapes& shapes) {
+void read_error(const OGRFeature& feature, MapShapes& shapes) {
   const int field = feature.GetFieldIndex("surface_error_m");
   if (field < 0 || !feature.IsFieldSetAndNotNull(field)) return;
   const double error = feature.GetFieldAsDouble(field);
   if (!std::isfinite(error) || error < 0)
-    throw Error(fmt::format("{} has surface_error_m = {}", words, error),
+    throw Error(fmt::format("{} has surface_error_m = {}",
+                            feature_name(feature.GetFID(), shapes.path), error),
                 "it must be a length in metres");
   shapes.surface_error_m = std::max(shapes.surface_error_m, error);
 }
@@ -162,17 +164,16 @@ MapShapes read_vector(const std::string& path, VectorUse use, const ReadOptions&
   std::uint64_t without = 0;
   layer.ResetReading();
   for (const auto& feature : layer) {
-    const std::string words = fmt::format("feature {} of {}", feature->GetFID(), path);
     const OGRGeometry* geometry = feature->GetGeometryRef();
     if (!geometry || geometry->IsEmpty()) {
       ++without;
       continue;
     }
-    const bool is_point = OGR_GT_IsSubClassOf(wkbFlatten(geometry->getGeometryType()), wkbPoint) ||
-                          wkbFlatten(geometry->getGeometryType()) == wkbMultiPoint;
-    add_geometry(*geometry, use, is_point ? height_of(*feature, field, words) : std::nullopt, words,
-                 shapes);
-    read_error(*feature, words, shapes);
+    const OGRwkbGeometryType type = wkbFlatten(geometry->getGeometryType());
+    const bool is_point = type == wkbPoint || type == wkbMultiPoint;
+    add_geometry(*geometry, use, is_point ? height_of(*feature, field, path) : std::nullopt,
+                 feature->GetFID(), shapes);
+    read_error(*feature, shapes);
   }
   if (const std::string failure = messages.last_failure(); failure != "no reason given")
     throw Error(fmt::format("{} can't be read to its end ({})", path, failure),
