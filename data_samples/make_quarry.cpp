@@ -19,7 +19,7 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kSide_m = 600;         // of the surveyed square
 constexpr Vec2 kCorner{501000, 120000}; // its south-west corner, in open sea
 constexpr Vec2 kCentre{310, 330};       // of the pit
-constexpr double kFloor_m = 180;        // height of the pit's floor
+constexpr double kFloor_m = 164;        // height of the pit's floor
 constexpr int kBenches = 5;
 constexpr double kFace_m = 14;   // height of a bench's face
 constexpr double kFaceRun_m = 6; // how far a face reaches outwards
@@ -39,7 +39,7 @@ Vec2 at(double radius, double angle) {
 double hillside_m(Vec2 p) {
   const double swells =
       9 * std::sin(p.x / 83 + 1) * std::cos(p.y / 97) + 4 * std::sin(p.x / 31 - p.y / 43);
-  return 232 + 0.16 * p.y + 0.04 * p.x + swells;
+  return 228 + 0.09 * p.y + 0.04 * p.x + swells;
 }
 
 // Toe and crest of bench i, radii before stretching.
@@ -53,13 +53,24 @@ double level_m(int i) {
   return kFloor_m + i * kFace_m;
 }
 
+// Radius in the unstretched pit.
+double radius_m(Vec2 p) {
+  const Vec2 from_centre = p - kCentre;
+  return length(from_centre) / stretch(std::atan2(from_centre.y, from_centre.x));
+}
+
+// Near an edge of a bench the surveyor takes the edge, and no other points.
+bool is_at_an_edge(Vec2 p) {
+  const double radius = radius_m(p);
+  for (int i = 0; i <= kBenches; ++i)
+    if (radius > toe_m(i) - 3 && radius < crest_m(i) + 3) return true;
+  return false;
+}
+
 // Height of the surface as it is now. A bench is level up to the toe of the next face; the pit ends
 // at the first crest that would come out above the hillside.
 double height_m(Vec2 p) {
-  const Vec2 from_centre = p - kCentre;
-  const double angle = std::atan2(from_centre.y, from_centre.x);
-  const double radius = length(from_centre) / stretch(angle);
-  const double hillside = hillside_m(p);
+  const double radius = radius_m(p), hillside = hillside_m(p);
   double pit = kFloor_m;
   for (int i = 0; i < kBenches; ++i) {
     if (radius >= crest_m(i))
@@ -116,7 +127,10 @@ std::vector<Vec3> points() {
     }
   }
   Random random(1871);
-  for (int i = 0; i < 1400; ++i) add({random.between(0, kSide_m), random.between(0, kSide_m)});
+  for (int i = 0; i < 1400; ++i) {
+    const Vec2 p{random.between(0, kSide_m), random.between(0, kSide_m)};
+    if (!is_at_an_edge(p)) add(p);
+  }
   return all;
 }
 
