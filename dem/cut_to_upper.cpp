@@ -85,6 +85,7 @@ std::vector<PlanEdge> edges_of(const Tin& tin, std::span<const std::uint32_t> tr
 UpperPieces cut_to_upper(const Tin& tin, std::span<const std::uint32_t> chosen,
                          std::span<const CommonGround> grounds, double tolerance_m) {
   const std::vector<PlanEdge> edges = edges_of(tin, chosen);
+  const double reach_m = tolerance_m / 64; // some hundred roundings of the largest coordinate
   std::vector<std::vector<Vec2>> lines = edge_lines(tin, edges, grounds);
   for (const CommonGround& ground : grounds)
     if (ground.pierce && (*ground.pierce)[0] != (*ground.pierce)[1])
@@ -92,12 +93,12 @@ UpperPieces cut_to_upper(const Tin& tin, std::span<const std::uint32_t> chosen,
   const auto highest_in = [&](const PlanArrangement& arrangement) {
     return highest_triangles(tin, chosen, middles(arrangement), tolerance_m);
   };
-  const PlanArrangement all = arrange(lines);
+  const PlanArrangement all = arrange(lines, reach_m);
   const std::vector<SeenLine> seen = seen_lines(all, highest_in(all));
 
   lines.clear();
   for (const SeenLine& line : seen) lines.push_back(line.points);
-  const PlanArrangement arrangement = arrange(lines);
+  const PlanArrangement arrangement = arrange(lines, reach_m);
   const std::vector<std::uint32_t> highest = highest_in(arrangement);
   std::vector<PlanPiece> pieces;
   for (std::size_t f = 0; f < highest.size(); ++f)

@@ -19,7 +19,8 @@ struct PlanArrangement {
   std::vector<std::vector<std::uint32_t>> lines;
 };
 
-/// Points where lines cross are rounded to doubles, and the lines bend to go through them.
-PlanArrangement arrange(std::span<const std::vector<Vec2>> lines);
+/// Points where lines cross are rounded to doubles, and the lines bend to go through them, or
+/// through points that are there already within `reach_m` (`uncross` says how).
+PlanArrangement arrange(std::span<const std::vector<Vec2>> lines, double reach_m);
 
 } // namespace orograph

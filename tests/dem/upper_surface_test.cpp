@@ -229,6 +229,7 @@ TEST_CASE("triangles given twice are left once, bit for bit") {
 }
 
 TEST_CASE("what overlaps nothing stays bit for bit, walls in it too") {
+  int far = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     Random random(seed);
     INFO("seed " << seed);
@@ -249,7 +250,6 @@ TEST_CASE("what overlaps nothing stays bit for bit, walls in it too") {
       return std::array{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z};
     };
     for (std::size_t i = 0; i < left.triangles.size(); ++i) there.insert(corners(left, i));
-    int far = 0;
     for (std::size_t i = 0; i < tin.triangles.size(); ++i) {
       bool away = true;
       for (const std::uint32_t v : tin.triangles[i]) {
@@ -260,7 +260,6 @@ TEST_CASE("what overlaps nothing stays bit for bit, walls in it too") {
       ++far;
       REQUIRE(there.contains(corners(tin, i)));
     }
-    REQUIRE(far > 5);
     Tried tried;
     check_surface(random, soup, left, tried);
     for (const Vec3& p : left.vertices_m) { // nothing of what is below cuts the roof but at its rim
@@ -268,6 +267,7 @@ TEST_CASE("what overlaps nothing stays bit for bit, walls in it too") {
       REQUIRE((!roof.height_m || roof.close_to_an_edge));
     }
   }
+  CHECK(far > 1000);
 }
 
 TEST_CASE("no cracks open beside a triangle that was cut") {
