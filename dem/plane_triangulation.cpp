@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <initializer_list>
 #include <set>
 #include <utility>
 
@@ -34,8 +36,10 @@ using Delaunay =
 using WithLines = CGAL::Constrained_triangulation_plus_2<Delaunay>;
 using Point = Kernel::Point_2;
 
-// How often the split of one line may call for another's, because rounding moved it across a third.
-constexpr int kMostNested = 1000;
+// How deep the split of one line may call for another's, because rounding moved it across a third:
+// to split as it should be, and at all.
+constexpr int kManyNested = 20, kMostNested = 1000;
+constexpr std::size_t kMostInVain = 1'000'000;
 
 Point point(Vec2 place) {
   return {place.x, place.y};
@@ -95,6 +99,26 @@ Point crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
           CGAL::to_double(Exact(Exact(a.y()) + share * u.y))};
 }
 
+bool nearer(const Point& to, const Point& a, const Point& b) {
+  return CGAL::compare_distance(to, a, b) == CGAL::SMALLER;
+}
+
+// Four units in the last place of the greatest coordinate: what lines between these are worth.
+double rounding(std::initializer_list<const Point*> ends) {
+  double greatest = 0;
+  for (const Point* p : ends) greatest = std::max({greatest, std::abs(p->x()), std::abs(p->y())});
+  return 0x1p-50 * greatest;
+}
+
+// Whether the line from a to b passes through a vertex between them but for rounding. Without that,
+// lines that all cross at one place would make a cluster of vertices there. Between them is what is
+// nearer to each than the other is, so that a line never turns back.
+bool passes(const Point& a, const Point& b, const Point& vertex, double rounding_m) {
+  const Vec2 along{b.x() - a.x(), b.y() - a.y()}, to{vertex.x() - a.x(), vertex.y() - a.y()};
+  return std::abs(cross(along, to)) <= rounding_m * length(along) && nearer(a, vertex, b) &&
+         nearer(b, vertex, a);
+}
+
 // How far from a to b is p, which is on the line through them.
 double share_along(const Point& a, const Point& b, const Point& p) {
   const ExactVec u = exact_difference(b, a), v = exact_difference(p, a);
@@ -116,7 +140,8 @@ struct PlaneTriangulation::Inside : WithLines {
   std::vector<Vec2> places;
   std::vector<Vertex_handle> vertices;
   std::vector<Constraint_id> lines;
-  int nested = 0;
+  int nested = 0;                 ///< splits that called for the one at hand
+  std::size_t splits_in_vain = 0; ///< of the line at hand
 
   std::uint32_t number(Vertex_handle v) {
     if (v->info().value == kUnnumbered) {
@@ -136,22 +161,49 @@ struct PlaneTriangulation::Inside : WithLines {
   // the place in double precision and loses a split where it falls on a third line.
   Vertex_handle intersect(Face_handle f, int i, Vertex_handle a, Vertex_handle b) override {
     const Vertex_handle c = f->vertex(cw(i)), d = f->vertex(ccw(i));
-    const Point p = crossing(a->point(), b->point(), c->point(), d->point());
-    if (p == c->point() || p == d->point()) return p == c->point() ? c : d;
-    // A place outside of the two triangles at the edge would put other edges on the wrong side.
-    if (!within(f, i, p))
-      return CGAL::compare_distance(p, c->point(), d->point()) == CGAL::SMALLER ? c : d;
-    if (++nested > kMostNested)
-      throw Error("lines cross too close to each other for double precision",
-                  "leave out lines that repeat others nearly");
+    const Point &pa = a->point(), &pb = b->point(), &pc = c->point(), &pd = d->point();
+    const double near = rounding({&pa, &pb, &pc, &pd});
+    const bool at_c = passes(pa, pb, pc, near), at_d = passes(pa, pb, pd, near);
+    if (at_c || at_d) return in_vain(at_c && !(at_d && nearer(pa, pd, pc)) ? c : d);
+
+    const Point p = passes(pc, pd, pa, near)   ? pa
+                    : passes(pc, pd, pb, near) ? pb
+                                               : crossing(pa, pb, pc, pd);
+    // A place outside of the two triangles at the edge puts others on the wrong side, which splits
+    // them in turn. That ends soon, and where it doesn't an end of the edge stands in.
+    if (p == pc || p == pd || (nested > kManyNested && !within(f, i, p)))
+      return in_vain(nearer(p, pc, pd) ? c : d);
+    if (++nested > kMostNested) give_up();
     remove_constrained_edge(f, i);
     const Vertex_handle v = insert(p, f);
+    if (v->info().value != kUnnumbered) in_vain(v);
     number(v);
     hierarchy.split_constraint(c, d, v);
     insert_subconstraint(c, v);
     insert_subconstraint(v, d);
     --nested;
     return v;
+  }
+
+  Constraint_id start_line(Vertex_handle from, Vertex_handle to) {
+    const Constraint_id line = hierarchy.insert_constraint(from, to);
+    insert_subconstraint(from, to);
+    return line;
+  }
+  void go_on(Constraint_id line, Vertex_handle from, Vertex_handle to) {
+    hierarchy.append_constraint(line, from, to);
+    insert_subconstraint(from, to);
+  }
+
+  // A split at a vertex that is there already; too many of them for one line go round in circles.
+  Vertex_handle in_vain(Vertex_handle v) {
+    if (++splits_in_vain > kMostInVain + vertices.size()) give_up();
+    return v;
+  }
+
+  [[noreturn]] static void give_up() {
+    throw Error("lines cross too close to each other for double precision",
+                "leave out lines that nearly repeat others");
   }
 
   // Whether p is in one of the two triangles at the edge of f opposite to its vertex i.
@@ -215,9 +267,32 @@ std::uint32_t PlaneTriangulation::insert(Vec2 place) {
 }
 
 std::uint32_t PlaneTriangulation::add_line(std::uint32_t from, std::uint32_t to) {
-  inside_->lines.push_back(
-      inside_->insert_constraint(inside_->vertices[from], inside_->vertices[to]));
+  inside_->splits_in_vain = 0;
+  const std::vector<std::uint32_t> through = vertices_along(from, to);
+  const auto vertex = [&](std::size_t k) { return inside_->vertices[through[k]]; };
+  WithLines::Constraint_id line = inside_->start_line(vertex(0), vertex(1));
+  for (std::size_t k = 2; k < through.size(); ++k) inside_->go_on(line, vertex(k - 1), vertex(k));
+  inside_->lines.push_back(line);
   return static_cast<std::uint32_t>(inside_->lines.size() - 1);
+}
+
+// From one to the other through what the line between them passes, before any crossing bends it.
+std::vector<std::uint32_t> PlaneTriangulation::vertices_along(std::uint32_t from,
+                                                              std::uint32_t to) const {
+  const Vec2 begin = places()[from], along = places()[to] - begin;
+  const Point a = point(begin), b = point(places()[to]);
+  const double near = rounding({&a, &b});
+  std::vector<std::pair<double, std::uint32_t>> passed;
+  for (const auto& triangle : triangles_along(begin, places()[to]))
+    for (const std::uint32_t v : triangle)
+      if (passes(a, b, point(places()[v]), near))
+        passed.emplace_back(dot(places()[v] - begin, along), v);
+  std::sort(passed.begin(), passed.end());
+  passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
+  std::vector<std::uint32_t> through{from};
+  for (const auto& [distance, v] : passed) through.push_back(v);
+  through.push_back(to);
+  return through;
 }
 
 std::vector<std::uint32_t> PlaneTriangulation::line(std::uint32_t number) const {
