@@ -10,13 +10,16 @@
 
 namespace orograph {
 
-/// Square buckets over the ground of some lines, about one for each of their segments.
+/// Square buckets over the ground of some lines, about one for each of their segments. A segment
+/// may be a single point.
 class SegmentBuckets {
 public:
-  explicit SegmentBuckets(std::span<const std::vector<Vec2>> lines);
+  /// REQUIRES reach_m > 0, some times the rounding of coordinates at least.
+  SegmentBuckets(std::span<const std::vector<Vec2>> lines, double reach_m);
 
   void add(std::uint32_t segment, Vec2 from, Vec2 to);
-  /// Segments that may meet the one given, each once, in ascending order.
+  /// All segments within reach of the one given, and others near it, each once, in ascending
+  /// order.
   void near(Vec2 from, Vec2 to, std::vector<std::uint32_t>& out) const;
 
 private:

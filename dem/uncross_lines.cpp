@@ -7,55 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace orograph {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
-
-// Points, to be found by place.
-class Points {
-public:
-  explicit Points(double reach_m) : reach_m_(reach_m) {}
-
-  std::uint32_t at(Vec2 p) {
-    const auto [place, is_new] =
-        exact_.try_emplace({p.x, p.y}, static_cast<std::uint32_t>(points.size()));
-    if (is_new) points.push_back(p);
-    return place->second;
-  }
-  /// The nearest within reach; the place itself if there is none.
-  std::uint32_t near(Vec2 p) {
-    std::uint32_t nearest = none;
-    for (auto at = exact_.lower_bound({p.x - reach_m_, -HUGE_VAL});
-         at != exact_.end() && at->first.first <= p.x + reach_m_;) {
-      const auto [x, y] = at->first;
-      if (y < p.y - reach_m_) {
-        at = exact_.lower_bound({x, p.y - reach_m_});
-        continue;
-      }
-      if (y > p.y + reach_m_) {
-        at = exact_.upper_bound({x, HUGE_VAL});
-        continue;
-      }
-      if (length(points[at->second] - p) <= reach_m_ &&
-          (nearest == none || length(points[at->second] - p) < length(points[nearest] - p)))
-        nearest = at->second;
-      ++at;
-    }
-    return nearest != none ? nearest : at_new(p);
-  }
-
-  std::vector<Vec2> points;
-
-private:
-  std::uint32_t at_new(Vec2 p) { return at(p); }
-
-  double reach_m_;
-  std::map<std::pair<double, double>, std::uint32_t> exact_;
-};
 
 struct Segment {
   Step ends;
@@ -68,10 +25,10 @@ struct Segment {
 class Uncrossing {
 public:
   Uncrossing(std::span<const std::vector<Vec2>> lines, double reach_m)
-      : points_(reach_m), buckets_(lines) {
+      : reach_m_(reach_m), point_buckets_(lines, reach_m), buckets_(lines, reach_m) {
     for (const auto& line : lines) {
       auto& numbers = lines_.emplace_back();
-      for (const Vec2 p : line) numbers.push_back(points_.at(p));
+      for (const Vec2 p : line) numbers.push_back(point(p));
       for (std::size_t i = 1; i < numbers.size(); ++i) segment(numbers[i - 1], numbers[i]);
     }
     for (std::uint32_t next = 0; next < segments_.size(); ++next) uncross(next);
@@ -83,14 +40,34 @@ public:
       auto& steps = uncrossed.lines.emplace_back();
       for (std::size_t i = 1; i < numbers.size(); ++i) expand(numbers[i - 1], numbers[i], steps);
     }
-    uncrossed.points = std::move(points_.points);
+    uncrossed.points = std::move(points_);
     return uncrossed;
   }
 
 private:
   static Step key(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
-  Vec2 at(std::uint32_t point) const { return points_.points[point]; }
+  Vec2 at(std::uint32_t point) const { return points_[point]; }
   double length_of(std::uint32_t a, std::uint32_t b) const { return length(at(b) - at(a)); }
+
+  std::uint32_t point(Vec2 p) {
+    const auto number = static_cast<std::uint32_t>(points_.size());
+    const auto [place, is_new] = number_at_.try_emplace({p.x, p.y}, number);
+    if (is_new) {
+      points_.push_back(p);
+      point_buckets_.add(number, p, p);
+    }
+    return place->second;
+  }
+  // The nearest point within reach; a new one if there is none.
+  std::uint32_t point_near(Vec2 p) {
+    point_buckets_.near(p, p, near_points_);
+    std::uint32_t nearest = none;
+    for (const std::uint32_t candidate : near_points_)
+      if (length(at(candidate) - p) <= reach_m_ &&
+          (nearest == none || length(at(candidate) - p) < length(at(nearest) - p)))
+        nearest = candidate;
+    return nearest != none ? nearest : point(p);
+  }
 
   // New segments stand last, and are looked at in their turn.
   void segment(std::uint32_t a, std::uint32_t b) {
@@ -101,21 +78,47 @@ private:
     buckets_.add(number, at(a), at(b));
   }
 
+  bool passes(std::uint32_t number, std::uint32_t point) const {
+    const auto [a, b] = segments_[number].ends;
+    if (point == a || point == b) return false;
+    const Vec2 along = at(b) - at(a), off = at(point) - at(a);
+    const double share = dot(off, along) / dot(along, along);
+    return share > 0 && share < 1 && std::abs(cross(along, off)) <= reach_m_ * length(along);
+  }
+  bool lead_through_points(std::uint32_t number) {
+    const auto [a, b] = segments_[number].ends;
+    point_buckets_.near(at(a), at(b), near_points_);
+    for (const std::uint32_t point : near_points_)
+      if (passes(number, point) && split(number, point)) return true;
+    return false;
+  }
+
   void uncross(std::uint32_t first) {
-    std::vector<std::uint32_t> near;
-    if (!segments_[first].alive()) return;
-    buckets_.near(at(segments_[first].ends[0]), at(segments_[first].ends[1]), near);
-    for (const std::uint32_t second : near) {
-      if (!segments_[first].alive()) return;
+    if (!segments_[first].alive() || lead_through_points(first)) return;
+    const auto [a, b] = segments_[first].ends;
+    buckets_.near(at(a), at(b), near_);
+    for (const std::uint32_t second : near_) {
       if (second == first || !segments_[second].alive() || !cross_inside(first, second)) continue;
-      const std::uint32_t point = points_.near(crossing(first, second));
+      const std::size_t before = points_.size();
+      const std::uint32_t point = point_near(crossing(first, second));
       const bool split_first = split(first, point), split_second = split(second, point);
-      if (split_first || split_second) continue;
-      const auto size = [&](std::uint32_t s) {
-        return length_of(segments_[s].ends[0], segments_[s].ends[1]);
-      };
-      segments_[size(first) < size(second) ? first : second].dropped = true;
+      if (points_.size() > before) lead_through(point);
+      if (!split_first && !split_second) drop_shorter(first, second);
+      if (!segments_[first].alive()) return;
     }
+  }
+  // A new point: what passes it.
+  void lead_through(std::uint32_t point) {
+    std::vector<std::uint32_t> passing;
+    buckets_.near(at(point), at(point), passing);
+    for (const std::uint32_t segment : passing)
+      if (segments_[segment].alive() && passes(segment, point)) split(segment, point);
+  }
+  void drop_shorter(std::uint32_t first, std::uint32_t second) {
+    const auto size = [&](std::uint32_t s) {
+      return length_of(segments_[s].ends[0], segments_[s].ends[1]);
+    };
+    segments_[size(first) < size(second) ? first : second].dropped = true;
   }
 
   bool cross_inside(std::uint32_t first, std::uint32_t second) const {
@@ -151,10 +154,13 @@ private:
     expand(s.via, to, steps);
   }
 
-  Points points_;
-  SegmentBuckets buckets_;
+  double reach_m_;
+  std::vector<Vec2> points_;
+  std::map<std::pair<double, double>, std::uint32_t> number_at_;
   std::vector<Segment> segments_;
   std::map<Step, std::uint32_t> number_of_;
+  SegmentBuckets point_buckets_, buckets_;
+  std::vector<std::uint32_t> near_points_, near_; // to be reused
   std::vector<std::vector<std::uint32_t>> lines_;
 };
 
