@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <set>
 #include <utility>
 
 namespace orograph {
@@ -27,9 +26,13 @@ constexpr std::uint32_t kUnnumbered = 0xffffffff;
 struct Number {
   std::uint32_t value = kUnnumbered;
 };
+struct FaceNotes {
+  std::uint32_t number = 0; ///< in the mesh written last
+  std::uint64_t search = 0; ///< the last one that came here
+};
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<
-    Kernel, CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel>>;
+    Kernel, CGAL::Triangulation_face_base_with_info_2<FaceNotes, Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Delaunay =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
@@ -75,6 +78,7 @@ struct PlaneTriangulation::Inside : WithLines {
   std::vector<Vec2> places;
   std::vector<Vertex_handle> vertices;
   std::vector<Constraint_id> lines;
+  std::uint64_t searches = 0;
   int nested = 0;                 ///< splits that called for the one at hand
   std::size_t splits_in_vain = 0; ///< of the line at hand
 
@@ -270,7 +274,8 @@ std::vector<std::array<std::uint32_t, 3>> PlaneTriangulation::triangles_along(Ve
   // Those that a segment within the hull meets hang together.
   std::vector<WithLines::Face_handle> open{
       inside_->finite(inside_->locate(begin, inside_->vertices.back()->face()))};
-  std::set<WithLines::Face_handle> seen{open.front()};
+  const std::uint64_t search = ++inside_->searches;
+  open.front()->info().search = search;
   while (!open.empty()) {
     const auto f = open.back();
     open.pop_back();
@@ -278,7 +283,9 @@ std::vector<std::array<std::uint32_t, 3>> PlaneTriangulation::triangles_along(Ve
     found.push_back(inside_->numbers_of(f));
     for (int i = 0; i < 3; ++i) {
       const auto next = f->neighbor(i);
-      if (!inside_->is_infinite(next) && seen.insert(next).second) open.push_back(next);
+      if (inside_->is_infinite(next) || next->info().search == search) continue;
+      next->info().search = search;
+      open.push_back(next);
     }
   }
   return found;
@@ -301,13 +308,14 @@ PlaneMesh PlaneTriangulation::mesh() const {
   mesh.triangles.reserve(inside_->number_of_faces());
   mesh.neighbours.reserve(inside_->number_of_faces());
   for (const auto f : inside_->finite_face_handles()) {
-    f->info() = static_cast<std::uint32_t>(mesh.triangles.size());
+    f->info().number = static_cast<std::uint32_t>(mesh.triangles.size());
     mesh.triangles.push_back(inside_->numbers_of(f));
   }
   for (const auto f : inside_->finite_face_handles()) {
     auto& across = mesh.neighbours.emplace_back();
     for (int i = 0; i < 3; ++i)
-      across[i] = inside_->is_infinite(f->neighbor(i)) ? kNoTriangle : f->neighbor(i)->info();
+      across[i] =
+          inside_->is_infinite(f->neighbor(i)) ? kNoTriangle : f->neighbor(i)->info().number;
   }
   return mesh;
 }
