@@ -29,7 +29,7 @@ void require_finite(const TriangleSoup& soup, const std::string& source) {
 }
 
 std::string count_of(std::size_t count, const char* one, const char* many) {
-  return count == 1 ? fmt::format("1 {}", one) : fmt::format("{} {}", count, many);
+  return count == 1 ? fmt::format("1 {}.", one) : fmt::format("{} {}.", count, many);
 }
 
 // A soup's triangles by merged points, each with an area and counterclockwise or a wall.
@@ -42,8 +42,7 @@ struct Prepared {
 Prepared prepare(const TriangleSoup& soup) {
   Prepared prepared;
   const std::vector<std::uint32_t> first = first_equal(soup.points_m);
-  std::size_t merged = 0, no_area = 0, turned = 0;
-  for (std::uint32_t i = 0; i < first.size(); ++i) merged += first[i] != i ? 1 : 0;
+  std::size_t no_area = 0, turned = 0;
   prepared.tin.vertices_m = soup.points_m;
   for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
     std::array<std::uint32_t, 3> triangle = soup.triangles[t];
@@ -60,10 +59,6 @@ Prepared prepare(const TriangleSoup& soup) {
     prepared.tin.triangles.push_back(triangle);
     prepared.number.push_back(t);
   }
-  if (merged > 0)
-    prepared.notes.push_back(count_of(merged,
-                                      "point was where another one is and was merged with it",
-                                      "points were where others are and were merged with them"));
   if (no_area > 0)
     prepared.notes.push_back(count_of(no_area, "triangle has no area and was dropped",
                                       "triangles have no area and were dropped"));

@@ -61,9 +61,9 @@ TEST_CASE("points and breaklines are drawn, and every line asked of the ray walk
   CHECK(report["input"]["triangulation"]["points"] > 2000);
   CHECK(report["input"]["triangles"] > 4000);
   CHECK(report["check"]["asked"] >= 20000);
-  CHECK(report["check"]["hidden"] == 0);
-  CHECK(report["check"]["missing"] == 0);
-  CHECK(holds(folder.read("quarry.svg"), "inkscape:label=\"edges\""));
+  CHECK(report["check"]["drawn_but_hidden"] == 0);
+  CHECK(report["check"]["visible_but_not_drawn"] == 0);
+  CHECK(holds(folder.read("quarry.svg"), "inkscape:label=\"2 edges\""));
 }
 
 TEST_CASE("a written TIN draws the same lines as what it was made of") {

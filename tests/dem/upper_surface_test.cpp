@@ -207,9 +207,9 @@ TEST_CASE("of a closed block the top is left as it was, and neither base nor wal
     REQUIRE(std::equal(tin.vertices_m.begin(), tin.vertices_m.end(), soup.points_m.begin()));
     REQUIRE(notes.size() >= 2);
     CHECK(notes[notes.size() - 2] ==
-          std::to_string(rim) + " triangles are hidden seen from above and were dropped");
+          std::to_string(rim) + " triangles are hidden seen from above and were dropped.");
     CHECK(notes.back() == std::to_string(2 * rim) +
-                              " vertical triangles fit nothing that is left and were dropped");
+                              " vertical triangles fit nothing that is left and were dropped.");
   }
 }
 
