@@ -8,6 +8,7 @@
 #include "dem/seen_lines.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace orograph {
@@ -83,15 +84,21 @@ std::vector<PlanEdge> edges_of(const Tin& tin, std::span<const std::uint32_t> tr
 }
 
 UpperPieces cut_to_upper(const Tin& tin, std::span<const std::uint32_t> chosen,
+                         std::span<const std::uint32_t> whole,
                          std::span<const CommonGround> grounds, double tolerance_m) {
   const std::vector<PlanEdge> edges = edges_of(tin, chosen);
   const double reach_m = tolerance_m / 64; // some hundred roundings of the largest coordinate
   std::vector<std::vector<Vec2>> lines = edge_lines(tin, edges, grounds);
   for (const CommonGround& ground : grounds)
-    if (ground.pierce && (*ground.pierce)[0] != (*ground.pierce)[1])
-      lines.push_back({(*ground.pierce)[0], (*ground.pierce)[1]});
+    if (ground.pierce) lines.push_back({(*ground.pierce)[0], (*ground.pierce)[1]});
+  std::vector<std::uint32_t> overlapping;
+  std::merge(chosen.begin(), chosen.end(), whole.begin(), whole.end(),
+             std::back_inserter(overlapping));
   const auto highest_in = [&](const PlanArrangement& arrangement) {
-    return highest_triangles(tin, chosen, middles(arrangement), tolerance_m);
+    auto highest = highest_triangles(tin, overlapping, middles(arrangement), tolerance_m);
+    for (std::uint32_t& t : highest)
+      if (std::binary_search(whole.begin(), whole.end(), t)) t = kNoTriangle;
+    return highest;
   };
   const PlanArrangement all = arrange(lines, reach_m);
   const std::vector<SeenLine> seen = seen_lines(all, highest_in(all));
@@ -115,9 +122,9 @@ UpperPieces cut_to_upper(const Tin& tin, std::span<const std::uint32_t> chosen,
 
   UpperPieces upper{std::move(high.vertices_m), {}, split_edges(edges, seen, arrangement)};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const auto& whole = tin.triangles[pieces[i].of];
+    const auto& triangle = tin.triangles[pieces[i].of];
     upper.pieces.push_back(
-        {pieces[i].of, same_corners(high.triangles[i], whole) ? whole : high.triangles[i]});
+        {pieces[i].of, same_corners(high.triangles[i], triangle) ? triangle : high.triangles[i]});
   }
   return upper;
 }
