@@ -8,7 +8,6 @@
 #include "dem/seen_lines.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace orograph {
@@ -42,14 +41,6 @@ std::vector<std::vector<Vec2>> edge_lines(const Tin& tin, std::span<const PlanEd
     line.push_back(last);
   }
   return lines;
-}
-
-std::vector<Vec2> middles(const PlanArrangement& arrangement) {
-  std::vector<Vec2> middles;
-  for (const auto& [a, b, c] : arrangement.faces)
-    middles.push_back((1.0 / 3) *
-                      (arrangement.points[a] + arrangement.points[b] + arrangement.points[c]));
-  return middles;
 }
 
 bool same_corners(std::array<std::uint32_t, 3> a, std::array<std::uint32_t, 3> b) {
@@ -91,14 +82,8 @@ UpperPieces cut_to_upper(const Tin& tin, std::span<const std::uint32_t> chosen,
   std::vector<std::vector<Vec2>> lines = edge_lines(tin, edges, grounds);
   for (const CommonGround& ground : grounds)
     if (ground.pierce) lines.push_back({(*ground.pierce)[0], (*ground.pierce)[1]});
-  std::vector<std::uint32_t> overlapping;
-  std::merge(chosen.begin(), chosen.end(), whole.begin(), whole.end(),
-             std::back_inserter(overlapping));
   const auto highest_in = [&](const PlanArrangement& arrangement) {
-    auto highest = highest_triangles(tin, overlapping, middles(arrangement), tolerance_m);
-    for (std::uint32_t& t : highest)
-      if (std::binary_search(whole.begin(), whole.end(), t)) t = kNoTriangle;
-    return highest;
+    return highest_triangles(tin, chosen, whole, arrangement, tolerance_m);
   };
   const PlanArrangement all = arrange(lines, reach_m);
   const std::vector<SeenLine> seen = seen_lines(all, highest_in(all));
