@@ -68,6 +68,18 @@ std::optional<PiercedEdge> pierced_edge(const Tin& tin, TriangleSide side, std::
   return PiercedEdge{ends, from + low / (low - high) * (to - from)};
 }
 
+std::optional<std::array<Vec2, 2>> farthest_apart(const std::vector<Vec2>& points) {
+  std::optional<std::array<Vec2, 2>> pair;
+  double most = 0;
+  for (const Vec2 a : points)
+    for (const Vec2 b : points)
+      if (length(b - a) > most) {
+        most = length(b - a);
+        pair = {a, b};
+      }
+  return pair;
+}
+
 } // namespace
 
 double height_on(const Tin& tin, std::uint32_t triangle, Vec2 at) {
@@ -112,7 +124,7 @@ CommonGround common_ground(const Tin& tin, std::uint32_t a, std::uint32_t b, dou
                      above[i] / (above[i] - above[next]) * (polygon[next].at - polygon[i].at));
     }
   }
-  if (ends.size() >= 2) common.pierce = {ends.front(), ends.back()};
+  common.pierce = farthest_apart(ends); // corners may be there twice, all but rounding
   return common;
 }
 

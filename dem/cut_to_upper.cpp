@@ -43,14 +43,6 @@ std::vector<std::vector<Vec2>> edge_lines(const Tin& tin, std::span<const PlanEd
   return lines;
 }
 
-std::vector<Vec2> middles(const PlanArrangement& arrangement) {
-  std::vector<Vec2> middles;
-  for (const auto& [a, b, c] : arrangement.faces)
-    middles.push_back((1.0 / 3) *
-                      (arrangement.points[a] + arrangement.points[b] + arrangement.points[c]));
-  return middles;
-}
-
 bool same_corners(std::array<std::uint32_t, 3> a, std::array<std::uint32_t, 3> b) {
   std::sort(a.begin(), a.end());
   std::sort(b.begin(), b.end());
@@ -83,15 +75,15 @@ std::vector<PlanEdge> edges_of(const Tin& tin, std::span<const std::uint32_t> tr
 }
 
 UpperPieces cut_to_upper(const Tin& tin, std::span<const std::uint32_t> chosen,
+                         std::span<const std::uint32_t> whole,
                          std::span<const CommonGround> grounds, double tolerance_m) {
   const std::vector<PlanEdge> edges = edges_of(tin, chosen);
   const double reach_m = tolerance_m / 64; // some hundred roundings of the largest coordinate
   std::vector<std::vector<Vec2>> lines = edge_lines(tin, edges, grounds);
   for (const CommonGround& ground : grounds)
-    if (ground.pierce && (*ground.pierce)[0] != (*ground.pierce)[1])
-      lines.push_back({(*ground.pierce)[0], (*ground.pierce)[1]});
+    if (ground.pierce) lines.push_back({(*ground.pierce)[0], (*ground.pierce)[1]});
   const auto highest_in = [&](const PlanArrangement& arrangement) {
-    return highest_triangles(tin, chosen, middles(arrangement), tolerance_m);
+    return highest_triangles(tin, chosen, whole, arrangement, tolerance_m);
   };
   const PlanArrangement all = arrange(lines, reach_m);
   const std::vector<SeenLine> seen = seen_lines(all, highest_in(all));
@@ -115,9 +107,9 @@ UpperPieces cut_to_upper(const Tin& tin, std::span<const std::uint32_t> chosen,
 
   UpperPieces upper{std::move(high.vertices_m), {}, split_edges(edges, seen, arrangement)};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const auto& whole = tin.triangles[pieces[i].of];
+    const auto& triangle = tin.triangles[pieces[i].of];
     upper.pieces.push_back(
-        {pieces[i].of, same_corners(high.triangles[i], whole) ? whole : high.triangles[i]});
+        {pieces[i].of, same_corners(high.triangles[i], triangle) ? triangle : high.triangles[i]});
   }
   return upper;
 }

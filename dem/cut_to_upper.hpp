@@ -25,9 +25,11 @@ struct UpperPieces {
 };
 
 /// What is highest of the chosen triangles (in ascending order), cut along their edges and the
-/// lines where they pierce each other (`grounds`), as far as those are seen. Of heights within
+/// lines where they pierce each other (`grounds`), as far as those are seen. What is under
+/// triangles that stay `whole` (in ascending order too) is left out. Of heights within
 /// `tolerance_m` of each other the one of the triangle of lower number counts.
 UpperPieces cut_to_upper(const Tin& tin, std::span<const std::uint32_t> chosen,
+                         std::span<const std::uint32_t> whole,
                          std::span<const CommonGround> grounds, double tolerance_m);
 
 /// The edges of triangles, each once, in order.

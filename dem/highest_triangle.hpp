@@ -2,6 +2,7 @@
 // Which of overlapping triangles is the highest.
 #pragma once
 
+#include "dem/plan_arrangement.hpp"
 #include "dem/tin.hpp"
 
 #include <span>
@@ -9,10 +10,14 @@
 
 namespace orograph {
 
-/// For each point the triangle, among the chosen ones, that is highest there, its edges included;
-/// kNoTriangle where there is none. Of heights within `tolerance_m` of each other the one of the
-/// triangle that is chosen first counts.
+/// For each face of the arrangement the triangle, among the chosen ones, that is highest in its
+/// middle; only triangles that hold the whole face, but for `tolerance_m`, are asked. kNoTriangle
+/// where there is none, or where a triangle of `whole` is over the middle, which has nothing over
+/// it. Of heights within `tolerance_m` of each other the one of the triangle that
+/// is chosen first counts.
 std::vector<std::uint32_t> highest_triangles(const Tin& tin, std::span<const std::uint32_t> chosen,
-                                             std::span<const Vec2> points, double tolerance_m);
+                                             std::span<const std::uint32_t> whole,
+                                             const PlanArrangement& arrangement,
+                                             double tolerance_m);
 
 } // namespace orograph

@@ -50,20 +50,42 @@ struct Sum {
   }
 };
 
-// Triangles that are under others all over, told from areas: those that are over all that they
-// overlap don't overlap each other, so what they have in common with one below adds up.
-std::vector<bool> wholly_hidden(const Tin& tin, const std::vector<OverlappingPair>& pairs) {
-  std::vector<bool> over_all(tin.triangles.size(), true), hidden(tin.triangles.size(), false);
+// Triangles that nothing is over.
+std::vector<bool> over_all(const Tin& tin, const std::vector<OverlappingPair>& pairs) {
+  std::vector<bool> over(tin.triangles.size(), true);
   for (const OverlappingPair& pair : pairs)
     for (const int i : {0, 1})
-      if (pair.upper() != i) over_all[pair.triangles[i]] = false;
+      if (pair.upper() != i) over[pair.triangles[i]] = false;
+  return over;
+}
+
+// Triangles that are under others all over, told from areas: those that nothing is over don't
+// overlap each other, so what they have in common with one below adds up.
+std::vector<bool> wholly_hidden(const Tin& tin, const std::vector<OverlappingPair>& pairs) {
+  const std::vector<bool> over = over_all(tin, pairs);
   std::vector<Sum> covered(tin.triangles.size());
   for (const OverlappingPair& pair : pairs)
     for (const int i : {0, 1})
-      if (over_all[pair.triangles[i]]) covered[pair.triangles[1 - i]].add(pair.ground.area_m2);
+      if (over[pair.triangles[i]]) covered[pair.triangles[1 - i]].add(pair.ground.area_m2);
+  std::vector<bool> hidden(tin.triangles.size(), false);
   for (std::uint32_t t = 0; t < hidden.size(); ++t)
     hidden[t] = covered[t].value > 0 && covered[t].value >= (1 - 1e-11) * area_m2(tin, t);
   return hidden;
+}
+
+// Triangles that have to be cut, or that others are cut along: those that overlap, but none amid
+// others that nothing is over.
+std::vector<bool> to_arrange(const Tin& tin, const std::vector<OverlappingPair>& pairs,
+                             const std::vector<bool>& hidden) {
+  const std::vector<bool> over = over_all(tin, pairs);
+  const auto beside = find_neighbours(tin.triangles, tin.vertices_m.size()).of;
+  std::vector<bool> chosen(tin.triangles.size(), false);
+  for (const OverlappingPair& pair : pairs)
+    for (const std::uint32_t t : pair.triangles)
+      chosen[t] = !over[t] || !std::all_of(beside[t].begin(), beside[t].end(), [&](auto other) {
+        return other != kNoTriangle && over[other] && !hidden[other] && !is_wall(tin, other);
+      });
+  return chosen;
 }
 
 std::vector<HadBeside> what_is_beside(const Tin& tin) {
@@ -156,16 +178,19 @@ UpperSurface upper_surface(const Tin& soup) {
   });
 
   std::vector<CommonGround> grounds;
-  std::vector<bool> chosen(soup.triangles.size(), false);
+  std::vector<bool> overlapping(soup.triangles.size(), false);
   for (const OverlappingPair& pair : pairs) {
-    grounds.push_back(pair.ground);
-    for (const std::uint32_t t : pair.triangles) chosen[t] = true;
+    if (pair.upper() == 2) grounds.push_back(pair.ground);
+    for (const std::uint32_t t : pair.triangles) overlapping[t] = true;
   }
+  std::vector<bool> chosen = to_arrange(soup, pairs, hidden);
   choose_beside(soup, edges_of(soup, numbers_of(chosen)), hidden, chosen);
 
   UpperPieces upper{soup.vertices_m, {}, {}};
   for (bool more = !pairs.empty(); more;) {
-    upper = cut_to_upper(soup, numbers_of(chosen), grounds, tolerance_m);
+    std::vector<bool> whole(chosen.size());
+    for (std::size_t t = 0; t < whole.size(); ++t) whole[t] = overlapping[t] && !chosen[t];
+    upper = cut_to_upper(soup, numbers_of(chosen), numbers_of(whole), grounds, tolerance_m);
     more = choose_beside(soup, upper.split, hidden, chosen) ||
            choose_overlapped(assemble(soup, hidden, chosen, upper, false), chosen);
   }
