@@ -80,13 +80,18 @@ void check_report(const RenderSettings& settings, const GivenOptions& given) {
                      "give the report another name");
 }
 
-void check_view(const RenderSettings& settings, const GivenOptions& given) {
-  if (settings.projection == Projection::orthographic)
+void check_view(RenderSettings& settings, const GivenOptions& given) {
+  if (given.contains("--oblique")) {
+    if (given.contains("--projection") && settings.projection != Projection::oblique)
+      throw UsageError("--oblique is a projection of its own", "leave --projection out");
+    settings.projection = Projection::oblique;
+  }
+  if (settings.projection != Projection::perspective)
     for (const auto& [option, right] :
          {std::pair{"--distance", "leave it out"}, std::pair{"--fov", "leave it out"},
           std::pair{"--eye", "give --view-from AZ/EL"}})
       if (given.contains(option))
-        throw UsageError(fmt::format("{} has no meaning in an orthographic view", option),
+        throw UsageError(fmt::format("{} has no meaning in a parallel view", option),
                          fmt::format("{}, or use --projection perspective", right));
   if (settings.eye_map && settings.eye_map == settings.look_at_map)
     throw UsageError("--eye and --look-at are the same point", "look at another point");
@@ -129,7 +134,7 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
   check_picture_settings(settings, given);
 }
 
-void check_picture_settings(const RenderSettings& settings, const GivenOptions& given) {
+void check_picture_settings(RenderSettings& settings, const GivenOptions& given) {
   check_view(settings, given);
   check_page(settings);
 }

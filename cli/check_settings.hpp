@@ -14,7 +14,7 @@ namespace orograph {
 void check_settings(RenderSettings& settings, const GivenOptions& given);
 
 /// The same of view and page alone.
-void check_picture_settings(const RenderSettings& settings, const GivenOptions& given);
+void check_picture_settings(RenderSettings& settings, const GivenOptions& given);
 
 /// Whether writing `output` would replace a file that `input` is read from: the same file by any
 /// spelling or link, also behind GDAL's /vsi prefixes ("/vsizip/a.zip/b.tif") and subdataset names

@@ -15,7 +15,15 @@ namespace orograph {
 namespace {
 
 std::string projection_name(Projection projection) {
-  return projection == Projection::perspective ? "perspective" : "orthographic";
+  switch (projection) {
+  case Projection::perspective:
+    return "perspective";
+  case Projection::orthographic:
+    return "orthographic";
+  case Projection::oblique:
+    return "oblique";
+  }
+  return "perspective";
 }
 
 // In [0, 360); exactly the direction's for views along the axes.
@@ -52,6 +60,9 @@ ViewReport describe_view(const Scene& scene, const MapFrame& map) {
   const Vec3 origin = map.to_map({view.depth_origin_m.x, view.depth_origin_m.y, 0});
   out.depth_origin = {origin.x, origin.y};
   out.forward = view.forward;
+  if (view.projection == Projection::oblique)
+    out.oblique = Vec2{std::hypot(view.x_per_v, view.y_per_v),
+                       atan2_angle(view.y_per_v, view.x_per_v).in_degrees()};
   out.roll_deg = view.roll.in_degrees();
   out.exaggeration = view.exaggeration;
   out.exaggeration_auto = scene.exaggeration_chosen;

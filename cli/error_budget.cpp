@@ -45,11 +45,12 @@ double geodesy_mm(const Terrain& terrain, const Scene& scene) {
   double greatest = 0;
   for (const Vec2& corner : shown_corners(view)) {
     // In perspective a point at depth v and X is v * sqrt(1 + X²) away.
+    const double u = std::abs(corner.x) +
+                     std::abs(view.x_per_v) * std::max(std::abs(nearest), std::abs(farthest));
     const double moved =
         view.is_perspective()
             ? (1 + corner.x * corner.x) * (farthest - nearest)
-            : (corner.x * corner.x + std::max(nearest * nearest, farthest * farthest)) *
-                  view.cos_elevation;
+            : (u * u + std::max(nearest * nearest, farthest * farthest)) * view.y_per_z;
     greatest = std::max(greatest, scene.to_page.mm_per_y(corner) * drop_per_m2 * moved);
   }
   return greatest;
@@ -61,7 +62,7 @@ double level_of_detail_mm(const Terrain& terrain, const Scene& scene) {
   const View& view = scene.view;
   const double height_m = terrain.surface_error_m * view.exaggeration;
   const double per_height =
-      view.is_perspective() ? 1 / std::max(scene.nearest_m, view.near_m) : view.cos_elevation;
+      view.is_perspective() ? 1 / std::max(scene.nearest_m, view.near_m) : view.y_per_z;
   double greatest = 0;
   for (const Vec2& corner : shown_corners(view))
     greatest = std::max(greatest, scene.to_page.mm_per_y(corner) * height_m * per_height);

@@ -63,6 +63,8 @@ LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLi
   Vec2 left = project(view_, out.left), right = project(view_, out.right);
   if (view_.is_perspective())
     out.beside *= (1 + std::abs(left.x)) / std::min(out.left.v, out.right.v);
+  else
+    out.beside *= 1 + std::abs(view_.x_per_v);
   // A line that runs straight away from the eye is told from one that doesn't by more than
   // rounding, which would make one visible by turns.
   const bool upright = std::abs(left.x - right.x) <= out.beside;

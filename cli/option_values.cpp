@@ -65,6 +65,26 @@ std::optional<ViewFrom> parse_view_from(std::string_view text) {
   return ViewFrom{Angle::degrees((*n)[0]), Angle::degrees((*n)[1])};
 }
 
+std::optional<Oblique> parse_oblique(std::string_view text) {
+  if (text == "cavalier") return kCavalier;
+  if (text == "cabinet") return kCabinet;
+  if (text == "military") return kMilitary;
+  const auto n = parse_numbers(text, ',', 2);
+  if (!n || !((*n)[0] > 0) || (*n)[1] < 0 || (*n)[1] > 180) return std::nullopt;
+  return Oblique{(*n)[0], Angle::degrees((*n)[1])};
+}
+
+std::optional<ViewFrom> axonometric_view(std::string_view text) {
+  // The eye's elevation e and its azimuth a beside the map's south axis shorten the three axes by
+  // sqrt(1 - cos² e sin² a), sqrt(1 - cos² e cos² a) and cos e.
+  if (text == "isometric") return ViewFrom{Angle::degrees(225), atan2_angle(1, std::sqrt(2))};
+  if (text == "dimetric") // cos e = sqrt(8)/3 for across and up, half of it in depth
+    return ViewFrom{Angle::degrees(180) + atan2_angle(1, std::sqrt(7)),
+                    atan2_angle(1, std::sqrt(8))};
+  if (text == "trimetric") return ViewFrom{Angle::degrees(210), Angle::degrees(25)};
+  return std::nullopt;
+}
+
 std::optional<PlanRequest> parse_spacing(std::string_view text) {
   const bool on_page = text.ends_with("mm");
   if (!on_page && !text.ends_with("m")) return std::nullopt;

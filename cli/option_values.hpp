@@ -6,6 +6,7 @@
 #include "geometry/box.hpp"
 #include "geometry/vec.hpp"
 #include "profiles/plan_request.hpp"
+#include "view/view_request.hpp"
 
 #include <optional>
 #include <string>
@@ -30,6 +31,11 @@ struct ViewFrom {
 };
 /// "AZ/EL" in degrees, elevation 0 to 90.
 std::optional<ViewFrom> parse_view_from(std::string_view text);
+
+/// "cavalier", "cabinet", "military", or "L,ALPHA" with L > 0 and ALPHA from 0 to 180 degrees.
+std::optional<Oblique> parse_oblique(std::string_view text);
+/// "isometric", "dimetric" (1 : 1 : 1/2, ISO 5456-3) or "trimetric" (from 210/25).
+std::optional<ViewFrom> axonometric_view(std::string_view text);
 
 /// "0.6mm" on the page or "100m" on the ground, above 0.
 std::optional<PlanRequest> parse_spacing(std::string_view text);

@@ -21,6 +21,9 @@ std::vector<Conflict> picture_conflicts() {
            "give --view-from to frame the terrain, or --eye to stand somewhere"},
           {"--distance", "--eye", "the distance is from --eye to --look-at"},
           {"--portrait", "--landscape", "give one of the two"},
+          {"--view-from", "--axonometric", "give one of the two"},
+          {"--projection", "--axonometric", "leave --projection out"},
+          {"--oblique", "--axonometric", "give one of the two"},
           {"--progress", "--no-progress", "give one of the two"},
           {"--quiet", "--progress", "give one of the two"}};
 }

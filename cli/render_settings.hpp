@@ -24,6 +24,7 @@ struct RenderSettings {
   ReadOptions reading;
 
   Projection projection = Projection::perspective;
+  Oblique oblique = kCavalier;
   Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);
   std::optional<Angle> field_of_view;
   std::optional<double> distance_m;

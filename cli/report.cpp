@@ -72,6 +72,9 @@ Json json_of(const ViewReport& view) {
           {"depth_origin", json_of(view.depth_origin)},
           {"forward", json_of(view.forward)},
           {"field_of_view_deg", view.field_of_view_deg},
+          {"oblique", view.oblique
+                          ? Json{{"length", view.oblique->x}, {"rise_deg", view.oblique->y}}
+                          : Json()},
           {"roll_deg", view.roll_deg},
           {"exaggeration", view.exaggeration},
           {"exaggeration_auto", view.exaggeration_auto},

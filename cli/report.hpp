@@ -44,6 +44,7 @@ struct ViewReport {
   Vec2 depth_origin;                ///< where depth is 0
   Vec2 forward;                     ///< unit, horizontal
   double field_of_view_deg = kNotMeasured;
+  std::optional<Vec2> oblique; ///< length and rise in degrees of lines away from the viewer
   double roll_deg = 0;
   double exaggeration = 1;
   bool exaggeration_auto = false;

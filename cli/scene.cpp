@@ -20,6 +20,7 @@ constexpr double kPenWidthsApart = 4;
 ViewRequest view_request(const RenderSettings& settings, const MapFrame& map, double exaggeration) {
   ViewRequest request;
   request.projection = settings.projection;
+  request.oblique = settings.oblique;
   request.from_azimuth = settings.from_azimuth;
   request.from_elevation = settings.from_elevation;
   request.field_of_view = settings.field_of_view;

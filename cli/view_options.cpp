@@ -34,20 +34,44 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                        s.from_elevation = from->elevation;
                        return true;
                      }});
-  Option projection = with_choice<Projection>(
-      {.group = kGroup,
-       .name = "--projection",
-       .help = "Kind of picture",
-       .by_default = "perspective"},
-      {{"perspective", Projection::perspective}, {"orthographic", Projection::orthographic}},
-      s.projection);
+  Option projection = with_choice<Projection>({.group = kGroup,
+                                               .name = "--projection",
+                                               .help = "Kind of picture",
+                                               .by_default = "perspective"},
+                                              {{"perspective", Projection::perspective},
+                                               {"orthographic", Projection::orthographic},
+                                               {"oblique", Projection::oblique}},
+                                              s.projection);
   projection.take = [take = projection.take](const std::string& text) {
-    if (text == "oblique" || text == "panorama")
-      throw UsageError("--projection " + text + " doesn't work yet",
-                       "use perspective or orthographic");
+    if (text == "panorama")
+      throw UsageError("--projection panorama doesn't work yet",
+                       "use perspective, orthographic or oblique");
     return take(text);
   };
   options.push_back(std::move(projection));
+  options.push_back({.group = kGroup,
+                     .name = "--oblique",
+                     .value = "cavalier|cabinet|military|L,ALPHA",
+                     .help = "Oblique picture: what lies across the view is true, and lines away "
+                             "from the viewer are L times as long as they are, ALPHA degrees above "
+                             "the horizontal",
+                     .allowed = "a name, or L above 0 and ALPHA from 0 to 180 (90 is straight up)",
+                     .by_default = "cavalier (1,45) with --projection oblique",
+                     .take = stored(parse_oblique, s.oblique)});
+  options.push_back({.group = kGroup,
+                     .name = "--axonometric",
+                     .value = "isometric|dimetric|trimetric",
+                     .help = "Orthographic picture from where the three axes of the map are "
+                             "shortened alike, two alike and the one in depth by half, or each "
+                             "otherwise",
+                     .take = [&s](const std::string& text) {
+                       const auto from = axonometric_view(text);
+                       if (!from) return false;
+                       s.from_azimuth = from->azimuth;
+                       s.from_elevation = from->elevation;
+                       s.projection = Projection::orthographic;
+                       return true;
+                     }});
   options.push_back(with_number(
       {.group = kGroup,
        .name = "--distance",

@@ -43,9 +43,9 @@ inline ProfilePoint from_to(ProfilePoint a, ProfilePoint b) {
 /// the sign of N . (E - P), where zero counts as turned away. The same for a surface's triangle
 /// wherever it is asked, if `a` is its vertex of lowest index.
 inline std::uint8_t facing_of(const View& view, ProfilePoint a, ProfilePoint b, ProfilePoint c) {
-  const ProfilePoint to_eye = view.is_perspective()
-                                  ? ProfilePoint{-a.u, -a.v, view.eye_z_m - a.z}
-                                  : ProfilePoint{0, -view.cos_elevation, view.sin_elevation};
+  const ProfilePoint to_eye = view.is_perspective() ? ProfilePoint{-a.u, -a.v, view.eye_z_m - a.z}
+                                                    : ProfilePoint{view.x_per_v * view.y_per_z,
+                                                                   -view.y_per_z, view.y_per_v};
   const auto [sum, bound] = triple_product(to_eye, from_to(a, b), from_to(a, c));
   return static_cast<std::uint8_t>((sum >= -bound ? kMayFace : 0) | (sum <= bound ? kMayTurn : 0));
 }

@@ -123,11 +123,11 @@ bool rises(Steps steps, const View& view, const ProfileLine& line, SurfaceEdge e
            ProfilePoint from, double reach_m) {
   // How far to the right of the ray a point is, in some measure.
   const auto right_of_ray = [&](ProfilePoint p) {
-    return view.is_perspective() ? p.u * from.v - from.u * p.v : p.u - from.u;
+    return view.is_perspective() ? p.u * from.v - from.u * p.v
+                                 : (p.u - from.u) + view.x_per_v * (p.v - from.v);
   };
   // Along the ray Y stays what it is.
-  const double z_per_m = view.is_perspective() ? (from.z - view.eye_z_m) / from.v
-                                               : -view.sin_elevation / view.cos_elevation;
+  const double z_per_m = z_along_ray(view, from);
   Corner left{edge.from, line.from}, right{edge.to, line.to};
   if (right_of_ray(left.at) > right_of_ray(right.at)) std::swap(left, right);
   const SurfaceEdge first{left.index, right.index};

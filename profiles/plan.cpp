@@ -59,7 +59,7 @@ private:
   Vec2 page_at(double depth) const {
     if (as_if_level_) return {0, mm_per_picture_ * drop_ / depth};
     if (view_.is_perspective()) return to_page_({0, -drop_ / depth});
-    return to_page_({0, depth * std::max(view_.sin_elevation, kLeastSine)});
+    return to_page_({0, depth * std::max(view_.y_per_v, kLeastSine)});
   }
   double page_mm(double from, double to) const { return length(page_at(to) - page_at(from)); }
 

@@ -26,7 +26,7 @@ EyeInCells eye_in_cells(const Grid& grid, const View& view) {
     return Vec2{cross(v, grid.row_step_m) / area, cross(grid.column_step_m, v) / area};
   };
   if (!view.is_perspective()) {
-    const Vec2 back = solve(-1.0 * view.forward);
+    const Vec2 back = solve(view.x_per_v * view.right - view.forward);
     return {back.x, back.y, 0};
   }
   const Vec2 at = solve(view.depth_origin_m - grid.first_vertex_m);
@@ -63,8 +63,8 @@ public:
     const bool perspective = view_.is_perspective();
     // A sign is constant + per_height * h0 + per_c * gc + per_r * gr, where per_c grows along the
     // row in perspective.
-    const double scale = perspective ? 1 : -view_.cos_elevation * view_.exaggeration;
-    const double constant = perspective ? eye_.height : view_.sin_elevation;
+    const double scale = perspective ? 1 : -view_.y_per_z * view_.exaggeration;
+    const double constant = perspective ? eye_.height : view_.y_per_v;
     const double per_height = perspective ? -1 : 0;
     const double per_r = perspective ? row - eye_.row : scale * eye_.row;
     const double first_per_c = perspective ? -eye_.column : scale * eye_.column;

@@ -112,8 +112,7 @@ GridRayWalk::GridRayWalk(const Grid& grid, const View& view) : grid_(grid), view
 InFront GridRayWalk::in_front(ProfilePoint p) const {
   const Vec2 ground = view_.depth_origin_m + p.u * view_.right + p.v * view_.forward;
   const Vec2 from_first = ground - grid_.first_vertex_m;
-  const Vec2 per_m =
-      view_.is_perspective() ? (p.u / p.v) * view_.right + view_.forward : view_.forward;
+  const Vec2 per_m = u_along_ray(view_, p) * view_.right + view_.forward;
   // Sums of products of these lengths, from the ground to the profile frame and back.
   const double rounding_m =
       16 * kEpsilon * (reach_m_ + length(view_.depth_origin_m) + std::abs(p.u) + std::abs(p.v));

@@ -25,13 +25,10 @@ class Walk {
 public:
   Walk(const View& view, ProfilePoint p, double rounding_m, double highest_m)
       : view_(view), p_(p), rounding_m_(rounding_m), rounding_z_(8 * kEpsilon * highest_m),
-        begin_m_(view.is_perspective() ? view.near_m : -kInfinity), own_y_(y_of(p.z, p.v)),
-        aside_u_(1), aside_v_(0) {
-    if (view.is_perspective()) {
-      const double length = std::hypot(p.u, p.v);
-      aside_u_ = p.v / length;
-      aside_v_ = -p.u / length;
-    }
+        begin_m_(view.is_perspective() ? view.near_m : -kInfinity), own_y_(y_of(p.z, p.v)) {
+    const double along = u_along_ray(view, p), length = std::hypot(along, 1);
+    aside_u_ = 1 / length;
+    aside_v_ = -along / length;
     rounding_z_ += 4 * kEpsilon * std::abs(view.eye_z_m);
   }
 
@@ -64,7 +61,8 @@ public:
 
 private:
   double distance(ProfilePoint q) const {
-    return view_.is_perspective() ? q.u * aside_u_ + q.v * aside_v_ : q.u - p_.u;
+    const ProfilePoint from = view_.is_perspective() ? ProfilePoint{} : p_; // a point of the ray
+    return (q.u - from.u) * aside_u_ + (q.v - from.v) * aside_v_;
   }
   double y_of(double z, double w) const { return project(view_, {0, w, z}).y; }
   double rounding_of_y(const Met& met) const {
@@ -117,7 +115,7 @@ private:
   double rounding_z_; ///< of a height
   double begin_m_;    ///< least depth
   double own_y_;
-  double aside_u_, aside_v_;   ///< unit vector across the ray; perspective only
+  double aside_u_, aside_v_;   ///< unit vector across the ray
   Met nearest_{}, farthest_{}; ///< of the present triangle's section
   InFront found_;
   double greatest_upper_ = -kInfinity, greatest_lower_ = -kInfinity;
@@ -142,8 +140,9 @@ InFront TinRayWalk::in_front(ProfilePoint p) const {
   const Vec2 at = ground(p.u, p.v);
   // Towards the eye as far as there is terrain.
   const double farther_m = length(at) + reach_m_;
-  const Vec2 end = view_.is_perspective() ? ground(p.u / p.v * view_.near_m, view_.near_m)
-                                          : at - farther_m * view_.forward;
+  const Vec2 end = view_.is_perspective()
+                       ? ground(p.u / p.v * view_.near_m, view_.near_m)
+                       : at - farther_m * (u_along_ray(view_, p) * view_.right + view_.forward);
   Walk walk(view_, p, rounding_m, highest_m_);
   index_.along(at, end, 4 * rounding_m, near_);
   for (const std::uint32_t t : near_) {

@@ -26,10 +26,9 @@ std::string decimals(double value, int places) {
 
 // Visibility plane to picture plane: the camera pitched down by the elevation, then rolled.
 Homography picture_of(const View& view) {
-  const Homography pitched = view.is_perspective()
-                                 ? Homography{{1, 0, 0, 0, view.cos_elevation, view.sin_elevation,
-                                               0, -view.sin_elevation, view.cos_elevation}}
-                                 : Homography{};
+  const double s_e = sin(view.elevation), c_e = cos(view.elevation);
+  const Homography pitched =
+      view.is_perspective() ? Homography{{1, 0, 0, 0, c_e, s_e, 0, -s_e, c_e}} : Homography{};
   const double s = sin(view.roll), c = cos(view.roll);
   return compose(Homography{{c, s, 0, -s, c, 0, 0, 0, 1}}, pitched);
 }
@@ -56,7 +55,8 @@ double lowest_near_edge(const View& view, std::span<const OutlineEdge> outline) 
   for (const OutlineEdge& edge : outline) {
     const ProfilePoint a = to_profile_frame(view, edge.from), b = to_profile_frame(view, edge.to);
     // The terrain is on the left of a -> b; a ray comes in where it crosses from right to left.
-    const double turn = view.is_perspective() ? a.v * b.u - a.u * b.v : b.u - a.u;
+    const double turn =
+        view.is_perspective() ? a.v * b.u - a.u * b.v : (b.u - a.u) + view.x_per_v * (b.v - a.v);
     if (turn < 0) continue;
     lowest = std::min(lowest, -std::max(down(edge.from), down(edge.to)));
   }
@@ -78,8 +78,8 @@ Box2 picture_box(const View& view, const TerrainShape& terrain) {
 void put_eye_at_distance(View& view, double distance) {
   view.distance_m = distance;
   const Vec2 target{view.look_at_m.x, view.look_at_m.y};
-  view.depth_origin_m = target - (distance * view.cos_elevation) * view.forward;
-  view.eye_z_m = view.look_at_m.z * view.exaggeration + distance * view.sin_elevation;
+  view.depth_origin_m = target - (distance * cos(view.elevation)) * view.forward;
+  view.eye_z_m = view.look_at_m.z * view.exaggeration + distance * sin(view.elevation);
 }
 
 double picture_width(View& view, const TerrainShape& terrain, double distance) {
@@ -111,8 +111,10 @@ std::optional<double> distance_for_width(View& view, const TerrainShape& terrain
 
 void set_elevation(View& view, Angle elevation) {
   view.elevation = elevation;
-  view.sin_elevation = sin(elevation);
-  view.cos_elevation = cos(elevation);
+  if (view.projection == Projection::orthographic) {
+    view.y_per_z = cos(elevation);
+    view.y_per_v = sin(elevation);
+  }
   view.to_picture = picture_of(view);
 }
 
@@ -160,7 +162,7 @@ Box2 window_of_field(const View& view, Angle field, double aspect) {
   // Along the ray to a window corner, v grows by cos e + y sin e.
   const double reach =
       half_height * std::abs(cos(view.roll)) + half_width * std::abs(sin(view.roll));
-  if (!(view.cos_elevation - reach * std::abs(view.sin_elevation) > 0)) {
+  if (!(cos(view.elevation) - reach * std::abs(sin(view.elevation)) > 0)) {
     const double steepest = std::floor(10 * (90 - atan2_angle(reach, 1).in_degrees())) / 10;
     throw Error("the page would show rays straight down or up from the eye",
                 "with this field the axis may descend or climb by at most " +
@@ -188,8 +190,16 @@ void look_from_eye(View& view, const ViewRequest& request) {
     view.eye_z_m = eye.z * view.exaggeration;
     view.distance_m = length(to_target);
   } else if (view.elevation < Angle()) {
-    throw Error("an orthographic view can't look up", "put the eye above the look-at point");
+    throw Error("a parallel view can't look up", "put the eye above the look-at point");
   }
+}
+
+void set_oblique(View& view, const Oblique& oblique) {
+  view.x_per_v = oblique.length * cos(oblique.rise);
+  view.y_per_v = oblique.length * sin(oblique.rise);
+  view.y_per_z = 1;
+  view.elevation = atan2_angle(view.y_per_v, std::hypot(1, view.x_per_v));
+  view.to_picture = picture_of(view);
 }
 
 } // namespace
@@ -211,6 +221,7 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
     view.right = {view.forward.y, 0 - view.forward.x};
     set_elevation(view, request.from_elevation);
   }
+  if (view.projection == Projection::oblique) set_oblique(view, request.oblique);
 
   const bool by_field =
       view.is_perspective() && (request.eye_m || (request.distance_m && request.field_of_view));
@@ -231,8 +242,9 @@ Vec2 plane_of_picture(const View& view, Vec2 picture) {
   const double s = sin(view.roll), c = cos(view.roll);
   const Vec2 upright{c * picture.x - s * picture.y, s * picture.x + c * picture.y};
   if (!view.is_perspective()) return upright;
-  const double forward = view.cos_elevation + upright.y * view.sin_elevation;
-  return {upright.x / forward, (upright.y * view.cos_elevation - view.sin_elevation) / forward};
+  const double s_e = sin(view.elevation), c_e = cos(view.elevation);
+  const double forward = c_e + upright.y * s_e;
+  return {upright.x / forward, (upright.y * c_e - s_e) / forward};
 }
 
 std::array<Vec2, 4> shown_corners(const View& view) {

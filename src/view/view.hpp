@@ -20,8 +20,11 @@ struct View {
   double eye_z_m = 0;    ///< exaggerated height of the eye; perspective only
   Vec3 look_at_m;        ///< target, ground frame, true height
   double distance_m = 0; ///< eye to target in the exaggerated scene; perspective only
-  Angle elevation;       ///< how steeply the camera's axis descends; negative looks up
-  double sin_elevation = 0, cos_elevation = 1;
+  Angle elevation;       ///< how steeply the camera's axis, or a parallel view's rays, descend;
+                         ///< negative looks up
+  /// Of a parallel view: X = u + x_per_v v, Y = y_per_z z + y_per_v v. Orthographic from elevation
+  /// e they are 0, cos e and sin e.
+  double x_per_v = 0, y_per_z = 1, y_per_v = 0;
   Angle roll;
   double exaggeration = 1;
   double near_m = 0;          ///< v_near: nearer ground is cut away; perspective only
@@ -45,7 +48,16 @@ inline Vec2 project(const View& view, ProfilePoint p) {
     const double per_depth = 1 / p.v;
     return {p.u * per_depth, (p.z - view.eye_z_m) * per_depth};
   }
-  return {p.u, p.z * view.cos_elevation + p.v * view.sin_elevation};
+  return {p.u + p.v * view.x_per_v, p.z * view.y_per_z + p.v * view.y_per_v};
+}
+
+/// How u and z change along the ray of a point, away from the eye, in a metre of depth. REQUIRES
+/// p.v > 0 in perspective. A ray straight down changes z by -infinity.
+inline double u_along_ray(const View& view, ProfilePoint p) {
+  return view.is_perspective() ? p.u / p.v : -view.x_per_v;
+}
+inline double z_along_ray(const View& view, ProfilePoint p) {
+  return view.is_perspective() ? (p.z - view.eye_z_m) / p.v : -view.y_per_v / view.y_per_z;
 }
 
 /// Profile frame to ground frame (true height).

@@ -9,12 +9,28 @@
 
 namespace orograph {
 
-enum class Projection { perspective, orthographic };
+enum class Projection { perspective, orthographic, oblique };
+
+/// A parallel view onto an upright plate: what lies across the view keeps its true shape, and a
+/// line straight away from the viewer is drawn `length` times as long as it is, at an angle `rise`
+/// above the horizontal, to the right.
+struct Oblique {
+  double length = 1;
+  Angle rise = Angle::degrees(45);
+};
+/// Lines away from the viewer as long as they are, at 45 degrees.
+constexpr Oblique kCavalier{1, Angle::degrees(45)};
+/// Half as long.
+constexpr Oblique kCabinet{0.5, Angle::degrees(45)};
+/// Straight up: the plan is true, and heights are drawn upwards from it.
+constexpr Oblique kMilitary{1, Angle::degrees(90)};
 
 struct ViewRequest {
   Projection projection = Projection::perspective;
+  Oblique oblique; ///< oblique only
   /// Where the viewer stands, seen from the target: azimuth clockwise from north, elevation above
-  /// the horizontal, 0 to 90 degrees. Not looked at where `eye_m` is given.
+  /// the horizontal, 0 to 90 degrees. Not looked at where `eye_m` is given; the elevation not in an
+  /// oblique view.
   Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);
   /// Horizontal field, perspective only. Without an eye or a distance, the eye goes where the
   /// terrain fills this field (30 degrees by default). With a distance and a field, or with an eye

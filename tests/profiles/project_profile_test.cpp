@@ -36,8 +36,8 @@ TEST_CASE("spans become segments with the profile's number and their left vertex
 TEST_CASE("a parallel view keeps u, and mixes height and depth by its elevation") {
   View view;
   view.projection = Projection::orthographic;
-  view.sin_elevation = 0.6;
-  view.cos_elevation = 0.8;
+  view.y_per_v = 0.6;
+  view.y_per_z = 0.8;
   std::vector<Segment> uprights, segments;
   project_profile(profile, 0, view, segments, uprights);
   REQUIRE(segments.size() == 3);

@@ -37,8 +37,8 @@ public:
   Point to_eye(Point p) const {
     if (view_.is_perspective())
       return Point{view_.depth_origin_m.x, view_.depth_origin_m.y, view_.eye_z_m} - p;
-    return {-static_cast<long double>(view_.cos_elevation) * view_.forward.x,
-            -static_cast<long double>(view_.cos_elevation) * view_.forward.y, view_.sin_elevation};
+    return {-static_cast<long double>(view_.y_per_z) * view_.forward.x,
+            -static_cast<long double>(view_.y_per_z) * view_.forward.y, view_.y_per_v};
   }
   Point vertex(std::uint32_t i) const {
     const Vec3 p = vertex_m(grid_, i);
@@ -120,8 +120,8 @@ View parallel_view(double azimuth_deg, double elevation_deg, double exaggeration
   View view = eye_view({}, azimuth_deg, exaggeration);
   view.projection = Projection::orthographic;
   view.elevation = Angle::degrees(elevation_deg);
-  view.sin_elevation = sin(view.elevation);
-  view.cos_elevation = cos(view.elevation);
+  view.y_per_v = sin(view.elevation);
+  view.y_per_z = cos(view.elevation);
   return view;
 }
 

@@ -28,8 +28,8 @@ View looking(Projection projection, double azimuth_deg, double descent_deg, Vec2
   view.depth_origin_m = depth_origin_m;
   view.eye_z_m = eye_z_m;
   view.elevation = Angle::degrees(descent_deg);
-  view.sin_elevation = sin(view.elevation);
-  view.cos_elevation = cos(view.elevation);
+  view.y_per_v = sin(view.elevation);
+  view.y_per_z = cos(view.elevation);
   view.near_m = kNear_m;
   return view;
 }

@@ -94,8 +94,8 @@ TEST_CASE("straight down is a plan in a parallel view, north up") {
   const View view = place_view(from_to(centre + Vec3{0, 0, 500}, centre, Projection::orthographic),
                                terrain.shape(), 0.7);
   CHECK(view.elevation == Angle::degrees(90));
-  CHECK(view.sin_elevation == 1);
-  CHECK(view.cos_elevation == 0);
+  CHECK(view.y_per_v == 1);
+  CHECK(view.y_per_z == 0);
   CHECK(view.forward == Vec2{0, 1});
   CHECK(view.frames_terrain);
 }
