@@ -50,7 +50,9 @@ TEST_CASE("lines are bent so that they cross at their points only") {
       auto& line = lines.emplace_back();
       for (int k = random.whole(2, 4); k > 0; --k) line.push_back(place());
     }
-    const UncrossedLines found = uncross(lines, reach);
+    std::vector<Vec2> fixed;
+    for (const auto& line : lines) fixed.insert(fixed.end(), line.begin(), line.end());
+    const UncrossedLines found = uncross(lines, fixed, reach);
 
     REQUIRE(found.lines.size() == lines.size());
     std::set<Step> steps;
