@@ -193,7 +193,9 @@ TEST_CASE("triangles thrown together at random") {
 
 TEST_CASE("heaps on a small lattice, where much is level and much coincides") {
   Tried tried;
-  for (std::uint64_t seed = 25; seed <= 45; ++seed) {
+  std::vector<std::uint64_t> seeds{597}; // in which a point comes out twice, an ulp apart
+  for (std::uint64_t seed = 25; seed <= 45; ++seed) seeds.push_back(seed);
+  for (const std::uint64_t seed : seeds) {
     Random random(seed);
     INFO("seed " << seed);
     TriangleSoup soup;
