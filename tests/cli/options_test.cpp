@@ -6,6 +6,8 @@
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"
 
+#include <array>
+#include <cmath>
 #include <filesystem>
 
 using namespace orograph;
@@ -110,9 +112,44 @@ TEST_CASE("view options") {
   check_refused({"--distance", "-5"}, "metres, above 0");
   check_refused({"--eye", "1,2"}, "X,Y,Z");
   check_refused({"--exaggeration", "0"}, "or auto");
-  check_refused({"--projection", "panorama"}, "perspective or orthographic");
-  check_refused({"--projection", "oblique"}, "perspective or orthographic");
-  check_refused({"--projection", "isometric"}, "perspective|orthographic");
+  check_refused({"--projection", "panorama"}, "perspective, orthographic or oblique");
+  check_refused({"--projection", "isometric"}, "perspective|orthographic|oblique");
+}
+
+TEST_CASE("oblique and axonometric views by name") {
+  CHECK(given({"--projection", "oblique"}).projection == Projection::oblique);
+  const auto length_and_rise = [](const Arguments& options) {
+    const RenderSettings s = given(options);
+    CHECK(s.projection == Projection::oblique);
+    return std::pair(s.oblique.length, s.oblique.rise.in_degrees());
+  };
+  CHECK(length_and_rise({"--projection", "oblique"}) == std::pair(1.0, 45.0));
+  CHECK(length_and_rise({"--oblique", "cavalier"}) == std::pair(1.0, 45.0));
+  CHECK(length_and_rise({"--oblique", "cabinet"}) == std::pair(0.5, 45.0));
+  CHECK(length_and_rise({"--oblique", "military"}) == std::pair(1.0, 90.0));
+  CHECK(length_and_rise({"--oblique", "0.7,135"}) == std::pair(0.7, 135.0));
+  const RenderSettings isometric = given({"--axonometric", "isometric"});
+  CHECK(isometric.projection == Projection::orthographic);
+  // Of the three axes of the map, shortened by the view.
+  const auto shares = [](const RenderSettings& s) {
+    const double a = s.from_azimuth.in_radians(), e = s.from_elevation.in_radians();
+    return std::array{std::hypot(std::cos(a), std::sin(a) * std::sin(e)),
+                      std::hypot(std::sin(a), std::cos(a) * std::sin(e)), std::cos(e)};
+  };
+  for (const double share : shares(isometric)) CHECK(std::abs(share - std::sqrt(2. / 3)) <= 1e-15);
+  const auto dimetric = shares(given({"--axonometric", "dimetric"}));
+  CHECK(std::abs(dimetric[0] - dimetric[2]) <= 1e-15);
+  CHECK(std::abs(dimetric[1] - dimetric[2] / 2) <= 1e-15);
+  const auto trimetric = shares(given({"--axonometric", "trimetric"}));
+  CHECK(std::abs(trimetric[0] - trimetric[1]) > 0.05);
+  CHECK(std::abs(trimetric[0] - trimetric[2]) > 0.01);
+
+  check_refused({"--oblique", "1"}, "ALPHA from 0 to 180");
+  check_refused({"--oblique", "0,45"}, "L above 0");
+  check_refused({"--oblique", "cavalier", "--projection", "perspective"}, "leave --projection out");
+  check_refused({"--oblique", "cavalier", "--eye", "1,2,3"}, "no meaning in a parallel view");
+  check_refused({"--axonometric", "isometric", "--view-from", "1/2"}, "exclude each other");
+  check_refused({"--axonometric", "diametric"}, "isometric|dimetric|trimetric");
 }
 
 TEST_CASE("NaN and infinity are no values, for any option that takes a number") {
@@ -224,7 +261,7 @@ TEST_CASE("options that exclude each other") {
        {Arguments{"--distance", "10"}, {"--fov", "30"}, {"--eye", "1,2,3"}}) {
     Arguments options{"--projection", "orthographic"};
     options.insert(options.end(), option.begin(), option.end());
-    check_refused(options, option.front() + " has no meaning in an orthographic view");
+    check_refused(options, option.front() + " has no meaning in a parallel view");
   }
   check_refused({"--eye", "1,2,3", "--look-at", "1,2,3"}, "the same point");
 }

@@ -37,8 +37,10 @@ public:
   Point to_eye(Point p) const {
     if (view_.is_perspective())
       return Point{view_.depth_origin_m.x, view_.depth_origin_m.y, view_.eye_z_m} - p;
-    return {-static_cast<long double>(view_.y_per_z) * view_.forward.x,
-            -static_cast<long double>(view_.y_per_z) * view_.forward.y, view_.y_per_v};
+    // Back along the ray by a metre of depth, X and Y stay what they are.
+    const long double y = view_.y_per_z, x = view_.x_per_v;
+    return {y * (x * view_.right.x - view_.forward.x), y * (x * view_.right.y - view_.forward.y),
+            view_.y_per_v};
   }
   Point vertex(std::uint32_t i) const {
     const Vec3 p = vertex_m(grid_, i);
@@ -194,6 +196,24 @@ TEST_CASE("and in parallel views") {
   WARN(tally.certain << " silhouettes, " << tally.listed << " listed, " << tally.doubtful
                      << " may be");
   CHECK(tally.certain > 20000);
+  CHECK(tally.listed < tally.certain + tally.certain / 4);
+}
+
+TEST_CASE("and in oblique views") {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    Random random(seed);
+    const Grid grid = random_grid(random);
+    View view =
+        parallel_view(random.chance(0.5) ? 45.0 * random.whole(0, 7) : random.between(0, 360), 0,
+                      random.pick({1.0, 3.0}));
+    view.projection = Projection::oblique;
+    view.x_per_v = random.pick({0.0, 1.0, random.between(-2, 2)});
+    view.y_per_v = random.pick({0.0, 1.0, random.between(0, 2)});
+    CAPTURE(seed, view.x_per_v, view.y_per_v);
+    check(grid, view, tally);
+  }
+  CHECK(tally.certain > 6000);
   CHECK(tally.listed < tally.certain + tally.certain / 4);
 }
 

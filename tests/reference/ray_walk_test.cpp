@@ -51,7 +51,7 @@ Grid heights_by(const GridLattice& lattice, const std::function<double(int, int)
 
 // The place at depth w on the ray of p.
 ProfilePoint on_ray(const View& view, ProfilePoint p, double w) {
-  return {view.is_perspective() ? p.u / p.v * w : p.u, w, 0};
+  return {view.is_perspective() ? p.u / p.v * w : p.u + view.x_per_v * (p.v - w), w, 0};
 }
 std::optional<double> surface_y(const Grid& grid, const View& view, ProfilePoint place) {
   const Vec3 ground = to_ground_m(view, place);
@@ -120,6 +120,11 @@ View random_view(Random& random, const Grid& grid) {
   View view = looking(projection, azimuth, random.pick({0.0, 10.0, 37.5, 80.0, 90.0}), eye,
                       random.between(-5, 40));
   view.exaggeration = random.pick({1.0, 2.0});
+  if (!view.is_perspective() && random.chance(0.5)) { // oblique
+    view.x_per_v = random.pick({-1.0, 0.5, random.between(-1.5, 1.5)});
+    view.y_per_v = random.pick({0.0, 1.0, random.between(0, 1.5)});
+    view.y_per_z = 1;
+  }
   return view;
 }
 

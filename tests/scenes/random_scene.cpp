@@ -82,13 +82,21 @@ RandomScene random_scene(std::uint64_t seed) {
                                                      : random.between(0, 360));
   settings.projection = random.chance(0.5) ? Projection::perspective : Projection::orthographic;
   const bool perspective = settings.projection == Projection::perspective;
+  if (!perspective && random.chance(0.4)) {
+    settings.projection = Projection::oblique;
+    settings.oblique =
+        random.pick({kCavalier, kCabinet, kMilitary,
+                     Oblique{random.between(0.2, 1.5), Angle::degrees(random.between(0, 180))}});
+  }
   settings.from_elevation = Angle::degrees(random.chance(0.1) ? 0
                                            : random.chance(0.1) && !perspective
                                                ? 90
                                                : random.between(0, perspective ? 50 : 90));
   settings.exaggeration = random.chance(0.5) ? 1 : random.between(0.5, 4);
   settings.plan = ProfileCount{random.whole(5, 40)};
-  scene.what += perspective ? ", perspective" : ", orthographic";
+  scene.what += perspective                                       ? ", perspective"
+                : settings.projection == Projection::orthographic ? ", orthographic"
+                                                                  : ", oblique";
   return scene;
 }
 
