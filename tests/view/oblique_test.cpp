@@ -39,7 +39,7 @@ TEST_CASE("across and up are true, and away from the viewer is as long and as st
     const Vec3 aside{from.x - length * std::cos(a), from.y + length * std::sin(a), from.z};
     const double rise = oblique.rise.in_radians();
     CAPTURE(seed, azimuth, oblique.length, rise);
-    const auto near = [](Vec2 a, Vec2 b) { return largest(a - b) <= 1e-10; };
+    const auto near = [](Vec2 found, Vec2 right) { return largest(found - right) <= 1e-10; };
     CHECK(near(drawn(view, from, aside), {length, 0})); // what is on the right stays on the right
     CHECK(near(drawn(view, from, {from.x, from.y, from.z + length}), {0, exaggeration * length}));
     CHECK(near(drawn(view, from, away),
