@@ -79,6 +79,16 @@ LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLi
   return out;
 }
 
+// Rounding of nearness at the X of one of the line's ends.
+double LineSweep::nearness_rounding(const Projected& p, ProfilePoint end) const {
+  const double width = p.source.x1 - p.source.x0;
+  if (!(width > 0)) return 0;
+  const double rise = std::abs(nearness(view_, p.right) - nearness(view_, p.left));
+  if (!view_.is_perspective()) return rounding_m_ * (1 + rise / width);
+  const double x_rounding = rounding_m_ * (1 + std::abs(end.u / end.v)) / end.v;
+  return x_rounding / end.v + x_rounding * rise / width;
+}
+
 // From a share of the way along the picture, left to right, to the share along the edge.
 double LineSweep::along_edge(const Projected& p, double share) const {
   if (share <= 0) return p.t_left;
@@ -100,7 +110,10 @@ void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspac
                      project(view_, piece.end).x,
                      lines_[piece.line].hides,
                      lines_[piece.line].drawn,
-                     p.beside};
+                     p.beside,
+                     nearness_rounding(p, p.left),
+                     nearness_rounding(p, p.right),
+                     lines_[piece.line].covers};
     if (line.upright()) {
       // Shares of the way along the picture, from shares of the way along the edge.
       const auto share = [&](ProfilePoint at) {

@@ -20,6 +20,7 @@ struct SweptLine {
   LineKind kind;
   bool hides; ///< is an occluder
   bool drawn;
+  bool covers; ///< ground in front of it ends there, above what else is at its place
 };
 
 /// A visible part of a line; along its edge, 0 at `edge.from` and 1 at `edge.to`.
@@ -66,6 +67,7 @@ private:
   };
   Projected project_line(std::uint32_t line, const ProfileLine& whole) const;
   double along_edge(const Projected& projected, double share) const;
+  double nearness_rounding(const Projected& projected, ProfilePoint end) const;
 
   const View& view_;
   std::vector<SweptLine> lines_;

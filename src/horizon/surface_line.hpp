@@ -26,6 +26,11 @@ struct SurfaceLine {
   bool hides;                  ///< is an occluder
   bool drawn;                  ///< asked about, and drawn where visible
   double beside = 0;
+  /// Of other lines: lines whose nearness differs by no more than the sum of these (bounds on the
+  /// rounding at the source's ends) are at one place on the ground. There a line hides what is
+  /// below it just if it `covers`: if the ground that ends at it is in front of it.
+  double nearness_rounding0 = 0, nearness_rounding1 = 0;
+  bool covers = false;
 
   bool upright() const { return source.x0 == source.x1; }
 };
