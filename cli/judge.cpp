@@ -47,9 +47,11 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
                    std::abs(view_.depth_origin_m.y) + length);
   if (length <= rounding_m) return Verdict::tied;
   // As far aside as it takes for the ray to miss what stands nearer to the eye.
-  const double hidden_at_m = walk_.in_front(at).at_depth_m;
-  const double farther = view_.is_perspective() && hidden_at_m > 0 ? at.v / hidden_at_m : 1;
-  for (const double way_m : {-farther * rounding_m, farther * rounding_m}) {
+  const InFront front = walk_.in_front(at);
+  const double farther =
+      view_.is_perspective() && front.at_depth_m > 0 ? at.v / front.at_depth_m : 1;
+  const double by_m = farther * std::max(rounding_m, 2 * front.rounding_m);
+  for (const double way_m : {-by_m, by_m}) {
     const double aside = std::clamp(t + way_m / length, 0.0, 1.0);
     if (verdict(point_between(line.from, line.to, aside), on_edge) != found ||
         verdict({at.u + way_m, at.v, at.z}, on_edge) != found)

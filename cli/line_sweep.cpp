@@ -22,7 +22,7 @@ double nearness(const View& view, ProfilePoint p) {
 }
 
 // Of coordinates in the profile frame: sums of products of lengths up to this.
-double rounding_m(const Surface& surface, const View& view) {
+double position_rounding_m(const Surface& surface, const View& view) {
   const double reach = reach_m(surface);
   return 16 * std::numeric_limits<double>::epsilon() * (reach + length(view.depth_origin_m));
 }
@@ -47,12 +47,13 @@ void join(std::vector<LinePart>& parts) {
 LineSweep::LineSweep(const Surface& surface, const View& view, std::vector<SweptLine> lines,
                      double from_m, const TieTolerance& tolerance)
     : view_(view), lines_(std::move(lines)), from_m_(from_m), tolerance_(tolerance),
-      rounding_m_(rounding_m(surface, view)), slabs_(
-                                                  static_cast<std::uint32_t>(lines_.size()),
-                                                  [&surface, &view, this](std::uint32_t i) {
-                                                    return line_of(surface, view, lines_[i].edge);
-                                                  },
-                                                  from_m) {}
+      rounding_m_(position_rounding_m(surface, view)),
+      slabs_(
+          static_cast<std::uint32_t>(lines_.size()),
+          [&surface, &view, this](std::uint32_t i) {
+            return line_of(surface, view, lines_[i].edge);
+          },
+          from_m) {}
 
 LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLine& whole) const {
   double t0 = 0, t1 = 1;
@@ -79,16 +80,6 @@ LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLi
   return out;
 }
 
-// Rounding of nearness at the X of one of the line's ends.
-double LineSweep::nearness_rounding(const Projected& p, ProfilePoint end) const {
-  const double width = p.source.x1 - p.source.x0;
-  if (!(width > 0)) return 0;
-  const double rise = std::abs(nearness(view_, p.right) - nearness(view_, p.left));
-  if (!view_.is_perspective()) return rounding_m_ * (1 + rise / width);
-  const double x_rounding = rounding_m_ * (1 + std::abs(end.u / end.v)) / end.v;
-  return x_rounding / end.v + x_rounding * rise / width;
-}
-
 // From a share of the way along the picture, left to right, to the share along the edge.
 double LineSweep::along_edge(const Projected& p, double share) const {
   if (share <= 0) return p.t_left;
@@ -111,8 +102,8 @@ void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspac
                      lines_[piece.line].hides,
                      lines_[piece.line].drawn,
                      p.beside,
-                     nearness_rounding(p, p.left),
-                     nearness_rounding(p, p.right),
+                     rounding_m_,
+                     view_.is_perspective(),
                      lines_[piece.line].covers};
     if (line.upright()) {
       // Shares of the way along the picture, from shares of the way along the edge.

@@ -50,6 +50,8 @@ public:
   /// REQUIRES `finish`.
   std::vector<LinePart> skyline(const Horizon& horizon) const;
 
+  /// Bound on the rounding of u and v.
+  double rounding_m() const { return rounding_m_; }
   const SweptLine& line(std::uint32_t i) const { return lines_[i]; }
   std::size_t size() const { return lines_.size(); }
   ProfileLine whole(std::uint32_t i) const { return slabs_.line(i); }
@@ -67,7 +69,6 @@ private:
   };
   Projected project_line(std::uint32_t line, const ProfileLine& whole) const;
   double along_edge(const Projected& projected, double share) const;
-  double nearness_rounding(const Projected& projected, ProfilePoint end) const;
 
   const View& view_;
   std::vector<SweptLine> lines_;

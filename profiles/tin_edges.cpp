@@ -51,8 +51,10 @@ std::map<Place, double> ground_in_front(const Tin& tin, const TriangleSet& walls
       };
       const ProfilePoint p = at(0), next = at(1), last = at(2);
       const Vec2 to_eye = view.is_perspective() ? Vec2{-p.u, -p.v} : Vec2{0, -1};
-      if (cross(Vec2{next.u - p.u, next.v - p.v}, to_eye) >= 0 &&
-          cross(to_eye, Vec2{last.u - p.u, last.v - p.v}) >= 0)
+      const Vec2 to_next{next.u - p.u, next.v - p.v}, to_last{last.u - p.u, last.v - p.v};
+      constexpr double kRounding = 1e-12;
+      if (cross(to_next, to_eye) >= -kRounding * length(to_next) * length(to_eye) &&
+          cross(to_eye, to_last) >= -kRounding * length(to_last) * length(to_eye))
         height->second = std::max(height->second, tin.vertices_m[tin.triangles[t][k]].z);
     }
   }

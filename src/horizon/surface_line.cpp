@@ -33,9 +33,13 @@ double nearness_at(const SurfaceLine& line, double x) {
   return height_at(nearness, x);
 }
 
+// Of nearness at an X: a line that runs aslant is as far off as its X.
 double nearness_rounding_at(const SurfaceLine& line, double x) {
-  const double share = (x - line.source.x0) / (line.source.x1 - line.source.x0);
-  return line.nearness_rounding0 + share * (line.nearness_rounding1 - line.nearness_rounding0);
+  const double slope =
+      std::abs(line.nearness1 - line.nearness0) / (line.source.x1 - line.source.x0);
+  if (!line.perspective) return line.rounding_m * (1 + slope);
+  const double nearness = nearness_at(line, x);
+  return line.rounding_m * (1 + std::abs(x)) * nearness * (nearness + slope);
 }
 
 // The first piece that reaches to or beyond x.

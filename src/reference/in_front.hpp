@@ -15,7 +15,8 @@ struct InFront {
   /// The same of what is nearer by more than a ground position's rounding, or leads up to a place
   /// above: for a point on an edge, which is never in front of itself.
   double greatest_y_apart = -std::numeric_limits<double>::infinity();
-  double rounding = 0; ///< bound on the rounding of greatest_y less the point's own Y
+  double rounding_m = 0; ///< of positions on the ground: what is no farther aside is met
+  double rounding = 0;   ///< bound on the rounding of greatest_y less the point's own Y
 };
 
 } // namespace orograph

@@ -57,6 +57,7 @@ public:
 
   InFront found() const {
     InFront out = found_;
+    out.rounding_m = rounding_m_;
     // Both what may be in front and what certainly is.
     if (greatest_upper_ > -kInfinity)
       out.rounding =
