@@ -102,7 +102,7 @@ void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspac
                      lines_[piece.line].hides,
                      lines_[piece.line].drawn,
                      p.beside,
-                     rounding_m_,
+                     rounding_m_ / 4, // which is generous: what is farther apart is told apart
                      view_.is_perspective(),
                      lines_[piece.line].covers};
     if (line.upright()) {

@@ -39,7 +39,7 @@ double nearness_rounding_at(const SurfaceLine& line, double x) {
       std::abs(line.nearness1 - line.nearness0) / (line.source.x1 - line.source.x0);
   if (!line.perspective) return line.rounding_m * (1 + slope);
   const double nearness = nearness_at(line, x);
-  return line.rounding_m * (1 + std::abs(x)) * nearness * (nearness + slope);
+  return line.rounding_m * nearness * (nearness + (1 + std::abs(x)) * slope);
 }
 
 // The first piece that reaches to or beyond x.

@@ -11,7 +11,7 @@
 namespace orograph {
 namespace {
 
-Tin lattice(Random& random, std::string& what) {
+Tin lattice(Random& random, bool cracks, std::string& what) {
   MadeTin wanted;
   wanted.columns = random.whole(2, 18);
   wanted.rows = random.whole(2, 18);
@@ -21,11 +21,12 @@ Tin lattice(Random& random, std::string& what) {
   wanted.high_m = random.pick({8.0, 20.0, 60.0});
   wanted.missing = random.pick({0.0, 0.0, 0.05, 0.4});
   wanted.walls = random.pick({0.0, 0.3, 0.8});
+  if (!cracks && wanted.missing > 0) wanted.walls = 0;
   wanted.shuffled = random.chance(0.5);
   wanted.first_vertex_m = {8.0 * random.whole(-20, 20), 8.0 * random.whole(-20, 20)};
   Tin tin = made_tin(random, wanted);
   what = "lattice";
-  if (random.chance(0.4)) {
+  if ((cracks || wanted.missing == 0) && random.chance(0.4)) {
     add_notches(tin, random, random.pick({0.03, 0.3}));
     what += " with notches";
   }
@@ -53,7 +54,7 @@ Tin survey(Random& random, std::string& what) {
   }
   if (random.chance(0.5)) { // a dam: two lines close together, the ground beside it far below
     const Vec3 a = any_point(random, side_m, high_m), b = any_point(random, side_m, high_m);
-    const double away = random.pick({1e-9, 1e-3, 1.0});
+    const double away = random.pick({1e-6, 1e-3, 1.0});
     survey.breaklines_m.push_back({a, b});
     survey.breaklines_m.push_back(
         {{a.x + away, a.y, a.z - high_m}, {b.x + away, b.y, b.z - high_m}});
@@ -83,14 +84,14 @@ Tin clusters(Random& random, std::string& what) {
 
 } // namespace
 
-RandomTinScene random_tin_scene(std::uint64_t seed) {
+RandomTinScene random_tin_scene(std::uint64_t seed, bool cracks) {
   Random random(seed);
   RandomTinScene scene;
   Tin tin;
   while (tin.triangles.empty())
     tin = seed % 8 == 6   ? clusters(random, scene.what)
           : seed % 4 == 1 ? survey(random, scene.what)
-                          : lattice(random, scene.what);
+                          : lattice(random, cracks, scene.what);
   scene.terrain.surface = std::move(tin);
 
   RenderSettings& settings = scene.settings;

@@ -19,6 +19,7 @@ struct RandomTinScene {
 /// A lattice with holes, islands and walls, points and breaklines that were triangulated, or
 /// triangles of very different sizes; seen along the axes, along diagonals or obliquely, from 0 to
 /// 90 degrees, with 5 to 40 profiles.
-RandomTinScene random_tin_scene(std::uint64_t seed);
+/// With `cracks` parts of walls may be missing, so that ground ends above other ground.
+RandomTinScene random_tin_scene(std::uint64_t seed, bool cracks = true);
 
 } // namespace orograph
