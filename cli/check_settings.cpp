@@ -43,6 +43,18 @@ std::vector<std::string> file_names_in(const std::string& input) {
   return names;
 }
 
+void check_no_input(const RenderSettings& settings, const std::string& path,
+                    const std::string& option) {
+  const ReadOptions& reading = settings.reading;
+  for (const auto& [input, name] :
+       {std::pair{settings.input, "INPUT"}, std::pair{reading.breaklines, "--breaklines"},
+        std::pair{reading.boundary, "--boundary"}})
+    if (!input.empty() && replaces_input(input, path))
+      throw UsageError(
+          fmt::format("{} '{}' is the {}", option, path, name),
+          fmt::format("give {} another name", option == "OUTPUT" ? option : "the report"));
+}
+
 void check_output(RenderSettings& settings, const GivenOptions& given) {
   const bool to_stdout = settings.output == "-";
   if (!given.contains("--of")) {
@@ -54,9 +66,7 @@ void check_output(RenderSettings& settings, const GivenOptions& given) {
   if (to_stdout && !is_text(settings.write.format))
     throw UsageError("this format can't go to standard output",
                      "use a text format, as in --of svg, or give OUTPUT a file name");
-  if (!to_stdout && replaces_input(settings.input, settings.output))
-    throw UsageError(fmt::format("OUTPUT '{}' is the INPUT", settings.output),
-                     "give OUTPUT another name");
+  if (!to_stdout) check_no_input(settings, settings.output, "OUTPUT");
   if (given.contains("--dpi") && settings.write.format != Format::png)
     throw UsageError("--dpi has no meaning in a vector format",
                      "leave it out, or write PNG with --of png");
@@ -64,9 +74,7 @@ void check_output(RenderSettings& settings, const GivenOptions& given) {
 
 void check_report(const RenderSettings& settings, const GivenOptions& given) {
   if (!given.contains("--report")) return;
-  if (replaces_input(settings.input, settings.report))
-    throw UsageError(fmt::format("--report '{}' is the INPUT", settings.report),
-                     "give the report another name");
+  check_no_input(settings, settings.report, "--report");
   if (settings.output != "-" && same_file(settings.report, settings.output))
     throw UsageError(fmt::format("--report '{}' is the OUTPUT too", settings.report),
                      "give the report another name");

@@ -18,12 +18,16 @@ Option help_option() {
           .take = [](const std::string&) { return true; }};
 }
 
+Option quiet_option(bool& quiet) {
+  return {.group = kGroup,
+          .name = "--quiet",
+          .letter = 'q',
+          .help = "Only errors on stderr",
+          .take = set_to(quiet, true)};
+}
+
 void add_general_options(std::vector<Option>& options, bool& quiet, std::optional<bool>& progress) {
-  options.push_back({.group = kGroup,
-                     .name = "--quiet",
-                     .letter = 'q',
-                     .help = "Only errors on stderr",
-                     .take = set_to(quiet, true)});
+  options.push_back(quiet_option(quiet));
   options.push_back({.group = kGroup,
                      .name = "--progress",
                      .help = "Show the progress on stderr, the default on a terminal",

@@ -5,6 +5,7 @@
 #include "cli/info.hpp"
 #include "cli/options.hpp"
 #include "cli/render.hpp"
+#include "cli/tin.hpp"
 #include "draw/output_file.hpp"
 #include "geometry/error.hpp"
 
@@ -27,9 +28,10 @@ void run(std::vector<std::string> rest) {
   RenderSettings render_settings;
   AccuracySettings accuracy_settings;
   InfoSettings info_settings;
+  TinSettings tin_settings;
   const std::vector<Command> commands{render_command(render_settings),
                                       accuracy_command(accuracy_settings),
-                                      info_command(info_settings)};
+                                      info_command(info_settings), tin_command(tin_settings)};
   const std::string command = rest.empty() ? "" : rest.front();
   if (!rest.empty()) rest.erase(rest.begin());
   if (command == "--help" || command == "-h") {
@@ -53,10 +55,16 @@ void run(std::vector<std::string> rest) {
       info(*settings);
     else
       print(command_help(commands[2]));
+  } else if (command == "tin") {
+    if (const auto settings = parse_tin(rest))
+      tin(*settings);
+    else
+      print(command_help(commands[3]));
   } else {
-    throw UsageError(command.empty() ? "no command is given" : "unknown command " + command,
-                     "use render, accuracy or info, as in orograph render INPUT OUTPUT; orograph "
-                     "--help tells more");
+    throw UsageError(
+        command.empty() ? "no command is given" : "unknown command " + command,
+        "use render, accuracy, info or tin, as in orograph render INPUT OUTPUT; orograph "
+        "--help tells more");
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw Error("can't write to standard output", "make room on the device, or keep it open");

@@ -5,6 +5,7 @@
 #include "cli/accuracy.hpp"
 #include "cli/option.hpp"
 #include "cli/render_settings.hpp"
+#include "cli/tin.hpp"
 
 #include <optional>
 #include <string>
@@ -23,6 +24,10 @@ void add_output_options(std::vector<Option>& options, RenderSettings& settings);
 /// With `--help`.
 void add_general_options(std::vector<Option>& options, bool& quiet, std::optional<bool>& progress);
 
+/// What `tin` makes, with `--help`.
+void add_tin_options(std::vector<Option>& options, TinSettings& settings);
+
 Option help_option();
+Option quiet_option(bool& quiet);
 
 } // namespace orograph

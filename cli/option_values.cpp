@@ -75,6 +75,14 @@ std::optional<PlanRequest> parse_spacing(std::string_view text) {
   return GroundSpacing{*length};
 }
 
+std::optional<double> parse_metres(std::string_view text) {
+  if (text.ends_with("mm") || !text.ends_with("m")) return std::nullopt;
+  text.remove_suffix(1);
+  const auto length = parse_number(text);
+  if (!length || *length < 0) return std::nullopt;
+  return length;
+}
+
 std::optional<Vec2> parse_width_x_height(std::string_view text) {
   const auto n = parse_numbers(text, 'x', 2);
   if (!n) return std::nullopt;

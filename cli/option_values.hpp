@@ -34,6 +34,9 @@ std::optional<ViewFrom> parse_view_from(std::string_view text);
 /// "0.6mm" on the page or "100m" on the ground, above 0.
 std::optional<PlanRequest> parse_spacing(std::string_view text);
 
+/// "2m", from 0 on.
+std::optional<double> parse_metres(std::string_view text);
+
 /// "WxH" in millimetres, each 1 to 10000.
 std::optional<Vec2> parse_width_x_height(std::string_view text);
 

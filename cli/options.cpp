@@ -7,6 +7,7 @@
 #include "cli/option_kinds.hpp"
 #include "cli/parse_arguments.hpp"
 #include "draw/write_drawing.hpp"
+#include "geometry/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -86,6 +87,26 @@ Command info_command(InfoSettings& settings) {
   return command;
 }
 
+Command tin_command(TinSettings& settings) {
+  Command command{.name = "tin",
+                  .summary =
+                      "Write a terrain as a TIN: points triangulated, a raster with few vertices",
+                  .options = {},
+                  .conflicts = {},
+                  .examples = {{"orograph tin survey.csv survey.gpkg --breaklines edges.gpkg",
+                                "Points and breaklines as triangles."},
+                               {"orograph tin dem.tif dem.ply --max-error 2m",
+                                "A DEM with the vertices that keep it within 2 m in height."}}};
+  add_terrain_options(command.options, settings.input, settings.reading);
+  command.options.insert(command.options.begin() + 1,
+                         {.name = "OUTPUT",
+                          .help = "the TIN: a file whose extension names the format (gpkg, off, "
+                                  "ply, obj)",
+                          .take = stored_name(settings.output)});
+  add_tin_options(command.options, settings);
+  return command;
+}
+
 std::optional<RenderSettings> parse_render(const std::vector<std::string>& arguments) {
   RenderSettings settings;
   const auto given = parse_arguments(render_command(settings), arguments);
@@ -106,6 +127,18 @@ std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments
   InfoSettings settings;
   const auto given = parse_arguments(info_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
+  return settings;
+}
+
+std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments) {
+  TinSettings settings;
+  const auto given = parse_arguments(tin_command(settings), arguments);
+  if (given.contains("--help")) return std::nullopt;
+  for (const std::string& input :
+       {settings.input, settings.reading.breaklines, settings.reading.boundary})
+    if (!input.empty() && replaces_input(input, settings.output))
+      throw UsageError(fmt::format("OUTPUT '{}' is an input", settings.output),
+                       "give OUTPUT another name");
   return settings;
 }
 

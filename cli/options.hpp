@@ -7,6 +7,7 @@
 #include "cli/info.hpp"
 #include "cli/option.hpp"
 #include "cli/render_settings.hpp"
+#include "cli/tin.hpp"
 
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ namespace orograph {
 Command render_command(RenderSettings& settings);
 Command accuracy_command(AccuracySettings& settings);
 Command info_command(InfoSettings& settings);
+Command tin_command(TinSettings& settings);
 
 /// The settings that a command line (without "orograph render") asks for; nothing where it asks
 /// for help. Opens no file, but looks whether two of its paths are the same file.
@@ -25,5 +27,6 @@ Command info_command(InfoSettings& settings);
 std::optional<RenderSettings> parse_render(const std::vector<std::string>& arguments);
 std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& arguments);
 std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments);
+std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments);
 
 } // namespace orograph

@@ -15,8 +15,10 @@ constexpr auto kGroup = "Terrain";
 
 void add_terrain_options(std::vector<Option>& options, std::string& input, ReadOptions& reading) {
   options.push_back({.name = "INPUT",
-                     .help = "the terrain: any raster of heights that GDAL opens, in a projected "
-                             "CRS or none; /vsizip/ and other /vsi paths too",
+                     .help = "the terrain, in a projected CRS or none: any raster of heights that "
+                             "GDAL opens (/vsizip/ and other /vsi paths too); triangles in OFF, "
+                             "PLY, OBJ, STL, LandXML or a vector file; points in text with named "
+                             "columns or a vector file",
                      .take = stored_name(input)});
   options.push_back(with_integer({.group = kGroup,
                                   .name = "--band",
@@ -52,6 +54,54 @@ void add_terrain_options(std::vector<Option>& options, std::string& input, ReadO
                                           "heights; 0 is the finest overview",
                                   .by_default = "full heights"},
                                  0, 100, [&reading](int level) { reading.overview = level; }));
+  constexpr auto kSurvey = "Triangles and points";
+  options.push_back({.group = kSurvey,
+                     .name = "--input-layer",
+                     .value = "NAME",
+                     .help = "Layer of a vector file, or surface of a LandXML file",
+                     .by_default = "the only one",
+                     .take = stored_name(reading.layer)});
+  options.push_back({.group = kSurvey,
+                     .name = "--repair",
+                     .help = "Reduce triangles that lie above each other to their upper surface",
+                     .take = set_to(reading.repair, true)});
+  options.push_back({.group = kSurvey,
+                     .name = "--columns",
+                     .value = "X,Y,Z",
+                     .help = "Columns of a text file that hold easting, northing and height",
+                     .allowed = "three names with commas between",
+                     .by_default = "x,y,z",
+                     .take = [&reading](const std::string& text) {
+                       const std::vector<std::string> names = split(text, ',');
+                       if (names.size() != 3 || names[0].empty() || names[1].empty() ||
+                           names[2].empty())
+                         return false;
+                       reading.columns = {names[0], names[1], names[2]};
+                       return true;
+                     }});
+  options.push_back({.group = kSurvey,
+                     .name = "--height-field",
+                     .value = "NAME",
+                     .help = "Field that holds the heights of a vector file's points without Z",
+                     .take = stored_name(reading.height_field)});
+  options.push_back({.group = kSurvey,
+                     .name = "--breaklines",
+                     .value = "FILE",
+                     .help = "Lines with Z that become edges of the triangulated points",
+                     .take = stored_name(reading.breaklines)});
+  options.push_back({.group = kSurvey,
+                     .name = "--boundary",
+                     .value = "FILE",
+                     .help = "Polygons: points are triangulated inside them only; holes are left",
+                     .take = stored_name(reading.boundary)});
+  options.push_back(with_number({.group = kSurvey,
+                                 .name = "--max-edge",
+                                 .value = "M",
+                                 .help = "Take triangles with a longer edge away, from the border "
+                                         "of the triangulated points inwards",
+                                 .by_default = "none"},
+                                {.unit = "metres", .low = 0, .low_excluded = true},
+                                [&reading](double m) { reading.max_edge_m = m; }));
 }
 
 } // namespace orograph

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/plane_triangulation.hpp"
 
+#include "dem/exact_places.hpp"
+#include "dem/insertion_order.hpp"
 #include "dem/tin.hpp"
 #include "geometry/error.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
-#include <bit>
-#include <set>
+#include <cmath>
+#include <initializer_list>
 #include <utility>
 
 namespace orograph {
@@ -25,89 +26,50 @@ constexpr std::uint32_t kUnnumbered = 0xffffffff;
 struct Number {
   std::uint32_t value = kUnnumbered;
 };
+struct FaceNotes {
+  std::uint32_t number = 0; ///< in the mesh written last
+  std::uint64_t search = 0; ///< the last one that came here
+};
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<
-    Kernel, CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel>>;
+    Kernel, CGAL::Triangulation_face_base_with_info_2<FaceNotes, Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Delaunay =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 using WithLines = CGAL::Constrained_triangulation_plus_2<Delaunay>;
 using Point = Kernel::Point_2;
 
-// How often the split of one line may call for another's, because rounding moved it across a third.
-constexpr int kMostNested = 1000;
+// How deep the split of one line may call for another's, because rounding moved it across a third:
+// to split as it should be, and at all.
+constexpr int kManyNested = 20, kMostNested = 1000;
+constexpr std::size_t kMostInVain = 1'000'000;
 
-Point point(Vec2 place) {
+Point point_at(Vec2 place) {
   return {place.x, place.y};
 }
 
-// The first place that makes a triangle with the first two; none if all are on one line.
-std::uint32_t first_off_line(std::span<const Vec2> places) {
-  std::uint32_t k = 2;
-  while (k < places.size() && CGAL::collinear(point(places[0]), point(places[1]), point(places[k])))
-    ++k;
-  return k;
+Vec2 place_of(const Point& p) {
+  return {p.x(), p.y()};
 }
 
-// Numbers in which the bits of neighbouring ones have nothing to do with each other (the mixer of
-// Steele, Lea and Flood 2014, splitmix64).
-std::uint64_t scattered(std::uint64_t number) {
-  number += 0x9e3779b97f4a7c15;
-  number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9;
-  number = (number ^ (number >> 27U)) * 0x94d049bb133111eb;
-  return number ^ (number >> 31U);
+bool nearer(const Point& to, const Point& a, const Point& b) {
+  return CGAL::compare_distance(to, a, b) == CGAL::SMALLER;
 }
 
-// A triangle first; a line only, where there is none. Then rounds, each with a scattered quarter of
-// the places that the next rounds have, so that a few bad places (a line of them, a curve) can't
-// make every insertion rebuild most of what is there; in each round as given, so that the next
-// place is near (Amenta, Choi and Rote 2003).
-std::vector<std::uint32_t> insertion_order(std::span<const Vec2> places) {
-  std::vector<std::uint32_t> order;
-  const std::uint32_t third = first_off_line(places);
-  if (third == places.size()) return order;
-  order = {0, 1, third};
-  constexpr int rounds = 12;
-  std::array<std::vector<std::uint32_t>, rounds> later;
-  for (std::uint32_t i = 2; i < places.size(); ++i)
-    if (i != third) later[std::min(std::countr_zero(scattered(i)) / 2, rounds - 1)].push_back(i);
-  for (int round = rounds - 1; round >= 0; --round)
-    order.insert(order.end(), later[round].begin(), later[round].end());
-  return order;
+// Four units in the last place of the greatest coordinate: what lines between these are worth.
+double rounding(std::initializer_list<const Point*> ends) {
+  double greatest = 0;
+  for (const Point* p : ends) greatest = std::max({greatest, std::abs(p->x()), std::abs(p->y())});
+  return 0x1p-50 * greatest;
 }
 
-using Exact = CGAL::Exact_rational;
-struct ExactVec {
-  Exact x, y;
-};
-ExactVec exact_difference(const Point& to, const Point& from) {
-  return {Exact(to.x()) - Exact(from.x()), Exact(to.y()) - Exact(from.y())};
-}
-Exact exact_cross(const ExactVec& a, const ExactVec& b) {
-  return a.x * b.y - a.y * b.x;
-}
-
-// Where the lines ab and cd cross: exact, then rounded. REQUIRES that they aren't parallel.
-Point crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const ExactVec u = exact_difference(b, a), v = exact_difference(d, c);
-  const Exact share = exact_cross(exact_difference(c, a), v) / exact_cross(u, v);
-  return {CGAL::to_double(Exact(Exact(a.x()) + share * u.x)),
-          CGAL::to_double(Exact(Exact(a.y()) + share * u.y))};
-}
-
-// How far from a to b is p, which is on the line through them.
-double share_along(const Point& a, const Point& b, const Point& p) {
-  const ExactVec u = exact_difference(b, a), v = exact_difference(p, a);
-  return CGAL::to_double(Exact(u.x != 0 ? v.x / u.x : v.y / u.y));
-}
-
-// p = a + first * (b - a) + second * (c - a).
-std::pair<double, double> shares_of(const Point& a, const Point& b, const Point& c,
-                                    const Point& p) {
-  const ExactVec u = exact_difference(b, a), v = exact_difference(c, a), w = exact_difference(p, a);
-  const Exact area = exact_cross(u, v);
-  return {CGAL::to_double(Exact(exact_cross(w, v) / area)),
-          CGAL::to_double(Exact(exact_cross(u, w) / area))};
+// Whether the line from a to b passes through a vertex between them but for rounding. Without that,
+// lines that all cross at one place would make a cluster of vertices there. Between them is what is
+// nearer to each than the other is, so that a line never turns back.
+bool passes(const Point& a, const Point& b, const Point& vertex, double rounding_m) {
+  const Vec2 along{b.x() - a.x(), b.y() - a.y()}, to{vertex.x() - a.x(), vertex.y() - a.y()};
+  return std::abs(cross(along, to)) <= rounding_m * length(along) && nearer(a, vertex, b) &&
+         nearer(b, vertex, a);
 }
 
 } // namespace
@@ -116,13 +78,15 @@ struct PlaneTriangulation::Inside : WithLines {
   std::vector<Vec2> places;
   std::vector<Vertex_handle> vertices;
   std::vector<Constraint_id> lines;
-  int nested = 0;
+  std::uint64_t searches = 0;
+  int nested = 0;                 ///< splits that called for the one at hand
+  std::size_t splits_in_vain = 0; ///< of the line at hand
 
   std::uint32_t number(Vertex_handle v) {
     if (v->info().value == kUnnumbered) {
       v->info().value = static_cast<std::uint32_t>(vertices.size());
       vertices.push_back(v);
-      places.push_back({v->point().x(), v->point().y()});
+      places.push_back(place_of(v->point()));
     }
     return v->info().value;
   }
@@ -136,22 +100,51 @@ struct PlaneTriangulation::Inside : WithLines {
   // the place in double precision and loses a split where it falls on a third line.
   Vertex_handle intersect(Face_handle f, int i, Vertex_handle a, Vertex_handle b) override {
     const Vertex_handle c = f->vertex(cw(i)), d = f->vertex(ccw(i));
-    const Point p = crossing(a->point(), b->point(), c->point(), d->point());
-    if (p == c->point() || p == d->point()) return p == c->point() ? c : d;
-    // A place outside of the two triangles at the edge would put other edges on the wrong side.
-    if (!within(f, i, p))
-      return CGAL::compare_distance(p, c->point(), d->point()) == CGAL::SMALLER ? c : d;
-    if (++nested > kMostNested)
-      throw Error("lines cross too close to each other for double precision",
-                  "leave out lines that repeat others nearly");
+    const Point &pa = a->point(), &pb = b->point(), &pc = c->point(), &pd = d->point();
+    const double near = rounding({&pa, &pb, &pc, &pd});
+    const bool at_c = passes(pa, pb, pc, near), at_d = passes(pa, pb, pd, near);
+    if (at_c || at_d) return in_vain(at_c && !(at_d && nearer(pa, pd, pc)) ? c : d);
+
+    const Point p =
+        passes(pc, pd, pa, near) ? pa
+        : passes(pc, pd, pb, near)
+            ? pb
+            : point_at(crossing(place_of(pa), place_of(pb), place_of(pc), place_of(pd)));
+    // A place outside of the two triangles at the edge puts others on the wrong side, which splits
+    // them in turn. That ends soon, and where it doesn't an end of the edge stands in.
+    if (p == pc || p == pd || (nested > kManyNested && !within(f, i, p)))
+      return in_vain(nearer(p, pc, pd) ? c : d);
+    if (++nested > kMostNested) give_up();
     remove_constrained_edge(f, i);
     const Vertex_handle v = insert(p, f);
+    if (v->info().value != kUnnumbered) in_vain(v);
     number(v);
     hierarchy.split_constraint(c, d, v);
     insert_subconstraint(c, v);
     insert_subconstraint(v, d);
     --nested;
     return v;
+  }
+
+  Constraint_id start_line(Vertex_handle from, Vertex_handle to) {
+    const Constraint_id line = hierarchy.insert_constraint(from, to);
+    insert_subconstraint(from, to);
+    return line;
+  }
+  void go_on(Constraint_id line, Vertex_handle from, Vertex_handle to) {
+    hierarchy.append_constraint(line, from, to);
+    insert_subconstraint(from, to);
+  }
+
+  // A split at a vertex that is there already; too many of them for one line go round in circles.
+  Vertex_handle in_vain(Vertex_handle v) {
+    if (++splits_in_vain > kMostInVain + vertices.size()) give_up();
+    return v;
+  }
+
+  [[noreturn]] static void give_up() {
+    throw Error("lines cross too close to each other for double precision",
+                "leave out lines that nearly repeat others");
   }
 
   // Whether p is in one of the two triangles at the edge of f opposite to its vertex i.
@@ -194,7 +187,7 @@ PlaneTriangulation::PlaneTriangulation(std::span<const Vec2> places)
   const std::vector<std::uint32_t> order = insertion_order(places);
   for (std::size_t k = 0; k < order.size(); ++k) {
     const auto near = k == 0 ? WithLines::Face_handle() : inside_->vertices[order[k - 1]]->face();
-    const auto v = inside_->insert(point(places[order[k]]), near);
+    const auto v = inside_->insert(point_at(places[order[k]]), near);
     v->info().value = order[k];
     inside_->vertices[order[k]] = v;
   }
@@ -211,13 +204,36 @@ const std::vector<Vec2>& PlaneTriangulation::places() const {
 }
 
 std::uint32_t PlaneTriangulation::insert(Vec2 place) {
-  return inside_->number(inside_->insert(point(place), inside_->vertices.back()->face()));
+  return inside_->number(inside_->insert(point_at(place), inside_->vertices.back()->face()));
 }
 
 std::uint32_t PlaneTriangulation::add_line(std::uint32_t from, std::uint32_t to) {
-  inside_->lines.push_back(
-      inside_->insert_constraint(inside_->vertices[from], inside_->vertices[to]));
+  inside_->splits_in_vain = 0;
+  const std::vector<std::uint32_t> through = vertices_along(from, to);
+  const auto vertex = [&](std::size_t k) { return inside_->vertices[through[k]]; };
+  WithLines::Constraint_id line = inside_->start_line(vertex(0), vertex(1));
+  for (std::size_t k = 2; k < through.size(); ++k) inside_->go_on(line, vertex(k - 1), vertex(k));
+  inside_->lines.push_back(line);
   return static_cast<std::uint32_t>(inside_->lines.size() - 1);
+}
+
+// From one to the other through what the line between them passes, before any crossing bends it.
+std::vector<std::uint32_t> PlaneTriangulation::vertices_along(std::uint32_t from,
+                                                              std::uint32_t to) const {
+  const Vec2 begin = places()[from], along = places()[to] - begin;
+  const Point a = point_at(begin), b = point_at(places()[to]);
+  const double near = rounding({&a, &b});
+  std::vector<std::pair<double, std::uint32_t>> passed;
+  for (const auto& triangle : triangles_along(begin, places()[to]))
+    for (const std::uint32_t v : triangle)
+      if (passes(a, b, point_at(places()[v]), near))
+        passed.emplace_back(dot(places()[v] - begin, along), v);
+  std::sort(passed.begin(), passed.end());
+  passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
+  std::vector<std::uint32_t> through{from};
+  for (const auto& [distance, v] : passed) through.push_back(v);
+  through.push_back(to);
+  return through;
 }
 
 std::vector<std::uint32_t> PlaneTriangulation::line(std::uint32_t number) const {
@@ -230,20 +246,20 @@ std::vector<std::uint32_t> PlaneTriangulation::line(std::uint32_t number) const 
 std::vector<Share> PlaneTriangulation::around(Vec2 place) const {
   WithLines::Locate_type type{};
   int i = 0;
-  const Point p = point(place);
+  const Point p = point_at(place);
   const auto f = inside_->locate(p, type, i, inside_->vertices.back()->face());
-  const auto vertex = [&](int k) { return f->vertex(k); };
+  const auto at = [&](int k) { return place_of(f->vertex(k)->point()); };
   const auto number = [&](int k) { return f->vertex(k)->info().value; };
   switch (type) {
   case WithLines::VERTEX:
     return {{number(i), 1}};
   case WithLines::EDGE: {
     const int a = WithLines::ccw(i), b = WithLines::cw(i);
-    const double share = share_along(vertex(a)->point(), vertex(b)->point(), p);
+    const double share = share_along(at(a), at(b), place);
     return {{number(a), 1 - share}, {number(b), share}};
   }
   case WithLines::FACE: {
-    const auto [b, c] = shares_of(vertex(0)->point(), vertex(1)->point(), vertex(2)->point(), p);
+    const auto [b, c] = shares_in(at(0), at(1), at(2), place);
     return {{number(0), 1 - b - c}, {number(1), b}, {number(2), c}};
   }
   default:
@@ -253,12 +269,13 @@ std::vector<Share> PlaneTriangulation::around(Vec2 place) const {
 
 std::vector<std::array<std::uint32_t, 3>> PlaneTriangulation::triangles_along(Vec2 from,
                                                                               Vec2 to) const {
-  const Point begin = point(from), end = point(to);
+  const Point begin = point_at(from), end = point_at(to);
   std::vector<std::array<std::uint32_t, 3>> found;
   // Those that a segment within the hull meets hang together.
   std::vector<WithLines::Face_handle> open{
       inside_->finite(inside_->locate(begin, inside_->vertices.back()->face()))};
-  std::set<WithLines::Face_handle> seen{open.front()};
+  const std::uint64_t search = ++inside_->searches;
+  open.front()->info().search = search;
   while (!open.empty()) {
     const auto f = open.back();
     open.pop_back();
@@ -266,7 +283,9 @@ std::vector<std::array<std::uint32_t, 3>> PlaneTriangulation::triangles_along(Ve
     found.push_back(inside_->numbers_of(f));
     for (int i = 0; i < 3; ++i) {
       const auto next = f->neighbor(i);
-      if (!inside_->is_infinite(next) && seen.insert(next).second) open.push_back(next);
+      if (inside_->is_infinite(next) || next->info().search == search) continue;
+      next->info().search = search;
+      open.push_back(next);
     }
   }
   return found;
@@ -289,13 +308,14 @@ PlaneMesh PlaneTriangulation::mesh() const {
   mesh.triangles.reserve(inside_->number_of_faces());
   mesh.neighbours.reserve(inside_->number_of_faces());
   for (const auto f : inside_->finite_face_handles()) {
-    f->info() = static_cast<std::uint32_t>(mesh.triangles.size());
+    f->info().number = static_cast<std::uint32_t>(mesh.triangles.size());
     mesh.triangles.push_back(inside_->numbers_of(f));
   }
   for (const auto f : inside_->finite_face_handles()) {
     auto& across = mesh.neighbours.emplace_back();
     for (int i = 0; i < 3; ++i)
-      across[i] = inside_->is_infinite(f->neighbor(i)) ? kNoTriangle : f->neighbor(i)->info();
+      across[i] =
+          inside_->is_infinite(f->neighbor(i)) ? kNoTriangle : f->neighbor(i)->info().number;
   }
   return mesh;
 }

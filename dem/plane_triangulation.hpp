@@ -58,6 +58,8 @@ public:
   PlaneMesh mesh() const;
 
 private:
+  std::vector<std::uint32_t> vertices_along(std::uint32_t from, std::uint32_t to) const;
+
   struct Inside;
   std::unique_ptr<Inside> inside_;
 };

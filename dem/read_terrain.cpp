@@ -129,9 +129,9 @@ Terrain read_terrain(const std::string& path, const ReadOptions& options) {
   try {
     return read(path, options);
   } catch (const std::bad_alloc&) {
-    throw Error(fmt::format("{} doesn't fit into memory", path), "use --bbox");
+    throw Error(fmt::format("{} doesn't fit into memory", path), "cut it into parts first");
   } catch (const std::length_error&) {
-    throw Error(fmt::format("{} doesn't fit into memory", path), "use --bbox");
+    throw Error(fmt::format("{} doesn't fit into memory", path), "cut it into parts first");
   }
 }
 

@@ -58,21 +58,24 @@ bool is_local_geojson(GDALDataset& dataset, const OGRSpatialReference* crs, cons
   return extent.low.x < -360 || extent.high.x > 360 || extent.low.y < -90 || extent.high.y > 90;
 }
 
-void set_frame(GDALDataset& dataset, OGRLayer& layer, MapShapes& shapes) {
+[[noreturn]] void refuse_empty(const std::string& path, const std::string& layer) {
+  throw Error(fmt::format("the layer '{}' of {} is empty", layer, path), "it must hold geometries");
+}
+
+// False where there is a CRS and the unit of heights isn't known: then it is taken to be the same.
+bool set_frame(GDALDataset& dataset, OGRLayer& layer, MapShapes& shapes) {
   OGREnvelope envelope;
   Box2 extent;
   if (layer.GetExtent(&envelope, TRUE) == OGRERR_NONE)
     extent = {{envelope.MinX, envelope.MinY}, {envelope.MaxX, envelope.MaxY}};
   const OGRSpatialReference* crs = layer.GetSpatialRef();
-  if (!tells_place(crs)) return;
-  if (is_local_geojson(dataset, crs, extent)) return;
+  if (!tells_place(crs) || is_local_geojson(dataset, crs, extent)) return true;
   set_crs(shapes.map, *crs, shapes.path, FileKind::vector, extent.centre());
   shapes.units_known = true;
-  if (set_height_unit(shapes.map, *crs)) return;
+  if (set_height_unit(shapes.map, *crs)) return true;
   shapes.map.height_unit_m = shapes.map.unit_m;
   shapes.map.height_unit_name = shapes.map.unit_name;
-  shapes.notes.push_back(fmt::format("{} names no unit of height: that of its CRS is taken, {}.",
-                                     shapes.path, shapes.map.unit_name));
+  return false;
 }
 
 int height_field(OGRLayer& layer, const std::string& path, const std::string& name) {
@@ -97,21 +100,37 @@ int height_field(OGRLayer& layer, const std::string& path, const std::string& na
   return index;
 }
 
-std::optional<double> height_of(const OGRFeature& feature, int field, const std::string& words) {
+std::optional<double> height_of(const OGRFeature& feature, int field, const std::string& path) {
   if (field < 0) return std::nullopt;
   if (!feature.IsFieldSetAndNotNull(field))
-    throw Error(fmt::format("{} has no height in the field '{}'", words,
+    throw Error(fmt::format("{} has no height in the field '{}'",
+                            feature_name(feature.GetFID(), path),
                             feature.GetFieldDefnRef(field)->GetNameRef()),
                 "give every point a height, or take the point out");
   return feature.GetFieldAsDouble(field);
 }
 
-void read_error(const OGRFeature& feature, const std::string& words, MapShapes& shapes) {
+// What `write_tin` says of heights, since a CRS often doesn't; whether it is there.
+bool read_height_unit(const OGRFeature& feature, MapShapes& shapes) {
+  const int field = feature.GetFieldIndex("height_unit_m");
+  if (field < 0 || !feature.IsFieldSetAndNotNull(field)) return false;
+  const double unit_m = feature.GetFieldAsDouble(field);
+  if (!std::isfinite(unit_m) || unit_m <= 0)
+    throw Error(fmt::format("{} has height_unit_m = {}",
+                            feature_name(feature.GetFID(), shapes.path), unit_m),
+                "it must be a length in metres");
+  shapes.map.height_unit_m = unit_m;
+  shapes.map.height_unit_name = unit_name(unit_m);
+  return true;
+}
+
+void read_error(const OGRFeature& feature, MapShapes& shapes) {
   const int field = feature.GetFieldIndex("surface_error_m");
   if (field < 0 || !feature.IsFieldSetAndNotNull(field)) return;
   const double error = feature.GetFieldAsDouble(field);
   if (!std::isfinite(error) || error < 0)
-    throw Error(fmt::format("{} has surface_error_m = {}", words, error),
+    throw Error(fmt::format("{} has surface_error_m = {}",
+                            feature_name(feature.GetFID(), shapes.path), error),
                 "it must be a length in metres");
   shapes.surface_error_m = std::max(shapes.surface_error_m, error);
 }
@@ -124,8 +143,7 @@ void check_content(const MapShapes& shapes, const std::string& layer) {
                             shapes.path),
                 "keep one kind: ogr2ogr -where \"OGR_GEOMETRY='POLYGON'\" one.gpkg " + shapes.path);
   if (shapes.points.empty() && shapes.breaklines.empty() && shapes.rings.empty())
-    throw Error(fmt::format("the layer '{}' of {} is empty", layer, shapes.path),
-                "it must hold geometries");
+    refuse_empty(shapes.path, layer);
 }
 
 } // namespace
@@ -155,29 +173,34 @@ MapShapes read_vector(const std::string& path, VectorUse use, const ReadOptions&
   shapes.path = path;
   for (const std::string& warning : messages.warnings())
     shapes.notes.push_back(fmt::format("GDAL warns: {}.", warning));
-  set_frame(*dataset, layer, shapes);
+  if (layer.GetFeatureCount() == 0) refuse_empty(path, layer.GetName());
+  const bool height_unit_assumed = !set_frame(*dataset, layer, shapes);
   const int field = height_field(layer, path, is_terrain ? options.height_field : "");
   messages.forget();
 
+  bool height_unit_told = !height_unit_assumed;
   std::uint64_t without = 0;
   layer.ResetReading();
   for (const auto& feature : layer) {
-    const std::string words = fmt::format("feature {} of {}", feature->GetFID(), path);
     const OGRGeometry* geometry = feature->GetGeometryRef();
     if (!geometry || geometry->IsEmpty()) {
       ++without;
       continue;
     }
-    const bool is_point = OGR_GT_IsSubClassOf(wkbFlatten(geometry->getGeometryType()), wkbPoint) ||
-                          wkbFlatten(geometry->getGeometryType()) == wkbMultiPoint;
-    add_geometry(*geometry, use, is_point ? height_of(*feature, field, words) : std::nullopt, words,
-                 shapes);
-    read_error(*feature, words, shapes);
+    const OGRwkbGeometryType type = wkbFlatten(geometry->getGeometryType());
+    const bool is_point = type == wkbPoint || type == wkbMultiPoint;
+    add_geometry(*geometry, use, is_point ? height_of(*feature, field, path) : std::nullopt,
+                 feature->GetFID(), shapes);
+    read_error(*feature, shapes);
+    height_unit_told = read_height_unit(*feature, shapes) || height_unit_told;
   }
   if (const std::string failure = messages.last_failure(); failure != "no reason given")
     throw Error(fmt::format("{} can't be read to its end ({})", path, failure),
                 "check it with 'ogrinfo -al'");
   check_content(shapes, layer.GetName());
+  if (!height_unit_told)
+    shapes.notes.push_back(fmt::format("{} names no unit of height: that of its CRS is taken, {}.",
+                                       path, shapes.map.unit_name));
   if (without > 0)
     shapes.notes.push_back(
         fmt::format("{} of the features of {} have no geometry.", without, path));

@@ -78,12 +78,12 @@ void cut_triangles(MapShapes& shapes, const Box2& window) {
   keep_used_points(shapes);
 }
 
-// The stretches of a line whose points are all inside.
-void add_stretches(const std::vector<Vec3>& line, const Box2& window,
-                   std::vector<std::vector<Vec3>>& stretches) {
+// Of a line, the stretches whose points are all inside; a single one is a point.
+void add_inside(const std::vector<Vec3>& line, const Box2& window, MapShapes& to) {
   std::vector<Vec3> stretch;
   const auto end = [&] {
-    if (stretch.size() > 1) stretches.push_back(stretch);
+    if (stretch.size() == 1) to.points.push_back(stretch[0]);
+    if (stretch.size() > 1) to.breaklines.push_back(stretch);
     stretch.clear();
   };
   for (const Vec3& p : line) {
@@ -145,17 +145,16 @@ void bring_together(MapShapes& points, MapShapes& other, const char* role) {
 void cut_survey(MapShapes& shapes, const Box2& window, const Box2& extent) {
   check_window(window, extent);
   std::erase_if(shapes.points, [&](Vec3 p) { return !inside(window, p); });
-  std::vector<std::vector<Vec3>> stretches;
-  for (const auto& line : shapes.breaklines) add_stretches(line, window, stretches);
+  const std::vector<std::vector<Vec3>> lines = std::exchange(shapes.breaklines, {});
+  for (const auto& line : lines) add_inside(line, window, shapes);
   for (auto& ring : shapes.rings) {
     if (std::all_of(ring.begin(), ring.end(), [&](Vec3 p) { return inside(window, p); })) continue;
     if (std::isnan(ring.front().z)) continue;
     ring.push_back(ring.front());
-    add_stretches(ring, window, stretches);
+    add_inside(ring, window, shapes);
     ring.pop_back();
     for (Vec3& p : ring) p.z = std::numeric_limits<double>::quiet_NaN();
   }
-  shapes.breaklines = std::move(stretches);
   if (shapes.points.empty() && shapes.breaklines.empty())
     refuse_window(window, extent, shapes.path);
 }

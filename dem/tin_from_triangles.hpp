@@ -20,7 +20,7 @@ struct TriangleSoup {
 
 struct TinFromTriangles {
   Tin tin;
-  std::vector<std::string> notes; ///< what was merged, turned or dropped, a sentence each
+  std::vector<std::string> notes; ///< what was turned or dropped, a sentence each
 };
 
 /// Merges points that are equal in all three coordinates, drops vertices without triangles, turns

@@ -17,12 +17,14 @@ namespace {
 struct Target {
   VectorUse use;
   std::optional<double> height;
-  const std::string& feature;
+  std::int64_t id;
   MapShapes& shapes;
+
+  std::string feature() const { return feature_name(id, shapes.path); }
 };
 
 [[noreturn]] void refuse_flat(const char* what, const Target& target) {
-  throw Error(fmt::format("{} is a {} without heights (2D)", target.feature, what),
+  throw Error(fmt::format("{} is a {} without heights (2D)", target.feature(), what),
               fmt::format("give it a Z coordinate, from a field for example: ogr2ogr -zfield FIELD "
                           "with_z.gpkg {}",
                           target.shapes.path));
@@ -34,25 +36,25 @@ struct Target {
     hint = "breaklines are lines with Z; 'ogr2ogr -nlt MULTILINESTRING' makes lines of polygons";
   if (target.use == VectorUse::boundary)
     hint = "a boundary is polygons; 'ogr2ogr -nlt POLYGON' makes polygons of closed lines";
-  throw Error(fmt::format("{} is a {}", target.feature,
+  throw Error(fmt::format("{} is a {}", target.feature(),
                           OGRToOGCGeomType(wkbFlatten(geometry.getGeometryType()))),
               hint);
 }
 
 void check_finite(Vec3 p, bool height_matters, const Target& target) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y))
-    throw Error(fmt::format("{} has a corner at {}, {}", target.feature, p.x, p.y),
+    throw Error(fmt::format("{} has a corner at {}, {}", target.feature(), p.x, p.y),
                 "coordinates must be finite numbers");
   if (height_matters && !std::isfinite(p.z))
     throw Error(
-        fmt::format("{} has the height {} at {:.10g}, {:.10g}", target.feature, p.z, p.x, p.y),
+        fmt::format("{} has the height {} at {:.10g}, {:.10g}", target.feature(), p.z, p.x, p.y),
         "every height must be a finite number; take the point out or give it one");
 }
 
 void add_point(const OGRPoint& point, const Target& target) {
   if (point.IsEmpty()) return;
   if (!target.height && !point.Is3D())
-    throw Error(fmt::format("{} is a point without a height (2D)", target.feature),
+    throw Error(fmt::format("{} is a point without a height (2D)", target.feature()),
                 "name the field that holds it with --height-field, or give points a Z coordinate");
   const Vec3 p{point.getX(), point.getY(), target.height ? *target.height : point.getZ()};
   check_finite(p, true, target);
@@ -73,7 +75,7 @@ void add_line(const OGRLineString& line, const Target& target) {
   std::vector<Vec3> points = points_of(line);
   for (const Vec3& p : points) check_finite(p, true, target);
   if (points.size() < 2)
-    throw Error(fmt::format("{} is a line of a single point", target.feature),
+    throw Error(fmt::format("{} is a line of a single point", target.feature()),
                 "a breakline has two points at least");
   target.shapes.breaklines.push_back(std::move(points));
 }
@@ -92,12 +94,12 @@ void add_triangle(const OGRPolygon& polygon, const Target& target) {
   if (polygon.IsEmpty()) return;
   if (!polygon.Is3D()) refuse_flat("polygon", target);
   if (polygon.getNumInteriorRings() > 0)
-    throw Error(fmt::format("{} is a polygon with a hole, not a triangle", target.feature),
+    throw Error(fmt::format("{} is a polygon with a hole, not a triangle", target.feature()),
                 "split it into triangles (in QGIS: Tessellate)");
   const std::vector<Vec3> corners = corners_of(*polygon.getExteriorRing());
   for (const Vec3& p : corners) check_finite(p, true, target);
   if (corners.size() != 3)
-    throw Error(fmt::format("{} has a face with {} corners", target.feature, corners.size()),
+    throw Error(fmt::format("{} has a face with {} corners", target.feature(), corners.size()),
                 "split it into triangles (in QGIS: Tessellate); polygons that bound a survey go to "
                 "--boundary");
   const auto first = static_cast<std::uint32_t>(target.shapes.points.size());
@@ -112,7 +114,7 @@ void add_ring(const OGRLinearRing& ring, const Target& target) {
       points.front().y == points.back().y)
     points.pop_back();
   if (points.size() < 3)
-    throw Error(fmt::format("{} has a ring of {} points", target.feature, points.size()),
+    throw Error(fmt::format("{} has a ring of {} points", target.feature(), points.size()),
                 "a boundary's ring has three at least");
   const bool has_heights = ring.Is3D() && std::all_of(points.begin(), points.end(),
                                                       [](Vec3 p) { return std::isfinite(p.z); });
@@ -155,7 +157,7 @@ void add(const OGRGeometry& geometry, const Target& target) {
   case wkbMultiCurve:
   case wkbMultiSurface:
     throw Error(
-        fmt::format("{} has curves ({})", target.feature, geometry.getGeometryName()),
+        fmt::format("{} has curves ({})", target.feature(), geometry.getGeometryName()),
         fmt::format("make straight lines of them: ogr2ogr -nlt CONVERT_TO_LINEAR straight.gpkg {}",
                     target.shapes.path));
   default:
@@ -165,9 +167,13 @@ void add(const OGRGeometry& geometry, const Target& target) {
 
 } // namespace
 
+std::string feature_name(std::int64_t id, const std::string& path) {
+  return fmt::format("feature {} of {}", id, path);
+}
+
 void add_geometry(const OGRGeometry& geometry, VectorUse use, std::optional<double> height,
-                  const std::string& feature, MapShapes& shapes) {
-  add(geometry, {use, height, feature, shapes});
+                  std::int64_t id, MapShapes& shapes) {
+  add(geometry, {use, height, id, shapes});
 }
 
 } // namespace orograph

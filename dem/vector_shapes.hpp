@@ -5,6 +5,7 @@
 #include "dem/map_shapes.hpp"
 #include "dem/read_vector.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -12,9 +13,12 @@ class OGRGeometry;
 
 namespace orograph {
 
-/// Adds what a feature's geometry is. `height` is that of points, where a field tells it; `feature`
-/// names it in messages, as in "feature 7 of x.gpkg". Throws Error where the geometry can't serve.
+/// How messages name a feature.
+std::string feature_name(std::int64_t id, const std::string& path);
+
+/// Adds what the geometry of feature `id` is. `height` is that of points, where a field tells it.
+/// Throws Error where the geometry can't serve.
 void add_geometry(const OGRGeometry& geometry, VectorUse use, std::optional<double> height,
-                  const std::string& feature, MapShapes& shapes);
+                  std::int64_t id, MapShapes& shapes);
 
 } // namespace orograph

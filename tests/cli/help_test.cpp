@@ -18,8 +18,10 @@ struct Tables {
   RenderSettings render_settings;
   AccuracySettings accuracy_settings;
   InfoSettings info_settings;
+  TinSettings tin_settings;
   std::vector<Command> commands{render_command(render_settings),
-                                accuracy_command(accuracy_settings), info_command(info_settings)};
+                                accuracy_command(accuracy_settings), info_command(info_settings),
+                                tin_command(tin_settings)};
 };
 
 std::string without_backslashes(std::string text) {
@@ -40,7 +42,8 @@ std::vector<std::string> commands_in(const std::filesystem::path& page) {
     }
     if (joined.find("orograph render") != std::string::npos ||
         joined.find("orograph accuracy") != std::string::npos ||
-        joined.find("orograph info") != std::string::npos)
+        joined.find("orograph info") != std::string::npos ||
+        joined.find("orograph tin") != std::string::npos)
       commands.push_back(joined);
     joined.clear();
   }

@@ -241,6 +241,22 @@ TEST_CASE("a grid without a triangle can't be approximated") {
   }
 }
 
+TEST_CASE("the bound holds everywhere on rough ground too") {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Random random(seed);
+    GridHeights heights;
+    heights.missing = random.pick({0.0, 0.001});
+    heights.whole = random.chance(0.5);
+    const Grid grid = made_grid(random, turned_lattice(70, 50, {10, 10}, 0), heights);
+    for (const double bound : {10.0, 30.0, 40.0, 50.0, 60.0}) {
+      CAPTURE(seed, bound);
+      const ApproximatedGrid made = approximate(grid, bound);
+      CHECK(made.greatest_m <= bound);
+      CHECK_FALSE(verify(made.tin));
+    }
+  }
+}
+
 TEST_CASE("mountains are approximated with few triangles, islands with a level sea") {
   for (const MadeTerrain terrain : {MadeTerrain::fractal_alps, MadeTerrain::islands}) {
     const Grid grid = make_terrain(terrain, 60);

@@ -271,8 +271,11 @@ TEST_CASE("coordinates that are no numbers are refused") {
   refused("a.off", changed(off, "10 0 2\n", "10 0\n"), {"line 4", "2 coordinates"});
   std::string bytes = binary_stl();
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  bytes.replace(84 + 50 + 12 + 8, 4, reinterpret_cast<const char*>(&nan), 4);
+  bytes.replace(84 + 50 + 12 + 32, 4, reinterpret_cast<const char*>(&nan), 4);
   refused("a.stl", bytes, {"triangle 2 of 2", "nan"});
+  std::string normal = binary_stl(); // which isn't read
+  normal.replace(84 + 50, 4, reinterpret_cast<const char*>(&nan), 4);
+  CHECK(triangles_on_map(read_back("a.stl", normal)) == square);
 }
 
 TEST_CASE("places that are none on earth are refused") {

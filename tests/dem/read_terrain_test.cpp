@@ -140,6 +140,19 @@ TEST_CASE("a boundary cuts, and the window and the longest edge are handed on") 
   CHECK(std::abs(extent() - 20) < 1e-9);
 }
 
+TEST_CASE("a window keeps the points of lines that are inside it") {
+  const TempFolder folder;
+  write_vector(of("GEOMETRYCOLLECTION Z (POINT Z (0 0 1),POINT Z (99 0 1),LINESTRING Z (10 0 1,"
+                  "10 10 1,50 10 1,0 10 1,0 50 1))"),
+               folder.file("a.gpkg"));
+  ReadOptions options;
+  options.bbox = Box2{{0, 0}, {10, 10}};
+  const Terrain terrain = read_terrain(folder.file("a.gpkg"), options);
+  CHECK(tin_in(terrain).vertices_m.size() == 4);
+  CHECK(terrain.triangulation->breaklines == 1);
+  CHECK(has_edge(terrain, {10, 0}, {10, 10}));
+}
+
 TEST_CASE("a ring with heights that leaves the window doesn't bring points from outside") {
   const TempFolder folder;
   write_vector(corner_layer, folder.file("a.gpkg"));

@@ -2,11 +2,13 @@
 // Breaklines by definition, against every pair of segments. Coordinates are whole and small, so
 // that places that differ at all are much farther apart than the tolerance.
 #include "dem/triangulate.hpp"
+#include "dem/verify_tin.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/whole_plane.hpp"
 
 #include <map>
 #include <set>
+#include <string>
 
 using namespace orograph;
 
@@ -118,6 +120,9 @@ void check_delaunay_off_lines(const Tin& tin, const std::vector<Straight>& all) 
 void check_triangulation(const Survey& survey) {
   const Triangulated result = triangulate(survey);
   const Tin& tin = result.tin;
+  const auto fault = verify(tin);
+  INFO((fault ? fault->what : ""));
+  REQUIRE_FALSE(fault);
   const auto heights = heights_of(survey);
   const auto all = segments_of(survey, heights);
   const auto crossings = crossings_of(all, heights);
@@ -222,4 +227,41 @@ TEST_CASE("where two lines cross the height is their mean, to the last bit where
   CHECK(result.counts.breaklines == 2);
   CHECK(result.counts.points == 4);
   for (const Vec3& v : result.tin.vertices_m) CHECK(v.z == 10);
+}
+
+TEST_CASE("lines that differ by a few units in the last place make a valid TIN") {
+  Random random(3);
+  for (int round = 0; round < 600; ++round) {
+    const int side = random.whole(2, 40), lines = random.whole(3, 40);
+    const double step =
+        0x1p-23 * (round % 2 ? 1 : 1e6); // one unit at 1e9, or much longer than wide
+    Survey survey{{}, {}, {}, {}};
+    for (int k = 0; k < lines; ++k) {
+      auto& line = survey.breaklines_m.emplace_back();
+      for (int end = 0; end < 2; ++end)
+        line.push_back({1e9 + step * random.whole(0, side), 1e9 + 0x1p-23 * random.whole(0, side),
+                        random.share()});
+    }
+    try {
+      CHECK_FALSE(verify(triangulate(survey).tin));
+    } catch (const std::runtime_error& error) {
+      CHECK(std::string(error.what()).find("on one straight line") != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("many lines through one place, or nearly the same line, split at few vertices") {
+  Random random(4);
+  Survey star, bundle;
+  for (int k = 0; k < 200; ++k) {
+    const double angle = random.between(0, 7), far_m = 100;
+    star.breaklines_m.push_back({{7 + far_m * std::cos(angle), 3 + far_m * std::sin(angle), 1},
+                                 {7 - far_m * std::cos(angle), 3 - far_m * std::sin(angle), 1}});
+    const auto off = [&] { return random.between(0, 1e-12); };
+    bundle.breaklines_m.push_back({{0, off(), 1}, {1000, 1000 + off(), 1}});
+  }
+  const Triangulated met = triangulate(star);
+  CHECK_FALSE(verify(met.tin));
+  CHECK(met.counts.crossings == 1);
+  CHECK_FALSE(verify(triangulate(bundle).tin));
 }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `orograph tin`: a TIN as a file.
+#pragma once
+
+#include "dem/read_options.hpp"
+#include "dem/write_tin.hpp"
+
+#include <optional>
+#include <string>
+
+namespace orograph {
+
+struct TinSettings {
+  std::string input, output;
+  ReadOptions reading;
+  std::optional<double> max_error_m; ///< how far from a grid the TIN may be; for rasters
+  std::optional<TinFormat> format;   ///< none: by the output's extension
+  bool overwrite = false;
+  bool quiet = false;
+};
+
+/// Reads a terrain, triangulates it if it is points, approximates it if it is a grid, and writes
+/// the TIN; says on stderr what was made. Throws Error.
+void tin(const TinSettings& settings);
+
+} // namespace orograph

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/seen_lines.hpp"
+
+#include "dem/neighbours.hpp"
+#include "dem/tin.hpp"
+
+#include <algorithm>
+
+namespace orograph {
+namespace {
+
+using Link = std::array<std::uint32_t, 2>; // two points, the lower number first
+
+Link link(std::uint32_t a, std::uint32_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// Edges of faces with different triangles on their sides, each once, in order.
+std::vector<Link> seen_links(const PlanArrangement& arrangement,
+                             std::span<const std::uint32_t> highest) {
+  const auto beside = find_neighbours(arrangement.faces, arrangement.points.size()).of;
+  std::vector<Link> links;
+  for (std::size_t f = 0; f < arrangement.faces.size(); ++f)
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = beside[f][k];
+      if (highest[f] == (other == kNoTriangle ? kNoTriangle : highest[other])) continue;
+      const auto [a, b] = ends_of(arrangement.faces[f], k);
+      links.push_back(link(a, b));
+    }
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  return links;
+}
+
+} // namespace
+
+std::vector<SeenLine> seen_lines(const PlanArrangement& arrangement,
+                                 std::span<const std::uint32_t> highest) {
+  const std::vector<Link> links = seen_links(arrangement, highest);
+  std::vector<std::uint32_t> links_at(arrangement.points.size());
+  for (const Link& l : links)
+    for (const std::uint32_t point : l) ++links_at[point];
+
+  std::vector<SeenLine> seen;
+  for (std::uint32_t i = 0; i < arrangement.lines.size(); ++i) {
+    const auto& line = arrangement.lines[i];
+    bool runs_on = false;
+    for (std::size_t j = 1; j < line.size(); ++j) {
+      const Vec2 from = arrangement.points[line[j - 1]], to = arrangement.points[line[j]];
+      const bool is_seen =
+          std::binary_search(links.begin(), links.end(), link(line[j - 1], line[j]));
+      if (is_seen && !runs_on) seen.push_back({i, {from}});
+      if (is_seen && runs_on && links_at[line[j - 1]] == 2) seen.back().points.pop_back();
+      if (is_seen) seen.back().points.push_back(to);
+      runs_on = is_seen;
+    }
+  }
+  return seen;
+}
+
+} // namespace orograph

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines of the plane, bent so that they cross at points of theirs only.
+#pragma once
+
+#include "geometry/vec.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+using Step = std::array<std::uint32_t, 2>; ///< straight from a point to another, by number
+
+struct UncrossedLines {
+  std::vector<Vec2> points;             ///< all different
+  std::vector<std::vector<Step>> lines; ///< for each given line its steps, from first to last
+};
+
+/// A step that runs within `reach_m` of a point is led through it, and where two steps cross each
+/// other's insides both are led through a point there: one that is there already within reach, or
+/// else the crossing, rounded. So lines that are nearly on one another become one. Steps that are
+/// left may touch others or run along them, but none crosses another, exactly. A step not much
+/// longer than the reach is left out where nothing else helps; its line has a gap there.
+///
+/// Always comes to an end: what a step is replaced by is shorter than it, and new points keep
+/// `reach_m` apart. REQUIRES finite coordinates, and a reach of some ten times the rounding of
+/// the largest.
+UncrossedLines uncross(std::span<const std::vector<Vec2>> lines, double reach_m);
+
+} // namespace orograph
