@@ -35,7 +35,7 @@ struct Section {
 // have to be, and from there on taken as exact.
 class Definition {
 public:
-  Definition(const Tin& tin, const View& view, double depth) : tin_(tin) {
+  Definition(const Tin& tin, const View& view, double depth) : tin_(tin), depth_(depth) {
     for (const Vec3& vertex : tin.vertices_m) {
       const ProfilePoint p = to_profile_frame(view, vertex);
       points_.push_back({p.u, p.v, p.z});
@@ -51,6 +51,12 @@ public:
   }
 
   std::vector<Section> ground, walls;
+
+  bool passes_beside_vertex(long double slack) const {
+    return std::any_of(points_.begin(), points_.end(), [&](const Point& p) {
+      return p.v != depth_ && std::abs(p.v - depth_) <= slack;
+    });
+  }
 
   // Normal times direction to the eye over the sum of its terms' sizes.
   long double facing(const View& view, std::size_t t) const {
@@ -92,6 +98,7 @@ private:
   }
 
   const Tin& tin_;
+  long double depth_;
   std::vector<Point> points_;
 };
 
@@ -181,7 +188,9 @@ void check_walls(const Definition& expected, const Profile& profile, const View&
     CAPTURE(profile.u_m[k], profile.z_m[k], profile.z_m[k + 1]);
     REQUIRE(found);
   }
-  // Every wall that the plane crosses is there just if it is seen.
+  // Every wall that the plane crosses is there just if it is seen. A rounding beside a vertex,
+  // walls and ground that meet there are all at one place.
+  if (expected.passes_beside_vertex(slack.u)) return;
   for (const Section& s : expected.walls) {
     if (s.in_plane || std::abs(s.right.u - s.left.u) > slack.u ||
         std::abs(s.right.z - s.left.z) <= 4 * slack.z)

@@ -92,8 +92,10 @@ Bounds by_triangles(const Tin& tin, const View& view, ProfilePoint p, long doubl
         if (places[i].w >= begin && places[i].w < p.v - apart)
           greatest = std::max(greatest, y_of(places[i]));
     };
-    take(certain, bounds.certain, slack);
-    take(possible, bounds.possible, -slack);
+    // A crossing's depth is rounded, if only in long double.
+    const long double depth_slack = slack + 1e-12L;
+    take(certain, bounds.certain, depth_slack);
+    take(possible, bounds.possible, -depth_slack);
   }
   return bounds;
 }
