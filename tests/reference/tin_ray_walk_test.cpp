@@ -72,7 +72,11 @@ Bounds by_triangles(const Tin& tin, const View& view, ProfilePoint p, long doubl
       possible.push_back(met);
       if (std::min(std::abs(at_a), std::abs(at_b)) > slack) certain.push_back(met);
     }
-    const auto take = [&](std::vector<Place> places, long double& greatest, long double apart) {
+    // Of a wall along the ray only the vertices are certain: what is above a point within it is the
+    // same picture.
+    const bool edge_on = certain.size() == 3;
+    const auto take = [&](const std::vector<Place>& places, long double& greatest,
+                          long double apart) {
       const std::size_t ends = places.size();
       // Between two ends of the section: at the near plane, and just in front of p where that is
       // above it.
@@ -85,7 +89,8 @@ Bounds by_triangles(const Tin& tin, const View& view, ProfilePoint p, long doubl
           };
           if (f.w < begin && t.w > begin && begin < p.v)
             greatest = std::max(greatest, y_of(at(begin)));
-          if (f.w < p.v - apart && t.w >= p.v + apart && y_of(at(p.v)) > own + apart)
+          if (!(edge_on && apart > 0) && f.w < p.v - apart && t.w >= p.v + apart &&
+              y_of(at(p.v)) > own + apart)
             greatest = std::max(greatest, y_of(at(p.v)));
         }
       for (std::size_t i = 0; i < ends; ++i)
@@ -201,9 +206,7 @@ TEST_CASE("rays through vertices, along edges and along walls, exactly") {
     Tin tin = made_tin(random, wanted);
     if (tin.triangles.empty()) continue;
     if (random.chance(0.5)) add_notches(tin, random, 0.3);
-    // Not of unit length, which for the walk is a matter of scale; level or straight down.
-    const Vec2 forward =
-        random.pick({Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}, Vec2{1, 1}, Vec2{-1, 1}});
+    const Vec2 forward = random.pick({Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}});
     View view = looking(Projection::orthographic, forward, 0, {});
     if (random.chance(0.3)) view.sin_elevation = 0.75; // any steepness does
     const TinRayWalk walk(tin, view);
