@@ -43,6 +43,29 @@ std::vector<std::vector<Vec2>> edge_lines(const Tin& tin, std::span<const PlanEd
   return lines;
 }
 
+bool before(Vec2 a, Vec2 b) {
+  return a.x != b.x ? a.x < b.x : a.y < b.y;
+}
+
+// Where edges end, in order.
+std::vector<Vec2> vertices_of(const Tin& tin, std::span<const PlanEdge> edges) {
+  std::vector<Vec2> vertices;
+  for (const PlanEdge& edge : edges)
+    for (const std::uint32_t v : edge) vertices.push_back(plan(tin.vertices_m[v]));
+  std::sort(vertices.begin(), vertices.end(), before);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+std::vector<Vec2> those_on(std::span<const std::vector<Vec2>> lines,
+                           const std::vector<Vec2>& vertices) {
+  std::vector<Vec2> there;
+  for (const auto& line : lines)
+    for (const Vec2 p : line)
+      if (std::binary_search(vertices.begin(), vertices.end(), p, before)) there.push_back(p);
+  return there;
+}
+
 bool same_corners(std::array<std::uint32_t, 3> a, std::array<std::uint32_t, 3> b) {
   std::sort(a.begin(), a.end());
   std::sort(b.begin(), b.end());
@@ -85,12 +108,14 @@ UpperPieces cut_to_upper(const Tin& tin, std::span<const std::uint32_t> chosen,
   const auto highest_in = [&](const PlanArrangement& arrangement) {
     return highest_triangles(tin, chosen, whole, arrangement, tolerance_m);
   };
-  const PlanArrangement all = arrange(lines, reach_m);
+  std::vector<Vec2> fixed = vertices_of(tin, edges);
+  const PlanArrangement all = arrange(lines, fixed, reach_m);
   const std::vector<SeenLine> seen = seen_lines(all, highest_in(all));
 
   lines.clear();
   for (const SeenLine& line : seen) lines.push_back(line.points);
-  const PlanArrangement arrangement = arrange(lines, reach_m);
+  fixed = those_on(lines, fixed);
+  const PlanArrangement arrangement = arrange(lines, fixed, reach_m);
   const std::vector<std::uint32_t> highest = highest_in(arrangement);
   std::vector<PlanPiece> pieces;
   for (std::size_t f = 0; f < highest.size(); ++f)

@@ -25,8 +25,9 @@ using Triangulation = CGAL::Constrained_triangulation_plus_2<Delaunay>;
 
 } // namespace
 
-PlanArrangement arrange(std::span<const std::vector<Vec2>> lines, double reach_m) {
-  UncrossedLines uncrossed = uncross(lines, reach_m);
+PlanArrangement arrange(std::span<const std::vector<Vec2>> lines, std::span<const Vec2> fixed,
+                        double reach_m) {
+  UncrossedLines uncrossed = uncross(lines, fixed, reach_m);
   Triangulation triangulation;
   std::vector<Triangulation::Vertex_handle> vertices;
   Triangulation::Face_handle near;

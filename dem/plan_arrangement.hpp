@@ -20,7 +20,9 @@ struct PlanArrangement {
 };
 
 /// Points where lines cross are rounded to doubles, and the lines bend to go through them, or
-/// through points that are there already within `reach_m` (`uncross` says how).
-PlanArrangement arrange(std::span<const std::vector<Vec2>> lines, double reach_m);
+/// through points that are there already within `reach_m` (`uncross` says how). `fixed` points stay
+/// where they are.
+PlanArrangement arrange(std::span<const std::vector<Vec2>> lines, std::span<const Vec2> fixed,
+                        double reach_m);
 
 } // namespace orograph

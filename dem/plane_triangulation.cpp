@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// CGAL keeps the triangulation and which edges each line has come to; where lines cross and what is
+// rounding is decided here.
 #include "dem/plane_triangulation.hpp"
 
 #include "dem/exact_places.hpp"
@@ -21,7 +23,7 @@ namespace orograph {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-// Its own vertices CGAL makes without a word.
+// A vertex gets its number after CGAL has made it.
 constexpr std::uint32_t kUnnumbered = 0xffffffff;
 struct Number {
   std::uint32_t value = kUnnumbered;
@@ -42,6 +44,7 @@ using Point = Kernel::Point_2;
 // How deep the split of one line may call for another's, because rounding moved it across a third:
 // to split as it should be, and at all.
 constexpr int kManyNested = 20, kMostNested = 1000;
+// How often one line may be split at vertices that are there, beside each of them once.
 constexpr std::size_t kMostInVain = 1'000'000;
 
 Point point_at(Vec2 place) {
@@ -64,8 +67,9 @@ double rounding(std::initializer_list<const Point*> ends) {
 }
 
 // Whether the line from a to b passes through a vertex between them but for rounding. Without that,
-// lines that all cross at one place would make a cluster of vertices there. Between them is what is
-// nearer to each than the other is, so that a line never turns back.
+// lines that all cross at one place would make a cluster of vertices there, and lines that nearly
+// coincide would push each other about for ever. Between them is what is nearer to each than the
+// other is, so that a line never turns back.
 bool passes(const Point& a, const Point& b, const Point& vertex, double rounding_m) {
   const Vec2 along{b.x() - a.x(), b.y() - a.y()}, to{vertex.x() - a.x(), vertex.y() - a.y()};
   return std::abs(cross(along, to)) <= rounding_m * length(along) && nearer(a, vertex, b) &&
@@ -78,6 +82,7 @@ struct PlaneTriangulation::Inside : WithLines {
   std::vector<Vec2> places;
   std::vector<Vertex_handle> vertices;
   std::vector<Constraint_id> lines;
+  Vertex_handle near; ///< the last one that was asked for: the next is near
   std::uint64_t searches = 0;
   int nested = 0;                 ///< splits that called for the one at hand
   std::size_t splits_in_vain = 0; ///< of the line at hand
@@ -101,13 +106,13 @@ struct PlaneTriangulation::Inside : WithLines {
   Vertex_handle intersect(Face_handle f, int i, Vertex_handle a, Vertex_handle b) override {
     const Vertex_handle c = f->vertex(cw(i)), d = f->vertex(ccw(i));
     const Point &pa = a->point(), &pb = b->point(), &pc = c->point(), &pd = d->point();
-    const double near = rounding({&pa, &pb, &pc, &pd});
-    const bool at_c = passes(pa, pb, pc, near), at_d = passes(pa, pb, pd, near);
+    const double slack = rounding({&pa, &pb, &pc, &pd});
+    const bool at_c = passes(pa, pb, pc, slack), at_d = passes(pa, pb, pd, slack);
     if (at_c || at_d) return in_vain(at_c && !(at_d && nearer(pa, pd, pc)) ? c : d);
 
     const Point p =
-        passes(pc, pd, pa, near) ? pa
-        : passes(pc, pd, pb, near)
+        passes(pc, pd, pa, slack) ? pa
+        : passes(pc, pd, pb, slack)
             ? pb
             : point_at(crossing(place_of(pa), place_of(pb), place_of(pc), place_of(pd)));
     // A place outside of the two triangles at the edge puts others on the wrong side, which splits
@@ -185,11 +190,12 @@ PlaneTriangulation::PlaneTriangulation(std::span<const Vec2> places)
   inside_->places.assign(places.begin(), places.end());
   inside_->vertices.resize(places.size());
   const std::vector<std::uint32_t> order = insertion_order(places);
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const auto near = k == 0 ? WithLines::Face_handle() : inside_->vertices[order[k - 1]]->face();
-    const auto v = inside_->insert(point_at(places[order[k]]), near);
-    v->info().value = order[k];
-    inside_->vertices[order[k]] = v;
+  WithLines::Face_handle near;
+  for (const std::uint32_t k : order) {
+    inside_->near = inside_->insert(point_at(places[k]), near);
+    inside_->near->info().value = k;
+    inside_->vertices[k] = inside_->near;
+    near = inside_->near->face();
   }
 }
 
@@ -204,11 +210,13 @@ const std::vector<Vec2>& PlaneTriangulation::places() const {
 }
 
 std::uint32_t PlaneTriangulation::insert(Vec2 place) {
-  return inside_->number(inside_->insert(point_at(place), inside_->vertices.back()->face()));
+  inside_->near = inside_->insert(point_at(place), inside_->near->face());
+  return inside_->number(inside_->near);
 }
 
 std::uint32_t PlaneTriangulation::add_line(std::uint32_t from, std::uint32_t to) {
   inside_->splits_in_vain = 0;
+  inside_->near = inside_->vertices[from];
   const std::vector<std::uint32_t> through = vertices_along(from, to);
   const auto vertex = [&](std::size_t k) { return inside_->vertices[through[k]]; };
   WithLines::Constraint_id line = inside_->start_line(vertex(0), vertex(1));
@@ -222,11 +230,11 @@ std::vector<std::uint32_t> PlaneTriangulation::vertices_along(std::uint32_t from
                                                               std::uint32_t to) const {
   const Vec2 begin = places()[from], along = places()[to] - begin;
   const Point a = point_at(begin), b = point_at(places()[to]);
-  const double near = rounding({&a, &b});
+  const double slack = rounding({&a, &b});
   std::vector<std::pair<double, std::uint32_t>> passed;
   for (const auto& triangle : triangles_along(begin, places()[to]))
     for (const std::uint32_t v : triangle)
-      if (passes(a, b, point_at(places()[v]), near))
+      if (passes(a, b, point_at(places()[v]), slack))
         passed.emplace_back(dot(places()[v] - begin, along), v);
   std::sort(passed.begin(), passed.end());
   passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
@@ -247,7 +255,7 @@ std::vector<Share> PlaneTriangulation::around(Vec2 place) const {
   WithLines::Locate_type type{};
   int i = 0;
   const Point p = point_at(place);
-  const auto f = inside_->locate(p, type, i, inside_->vertices.back()->face());
+  const auto f = inside_->locate(p, type, i, inside_->near->face());
   const auto at = [&](int k) { return place_of(f->vertex(k)->point()); };
   const auto number = [&](int k) { return f->vertex(k)->info().value; };
   switch (type) {
@@ -273,7 +281,8 @@ std::vector<std::array<std::uint32_t, 3>> PlaneTriangulation::triangles_along(Ve
   std::vector<std::array<std::uint32_t, 3>> found;
   // Those that a segment within the hull meets hang together.
   std::vector<WithLines::Face_handle> open{
-      inside_->finite(inside_->locate(begin, inside_->vertices.back()->face()))};
+      inside_->finite(inside_->locate(begin, inside_->near->face()))};
+  inside_->near = open.front()->vertex(0);
   const std::uint64_t search = ++inside_->searches;
   open.front()->info().search = search;
   while (!open.empty()) {

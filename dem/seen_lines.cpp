@@ -42,19 +42,25 @@ std::vector<SeenLine> seen_lines(const PlanArrangement& arrangement,
     for (const std::uint32_t point : l) ++links_at[point];
 
   std::vector<SeenLine> seen;
+  std::vector<bool> on_a_line(links.size(), false);
   for (std::uint32_t i = 0; i < arrangement.lines.size(); ++i) {
     const auto& line = arrangement.lines[i];
     bool runs_on = false;
     for (std::size_t j = 1; j < line.size(); ++j) {
       const Vec2 from = arrangement.points[line[j - 1]], to = arrangement.points[line[j]];
-      const bool is_seen =
-          std::binary_search(links.begin(), links.end(), link(line[j - 1], line[j]));
+      const Link step = link(line[j - 1], line[j]);
+      const auto place = std::lower_bound(links.begin(), links.end(), step);
+      const bool is_seen = place != links.end() && *place == step;
+      if (is_seen) on_a_line[static_cast<std::size_t>(place - links.begin())] = true;
       if (is_seen && !runs_on) seen.push_back({i, {from}});
       if (is_seen && runs_on && links_at[line[j - 1]] == 2) seen.back().points.pop_back();
       if (is_seen) seen.back().points.push_back(to);
       runs_on = is_seen;
     }
   }
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (!on_a_line[i])
+      seen.push_back({no_line, {arrangement.points[links[i][0]], arrangement.points[links[i][1]]}});
   return seen;
 }
 

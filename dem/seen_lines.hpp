@@ -10,9 +10,12 @@
 
 namespace orograph {
 
+/// An edge between faces that is on no line, where rounding led lines past each other.
+constexpr std::uint32_t no_line = 0xffffffff;
+
 /// A stretch of a line on whose two sides different triangles are the highest.
 struct SeenLine {
-  std::uint32_t of = 0; ///< the line, by number
+  std::uint32_t of = 0; ///< the line, by number; or no_line
   std::vector<Vec2> points;
 };
 

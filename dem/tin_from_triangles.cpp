@@ -69,6 +69,14 @@ Prepared prepare(const TriangleSoup& soup) {
   return prepared;
 }
 
+// Cutting multiplies coordinates, which mustn't overflow.
+void require_small_enough(const Tin& tin, const std::string& source) {
+  for (const Vec3& p : tin.vertices_m)
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > 1e100)
+      throw Error(fmt::format("{} has coordinates beyond 1e100, too large to repair", source),
+                  "coordinates are metres near the terrain");
+}
+
 // Gives the Tin its neighbours and its walls their direction. What doesn't fit, if anything.
 std::optional<Misfit> fit_together(Tin& tin) {
   Neighbours neighbours = find_neighbours(tin.triangles, tin.vertices_m.size());
@@ -128,6 +136,7 @@ TinFromTriangles tin_from_triangles(const TriangleSoup& soup, bool repair,
       throw Error(fmt::format("{} isn't a terrain, {} (counted from 0)", source, phrase(*misfit)),
                   "one height at each place; --repair keeps what is seen from above");
     }
+    require_small_enough(prepared.tin, source);
     UpperSurface upper = upper_surface(prepared.tin);
     note_repair(upper, prepared.notes);
     prepared.tin = std::move(upper.tin);

@@ -30,8 +30,10 @@ struct TinFromTriangles {
 /// and counted in a note.
 ///
 /// Throws Error where the triangles aren't a terrain (they overlap seen from above, an edge has
-/// three), unless `repair`: then they are reduced to their upper surface, and notes say what was
-/// dropped. `source` names the file in messages.
+/// three), unless `repair`: then they are reduced to their upper surface (dem/upper_surface.hpp),
+/// and notes say what was dropped and cut. Also where a coordinate isn't finite and where no
+/// triangle has an area. Messages number points and triangles as the soup does; `source` names the
+/// file in them.
 TinFromTriangles tin_from_triangles(const TriangleSoup& soup, bool repair,
                                     const std::string& source);
 

@@ -24,11 +24,12 @@ struct Segment {
 
 class Uncrossing {
 public:
-  Uncrossing(std::span<const std::vector<Vec2>> lines, double reach_m)
+  Uncrossing(std::span<const std::vector<Vec2>> lines, std::span<const Vec2> fixed, double reach_m)
       : reach_m_(reach_m), point_buckets_(lines, reach_m), buckets_(lines, reach_m) {
+    for (const Vec2 p : fixed) point(p);
     for (const auto& line : lines) {
       auto& numbers = lines_.emplace_back();
-      for (const Vec2 p : line) numbers.push_back(point(p));
+      for (const Vec2 p : line) numbers.push_back(point_near(p));
       for (std::size_t i = 1; i < numbers.size(); ++i) segment(numbers[i - 1], numbers[i]);
     }
     for (std::uint32_t next = 0; next < segments_.size(); ++next) uncross(next);
@@ -166,8 +167,9 @@ private:
 
 } // namespace
 
-UncrossedLines uncross(std::span<const std::vector<Vec2>> lines, double reach_m) {
-  return Uncrossing(lines, reach_m).result();
+UncrossedLines uncross(std::span<const std::vector<Vec2>> lines, std::span<const Vec2> fixed,
+                       double reach_m) {
+  return Uncrossing(lines, fixed, reach_m).result();
 }
 
 } // namespace orograph

@@ -20,13 +20,16 @@ struct UncrossedLines {
 
 /// A step that runs within `reach_m` of a point is led through it, and where two steps cross each
 /// other's insides both are led through a point there: one that is there already within reach, or
-/// else the crossing, rounded. So lines that are nearly on one another become one. Steps that are
-/// left may touch others or run along them, but none crosses another, exactly. A step not much
-/// longer than the reach is left out where nothing else helps; its line has a gap there.
+/// else the crossing, rounded. `fixed` points are there from the beginning, each in its place; the
+/// lines' points are led to ones within reach like crossings. So lines that are nearly on one
+/// another become one. Steps that are left may touch others or run along them, but none crosses
+/// another, exactly. A step not much longer than the reach is left out where nothing else helps;
+/// its line has a gap there.
 ///
 /// Always comes to an end: what a step is replaced by is shorter than it, and new points keep
 /// `reach_m` apart. REQUIRES finite coordinates, and a reach of some ten times the rounding of
 /// the largest.
-UncrossedLines uncross(std::span<const std::vector<Vec2>> lines, double reach_m);
+UncrossedLines uncross(std::span<const std::vector<Vec2>> lines, std::span<const Vec2> fixed,
+                       double reach_m);
 
 } // namespace orograph

@@ -159,6 +159,19 @@ TEST_CASE("coordinates that aren't numbers, and nothing with an area, are refuse
   CHECK(what_is_wrong({}) == "hill.off has no triangle with an area: a TIN has at least one");
 }
 
+TEST_CASE("coordinates of any size that aren't repaired are fine") {
+  for (const double size : {1e-300, 1e150, 1e300}) {
+    TriangleSoup soup{{{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {size, size, 0}}, {{0, 1, 2}}};
+    CHECK(what_is_wrong(soup) == "nothing");
+    soup.triangles.push_back({0, 1, 3});
+    const bool small = size < 1;
+    CHECK(what_is_wrong(soup, true) ==
+          (small ? "nothing"
+                 : "hill.off has coordinates beyond 1e100, too large to repair: coordinates are "
+                   "metres near the terrain"));
+  }
+}
+
 TEST_CASE("walls take the direction that reaches them through other walls") {
   // Steps: level, up, level, up again in two courses, level; everything turned at random.
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {

@@ -32,7 +32,7 @@ double distance_m(Vec2 p, Vec2 a, Vec2 b) {
 
 TEST_CASE("lines are bent so that they cross at their points only") {
   const double reach = 0x1p-40;
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const int kind = random.whole(0, 3);
@@ -50,7 +50,9 @@ TEST_CASE("lines are bent so that they cross at their points only") {
       auto& line = lines.emplace_back();
       for (int k = random.whole(2, 4); k > 0; --k) line.push_back(place());
     }
-    const UncrossedLines found = uncross(lines, reach);
+    std::vector<Vec2> fixed;
+    for (const auto& line : lines) fixed.insert(fixed.end(), line.begin(), line.end());
+    const UncrossedLines found = uncross(lines, fixed, reach);
 
     REQUIRE(found.lines.size() == lines.size());
     std::set<Step> steps;

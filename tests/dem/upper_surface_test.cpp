@@ -144,7 +144,7 @@ TriangleSoup block(Random& random, int columns, int rows) {
 
 TEST_CASE("sheets in a pile: what is highest is left") {
   Tried tried;
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 250; ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     TriangleSoup soup = sheet(random);
@@ -159,14 +159,14 @@ TEST_CASE("sheets in a pile: what is highest is left") {
     if (soup.triangles.empty()) continue;
     check_surface(random, soup, repaired(soup), tried);
   }
-  CHECK(tried.land > 10000);
-  CHECK(tried.sea > 2000);
-  CHECK(tried.layered > 5000);
+  CHECK(tried.land > 6000);
+  CHECK(tried.sea > 1000);
+  CHECK(tried.layered > 3000);
 }
 
 TEST_CASE("triangles thrown together at random") {
   Tried tried;
-  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 800; ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     TriangleSoup soup;
@@ -188,7 +188,29 @@ TEST_CASE("triangles thrown together at random") {
     } catch (const Error&) { // nothing of area
     }
   }
-  CHECK(tried.layered > 10000);
+  CHECK(tried.layered > 3000);
+}
+
+TEST_CASE("heaps on a small lattice, where much is level and much coincides") {
+  Tried tried;
+  std::vector<std::uint64_t> seeds{597}; // in which a point comes out twice, an ulp apart
+  for (std::uint64_t seed = 25; seed <= 45; ++seed) seeds.push_back(seed);
+  for (const std::uint64_t seed : seeds) {
+    Random random(seed);
+    INFO("seed " << seed);
+    TriangleSoup soup;
+    for (int i = random.whole(15, 40); i > 0; --i)
+      soup.points_m.push_back(
+          {double(random.whole(0, 4)), double(random.whole(0, 4)), double(random.whole(0, 4))});
+    const int last = static_cast<int>(soup.points_m.size()) - 1;
+    for (int i = random.whole(15, 60); i > 0; --i) {
+      std::array<std::uint32_t, 3> t;
+      for (auto& v : t) v = static_cast<std::uint32_t>(random.whole(0, last));
+      soup.triangles.push_back(t);
+    }
+    check_surface(random, soup, repaired(soup), tried, 1e-8);
+  }
+  CHECK(tried.layered > 1000);
 }
 
 TEST_CASE("of a closed block the top is left as it was, and neither base nor walls") {
@@ -271,7 +293,19 @@ TEST_CASE("what overlaps nothing stays bit for bit, walls in it too") {
 }
 
 TEST_CASE("no cracks open beside a triangle that was cut") {
-  // A roof's corner over one triangle of a pair cuts the other's edge too.
+  // Borders run round the whole and round the roof, below it and above it; nowhere else.
+  const auto border_m = [](const Tin& tin) {
+    double sum = 0;
+    for (std::size_t t = 0; t < tin.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (tin.neighbours[t][k] != kNoTriangle) continue;
+        const Vec3 a = tin.vertices_m[tin.triangles[t][(k + 1) % 3]],
+                   b = tin.vertices_m[tin.triangles[t][(k + 2) % 3]];
+        sum += std::hypot(a.x - b.x, a.y - b.y);
+      }
+    return sum;
+  };
+  const double outline = 30 + 2 * std::hypot(10, 5);
   TriangleSoup soup{{{0, 0, 0},
                      {10, 0, 1},
                      {10, 10, 3},
@@ -281,19 +315,24 @@ TEST_CASE("no cracks open beside a triangle that was cut") {
                      {7, 3, 9},
                      {6, 5.5, 9}},
                     {{0, 1, 2}, {0, 2, 3}, {1, 4, 2}, {5, 6, 7}}};
+  // Over two of the triangles.
+  double roof = std::hypot(4, 1) + std::hypot(1, 2.5) + std::hypot(3, 1.5);
+  CHECK(border_m(repaired(soup)) == Approx(outline + 2 * roof).epsilon(1e-12));
+  // Over one of them, with a corner on the edge to the other, which is cut too.
+  soup.points_m[5] = {5, 5, 9};
+  soup.points_m[6] = {7, 2, 9};
+  soup.points_m[7] = {8, 4, 9};
+  roof = std::hypot(2, 3) + std::hypot(1, 2) + std::hypot(3, 1);
+  CHECK(border_m(repaired(soup)) == Approx(outline + 2 * roof).epsilon(1e-12));
+}
+
+TEST_CASE("what is below leaves no points in what is above") {
+  const TriangleSoup soup{
+      {{0, 0, 9}, {10, 0, 9}, {10, 10, 9}, {0, 10, 9}, {-5, 4, 0}, {15, 4.5, 0}, {5, 20, 0}},
+      {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}}};
   const Tin tin = repaired(soup);
-  // Borders run round the whole and round the roof, below it and above it; nowhere else.
-  double border_m = 0;
-  for (std::size_t t = 0; t < tin.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (tin.neighbours[t][k] != kNoTriangle) continue;
-      const Vec3 a = tin.vertices_m[tin.triangles[t][(k + 1) % 3]],
-                 b = tin.vertices_m[tin.triangles[t][(k + 2) % 3]];
-      border_m += std::hypot(a.x - b.x, a.y - b.y);
-    }
-  const double outline = 30 + 2 * std::hypot(10, 5);
-  const double roof = std::hypot(4, 1) + std::hypot(1, 2.5) + std::hypot(3, 1.5);
-  CHECK(border_m == Approx(outline + 2 * roof).epsilon(1e-12));
+  for (const Vec3& p : tin.vertices_m)
+    CHECK_FALSE((p.x > 0.01 && p.x < 9.99 && p.y > 0.01 && p.y < 9.99));
 }
 
 TEST_CASE("a fin on an edge is dropped, and nothing else") {

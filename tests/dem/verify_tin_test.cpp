@@ -178,36 +178,34 @@ TEST_CASE("a few triangles on a small lattice, in every position") {
   CHECK(seen[Kind::edge_runs_twice] > 100);
 }
 
-TEST_CASE("a sheet that hangs in another one by walls overlaps it") {
-  // A square; above its middle a smaller one, joined to nothing below, walled round.
-  Tin tin = tin_of({{0, 0, 0},
-                    {9, 0, 0},
-                    {9, 9, 0},
-                    {0, 9, 0},
-                    {3, 3, 5},
-                    {6, 3, 5},
-                    {6, 6, 5},
-                    {3, 6, 5},
-                    {3, 3, 1},
-                    {6, 3, 1},
-                    {6, 6, 1},
-                    {3, 6, 1}},
-                   {{0, 1, 2},
-                    {0, 2, 3},
-                    {4, 5, 6},
-                    {4, 6, 7},
-                    {8, 9, 5},
-                    {8, 5, 4},
-                    {9, 10, 6},
-                    {9, 6, 5},
-                    {10, 11, 7},
-                    {10, 7, 6},
-                    {11, 8, 4},
-                    {11, 4, 7}});
+TEST_CASE("a sheet over the midst of another one, with walls all round it, overlaps it") {
+  // No triangle that is part of the overlap has a free edge.
+  Random random(1);
+  MadeTin wanted;
+  wanted.moved = 0;
+  wanted.high_m = 0;
+  Tin tin = made_tin(random, wanted);
+  const auto first = static_cast<std::uint32_t>(tin.vertices_m.size());
+  for (const double height : {5.0, 1.0})
+    for (const Vec2 p : {Vec2{23, 23}, Vec2{27, 23}, Vec2{27, 27}, Vec2{23, 27}})
+      tin.vertices_m.push_back({p.x, p.y, height});
+  for (std::array<std::uint32_t, 3> t : {std::array{0U, 1U, 2U},
+                                         {0, 2, 3},
+                                         {4, 5, 1},
+                                         {4, 1, 0},
+                                         {5, 6, 2},
+                                         {5, 2, 1},
+                                         {6, 7, 3},
+                                         {6, 3, 2},
+                                         {7, 4, 0},
+                                         {7, 0, 3}}) {
+    for (std::uint32_t& v : t) v += first;
+    tin.triangles.push_back(t);
+  }
+  tin.neighbours = neighbours_by_sorting(tin.triangles);
   REQUIRE(verify(tin));
   CHECK(verify(tin)->kind == Kind::overlap);
-  CHECK(verify(tin)->what == "triangles 0 and 2 overlap seen from above");
-  for (int v = 4; v < 12; ++v) tin.vertices_m[static_cast<std::size_t>(v)].x += 20; // beside it
+  for (std::uint32_t v = first; v < first + 8; ++v) tin.vertices_m[v].x += 40; // beside it
   CHECK_FALSE(verify(tin));
 }
 
