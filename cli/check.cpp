@@ -7,6 +7,11 @@
 #include <cmath>
 
 namespace orograph {
+namespace {
+
+constexpr double kSlit = 1e-12; // share of a segment
+
+} // namespace
 
 Check::Check(const Surface& surface, const View& view, const TieTolerance& tolerance)
     : view_(view), judge_(surface, view, tolerance) {}
@@ -48,6 +53,8 @@ void Check::ask(const Profile& profile, const std::vector<Segment>& segments,
       t = share();
     } else {
       const Piece& piece = visible[below(visible.size())];
+      // Where two occluders meet, rounding may leave a slit between them.
+      if (piece.t_end - piece.t_begin <= kSlit) continue;
       number = piece.segment;
       t = near_end(piece.t_begin, piece.t_end);
     }

@@ -28,8 +28,14 @@ constexpr double kSilhouetteWeight = 1.6, kSkylineWeight = 2, kShoreWeight = 1.2
 constexpr double kBorderWeight = 0.8, kBorderGrey = 0.45;
 constexpr double kEdgeWeight = 0.6, kEdgeGrey = 0.45;
 
-// In X: far above rounding, and no distance on a page.
-constexpr double kBesideWall = 1e-12;
+// What is that close in X to a profile's way along a wall counts as being at it.
+double beside_walls(const std::vector<Segment>& uprights, const View& view, double depth_m,
+                    double rounding_m) {
+  if (!view.is_perspective()) return rounding_m;
+  double greatest_x = 0;
+  for (const Segment& s : uprights) greatest_x = std::max(greatest_x, std::abs(s.x0));
+  return rounding_m * (1 + greatest_x) / depth_m;
+}
 
 // Adds the time since the last mark to a stage.
 class Stopwatch {
@@ -146,7 +152,8 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     project_profile(profile, static_cast<std::uint32_t>(i), view, segments, uprights);
     if (instruments.single_precision) round_to_float(segments);
     watch.mark(seconds.project);
-    const std::vector<Piece> on_walls = visible_uprights(uprights, horizon, kBesideWall);
+    const std::vector<Piece> on_walls = visible_uprights(
+        uprights, horizon, beside_walls(uprights, view, scene.depths_m[i], lines.rounding_m()));
     clip(segments, horizon, clip_options, workspace);
     if (!uprights.empty()) insert_uprights(uprights, on_walls, segments, workspace.visible);
     watch.mark(seconds.clip);

@@ -29,6 +29,13 @@ Verdict Judge::verdict(ProfilePoint at, bool on_edge) const {
 Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool drawn) const {
   const Verdict right = drawn ? Verdict::visible : Verdict::hidden;
   const ProfilePoint at = point_between(line.from, line.to, t);
+  if (line.from.u == line.to.u && line.from.v == line.to.v) {
+    // A vertical line that is seen from above has no picture.
+    const Vec2 place = project(view_, at);
+    const double rise = std::abs(project(view_, {at.u, at.v, line.to.z}).y -
+                                 project(view_, {at.u, at.v, line.from.z}).y);
+    if (rise <= tolerance_.at(place.x, place.y)) return Verdict::tied;
+  }
   const Verdict found = verdict(at, on_edge);
   if (found == right || found == Verdict::tied) return found;
   constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
@@ -39,10 +46,18 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
       kRounding * (std::abs(ground.x) + std::abs(ground.y) + std::abs(view_.depth_origin_m.x) +
                    std::abs(view_.depth_origin_m.y) + length);
   if (length <= rounding_m) return Verdict::tied;
-  for (const double way_m : {-rounding_m, rounding_m}) {
-    const double aside = std::clamp(t + way_m / length, 0.0, 1.0);
-    if (verdict(point_between(line.from, line.to, aside), on_edge) != found ||
-        verdict({at.u + way_m, at.v, at.z}, on_edge) != found)
+  // Across the ray as far as it takes for it to miss what stands nearer to the eye.
+  const InFront front = walk_.in_front(at);
+  const bool perspective = view_.is_perspective();
+  const double farther = perspective && front.at_depth_m > 0 ? at.v / front.at_depth_m : 1;
+  const double by_m = farther * std::max(rounding_m, 16 * front.rounding_m);
+  const double away_m = std::hypot(at.u, at.v);
+  for (const double way_m : {-by_m, by_m}) {
+    const double along = std::clamp(t + way_m / length, 0.0, 1.0);
+    ProfilePoint aside{at.u + way_m, at.v, at.z};
+    if (perspective) aside = {at.u + way_m * at.v / away_m, at.v - way_m * at.u / away_m, at.z};
+    if (verdict(point_between(line.from, line.to, along), on_edge) != found ||
+        verdict(aside, on_edge) != found)
       return Verdict::tied;
   }
   return found;

@@ -22,7 +22,7 @@ double nearness(const View& view, ProfilePoint p) {
 }
 
 // Of coordinates in the profile frame: sums of products of lengths up to this.
-double rounding_m(const Surface& surface, const View& view) {
+double position_rounding_m(const Surface& surface, const View& view) {
   const double reach = reach_m(surface);
   return 16 * std::numeric_limits<double>::epsilon() * (reach + length(view.depth_origin_m));
 }
@@ -47,12 +47,13 @@ void join(std::vector<LinePart>& parts) {
 LineSweep::LineSweep(const Surface& surface, const View& view, std::vector<SweptLine> lines,
                      double from_m, const TieTolerance& tolerance)
     : view_(view), lines_(std::move(lines)), from_m_(from_m), tolerance_(tolerance),
-      rounding_m_(rounding_m(surface, view)), slabs_(
-                                                  static_cast<std::uint32_t>(lines_.size()),
-                                                  [&surface, &view, this](std::uint32_t i) {
-                                                    return line_of(surface, view, lines_[i].edge);
-                                                  },
-                                                  from_m) {}
+      rounding_m_(position_rounding_m(surface, view)),
+      slabs_(
+          static_cast<std::uint32_t>(lines_.size()),
+          [&surface, &view, this](std::uint32_t i) {
+            return line_of(surface, view, lines_[i].edge);
+          },
+          from_m) {}
 
 LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLine& whole) const {
   double t0 = 0, t1 = 1;
@@ -102,7 +103,10 @@ void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspac
                      project(view_, piece.end).x,
                      lines_[piece.line].hides,
                      lines_[piece.line].drawn,
-                     p.beside};
+                     p.beside,
+                     rounding_m_ / 4, // which is generous: what is farther apart is told apart
+                     view_.is_perspective(),
+                     lines_[piece.line].covers};
     if (line.upright()) {
       // Shares of the way along the picture, from shares of the way along the edge.
       const auto share = [&](ProfilePoint at) {

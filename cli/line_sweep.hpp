@@ -20,6 +20,7 @@ struct SweptLine {
   LineKind kind;
   bool hides; ///< is an occluder
   bool drawn;
+  bool covers; ///< ground in front of it ends there, above what else is at its place
 };
 
 /// A visible part of a line; along its edge, 0 at `edge.from` and 1 at `edge.to`.
@@ -49,6 +50,8 @@ public:
   /// REQUIRES `finish`.
   std::vector<LinePart> skyline(const Horizon& horizon) const;
 
+  /// Bound on the rounding of u and v.
+  double rounding_m() const { return rounding_m_; }
   const SweptLine& line(std::uint32_t i) const { return lines_[i]; }
   std::size_t size() const { return lines_.size(); }
   ProfileLine whole(std::uint32_t i) const { return slabs_.line(i); }

@@ -26,16 +26,20 @@ std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
     std::vector<SurfaceEdge> news;
     std::set_difference(edges.begin(), edges.end(), drawn.begin(), drawn.end(),
                         std::back_inserter(news));
-    for (const SurfaceEdge& edge : news) lines.push_back({edge, kind, false, true});
+    for (const SurfaceEdge& edge : news) lines.push_back({edge, kind, false, true, false});
     const auto middle = static_cast<std::ptrdiff_t>(drawn.size());
     drawn.insert(drawn.end(), news.begin(), news.end());
     std::inplace_merge(drawn.begin(), drawn.begin() + middle, drawn.end());
   };
   const std::vector<SurfaceEdge> behind_walls = edges_behind_walls(terrain.surface, scene.view);
+  const std::vector<SurfaceEdge> all_brinks = brinks(terrain.surface, scene.border, scene.view);
+  std::vector<SurfaceEdge> hiding;
   const auto add_hiding = [&](SurfaceEdge edge, LineKind kind, bool is_drawn) {
     if (is_drawn && std::binary_search(behind_walls.begin(), behind_walls.end(), edge))
       is_drawn = false;
-    lines.push_back({edge, kind, surface, is_drawn});
+    lines.push_back({edge, kind, surface, is_drawn,
+                     std::binary_search(all_brinks.begin(), all_brinks.end(), edge)});
+    hiding.push_back(edge);
     if (is_drawn) drawn.push_back(edge);
   };
   drawn = behind_walls; // not to be drawn at all
@@ -44,6 +48,15 @@ std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
       add_hiding(edge, LineKind::silhouette, silhouettes);
   if (surface || border)
     for (const BorderEdge& edge : scene.border) add_hiding(edge.edge, LineKind::border, border);
+  // The foot of a wall that the eye sees hides nothing, but what may hang there beneath it.
+  if (surface) {
+    std::vector<SurfaceEdge> feet;
+    std::sort(hiding.begin(), hiding.end());
+    std::set_difference(all_brinks.begin(), all_brinks.end(), hiding.begin(), hiding.end(),
+                        std::back_inserter(feet));
+    for (const SurfaceEdge& edge : feet)
+      lines.push_back({edge, LineKind::silhouette, true, false, true});
+  }
   std::sort(drawn.begin(), drawn.end());
   if (asks_for(settings, "shores")) add_drawn(scene.level.shores, LineKind::shore);
   if (asks_for(settings, "edges")) add_drawn(edges_of(terrain.surface), LineKind::edge);

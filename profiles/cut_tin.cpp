@@ -24,6 +24,7 @@ struct CutVertex {
 struct Run {
   std::size_t begin, end;
   double u_first, u_last;
+  bool along; ///< a border edge in the plane, with nothing in front of it
 };
 
 struct Walk {
@@ -116,6 +117,23 @@ struct Walk {
   }
 };
 
+// Takes away border edges in the plane that lie where there is ground in front of it as well: a
+// wall is missing between the two.
+void keep_ground_in_front(std::vector<Run>& runs) {
+  std::vector<Run> through;
+  for (const Run& run : runs)
+    if (!run.along) through.push_back(run);
+  std::sort(through.begin(), through.end(),
+            [](const Run& a, const Run& b) { return a.u_last < b.u_last; });
+  std::erase_if(runs, [&](const Run& run) {
+    if (!run.along) return false;
+    const auto next = std::partition_point(through.begin(), through.end(), [&](const Run& other) {
+      return other.u_last <= run.u_first;
+    });
+    return next != through.end() && next->u_first < run.u_last;
+  });
+}
+
 // The runs of `from`, in order and joined where one ends at the vertex at which the next begins.
 void put_in_order(const Profile& from, std::vector<Run>& runs, Profile& out) {
   std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
@@ -153,7 +171,7 @@ TinCutter::TinCutter(const Tin& tin, const View& view, const TriangleSet& level)
     turned_walls_ = TriangleSet(tin.triangles.size());
     const std::vector<std::uint8_t> facing = facing_of_triangles(tin, view);
     for (std::size_t t = 0; t < facing.size(); ++t)
-      if (walls_.has(t) && facing[t] == kMayTurn) turned_walls_.add(t);
+      if (walls_.has(t) && (facing[t] & kMayTurn)) turned_walls_.add(t); // edge-on, too
   }
 
   // Border edges into buckets of depth: as many as there are rows in a large grid, and no more than
@@ -200,16 +218,20 @@ void TinCutter::cut(double depth_m, Profile& out) const {
   for (std::size_t i = bucket_begin_[bucket]; i < bucket_begin_[bucket + 1]; ++i) {
     const auto& [t, k] = sides_[i];
     const std::size_t begin = found.size();
+    bool along = false;
     const auto corner = [&](std::size_t n) { return walk.vertex(tin_.triangles[t][(k + n) % 3]); };
     const CutVertex from = corner(1), to = corner(2);
     if (walk.is_far(from) && !walk.is_far(to))
       walk.run(t, k);
     else if (from.at.v == depth_m && to.at.v == depth_m &&
-             walk.is_far(corner(0)) == walk.is_far(from))
+             walk.is_far(corner(0)) == walk.is_far(from)) {
       walk.run_along(t, k);
+      along = true;
+    }
     if (found.size() > begin + 1)
-      runs.push_back({begin, found.size(), found.u_m[begin], found.u_m.back()});
+      runs.push_back({begin, found.size(), found.u_m[begin], found.u_m.back(), along});
   }
+  keep_ground_in_front(runs);
   put_in_order(found, runs, out);
 }
 

@@ -105,7 +105,7 @@ public:
 private:
   // A missing height makes both comparisons false.
   static std::uint8_t bits(double sign, double bound) {
-    return static_cast<std::uint8_t>((sign > -bound ? kMayFace : 0) |
+    return static_cast<std::uint8_t>((sign >= -bound ? kMayFace : 0) |
                                      (sign <= bound ? kMayTurn : 0));
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/surface_edges.hpp"
 
+#include "profiles/slab_lines.hpp"
 #include "profiles/tin_edges.hpp"
 
 #include <algorithm>
@@ -48,6 +49,31 @@ std::vector<SurfaceEdge> edges_of(const Tin& tin) {
 
 std::vector<SurfaceEdge> edges_of(const Surface& surface) {
   return std::visit([](const auto& s) { return edges_of(s); }, surface);
+}
+
+std::vector<SurfaceEdge> brinks(const Surface& surface, const std::vector<BorderEdge>& border,
+                                const View& view) {
+  const Tin* tin = std::get_if<Tin>(&surface);
+  const TriangleSet walls = tin ? walls_of(*tin) : TriangleSet();
+  const auto is_ground_in_front = [&](SurfaceEdge edge, bool on_left) {
+    const auto [from, to] = line_of(surface, view, edge);
+    const double eye_on_left =
+        view.is_perspective() ? from.u * to.v - to.u * from.v : from.u - to.u;
+    return on_left ? eye_on_left > 0 : eye_on_left < 0;
+  };
+  std::vector<SurfaceEdge> edges;
+  if (walls.empty()) {
+    for (const auto& [edge, left] : border)
+      if (is_ground_in_front(edge, left)) edges.push_back(edge);
+    return edges;
+  }
+  const auto is_ground = [&](std::uint32_t t) { return t != kNoTriangle && !walls.has(t); };
+  for_each_edge(*tin, [&](const TinEdge& e) {
+    if (is_ground(e.left) != is_ground(e.right) && is_ground_in_front(e.edge, is_ground(e.left)))
+      edges.push_back(e.edge);
+  });
+  std::sort(edges.begin(), edges.end());
+  return edges;
 }
 
 std::vector<SurfaceEdge> edges_behind_walls(const Surface& surface, const View& view) {

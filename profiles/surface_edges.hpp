@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/surface.hpp"
+#include "profiles/outline.hpp"
 #include "profiles/surface_edge.hpp"
 #include "view/view.hpp"
 
@@ -14,6 +15,11 @@ namespace orograph {
 std::vector<SurfaceEdge> edges_of(const Grid& grid);
 std::vector<SurfaceEdge> edges_of(const Tin& tin);
 std::vector<SurfaceEdge> edges_of(const Surface& surface);
+
+/// The edges on whose nearer side there is ground, and on whose farther side there is a wall or
+/// nothing: what else stands at their place on the ground is behind them. In order.
+std::vector<SurfaceEdge> brinks(const Surface& surface, const std::vector<BorderEdge>& border,
+                                const View& view);
 
 /// The edges that a wall turned away from the eye hides by itself (profiles/tin_edges.hpp); a grid
 /// has none.

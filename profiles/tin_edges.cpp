@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -23,6 +25,40 @@ bool is_top_of(const Tin& tin, std::uint32_t wall, SurfaceEdge edge) {
   const Vec2 along{b.x - a.x, b.y - a.y}, to_apex{apex.x - a.x, apex.y - a.y};
   const double square = dot(along, along);
   return square > 0 && apex.z < a.z + dot(to_apex, along) / square * (b.z - a.z);
+}
+
+using Place = std::pair<double, double>;
+
+// At the places of walls' vertices: how high the ground is that lies towards the eye, or along the
+// way to it.
+std::map<Place, double> ground_in_front(const Tin& tin, const TriangleSet& walls,
+                                        const View& view) {
+  std::map<Place, double> heights;
+  const auto place = [&](std::uint32_t vertex) {
+    return Place{tin.vertices_m[vertex].x, tin.vertices_m[vertex].y};
+  };
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t)
+    if (walls.has(t))
+      for (const std::uint32_t vertex : tin.triangles[t]) heights.emplace(place(vertex), kNone);
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+    if (walls.has(t)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto height = heights.find(place(tin.triangles[t][k]));
+      if (height == heights.end()) continue;
+      const auto at = [&](std::size_t i) {
+        return to_profile_frame(view, tin.vertices_m[tin.triangles[t][(k + i) % 3]]);
+      };
+      const ProfilePoint p = at(0), next = at(1), last = at(2);
+      const Vec2 to_eye = view.is_perspective() ? Vec2{-p.u, -p.v} : Vec2{0, -1};
+      const Vec2 to_next{next.u - p.u, next.v - p.v}, to_last{last.u - p.u, last.v - p.v};
+      constexpr double kRounding = 1e-12;
+      if (cross(to_next, to_eye) >= -kRounding * length(to_next) * length(to_eye) &&
+          cross(to_eye, to_last) >= -kRounding * length(to_last) * length(to_eye))
+        height->second = std::max(height->second, tin.vertices_m[tin.triangles[t][k]].z);
+    }
+  }
+  return heights;
 }
 
 } // namespace
@@ -56,21 +92,19 @@ std::vector<SurfaceEdge> edges_behind_walls(const Tin& tin, const View& view) {
   const TriangleSet walls = walls_of(tin);
   if (walls.empty()) return edges;
   const std::vector<std::uint8_t> facing = facing_of_triangles(tin, view);
+  const std::map<Place, double> heights_in_front = ground_in_front(tin, walls, view);
   for_each_edge(tin, [&](const TinEdge& e) {
-    for (const auto& [wall, beyond] : {std::pair{e.left, e.right}, {e.right, e.left}}) {
-      if (wall == kNoTriangle || !walls.has(wall) || facing[wall] != kMayTurn) continue;
-      const Vec3 a = tin.vertices_m[e.edge.from], b = tin.vertices_m[e.edge.to];
-      if (a.x == b.x && a.y == b.y) {
-        // The corner of a building shows between a wall that is seen and one that isn't.
-        const auto at = [&](std::uint32_t i) { return to_profile_frame(view, tin.vertices_m[i]); };
-        if (beyond == kNoTriangle ||
-            ((facing[beyond] & kMayFace) &&
-             may_be_ridge(at(e.edge.from), at(e.edge.to), at(apex_of(tin, e.left, e.edge)),
-                          at(apex_of(tin, e.right, e.edge)))))
-          continue;
-      } else if (is_top_of(tin, wall, e.edge)) {
+    const Vec3 a = tin.vertices_m[e.edge.from], b = tin.vertices_m[e.edge.to];
+    if (a.x == b.x && a.y == b.y) {
+      const auto ground = heights_in_front.find({a.x, a.y});
+      if (ground != heights_in_front.end() && ground->second >= std::max(a.z, b.z))
+        edges.push_back(e.edge);
+      return;
+    }
+    for (const std::uint32_t wall : {e.left, e.right}) {
+      if (wall == kNoTriangle || !walls.has(wall) || facing[wall] != kMayTurn ||
+          is_top_of(tin, wall, e.edge))
         continue;
-      }
       edges.push_back(e.edge);
       return;
     }

@@ -50,9 +50,9 @@ std::vector<std::uint8_t> facing_of_triangles(const Tin& tin, const View& view);
 /// Vertical triangles: no area seen from above, to rounding. Empty where there are none.
 TriangleSet walls_of(const Tin& tin);
 
-/// The edges that a wall turned away from the eye hides by itself: its foot, and all below its top.
-/// They lie where its top does, seen from above, so depth doesn't tell that they are behind it.
-/// In order.
+/// The edges that a wall turned away from the eye hides by itself: its foot, and all below its top;
+/// and vertical edges under ground that lies towards the eye. They lie where the top does, seen
+/// from above, so depth doesn't tell that they are behind it. In order.
 std::vector<SurfaceEdge> edges_behind_walls(const Tin& tin, const View& view);
 
 } // namespace orograph

@@ -5,6 +5,7 @@
 #include "horizon/compare.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace orograph {
@@ -30,6 +31,15 @@ Stretch intersection(Stretch a, Stretch b) {
 double nearness_at(const SurfaceLine& line, double x) {
   const Segment nearness{line.source.x0, line.nearness0, line.source.x1, line.nearness1, 0};
   return height_at(nearness, x);
+}
+
+// Of nearness at an X: a line that runs aslant is as far off as its X.
+double nearness_rounding_at(const SurfaceLine& line, double x) {
+  const double slope =
+      std::abs(line.nearness1 - line.nearness0) / (line.source.x1 - line.source.x0);
+  if (!line.perspective) return line.rounding_m * (1 + slope);
+  const double nearness = nearness_at(line, x);
+  return line.rounding_m * nearness * (nearness + (1 + std::abs(x)) * slope);
 }
 
 // The first piece that reaches to or beyond x.
@@ -121,9 +131,14 @@ void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t 
   }
   const double low = std::max(f.begin, b.begin), high = std::min(f.end, b.end);
   if (!(low < high)) return;
-  Stretch stretch = positive(nearness_at(f, low) - nearness_at(b, low),
-                             nearness_at(f, high) - nearness_at(b, high));
-  const bool one_line = f.drawn && tolerance.mm > 0 &&
+  const double nearer_low = nearness_at(f, low) - nearness_at(b, low),
+               nearer_high = nearness_at(f, high) - nearness_at(b, high);
+  const bool one_place =
+      std::abs(nearer_low) <= nearness_rounding_at(f, low) + nearness_rounding_at(b, low) &&
+      std::abs(nearer_high) <= nearness_rounding_at(f, high) + nearness_rounding_at(b, high);
+  if (one_place && !f.covers) return;
+  Stretch stretch = one_place ? Stretch{0, 1} : positive(nearer_low, nearer_high);
+  const bool one_line = !one_place && f.drawn && tolerance.mm > 0 &&
                         compare(b.source, f.source, tolerance).kind == Standing::Kind::tied;
   if (!one_line)
     stretch = intersection(stretch, positive(height_difference(f.source, b.source, low),

@@ -26,6 +26,12 @@ struct SurfaceLine {
   bool hides;                  ///< is an occluder
   bool drawn;                  ///< asked about, and drawn where visible
   double beside = 0;
+  /// Bound on the rounding of positions on the ground (0: they are exact). Lines that are no
+  /// farther apart in nearness are at one place on the ground; there a line hides what is below it
+  /// just if it `covers`: if the ground that ends at it is in front of it.
+  double rounding_m = 0;
+  bool perspective = false; ///< how nearness is reckoned
+  bool covers = false;
 
   bool upright() const { return source.x0 == source.x1; }
 };

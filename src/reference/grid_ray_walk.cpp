@@ -148,6 +148,7 @@ InFront GridRayWalk::in_front(ProfilePoint p) const {
         if (view_.is_perspective() && begin_m < p.v)
           if (const auto surface_m = height_at(grid_, ground - (p.v - begin_m) * per_m))
             walk.meet(*surface_m, begin_m);
+        walk.found.rounding_m = rounding_m;
         walk.found.rounding += walk.rounding_of_y(walk.y_of(p.z, p.v), p.v);
         return walk.found;
       },

@@ -44,12 +44,17 @@ public:
     if (nearest_.w < begin_m_ && farthest_.w > begin_m_) meet(on_section(begin_m_));
     if (nearest_.w < p_.v - rounding_m_ && farthest_.w >= p_.v - rounding_m_) {
       const Met above = on_section(p_.v);
-      if (y_of(above.z, p_.v) > own_y_ + 2 * rounding_of_y(above)) take(above);
+      const double y = y_of(above.z, p_.v);
+      if (y > own_y_ + 2 * rounding_of_y(above)) {
+        take(above);
+        found_.greatest_y_apart = std::max(found_.greatest_y_apart, y);
+      }
     }
   }
 
   InFront found() const {
     InFront out = found_;
+    out.rounding_m = rounding_m_;
     // Both what may be in front and what certainly is.
     if (greatest_upper_ > -kInfinity)
       out.rounding =

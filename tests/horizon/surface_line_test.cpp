@@ -231,6 +231,38 @@ TEST_CASE("several silhouettes meet in a vertex: each is hidden by what is neare
   }
 }
 
+TEST_CASE(
+    "at one place on the ground a line hides what is below it just if ground in front ends there") {
+  // The top and the foot of a wall. Reckoned along edges of their own, they are by turns a rounding
+  // nearer than each other.
+  SurfaceLine top = line_from({0, 3, 4, 3, 1}, 0.5, 0.25);
+  SurfaceLine foot = line_from({-1, 1, 5, 1, 2}, 0.5625 + 1e-16, 0.1875 - 1e-16);
+  foot.hides = false;
+  SlabHorizon slab;
+  for (const double rounding_m : {0.0, 1e-12})
+    for (const bool covers : {false, true}) {
+      CAPTURE(rounding_m, covers);
+      top.covers = covers;
+      top.rounding_m = foot.rounding_m = rounding_m;
+      std::vector<SurfaceLine> lines{top, foot};
+      double seen = 0;
+      for (const VisibleLinePart& part : slab.visible_parts(lines, initial_horizon()))
+        if (part.line == 1) seen += part.t_end - part.t_begin;
+      if (rounding_m > 0) CHECK(std::abs(seen - (covers ? 1 / 3.0 : 1)) <= 1e-12);
+    }
+  // Farther apart than rounding, what is nearer hides and what is farther doesn't.
+  for (const double apart : {1e-9, -1e-9}) {
+    CAPTURE(apart);
+    top.nearness0 = 0.5 + apart, top.nearness1 = 0.25 + apart;
+    top.covers = apart < 0;
+    std::vector<SurfaceLine> lines{top, foot};
+    double seen = 0;
+    for (const VisibleLinePart& part : slab.visible_parts(lines, initial_horizon()))
+      if (part.line == 1) seen += part.t_end - part.t_begin;
+    CHECK(std::abs(seen - (apart > 0 ? 1 / 3.0 : 1)) <= 1e-6);
+  }
+}
+
 TEST_CASE("a line straight away from the eye is met by what ends within rounding of its X") {
   SurfaceLine upright{{5, 0, 5, 4, 1}, 1, 0.5, 0, 1, false, true, 1e-12};
   SurfaceLine front = line_from({4, 2, 5 - 1e-13, 2, 2}, 2, 2);

@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cut against its definition: every triangle's section by the plane, on its own, in long
+// double.
+#include "dem/tin_of_grid.hpp"
+#include "profiles/cut_grid.hpp"
+#include "profiles/cut_tin.hpp"
+#include "tests/catch.hpp"
+#include "tests/profiles/triangle_cuts.hpp"
+#include "tests/support/made_grid.hpp"
+#include "tests/support/made_tin.hpp"
+#include "tests/support/notched_tin.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+using namespace orograph;
+
+namespace {
+
+const TriangleSet no_level;
+
+struct Point {
+  long double u, v, z;
+};
+
+// A triangle's part of the plane, from left to right.
+struct Section {
+  std::size_t triangle;
+  Point left, right;
+  bool in_plane, in_front; ///< an edge that lies in the plane; of a triangle in front of it
+};
+
+// What the triangles say of one view and plane. Positions in the profile frame are rounded, as they
+// have to be, and from there on taken as exact.
+class Definition {
+public:
+  Definition(const Tin& tin, const View& view, double depth) : tin_(tin), depth_(depth) {
+    for (const Vec3& vertex : tin.vertices_m) {
+      const ProfilePoint p = to_profile_frame(view, vertex);
+      points_.push_back({p.u, p.v, p.z});
+    }
+    for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+      const auto& [a, b, c] = tin.triangles[t];
+      const Vec3 p = tin.vertices_m[a], q = tin.vertices_m[b], r = tin.vertices_m[c];
+      const long double one = static_cast<long double>(q.x - p.x) * (r.y - p.y),
+                        other = static_cast<long double>(q.y - p.y) * (r.x - p.x);
+      const bool wall = std::abs(one - other) <= 1e-14L * (std::abs(one) + std::abs(other));
+      cut(t, depth, wall ? walls : ground);
+    }
+  }
+
+  std::vector<Section> ground, walls;
+
+  bool passes_beside_vertex(long double slack) const {
+    return std::any_of(points_.begin(), points_.end(), [&](const Point& p) {
+      return p.v != depth_ && std::abs(p.v - depth_) <= slack;
+    });
+  }
+
+  // Normal times direction to the eye over the sum of its terms' sizes.
+  long double facing(const View& view, std::size_t t) const {
+    const auto& corners = tin_.triangles[t];
+    const Point &a = points_[corners[0]], &b = points_[corners[1]], &c = points_[corners[2]];
+    const Point p{b.u - a.u, b.v - a.v, b.z - a.z}, q{c.u - a.u, c.v - a.v, c.z - a.z};
+    const Point eye = view.is_perspective() ? Point{-a.u, -a.v, view.eye_z_m - a.z}
+                                            : Point{0, -view.cos_elevation, view.sin_elevation};
+    const long double x = eye.u * (p.v * q.z - p.z * q.v), y = eye.v * (p.z * q.u - p.u * q.z),
+                      z = eye.z * (p.u * q.v - p.v * q.u);
+    const long double size = std::abs(x) + std::abs(y) + std::abs(z);
+    return size > 0 ? (x + y + z) / size : 0;
+  }
+
+private:
+  void cut(std::size_t t, long double depth, std::vector<Section>& out) const {
+    std::vector<Point> met;
+    long double nearest = HUGE_VALL;
+    int on_plane = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point &a = points_[tin_.triangles[t][k]], &b = points_[tin_.triangles[t][(k + 1) % 3]];
+      nearest = std::min(nearest, a.v);
+      if (a.v == depth) {
+        met.push_back(a);
+        ++on_plane;
+      } else if ((a.v < depth && b.v > depth) || (a.v > depth && b.v < depth)) {
+        const long double s = (depth - a.v) / (b.v - a.v);
+        met.push_back({a.u + s * (b.u - a.u), depth, a.z + s * (b.z - a.z)});
+      }
+    }
+    if (met.size() < 2) return; // not met, or touched in a vertex
+    const auto [left, right] = std::minmax_element(
+        met.begin(), met.end(), [](const Point& a, const Point& b) { return a.u < b.u; });
+    // Upright, the minimum and the maximum of u are one.
+    if (left->u == right->u)
+      out.push_back({t, met[0], met[1], on_plane >= 2, nearest < depth});
+    else
+      out.push_back({t, *left, *right, on_plane >= 2, nearest < depth});
+  }
+
+  const Tin& tin_;
+  long double depth_;
+  std::vector<Point> points_;
+};
+
+struct Asked {
+  std::size_t places = 0, gaps = 0, walls = 0, turned = 0, in_plane = 0;
+};
+
+// How exact places and heights are.
+struct Slack {
+  long double u, z;
+};
+
+void check_places(Random& random, const Definition& expected, const Profile& profile,
+                  const TriangleSet& level, Slack slack, Asked& asked) {
+  long double low = HUGE_VALL, high = -HUGE_VALL;
+  for (const Section& s : expected.ground) {
+    low = std::min(low, s.left.u);
+    high = std::max(high, s.right.u);
+  }
+  for (int i = 0; i < 40 && low <= high; ++i) {
+    long double u = 0;
+    if (i % 2) {
+      u = low - 1 + (high - low + 2) * static_cast<long double>(random.share());
+    } else { // within a triangle, perhaps a narrow one
+      const Section& s = expected.ground[static_cast<std::size_t>(
+          random.whole(0, static_cast<int>(expected.ground.size()) - 1))];
+      u = s.left.u + (s.right.u - s.left.u) * static_cast<long double>(random.between(0.1, 0.9));
+    }
+    std::vector<std::pair<const Section*, long double>> holding; // with the height there
+    bool in_front = false, doubt = false;
+    for (const auto* list : {&expected.ground, &expected.walls})
+      for (const Section& s : *list) {
+        doubt = doubt || std::abs(u - s.left.u) <= slack.u || std::abs(u - s.right.u) <= slack.u;
+        // An upright triangle in the plane may be there with any of its heights.
+        if (!(s.left.u < u && u < s.right.u) || (list == &expected.walls && !s.in_plane)) continue;
+        if (list == &expected.walls) doubt = doubt || !in_front;
+        const long double t = (u - s.left.u) / (s.right.u - s.left.u);
+        holding.push_back({&s, s.left.z + t * (s.right.z - s.left.z)});
+        in_front = in_front || s.in_front;
+      }
+    if (doubt) continue;
+    Span span = Span::gap;
+    long double z = 0;
+    for (std::size_t k = 0; k + 1 < profile.size(); ++k) {
+      const long double left = profile.u_m[k], right = profile.u_m[k + 1];
+      if (!(left < u && u < right)) continue;
+      span = profile.after[k];
+      z = profile.z_m[k] + (u - left) / (right - left) *
+                               (static_cast<long double>(profile.z_m[k + 1]) - profile.z_m[k]);
+    }
+    CAPTURE(static_cast<double>(u), static_cast<double>(z), holding.size());
+    ++asked.places;
+    asked.gaps += holding.empty();
+    REQUIRE(span != Span::wall);
+    REQUIRE((span == Span::gap) == holding.empty());
+    if (holding.empty()) continue;
+    bool right_height = false, is_level = false;
+    for (const auto& [s, height] : holding) {
+      asked.in_plane += s->in_plane;
+      // An edge is level if either triangle is, but for a wall's.
+      const bool ground =
+          s >= expected.ground.data() && s < expected.ground.data() + expected.ground.size();
+      if (ground && std::abs(height - z) <= slack.z)
+        is_level = is_level || (!level.empty() && level.has(s->triangle));
+      // Where a wall stands in the plane, it is the height of the ground in front.
+      if (!in_front || s->in_front) right_height = right_height || std::abs(height - z) <= slack.z;
+    }
+    REQUIRE(right_height);
+    REQUIRE((span == Span::level) == is_level);
+  }
+}
+
+void check_walls(const Definition& expected, const Profile& profile, const View& view, Slack slack,
+                 Asked& asked) {
+  // Every way up or down is a seen wall's.
+  for (std::size_t k = 0; k + 1 < profile.size(); ++k) {
+    if (profile.after[k] != Span::wall) continue;
+    REQUIRE(profile.u_m[k] == profile.u_m[k + 1]);
+    const long double middle =
+        0.5L * (static_cast<long double>(profile.z_m[k]) + profile.z_m[k + 1]);
+    bool found = false;
+    for (const Section& s : expected.walls)
+      found = found || (std::abs(s.left.u - profile.u_m[k]) <= slack.u &&
+                        std::min(s.left.z, s.right.z) - slack.z <= middle &&
+                        middle <= std::max(s.left.z, s.right.z) + slack.z &&
+                        expected.facing(view, s.triangle) > -1e-12L);
+    CAPTURE(profile.u_m[k], profile.z_m[k], profile.z_m[k + 1]);
+    REQUIRE(found);
+  }
+  // Every wall that the plane crosses is there just if it is seen. A rounding beside a vertex,
+  // walls and ground that meet there are all at one place.
+  if (expected.passes_beside_vertex(slack.u)) return;
+  for (const Section& s : expected.walls) {
+    if (s.in_plane || std::abs(s.right.u - s.left.u) > slack.u ||
+        std::abs(s.right.z - s.left.z) <= 4 * slack.z)
+      continue;
+    const long double facing = expected.facing(view, s.triangle);
+    if (std::abs(facing) <= 1e-12L) continue;
+    const long double middle = 0.5L * (s.left.z + s.right.z);
+    // At a vertex one wall may be seen and the next one turned away.
+    const bool doubt =
+        std::any_of(expected.walls.begin(), expected.walls.end(), [&](const Section& o) {
+          return &o != &s && std::abs(o.left.u - s.left.u) <= 2 * slack.u &&
+                 (expected.facing(view, o.triangle) > 0) != (facing > 0);
+        });
+    if (doubt) continue;
+    bool found = false;
+    for (std::size_t k = 0; k + 1 < profile.size(); ++k)
+      found = found ||
+              (profile.after[k] == Span::wall && std::abs(s.left.u - profile.u_m[k]) <= slack.u &&
+               (profile.z_m[k] <= middle) != (profile.z_m[k + 1] <= middle));
+    CAPTURE(static_cast<double>(s.left.u), static_cast<double>(s.left.z),
+            static_cast<double>(s.right.z), static_cast<double>(facing));
+    REQUIRE(found == (facing > 0));
+    ++(facing > 0 ? asked.walls : asked.turned);
+  }
+}
+
+double reach_of(const Tin& tin, const View& view) {
+  double reach = 1;
+  for (const Vec3& v : tin.vertices_m)
+    reach = std::max({reach, std::abs(v.x), std::abs(v.y), std::abs(v.z),
+                      length(Vec2{v.x, v.y} - view.depth_origin_m)});
+  return reach;
+}
+
+void check_cuts(Random& random, const Tin& tin, const View& view, Asked& asked) {
+  TriangleSet level;
+  if (random.chance(0.5)) {
+    level = TriangleSet(tin.triangles.size());
+    for (std::size_t t = 0; t < tin.triangles.size(); ++t)
+      if (random.chance(0.5)) level.add(t);
+  }
+  const TinCutter cutter(tin, view, level);
+  const double near = cutter.nearest_m(), far = cutter.farthest_m();
+  std::vector<double> depths{near, far, std::nextafter(near, far), std::nextafter(far, near)};
+  for (int i = 0; i < 4; ++i) {
+    const double vertex =
+        to_profile_frame(view, tin.vertices_m[static_cast<std::size_t>(
+                                   random.whole(0, static_cast<int>(tin.vertices_m.size()) - 1))])
+            .v;
+    depths.insert(depths.end(), {vertex, std::nextafter(vertex, near), std::nextafter(vertex, far),
+                                 random.between(near, far)});
+  }
+  const double reach = reach_of(tin, view);
+  const Slack slack{64 * std::numeric_limits<double>::epsilon() * reach,
+                    1e5 * std::numeric_limits<double>::epsilon() * reach};
+  Profile profile;
+  for (const double depth : depths) {
+    CAPTURE(depth, depth - near, far - depth, view.forward.x, view.forward.y);
+    cutter.cut(depth, profile);
+    REQUIRE(profile.depth_m == depth);
+    const std::size_t count = profile.size();
+    REQUIRE((profile.z_m.size() == count && profile.after.size() == count));
+    if (count > 0) REQUIRE(profile.after.back() == Span::gap);
+    for (std::size_t k = 0; k + 1 < count; ++k) REQUIRE(profile.u_m[k] <= profile.u_m[k + 1]);
+    const Definition expected(tin, view, depth);
+    check_places(random, expected, profile, level, slack, asked);
+    check_walls(expected, profile, view, slack, asked);
+  }
+}
+
+MadeTin random_wish(Random& random) {
+  MadeTin wanted;
+  wanted.columns = random.whole(2, 9);
+  wanted.rows = random.whole(2, 9);
+  wanted.missing = random.pick({0.0, 0.0, 0.05, 0.3, 0.7});
+  wanted.walls = random.pick({0.0, 0.5, 1.0});
+  wanted.shuffled = random.chance(0.5);
+  return wanted;
+}
+
+View random_view(Random& random, Vec2 direction) {
+  View view = looking(direction, {}, random.pick({1.0, 1.5}));
+  view.elevation = Angle::degrees(random.pick({0.0, 20.0, 70.0}));
+  view.sin_elevation = sin(view.elevation);
+  view.cos_elevation = cos(view.elevation);
+  return view;
+}
+
+void report(const Asked& asked) {
+  WARN(asked.places << " places, " << asked.gaps << " in gaps, " << asked.in_plane
+                    << " on edges in the plane, " << asked.walls << " walls seen, " << asked.turned
+                    << " turned away");
+}
+
+} // namespace
+
+TEST_CASE("a TIN is cut as its triangles are, from any azimuth") {
+  Asked asked;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    MadeTin wanted = random_wish(random);
+    const double offset = random.pick({0.0, 100.0, 1e6});
+    wanted.first_vertex_m = {random.between(-1, 1) * offset, random.between(-1, 1) * offset};
+    const Tin tin = made_tin(random, wanted);
+    if (tin.triangles.empty()) continue;
+    const Angle azimuth =
+        Angle::degrees(random.chance(0.5) ? 45.0 * random.whole(-8, 8) : random.between(0, 360));
+    View view = random_view(random, direction_of_azimuth(azimuth));
+    if (random.chance(0.3)) {
+      view.projection = Projection::perspective;
+      view.eye_z_m = random.between(-50, 150);
+      view.depth_origin_m = {random.between(-200, 200), random.between(-200, 200)};
+    }
+    check_cuts(random, tin, view, asked);
+  }
+  report(asked);
+  CHECK(asked.places > 100000);
+  CHECK(asked.walls > 1000);
+  CHECK(asked.turned > 1000);
+}
+
+// Whole coordinates seen along an axis, or whole directions: depths are exact, so planes meet
+// vertices and hold edges, walls and needles exactly.
+TEST_CASE("planes through vertices and along edges and walls, exactly") {
+  Asked asked;
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    MadeTin wanted = random_wish(random);
+    wanted.whole = true;
+    wanted.step_m = 8;
+    wanted.moved = random.pick({0.0, 0.0, 0.2});
+    wanted.first_vertex_m = {8.0 * random.whole(-9, 9), 8.0 * random.whole(-9, 9)};
+    Tin tin = made_tin(random, wanted);
+    if (tin.triangles.empty()) continue;
+    if (random.chance(0.5)) add_notches(tin, random, 0.3);
+    // Not of unit length, so that diagonals lie in planes exactly as well.
+    const Vec2 direction = random.pick({Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1},
+                                        Vec2{1, 1}, Vec2{-1, 1}, Vec2{2, 1}, Vec2{-1, -3}});
+    check_cuts(random, tin, random_view(random, direction), asked);
+  }
+  report(asked);
+  CHECK(asked.in_plane > 10000);
+  CHECK(asked.walls > 1000);
+  CHECK(asked.turned > 1000);
+}
+
+TEST_CASE("a grid's profile and that of its triangles as a TIN are one, bit for bit") {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    const GridLattice lattice =
+        turned_lattice(random.whole(2, 12), random.whole(2, 12), {10, random.pick({10.0, 7.0})},
+                       random.pick({0.0, 0.785398163397448, random.between(-0.7, 0.7)}));
+    const Grid grid =
+        made_grid(random, lattice, {0, 50, random.pick({0.0, 0.1, 0.4}), false, true});
+    const Tin tin = tin_of(grid);
+    if (tin.triangles.empty()) continue;
+    const View view = looking(direction_of_azimuth(
+        Angle::degrees(random.chance(0.5) ? 45.0 * random.whole(0, 7) : random.between(0, 360))));
+    const GridCutter of_grid(grid, view, no_level);
+    const TinCutter of_tin(tin, view, no_level);
+    Profile whole, profile;
+    for (int i = 0; i < 20; ++i) {
+      const ProfilePoint vertex =
+          to_profile_frame(view, tin.vertices_m[static_cast<std::size_t>(random.whole(
+                                     0, static_cast<int>(tin.vertices_m.size()) - 1))]);
+      const double depth =
+          i % 2 ? vertex.v : random.between(of_tin.nearest_m(), of_tin.farthest_m());
+      // Where rounding decides whether the plane grazes the nearest edge, or cuts.
+      if (depth != of_grid.nearest_m() && depth < of_grid.nearest_m() + 1e-9) continue;
+      CAPTURE(depth);
+      of_grid.cut(depth, whole);
+      of_tin.cut(depth, profile);
+      const auto spans = [](const Profile& p) {
+        std::vector<std::array<double, 4>> out;
+        for (std::size_t k = 0; k + 1 < p.size(); ++k)
+          if (p.after[k] != Span::gap && p.u_m[k] < p.u_m[k + 1])
+            out.push_back({p.u_m[k], p.z_m[k], p.u_m[k + 1], p.z_m[k + 1]});
+        return out;
+      };
+      REQUIRE(spans(whole) == spans(profile));
+    }
+  }
+}
+
+TEST_CASE("a wall across the plane is a way straight up if the eye sees it, otherwise a gap") {
+  // Low ground in the west, high ground in the east, the wall between them runs from the south-west
+  // to the north-east: from the south it is turned away, from the north it is seen.
+  Tin tin;
+  tin.vertices_m = {{-9, -1, 0}, {-1, -1, 0}, {1, 1, 0}, {-9, 1, 0},
+                    {-1, -1, 5}, {9, -1, 5},  {9, 1, 5}, {1, 1, 5}};
+  tin.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}, {1, 4, 7}, {1, 7, 2}};
+  tin.neighbours = neighbours_by_sorting(tin.triangles);
+  Profile profile;
+  const auto cut_looking = [&](Vec2 direction) {
+    TinCutter(tin, looking(direction), no_level).cut(0, profile);
+    std::string spans;
+    for (std::size_t k = 0; k + 1 < profile.size(); ++k) {
+      if (profile.u_m[k] == profile.u_m[k + 1]) CHECK(profile.u_m[k] == 0);
+      spans += profile.after[k] == Span::wall ? "w" : profile.after[k] == Span::slope ? "s" : "g";
+    }
+    return spans;
+  };
+  const std::string from_south = cut_looking({0, 1}), from_north = cut_looking({0, -1});
+  const auto has = [](const std::string& s, char c) { return s.find(c) != std::string::npos; };
+  CAPTURE(from_south, from_north);
+  CHECK(has(from_south, 'w') != has(from_north, 'w'));
+  CHECK(has(from_south, 'g') != has(from_north, 'g'));
+  CHECK(has(from_north, 'w'));
+}
+
+TEST_CASE("nothing is cut before the TIN, behind it, or at a depth that isn't a number") {
+  Random random(1);
+  const Tin tin = made_tin(random, {});
+  const TinCutter cutter(tin, looking({0, 1}), no_level);
+  Profile profile;
+  for (const double depth :
+       {cutter.nearest_m() - 1e-9, cutter.farthest_m() + 1e-9, std::nan(""), -HUGE_VAL, HUGE_VAL}) {
+    cutter.cut(depth, profile);
+    CHECK(profile.size() == 0);
+  }
+}
+
+TEST_CASE("many planes through a large TIN") {
+#ifdef NDEBUG
+  constexpr int kSide = 1000, kPlanes = 1000;
+#else
+  constexpr int kSide = 200, kPlanes = 100;
+#endif
+  Random random(3);
+  const Tin tin = tin_of(made_grid(random, {kSide, kSide, {}, {1, 0}, {0, -1}}, {}));
+  const auto begin = std::chrono::steady_clock::now();
+  const TinCutter cutter(tin, looking(direction_of_azimuth(Angle::degrees(17))), no_level);
+  Profile profile;
+  std::size_t vertices = 0;
+  for (int i = 0; i < kPlanes; ++i) {
+    cutter.cut(cutter.nearest_m() +
+                   (i + 0.5) / kPlanes * (cutter.farthest_m() - cutter.nearest_m()),
+               profile);
+    vertices += profile.size();
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  WARN(kPlanes << " planes, " << vertices << " vertices, " << taken.count() << " s");
+  CHECK(vertices > std::size_t{kPlanes} * kSide);
+}

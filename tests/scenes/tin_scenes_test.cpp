@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole pipeline over TINs, asked by the ray walk: nothing drawn is hidden, nothing visible is
+// missing, in any layer.
+#include "cli/draw_scene.hpp"
+#include "dem/height_at.hpp"
+#include "dem/verify_tin.hpp"
+#include "geometry/error.hpp"
+#include "tests/catch.hpp"
+#include "tests/scenes/random_tin_scene.hpp"
+#include "tests/support/random.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+using namespace orograph;
+
+namespace {
+
+// Unoptimized and sanitized builds are there to find other things.
+#ifdef NDEBUG
+constexpr std::uint64_t kScenes = 500;
+#else
+constexpr std::uint64_t kScenes = 50;
+#endif
+
+struct Sum {
+  std::uint64_t scenes = 0, asked = 0, ties = 0, hidden = 0, missing = 0;
+
+  void add(const CheckReport& check) {
+    ++scenes;
+    asked += check.asked;
+    ties += check.ties;
+    hidden += check.hidden;
+    missing += check.missing;
+  }
+};
+
+CheckReport check(const Terrain& terrain, RenderSettings settings, std::uint64_t probes) {
+  settings.simplify_mm = 0;
+  settings.check = probes;
+  settings.silhouette_jump = 0;
+  const auto fault_of_tin = verify(std::get<Tin>(terrain.surface));
+  INFO((fault_of_tin ? fault_of_tin->what : ""));
+  REQUIRE(!fault_of_tin);
+  const Scene scene = place_scene(terrain, settings);
+  const DrawnScene drawn = draw_scene(terrain, scene, settings, [](double) {});
+  const auto fault = find_fault(drawn.drawing);
+  INFO(fault.value_or(""));
+  REQUIRE(!fault);
+  REQUIRE(drawn.check);
+  CHECK(drawn.check->hidden == 0);
+  CHECK(drawn.check->missing == 0);
+  return *drawn.check;
+}
+
+void report(const char* what, const Sum& sum) {
+  WARN(what << ": " << sum.scenes << " scenes, " << sum.asked << " asked, " << sum.ties << " ties, "
+            << sum.hidden << " hidden but drawn, " << sum.missing << " missing");
+}
+
+// At the highest surface of a vertex, of an edge's middle or of any place on a triangle; or over no
+// ground at all; looks at another vertex.
+void put_eye(RenderSettings& settings, const Tin& tin, Random& random) {
+  const auto vertex = [&] {
+    return tin.vertices_m[static_cast<std::size_t>(
+        random.whole(0, static_cast<int>(tin.vertices_m.size()) - 1))];
+  };
+  const auto& corners = tin.triangles[static_cast<std::size_t>(
+      random.whole(0, static_cast<int>(tin.triangles.size()) - 1))];
+  const Vec3 a = tin.vertices_m[corners[0]], b = tin.vertices_m[corners[1]],
+             c = tin.vertices_m[corners[2]];
+  const int kind = random.whole(0, 3);
+  Vec3 eye = a;
+  if (kind == 1) eye = 0.5 * (a + b);
+  if (kind == 2) {
+    const double s = random.share(), t = random.share() * (1 - s);
+    eye = a + s * (b - a) + t * (c - a);
+  }
+  if (kind == 3) eye = 0.5 * (vertex() + vertex());
+  if (const auto height = height_at(tin, {eye.x, eye.y})) eye.z = *height;
+  Vec3 target = vertex();
+  for (int i = 0; i < 100 && std::hypot(target.x - eye.x, target.y - eye.y) < 1; ++i)
+    target = vertex();
+  const double away = std::hypot(target.x - eye.x, target.y - eye.y);
+  eye.z += random.pick({0.0, 0.0, 0.001, 1.7, 50.0});
+  target.z = eye.z + random.pick({0.0, 0.1, -0.1}) * away;
+  settings.projection = Projection::perspective;
+  settings.exaggeration = 1;
+  settings.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 90.0}));
+  settings.eye_map = eye;
+  settings.look_at_map = target;
+}
+
+} // namespace
+
+TEST_CASE("the ray walk agrees with every line of made TINs") {
+  Sum sum;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    const RandomTinScene scene = random_tin_scene(seed);
+    CAPTURE(seed, scene.what);
+    sum.add(check(scene.terrain, scene.settings, 2000));
+  }
+  report("made TINs", sum);
+  CHECK(sum.ties < sum.asked / 20);
+}
+
+TEST_CASE("and with profiles through vertices and along edges and walls") {
+  Sum sum;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    RandomTinScene scene = random_tin_scene(8 * seed, false);
+    Random random(seed + 200000);
+    scene.settings.from_azimuth = Angle::degrees(90.0 * random.whole(0, 3));
+    // The first profile is half of the spacing behind the nearest vertex.
+    scene.settings.plan = GroundSpacing{random.pick({2.0, 4.0, 16.0, 32.0})};
+    scene.settings.projection =
+        random.chance(0.7) ? Projection::orthographic : Projection::perspective;
+    if (scene.settings.projection == Projection::perspective)
+      scene.settings.from_elevation = Angle::degrees(random.between(0, 30));
+    CAPTURE(seed, scene.what);
+    sum.add(check(scene.terrain, scene.settings, 2000));
+  }
+  report("along edges", sum);
+  CHECK(sum.ties < sum.asked / 5);
+}
+
+TEST_CASE("and from an eye on the surface, on a vertex, in a hole, a millimetre above it") {
+  Sum sum;
+  std::uint64_t refused = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    RandomTinScene scene = random_tin_scene(seed);
+    Random random(seed + 100000);
+    put_eye(scene.settings, std::get<Tin>(scene.terrain.surface), random);
+    CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
+            scene.settings.eye_map->z);
+    try {
+      sum.add(check(scene.terrain, scene.settings, 2000));
+    } catch (const Error&) {
+      ++refused; // the height below the eye rounds to above it, or the page shows the nadir
+    }
+  }
+  report("eyes at the surface", sum);
+  WARN(refused << " views refused");
+  CHECK(sum.ties < sum.asked / 5);
+}
