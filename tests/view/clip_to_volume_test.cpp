@@ -203,7 +203,7 @@ TEST_CASE("an edge through the volume is cut at its planes") {
   CHECK(in_pyramid->t_begin == 0.3125);
   CHECK(in_pyramid->t_end == 0.4375);
 
-  const Edge within = straight({0.25, -0.5, -0.75}, {0.5, 0.5, -0.625});
+  const Edge within = straight({0.13, -0.57, -0.71}, {0.55, 0.51, -0.63});
   const auto whole = clip_to_volume(within.from, within.to, {PhigsProjection::perspective, -0.5});
   REQUIRE(whole);
   CHECK(whole->begin == within.from);

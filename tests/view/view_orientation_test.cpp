@@ -85,12 +85,14 @@ TEST_CASE("view reference coordinates are right-handed") {
 }
 
 TEST_CASE("view reference coordinates stay rectangular where VUP is nearly parallel to VPN") {
-  for (const double aside : {1e-3, 1e-6, 2e-9}) {
+  const Vec3 vpn{0.3, -0.5, 0.7};
+  for (const double aside : {1e-3, 1e-6, 1e-8}) {
     const Eigen::Matrix3d turn =
-        view_orientation({}, {0.6, 0, 0.8}, {0.6 + aside, 0, 0.8}).topLeftCorner<3, 3>();
-    CHECK((turn * turn.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-14);
-    CHECK(std::abs(turn.determinant() - 1) < 1e-14);
+        view_orientation({}, vpn, vpn + aside * Vec3{0.9, 0.1, 0.2}).topLeftCorner<3, 3>();
+    CHECK((turn * turn.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-15);
+    CHECK(std::abs(turn.determinant() - 1) < 1e-15);
   }
+  check_refused([&] { view_orientation({}, vpn, vpn + 1e-10 * Vec3{0.9, 0.1, 0.2}); }, "parallel");
 }
 
 TEST_CASE("looking at a point keeps it on the axis and verticals vertical") {

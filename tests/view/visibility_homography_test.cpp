@@ -137,6 +137,10 @@ TEST_CASE("level and upright view planes") {
   // A step up in height goes as far up the page as a step north on the ground.
   CHECK(plan({0, 0}).y - plan({0, 1}).y == Approx(kViewport.height() / 2));
 
+  view.vpn = {1e-12, -1e-12, 1}; // level but for rounding
+  CHECK(length(frame_of(view).forward - Vec2{0, 1}) < 1e-9);
+  CHECK(compare(random, view, frame_of(view)) > 0);
+
   // A cavalier view: the plate is upright and faces south, depth goes up and to the right.
   view.vpn = {0, -1, 0};
   view.vup = {0, 0, 1};
