@@ -8,6 +8,9 @@ namespace orograph {
 namespace {
 
 constexpr double kLevel = 1e-9; // radians; less is rounding of a direction
+// Share of a unit direction of projection along F. With less, X and Y, which are divided by it,
+// would lose more than three digits.
+constexpr double kLeastAlongDepth = 1e-3;
 
 // A vector of (u, v, n) in the world. The orientation is a rotation: its inverse is its transpose.
 Vec3 in_world(const PhigsView& view, Vec3 uvn) {
@@ -32,7 +35,8 @@ Vec2 forward_of(const PhigsView& view) {
   const bool level_plate = length(into_plate) <= kLevel;
   if (view.projection == PhigsProjection::perspective) {
     if (!level_plate) return into_plate;
-  } else if (!level_plate && dot(horizontal(direction), into_plate) > kLevel * length(into_plate)) {
+  } else if (!level_plate &&
+             dot(horizontal(direction), into_plate) > kLeastAlongDepth * length(into_plate)) {
     return into_plate;
   }
   if (!is_vertical(direction)) return horizontal(direction);

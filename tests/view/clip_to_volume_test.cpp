@@ -11,11 +11,7 @@ using namespace orograph;
 namespace {
 
 constexpr double kTolerance = 1e-12;
-#ifdef __SANITIZE_ADDRESS__
-constexpr int kEdges = 100'000;
-#else
 constexpr int kEdges = 1'000'000;
-#endif
 
 struct Edge {
   Eigen::Vector4d from, to;
