@@ -34,8 +34,8 @@ Tin block() {
 View from_south(double elevation_deg) {
   View view = looking({0, 1});
   view.elevation = Angle::degrees(elevation_deg);
-  view.sin_elevation = sin(view.elevation);
-  view.cos_elevation = cos(view.elevation);
+  view.y_per_v = sin(view.elevation);
+  view.y_per_z = cos(view.elevation);
   return view;
 }
 

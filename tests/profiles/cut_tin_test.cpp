@@ -64,7 +64,7 @@ public:
     const Point &a = points_[corners[0]], &b = points_[corners[1]], &c = points_[corners[2]];
     const Point p{b.u - a.u, b.v - a.v, b.z - a.z}, q{c.u - a.u, c.v - a.v, c.z - a.z};
     const Point eye = view.is_perspective() ? Point{-a.u, -a.v, view.eye_z_m - a.z}
-                                            : Point{0, -view.cos_elevation, view.sin_elevation};
+                                            : Point{0, -view.y_per_z, view.y_per_v};
     const long double x = eye.u * (p.v * q.z - p.z * q.v), y = eye.v * (p.z * q.u - p.u * q.z),
                       z = eye.z * (p.u * q.v - p.v * q.u);
     const long double size = std::abs(x) + std::abs(y) + std::abs(z);
@@ -274,8 +274,8 @@ MadeTin random_wish(Random& random) {
 View random_view(Random& random, Vec2 direction) {
   View view = looking(direction, {}, random.pick({1.0, 1.5}));
   view.elevation = Angle::degrees(random.pick({0.0, 20.0, 70.0}));
-  view.sin_elevation = sin(view.elevation);
-  view.cos_elevation = cos(view.elevation);
+  view.y_per_v = sin(view.elevation);
+  view.y_per_z = cos(view.elevation);
   return view;
 }
 

@@ -32,8 +32,8 @@ View eye_view(Vec3 eye, double azimuth_deg, double exaggeration = 1) {
 View parallel_view(double azimuth_deg, double elevation_deg, double exaggeration = 1) {
   View view = looking(direction_of_azimuth(Angle::degrees(azimuth_deg)), {}, exaggeration);
   view.elevation = Angle::degrees(elevation_deg);
-  view.sin_elevation = sin(view.elevation);
-  view.cos_elevation = cos(view.elevation);
+  view.y_per_v = sin(view.elevation);
+  view.y_per_z = cos(view.elevation);
   return view;
 }
 
@@ -197,7 +197,7 @@ private:
       rise = d[2] - steepness * d[1];
       terms = (1 + std::abs(steepness)) * size;
     } else {
-      rise = d[2] * view_.cos_elevation + d[1] * view_.sin_elevation;
+      rise = d[2] * view_.y_per_z + d[1] * view_.y_per_v;
       terms = size;
     }
     if (std::abs(rise) <= slack * terms) return 0;

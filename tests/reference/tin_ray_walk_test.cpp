@@ -27,8 +27,8 @@ View looking(Projection projection, Vec2 forward, double descent_deg, Vec2 depth
   view.depth_origin_m = depth_origin_m;
   view.eye_z_m = eye_z_m;
   view.elevation = Angle::degrees(descent_deg);
-  view.sin_elevation = sin(view.elevation);
-  view.cos_elevation = cos(view.elevation);
+  view.y_per_v = sin(view.elevation);
+  view.y_per_z = cos(view.elevation);
   view.near_m = 0.5;
   return view;
 }
@@ -47,7 +47,7 @@ Bounds by_triangles(const Tin& tin, const View& view, ProfilePoint p, long doubl
   const bool perspective = view.is_perspective();
   const auto y_of = [&](Place at) {
     return perspective ? (at.z - view.eye_z_m) / at.w
-                       : at.z * view.cos_elevation + at.w * view.sin_elevation;
+                       : at.z * view.y_per_z + at.w * view.y_per_v;
   };
   const long double begin = perspective ? static_cast<long double>(view.near_m) : -kInfinity;
   const long double own = y_of({p.v, p.z});
@@ -208,7 +208,7 @@ TEST_CASE("rays through vertices, along edges and along walls, exactly") {
     if (random.chance(0.5)) add_notches(tin, random, 0.3);
     const Vec2 forward = random.pick({Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}});
     View view = looking(Projection::orthographic, forward, 0, {});
-    if (random.chance(0.3)) view.sin_elevation = 0.75; // any steepness does
+    if (random.chance(0.3)) view.y_per_v = 0.75; // any steepness does
     const TinRayWalk walk(tin, view);
     for (int i = 0; i < 30; ++i)
       check(tin, view, walk, random_point(random, tin, view, true), 0, sums);
