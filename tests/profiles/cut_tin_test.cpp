@@ -5,6 +5,7 @@
 #include "profiles/cut_grid.hpp"
 #include "profiles/cut_tin.hpp"
 #include "tests/catch.hpp"
+#include "tests/profiles/tin_sections.hpp"
 #include "tests/profiles/triangle_cuts.hpp"
 #include "tests/support/made_grid.hpp"
 #include "tests/support/made_tin.hpp"
@@ -20,88 +21,6 @@ namespace {
 
 const TriangleSet no_level;
 
-struct Point {
-  long double u, v, z;
-};
-
-// A triangle's part of the plane, from left to right.
-struct Section {
-  std::size_t triangle;
-  Point left, right;
-  bool in_plane, in_front; ///< an edge that lies in the plane; of a triangle in front of it
-};
-
-// What the triangles say of one view and plane. Positions in the profile frame are rounded, as they
-// have to be, and from there on taken as exact.
-class Definition {
-public:
-  Definition(const Tin& tin, const View& view, double depth) : tin_(tin), depth_(depth) {
-    for (const Vec3& vertex : tin.vertices_m) {
-      const ProfilePoint p = to_profile_frame(view, vertex);
-      points_.push_back({p.u, p.v, p.z});
-    }
-    for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
-      const auto& [a, b, c] = tin.triangles[t];
-      const Vec3 p = tin.vertices_m[a], q = tin.vertices_m[b], r = tin.vertices_m[c];
-      const long double one = static_cast<long double>(q.x - p.x) * (r.y - p.y),
-                        other = static_cast<long double>(q.y - p.y) * (r.x - p.x);
-      const bool wall = std::abs(one - other) <= 1e-14L * (std::abs(one) + std::abs(other));
-      cut(t, depth, wall ? walls : ground);
-    }
-  }
-
-  std::vector<Section> ground, walls;
-
-  bool passes_beside_vertex(long double slack) const {
-    return std::any_of(points_.begin(), points_.end(), [&](const Point& p) {
-      return p.v != depth_ && std::abs(p.v - depth_) <= slack;
-    });
-  }
-
-  // Normal times direction to the eye over the sum of its terms' sizes.
-  long double facing(const View& view, std::size_t t) const {
-    const auto& corners = tin_.triangles[t];
-    const Point &a = points_[corners[0]], &b = points_[corners[1]], &c = points_[corners[2]];
-    const Point p{b.u - a.u, b.v - a.v, b.z - a.z}, q{c.u - a.u, c.v - a.v, c.z - a.z};
-    const Point eye = view.is_perspective() ? Point{-a.u, -a.v, view.eye_z_m - a.z}
-                                            : Point{0, -view.cos_elevation, view.sin_elevation};
-    const long double x = eye.u * (p.v * q.z - p.z * q.v), y = eye.v * (p.z * q.u - p.u * q.z),
-                      z = eye.z * (p.u * q.v - p.v * q.u);
-    const long double size = std::abs(x) + std::abs(y) + std::abs(z);
-    return size > 0 ? (x + y + z) / size : 0;
-  }
-
-private:
-  void cut(std::size_t t, long double depth, std::vector<Section>& out) const {
-    std::vector<Point> met;
-    long double nearest = HUGE_VALL;
-    int on_plane = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point &a = points_[tin_.triangles[t][k]], &b = points_[tin_.triangles[t][(k + 1) % 3]];
-      nearest = std::min(nearest, a.v);
-      if (a.v == depth) {
-        met.push_back(a);
-        ++on_plane;
-      } else if ((a.v < depth && b.v > depth) || (a.v > depth && b.v < depth)) {
-        const long double s = (depth - a.v) / (b.v - a.v);
-        met.push_back({a.u + s * (b.u - a.u), depth, a.z + s * (b.z - a.z)});
-      }
-    }
-    if (met.size() < 2) return; // not met, or touched in a vertex
-    const auto [left, right] = std::minmax_element(
-        met.begin(), met.end(), [](const Point& a, const Point& b) { return a.u < b.u; });
-    // Upright, the minimum and the maximum of u are one.
-    if (left->u == right->u)
-      out.push_back({t, met[0], met[1], on_plane >= 2, nearest < depth});
-    else
-      out.push_back({t, *left, *right, on_plane >= 2, nearest < depth});
-  }
-
-  const Tin& tin_;
-  long double depth_;
-  std::vector<Point> points_;
-};
-
 struct Asked {
   std::size_t places = 0, gaps = 0, walls = 0, turned = 0, in_plane = 0;
 };
@@ -111,10 +30,10 @@ struct Slack {
   long double u, z;
 };
 
-void check_places(Random& random, const Definition& expected, const Profile& profile,
+void check_places(Random& random, const TinSections& expected, const Profile& profile,
                   const TriangleSet& level, Slack slack, Asked& asked) {
   long double low = HUGE_VALL, high = -HUGE_VALL;
-  for (const Section& s : expected.ground) {
+  for (const TinSection& s : expected.ground) {
     low = std::min(low, s.left.u);
     high = std::max(high, s.right.u);
   }
@@ -123,14 +42,14 @@ void check_places(Random& random, const Definition& expected, const Profile& pro
     if (i % 2) {
       u = low - 1 + (high - low + 2) * static_cast<long double>(random.share());
     } else { // within a triangle, perhaps a narrow one
-      const Section& s = expected.ground[static_cast<std::size_t>(
+      const TinSection& s = expected.ground[static_cast<std::size_t>(
           random.whole(0, static_cast<int>(expected.ground.size()) - 1))];
       u = s.left.u + (s.right.u - s.left.u) * static_cast<long double>(random.between(0.1, 0.9));
     }
-    std::vector<std::pair<const Section*, long double>> holding; // with the height there
+    std::vector<std::pair<const TinSection*, long double>> holding; // with the height there
     bool in_front = false, doubt = false;
     for (const auto* list : {&expected.ground, &expected.walls})
-      for (const Section& s : *list) {
+      for (const TinSection& s : *list) {
         doubt = doubt || std::abs(u - s.left.u) <= slack.u || std::abs(u - s.right.u) <= slack.u;
         // An upright triangle in the plane may be there with any of its heights.
         if (!(s.left.u < u && u < s.right.u) || (list == &expected.walls && !s.in_plane)) continue;
@@ -171,7 +90,7 @@ void check_places(Random& random, const Definition& expected, const Profile& pro
   }
 }
 
-void check_walls(const Definition& expected, const Profile& profile, const View& view, Slack slack,
+void check_walls(const TinSections& expected, const Profile& profile, const View& view, Slack slack,
                  Asked& asked) {
   // Every way up or down is a seen wall's.
   for (std::size_t k = 0; k + 1 < profile.size(); ++k) {
@@ -180,7 +99,7 @@ void check_walls(const Definition& expected, const Profile& profile, const View&
     const long double middle =
         0.5L * (static_cast<long double>(profile.z_m[k]) + profile.z_m[k + 1]);
     bool found = false;
-    for (const Section& s : expected.walls)
+    for (const TinSection& s : expected.walls)
       found = found || (std::abs(s.left.u - profile.u_m[k]) <= slack.u &&
                         std::min(s.left.z, s.right.z) - slack.z <= middle &&
                         middle <= std::max(s.left.z, s.right.z) + slack.z &&
@@ -191,7 +110,7 @@ void check_walls(const Definition& expected, const Profile& profile, const View&
   // Every wall that the plane crosses is there just if it is seen. A rounding beside a vertex,
   // walls and ground that meet there are all at one place.
   if (expected.passes_beside_vertex(slack.u)) return;
-  for (const Section& s : expected.walls) {
+  for (const TinSection& s : expected.walls) {
     if (s.in_plane || std::abs(s.right.u - s.left.u) > slack.u ||
         std::abs(s.right.z - s.left.z) <= 4 * slack.z)
       continue;
@@ -200,7 +119,7 @@ void check_walls(const Definition& expected, const Profile& profile, const View&
     const long double middle = 0.5L * (s.left.z + s.right.z);
     // At a vertex one wall may be seen and the next one turned away.
     const bool doubt =
-        std::any_of(expected.walls.begin(), expected.walls.end(), [&](const Section& o) {
+        std::any_of(expected.walls.begin(), expected.walls.end(), [&](const TinSection& o) {
           return &o != &s && std::abs(o.left.u - s.left.u) <= 2 * slack.u &&
                  (expected.facing(view, o.triangle) > 0) != (facing > 0);
         });
@@ -255,7 +174,7 @@ void check_cuts(Random& random, const Tin& tin, const View& view, Asked& asked) 
     REQUIRE((profile.z_m.size() == count && profile.after.size() == count));
     if (count > 0) REQUIRE(profile.after.back() == Span::gap);
     for (std::size_t k = 0; k + 1 < count; ++k) REQUIRE(profile.u_m[k] <= profile.u_m[k + 1]);
-    const Definition expected(tin, view, depth);
+    const TinSections expected(tin, view, depth);
     check_places(random, expected, profile, level, slack, asked);
     check_walls(expected, profile, view, slack, asked);
   }
