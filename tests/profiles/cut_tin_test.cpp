@@ -5,6 +5,7 @@
 #include "profiles/cut_grid.hpp"
 #include "profiles/cut_tin.hpp"
 #include "tests/catch.hpp"
+#include "tests/profiles/tin_sections.hpp"
 #include "tests/profiles/triangle_cuts.hpp"
 #include "tests/support/made_grid.hpp"
 #include "tests/support/made_tin.hpp"
@@ -20,6 +21,7 @@ namespace {
 
 const TriangleSet no_level;
 
+<<<<<<< HEAD
 struct Point {
   long double u, v, z;
 };
@@ -102,6 +104,8 @@ private:
   std::vector<Point> points_;
 };
 
+=======
+>>>>>>> ff6eea3c6b9d6d77f0b390283f922652055a4156
 struct Asked {
   std::size_t places = 0, gaps = 0, walls = 0, turned = 0, in_plane = 0;
 };
@@ -111,10 +115,10 @@ struct Slack {
   long double u, z;
 };
 
-void check_places(Random& random, const Definition& expected, const Profile& profile,
+void check_places(Random& random, const TinSections& expected, const Profile& profile,
                   const TriangleSet& level, Slack slack, Asked& asked) {
   long double low = HUGE_VALL, high = -HUGE_VALL;
-  for (const Section& s : expected.ground) {
+  for (const TinSection& s : expected.ground) {
     low = std::min(low, s.left.u);
     high = std::max(high, s.right.u);
   }
@@ -123,14 +127,14 @@ void check_places(Random& random, const Definition& expected, const Profile& pro
     if (i % 2) {
       u = low - 1 + (high - low + 2) * static_cast<long double>(random.share());
     } else { // within a triangle, perhaps a narrow one
-      const Section& s = expected.ground[static_cast<std::size_t>(
+      const TinSection& s = expected.ground[static_cast<std::size_t>(
           random.whole(0, static_cast<int>(expected.ground.size()) - 1))];
       u = s.left.u + (s.right.u - s.left.u) * static_cast<long double>(random.between(0.1, 0.9));
     }
-    std::vector<std::pair<const Section*, long double>> holding; // with the height there
+    std::vector<std::pair<const TinSection*, long double>> holding; // with the height there
     bool in_front = false, doubt = false;
     for (const auto* list : {&expected.ground, &expected.walls})
-      for (const Section& s : *list) {
+      for (const TinSection& s : *list) {
         doubt = doubt || std::abs(u - s.left.u) <= slack.u || std::abs(u - s.right.u) <= slack.u;
         // An upright triangle in the plane may be there with any of its heights.
         if (!(s.left.u < u && u < s.right.u) || (list == &expected.walls && !s.in_plane)) continue;
@@ -171,7 +175,7 @@ void check_places(Random& random, const Definition& expected, const Profile& pro
   }
 }
 
-void check_walls(const Definition& expected, const Profile& profile, const View& view, Slack slack,
+void check_walls(const TinSections& expected, const Profile& profile, const View& view, Slack slack,
                  Asked& asked) {
   // Every way up or down is a seen wall's.
   for (std::size_t k = 0; k + 1 < profile.size(); ++k) {
@@ -180,7 +184,7 @@ void check_walls(const Definition& expected, const Profile& profile, const View&
     const long double middle =
         0.5L * (static_cast<long double>(profile.z_m[k]) + profile.z_m[k + 1]);
     bool found = false;
-    for (const Section& s : expected.walls)
+    for (const TinSection& s : expected.walls)
       found = found || (std::abs(s.left.u - profile.u_m[k]) <= slack.u &&
                         std::min(s.left.z, s.right.z) - slack.z <= middle &&
                         middle <= std::max(s.left.z, s.right.z) + slack.z &&
@@ -191,7 +195,7 @@ void check_walls(const Definition& expected, const Profile& profile, const View&
   // Every wall that the plane crosses is there just if it is seen. A rounding beside a vertex,
   // walls and ground that meet there are all at one place.
   if (expected.passes_beside_vertex(slack.u)) return;
-  for (const Section& s : expected.walls) {
+  for (const TinSection& s : expected.walls) {
     if (s.in_plane || std::abs(s.right.u - s.left.u) > slack.u ||
         std::abs(s.right.z - s.left.z) <= 4 * slack.z)
       continue;
@@ -200,7 +204,7 @@ void check_walls(const Definition& expected, const Profile& profile, const View&
     const long double middle = 0.5L * (s.left.z + s.right.z);
     // At a vertex one wall may be seen and the next one turned away.
     const bool doubt =
-        std::any_of(expected.walls.begin(), expected.walls.end(), [&](const Section& o) {
+        std::any_of(expected.walls.begin(), expected.walls.end(), [&](const TinSection& o) {
           return &o != &s && std::abs(o.left.u - s.left.u) <= 2 * slack.u &&
                  (expected.facing(view, o.triangle) > 0) != (facing > 0);
         });
@@ -255,7 +259,7 @@ void check_cuts(Random& random, const Tin& tin, const View& view, Asked& asked) 
     REQUIRE((profile.z_m.size() == count && profile.after.size() == count));
     if (count > 0) REQUIRE(profile.after.back() == Span::gap);
     for (std::size_t k = 0; k + 1 < count; ++k) REQUIRE(profile.u_m[k] <= profile.u_m[k + 1]);
-    const Definition expected(tin, view, depth);
+    const TinSections expected(tin, view, depth);
     check_places(random, expected, profile, level, slack, asked);
     check_walls(expected, profile, view, slack, asked);
   }

@@ -23,7 +23,8 @@ Tin lattice(Random& random, bool cracks, std::string& what) {
   wanted.walls = random.pick({0.0, 0.3, 0.8});
   if (!cracks && wanted.missing > 0) wanted.walls = 0;
   wanted.shuffled = random.chance(0.5);
-  wanted.first_vertex_m = {8.0 * random.whole(-20, 20), 8.0 * random.whole(-20, 20)};
+  const double away_m = random.pick({8.0, 8.0, 40000.0}); // coordinates up to 800 km
+  wanted.first_vertex_m = {away_m * random.whole(-20, 20), away_m * random.whole(-20, 20)};
   Tin tin = made_tin(random, wanted);
   what = "lattice";
   if ((cracks || wanted.missing == 0) && random.chance(0.4)) {
