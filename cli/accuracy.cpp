@@ -4,7 +4,7 @@
 #include "cli/accuracy_report.hpp"
 #include "cli/plot_accuracy.hpp"
 #include "cli/progress.hpp"
-#include "dem/read_terrain.hpp"
+#include "dem/read/read_terrain.hpp"
 #include "draw/output_file.hpp"
 #include "geometry/error.hpp"
 

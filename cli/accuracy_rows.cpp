@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which settings `orograph accuracy` measures.
 #include "cli/accuracy.hpp"
-#include "dem/read_raster.hpp"
+#include "dem/read/read_raster.hpp"
 #include "geometry/error.hpp"
 
 namespace orograph {

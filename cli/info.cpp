@@ -3,7 +3,7 @@
 #include "cli/info.hpp"
 
 #include "dem/extent.hpp"
-#include "dem/read_terrain.hpp"
+#include "dem/read/read_terrain.hpp"
 #include "profiles/tin_edges.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // `orograph info`: what a terrain is, for people.
 #pragma once
 
-#include "dem/read_options.hpp"
+#include "dem/read/read_options.hpp"
 #include "dem/terrain.hpp"
 
 #include <string>

@@ -5,7 +5,7 @@
 #include "cli/error_budget.hpp"
 #include "cli/exact_run.hpp"
 #include "cli/visible_record.hpp"
-#include "dem/read_raster.hpp"
+#include "dem/read/read_raster.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "cli/draw_scene.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene.hpp"
-#include "dem/read_terrain.hpp"
+#include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>

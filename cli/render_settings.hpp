@@ -2,7 +2,7 @@
 // Everything that `orograph render` is told, checked and in its own types.
 #pragma once
 
-#include "dem/read_options.hpp"
+#include "dem/read/read_options.hpp"
 #include "draw/page.hpp"
 #include "draw/write_drawing.hpp"
 #include "geometry/angle.hpp"

@@ -2,7 +2,7 @@
 // The run report: what was drawn, how exactly and in which time, as JSON (docs/how-it-works.md).
 #pragma once
 
-#include "dem/triangulate.hpp"
+#include "dem/triangulate/triangulate.hpp"
 #include "geometry/homography.hpp"
 #include "geometry/vec.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/tin.hpp"
 
-#include "dem/approximate_grid.hpp"
-#include "dem/read_terrain.hpp"
+#include "dem/approximate/approximate_grid.hpp"
+#include "dem/read/read_terrain.hpp"
 #include "draw/output_file.hpp"
 #include "draw/write_drawing.hpp"
 #include "geometry/error.hpp"

@@ -2,8 +2,8 @@
 // `orograph tin`: a TIN as a file.
 #pragma once
 
-#include "dem/read_options.hpp"
-#include "dem/write_tin.hpp"
+#include "dem/read/read_options.hpp"
+#include "dem/write/write_tin.hpp"
 
 #include <optional>
 #include <string>

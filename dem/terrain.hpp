@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dem/surface.hpp"
-#include "dem/triangulate.hpp"
+#include "dem/triangulate/triangulate.hpp"
 #include "geometry/vec.hpp"
 
 #include <optional>

@@ -17,7 +17,7 @@ constexpr std::uint32_t kNoTriangle = 0xffffffff;
 /// terrain. Seen from above each triangle runs counterclockwise, no two overlap, and an edge has
 /// one triangle or two. A vertical triangle (a wall) has no area seen from above; it runs as its
 /// neighbours have it. Triangles may touch at a vertex only, parts may be apart, and there may be
-/// holes. `verify` (dem/verify_tin.hpp) checks all of that.
+/// holes. `verify` (dem/mesh/verify_tin.hpp) checks all of that.
 ///
 /// An edge is reckoned from its vertex of lower index to the higher, as a Grid's is.
 struct Tin {

@@ -2,8 +2,8 @@
 // The ray walk over a TIN.
 #pragma once
 
+#include "dem/mesh/tin_index.hpp"
 #include "dem/tin.hpp"
-#include "dem/tin_index.hpp"
 #include "geometry/box.hpp"
 #include "geometry/profile_point.hpp"
 #include "reference/in_front.hpp"

@@ -4,7 +4,7 @@
 #include "cli/accuracy_report.hpp"
 #include "cli/options.hpp"
 #include "cli/plot_accuracy.hpp"
-#include "dem/read_raster.hpp"
+#include "dem/read/read_raster.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"

@@ -70,7 +70,7 @@ expect RED src/draw/svg.cpp '#include <CLI/CLI.hpp>'
 expect RED profiles/plan.cpp '#include <Eigen/Core>'
 expect RED src/geometry/homography.hpp '#include <Eigen/Core>'
 expect RED dem/read.cpp '#include <nlohmann/json.hpp>'
-expect RED dem/read_raster.hpp '#include <gdal.h>'
+expect RED dem/read/read_raster.hpp '#include <gdal.h>'
 expect RED cli/render.cpp '#include <boost/optional.hpp>'
 expect RED src/draw/png.cpp '#include <png.h>'
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cut against its definition: every triangle's section by the plane, on its own, in long
 // double.
-#include "dem/tin_of_grid.hpp"
+#include "dem/approximate/tin_of_grid.hpp"
 #include "profiles/cut_grid.hpp"
 #include "profiles/cut_tin.hpp"
 #include "tests/catch.hpp"

@@ -56,9 +56,8 @@ public:
     const auto& corners = tin_.triangles[t];
     const ExactPoint &a = points_[corners[0]], &b = points_[corners[1]], &c = points_[corners[2]];
     const ExactPoint p{b.u - a.u, b.v - a.v, b.z - a.z}, q{c.u - a.u, c.v - a.v, c.z - a.z};
-    const ExactPoint eye = view.is_perspective()
-                               ? ExactPoint{-a.u, -a.v, view.eye_z_m - a.z}
-                               : ExactPoint{0, -view.y_per_z, view.y_per_v};
+    const ExactPoint eye = view.is_perspective() ? ExactPoint{-a.u, -a.v, view.eye_z_m - a.z}
+                                                 : ExactPoint{0, -view.y_per_z, view.y_per_v};
     const long double x = eye.u * (p.v * q.z - p.z * q.v), y = eye.v * (p.z * q.u - p.u * q.z),
                       z = eye.z * (p.u * q.v - p.v * q.u);
     const long double size = std::abs(x) + std::abs(y) + std::abs(z);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edges of TINs: those of a grid and of its triangles are the same, and with walls silhouettes are
 // where Y, walking away along a ray, rises up to the edge and doesn't rise beyond it.
-#include "dem/tin_of_grid.hpp"
+#include "dem/approximate/tin_of_grid.hpp"
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
 #include "profiles/silhouettes.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ray walk over a TIN against every triangle's section by the plane of the ray, in long double,
 // against the walk over a grid, and against cases reckoned by hand.
-#include "dem/tin_of_grid.hpp"
+#include "dem/approximate/tin_of_grid.hpp"
 #include "reference/ray_walk.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_grid.hpp"
@@ -46,8 +46,7 @@ struct Bounds {
 Bounds by_triangles(const Tin& tin, const View& view, ProfilePoint p, long double slack) {
   const bool perspective = view.is_perspective();
   const auto y_of = [&](Place at) {
-    return perspective ? (at.z - view.eye_z_m) / at.w
-                       : at.z * view.y_per_z + at.w * view.y_per_v;
+    return perspective ? (at.z - view.eye_z_m) / at.w : at.z * view.y_per_z + at.w * view.y_per_v;
   };
   const long double begin = perspective ? static_cast<long double>(view.near_m) : -kInfinity;
   const long double own = y_of({p.v, p.z});

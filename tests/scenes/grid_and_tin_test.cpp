@@ -2,8 +2,8 @@
 // One surface, as a grid and as the TIN of its triangles: the same lines, bit for bit.
 #include "cli/draw_scene.hpp"
 #include "cli/scene.hpp"
-#include "dem/read_raster.hpp"
-#include "dem/tin_of_grid.hpp"
+#include "dem/approximate/tin_of_grid.hpp"
+#include "dem/read/read_raster.hpp"
 #include "profiles/project_profile.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_scene.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/scenes/random_tin_scene.hpp"
 
-#include "dem/triangulate.hpp"
+#include "dem/triangulate/triangulate.hpp"
 #include "tests/support/made_tin.hpp"
 #include "tests/support/notched_tin.hpp"
 

@@ -3,7 +3,7 @@
 // nothing visible is missing, in any layer.
 #include "cli/draw_scene.hpp"
 #include "dem/height_at.hpp"
-#include "dem/read_raster.hpp"
+#include "dem/read/read_raster.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_scene.hpp"

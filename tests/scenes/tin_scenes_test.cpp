@@ -3,7 +3,7 @@
 // missing, in any layer.
 #include "cli/draw_scene.hpp"
 #include "dem/height_at.hpp"
-#include "dem/verify_tin.hpp"
+#include "dem/mesh/verify_tin.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_tin_scene.hpp"

@@ -3,7 +3,7 @@
 // what stands above all nearer profiles.
 #include "cli/scene.hpp"
 #include "cli/tie_tolerance.hpp"
-#include "dem/read_raster.hpp"
+#include "dem/read/read_raster.hpp"
 #include "profiles/cut_surface.hpp"
 #include "profiles/project_profile.hpp"
 #include "tests/catch.hpp"

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/read/crs_frame.hpp"
+
+#include "geometry/error.hpp"
+
+#include <cpl_conv.h>
+#include <fmt/format.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace orograph {
+namespace {
+
+// A fitting projected CRS for a place in degrees: its UTM zone, beyond them the polar ones.
+int projected_epsg(double longitude_deg, double latitude_deg) {
+  if (latitude_deg > 84) return 32661;
+  if (latitude_deg < -80) return 32761;
+  const double turned = longitude_deg - 360 * std::floor((longitude_deg + 180) / 360);
+  const int zone = std::clamp(static_cast<int>(std::floor((turned + 180) / 6)) + 1, 1, 60);
+  return (latitude_deg >= 0 ? 32600 : 32700) + zone;
+}
+
+[[noreturn]] void refuse_degrees(const OGRSpatialReference& crs, const std::string& path,
+                                 FileKind kind, Vec2 centre) {
+  const double to_deg = crs.GetAngularUnits() * 180 / M_PI;
+  const int epsg = projected_epsg(centre.x * to_deg, centre.y * to_deg);
+  std::string hint;
+  if (kind == FileKind::raster)
+    hint = fmt::format("project it first: gdalwarp -t_srs EPSG:{} -r cubic {} projected.tif", epsg,
+                       path);
+  else if (kind == FileKind::vector)
+    hint = fmt::format("project it first: ogr2ogr -t_srs EPSG:{} projected.gpkg {}", epsg, path);
+  else
+    hint = fmt::format("give eastings and northings, in EPSG:{} for example", epsg);
+  throw Error(fmt::format("{} is in degrees ({}), which isn't supported yet", path, crs.GetName()),
+              hint);
+}
+
+std::string name_for_people(const OGRSpatialReference& crs) {
+  const char* name = crs.GetName();
+  const char *authority = crs.GetAuthorityName(nullptr), *code = crs.GetAuthorityCode(nullptr);
+  std::string text = name ? name : "unnamed";
+  if (authority && code) text += fmt::format(" ({}:{})", authority, code);
+  return text;
+}
+
+std::string well_known_text(const OGRSpatialReference& crs) {
+  char* text = nullptr;
+  const std::array<const char*, 2> options{"FORMAT=WKT2_2018", nullptr};
+  crs.exportToWkt(&text, options.data());
+  const std::string wkt = text ? text : "";
+  CPLFree(text);
+  return wkt;
+}
+
+} // namespace
+
+void ReleaseCrs::operator()(OGRSpatialReference* crs) const {
+  crs->Release();
+}
+
+Crs crs_from_text(const std::string& text) {
+  Crs crs(new OGRSpatialReference);
+  // Never from a file or an address that the text might name.
+  const char* const options[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
+  if (crs->SetFromUserInput(text.c_str(), options) != OGRERR_NONE) return nullptr;
+  return crs;
+}
+
+bool tells_place(const OGRSpatialReference* crs) {
+  if (!crs || crs->IsEmpty() || (crs->IsVertical() && !crs->IsCompound())) return false;
+  const char* name = crs->GetName(); // GeoPackage's rows for "none"
+  return !name || !std::string_view(name).starts_with("Undefined ");
+}
+
+void set_crs(MapFrame& map, const OGRSpatialReference& crs, const std::string& path, FileKind kind,
+             Vec2 centre) {
+  if (crs.IsGeographic()) refuse_degrees(crs, path, kind, centre);
+  if (crs.IsGeocentric())
+    throw Error(fmt::format("{} is in a geocentric CRS", path),
+                fmt::format("project it with {} first",
+                            kind == FileKind::raster ? "gdalwarp" : "ogr2ogr -t_srs"));
+  map.crs_name = name_for_people(crs);
+  map.crs_wkt = well_known_text(crs);
+  const char* unit = nullptr;
+  map.unit_m = crs.GetLinearUnits(&unit);
+  if (map.unit_m != 1 && unit) map.unit_name = unit;
+}
+
+bool set_height_unit(MapFrame& map, const OGRSpatialReference& crs) {
+  if (!crs.IsCompound()) return false;
+  const char* unit = nullptr;
+  map.height_unit_m = crs.GetTargetLinearUnits("VERT_CS", &unit);
+  if (map.height_unit_m != 1 && unit) map.height_unit_name = unit;
+  return true;
+}
+
+bool same_place(const std::string& wkt, const std::string& other_wkt) {
+  if (wkt == other_wkt) return true;
+  const Crs one = crs_from_text(wkt), other = crs_from_text(other_wkt);
+  if (!one || !other) return false;
+  one->StripVertical();
+  other->StripVertical();
+  // Files hold their coordinates in the same order, whatever order the CRS has for its axes.
+  const char* const options[] = {"CRITERION=EQUIVALENT", "IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
+                                 nullptr};
+  return one->IsSame(other.get(), options);
+}
+
+std::string crs_for_command(const std::string& wkt) {
+  const Crs crs = crs_from_text(wkt);
+  if (!crs) return "CRS";
+  const char *authority = crs->GetAuthorityName(nullptr), *code = crs->GetAuthorityCode(nullptr);
+  if (authority && code) return fmt::format("{}:{}", authority, code);
+  return fmt::format("'{}'", crs->GetName());
+}
+
+std::string unit_name(double unit_m) {
+  if (unit_m == 1) return "metre";
+  if (std::abs(unit_m - 0.3048) < 1e-9) return "foot";
+  if (std::abs(unit_m - 1200. / 3937.) < 1e-9) return "US survey foot";
+  return fmt::format("{} m", unit_m);
+}
+
+} // namespace orograph

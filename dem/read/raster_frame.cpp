@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/read/raster_frame.hpp"
+
+#include "dem/read/crs_frame.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace orograph {
+namespace {
+
+constexpr double foot_m = 0.3048, us_survey_foot_m = 1200. / 3937.;
+
+struct HeightUnit {
+  const char* written; ///< as files write it, in lower case
+  const char* name;
+  double metres;
+};
+
+constexpr std::array height_units{
+    HeightUnit{"m", "metre", 1},
+    HeightUnit{"metre", "metre", 1},
+    HeightUnit{"metres", "metre", 1},
+    HeightUnit{"meter", "metre", 1},
+    HeightUnit{"meters", "metre", 1},
+    HeightUnit{"km", "kilometre", 1000},
+    HeightUnit{"kilometre", "kilometre", 1000},
+    HeightUnit{"dm", "decimetre", 0.1},
+    HeightUnit{"decimetre", "decimetre", 0.1},
+    HeightUnit{"cm", "centimetre", 0.01},
+    HeightUnit{"centimetre", "centimetre", 0.01},
+    HeightUnit{"mm", "millimetre", 0.001},
+    HeightUnit{"millimetre", "millimetre", 0.001},
+    HeightUnit{"ft", "foot", foot_m},
+    HeightUnit{"foot", "foot", foot_m},
+    HeightUnit{"feet", "foot", foot_m},
+    HeightUnit{"international foot", "foot", foot_m},
+    HeightUnit{"us-ft", "US survey foot", us_survey_foot_m},
+    HeightUnit{"us_ft", "US survey foot", us_survey_foot_m},
+    HeightUnit{"ftus", "US survey foot", us_survey_foot_m},
+    HeightUnit{"foot_us", "US survey foot", us_survey_foot_m},
+    HeightUnit{"us survey foot", "US survey foot", us_survey_foot_m},
+    HeightUnit{"us survey feet", "US survey foot", us_survey_foot_m},
+    HeightUnit{"survey foot", "US survey foot", us_survey_foot_m},
+};
+
+std::string in_lower_case(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+void set_horizontal(MapFrame& map, const OGRSpatialReference* crs, const std::string& path,
+                    Vec2 centre, std::vector<std::string>& notes) {
+  map.crs_name = "none";
+  if (!tells_place(crs)) {
+    notes.push_back("The file has no CRS: its coordinates are taken as metres.");
+    return;
+  }
+  set_crs(map, *crs, path, FileKind::raster, centre);
+}
+
+void set_vertical(MapFrame& map, const OGRSpatialReference* crs, const std::string& written,
+                  const std::string& path, std::vector<std::string>& notes) {
+  if (written.empty() && crs && set_height_unit(map, *crs)) return;
+  if (written.empty()) {
+    notes.push_back("The file names no unit of height: metres are taken.");
+    return;
+  }
+  const auto unit = std::find_if(
+      height_units.begin(), height_units.end(),
+      [lower = in_lower_case(written)](const HeightUnit& u) { return lower == u.written; });
+  if (unit == height_units.end())
+    throw Error(
+        fmt::format("{}: heights in '{}' can't be brought to metres", path, written),
+        "units known are m, ft, us-ft, km, dm, cm and mm; 'gdal_edit.py -units m' sets one");
+  map.height_unit_m = unit->metres;
+  map.height_unit_name = unit->name;
+}
+
+[[noreturn]] void refuse_place(const std::string& path, const char* told_by, const char* option) {
+  throw Error(fmt::format("{}: its place is told by {} only", path, told_by),
+              fmt::format("bring it to a grid first: gdalwarp {}{} grid.tif", option, path));
+}
+
+} // namespace
+
+RasterLattice raster_lattice(GDALDataset& dataset, const std::string& path,
+                             std::vector<std::string>& notes) {
+  std::array<double, 6> gt{};
+  const std::array<double, 6> unset{0, 1, 0, 0, 0, 1};
+  if (dataset.GetGeoTransform(gt.data()) != CE_None || gt == unset) {
+    if (dataset.GetGCPCount() > 0) refuse_place(path, "ground control points", "-tps ");
+    if (dataset.GetMetadata("RPC")) refuse_place(path, "rational polynomials (RPC)", "-rpc ");
+    if (dataset.GetMetadata("GEOLOCATION")) refuse_place(path, "geolocation arrays", "-geoloc ");
+    notes.push_back(
+        "The file has no georeference: cells are taken as 1 m, with the first row in the north.");
+    gt = {0, 1, 0, 0, 0, -1};
+  }
+  RasterLattice lattice;
+  lattice.pixels = dataset.GetRasterXSize();
+  lattice.lines = dataset.GetRasterYSize();
+  lattice.pixel_step = {gt[1], gt[4]};
+  lattice.line_step = {gt[2], gt[5]};
+  lattice.first = Vec2{gt[0], gt[3]} + 0.5 * lattice.pixel_step + 0.5 * lattice.line_step;
+  if (!spans_a_plane(lattice))
+    throw Error(fmt::format("{}: its geotransform has no area", path),
+                "pixel and line steps must be finite and span a cell; see gdalinfo");
+  return lattice;
+}
+
+MapFrame raster_map_frame(GDALDataset& dataset, GDALRasterBand& band, const std::string& path,
+                          Vec2 centre, std::vector<std::string>& notes) {
+  const OGRSpatialReference* crs = dataset.GetSpatialRef();
+  MapFrame map;
+  set_horizontal(map, crs, path, centre, notes);
+  set_vertical(map, crs, band.GetUnitType(), path, notes);
+  return map;
+}
+
+} // namespace orograph

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/read/raster_heights.hpp"
+
+#include "dem/read/gdal_messages.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace orograph {
+namespace {
+
+// Pixels read at once: a megabyte or two, so that they are still in the processor's cache when they
+// are turned into heights.
+constexpr std::int64_t tile_pixels = 1 << 18;
+
+struct TileSize {
+  int pixels, lines;
+};
+
+// Whole blocks, so that each is decoded once however small GDAL's cache is.
+TileSize tile_size(GDALRasterBand& band) {
+  int block_pixels = 0, block_lines = 0;
+  band.GetBlockSize(&block_pixels, &block_lines);
+  const auto blocks = [](std::int64_t one) { return std::max<std::int64_t>(1, tile_pixels / one); };
+  const std::int64_t width = band.GetXSize(), height = band.GetYSize();
+  const std::int64_t block = std::int64_t{block_pixels} * block_lines;
+  const std::int64_t pixels = std::min(width, block_pixels * blocks(block));
+  std::int64_t lines = block_lines;
+  if (pixels == width) lines *= blocks(width * block_lines);
+  // A block larger than a tile (a file in one strip) is read in parts while it stays in the cache.
+  lines = std::min({lines, blocks(pixels), height});
+  return {static_cast<int>(pixels), static_cast<int>(lines)};
+}
+
+// Nodata as the band's values can be; NaN, which equals nothing, if none of them can.
+template <class Value>
+Value comparable(const std::optional<double>& nodata) {
+  if (!nodata || !(std::abs(*nodata) <= std::numeric_limits<double>::max()) ||
+      std::abs(*nodata) > 1.0000001 * static_cast<double>(std::numeric_limits<Value>::max()))
+    return std::numeric_limits<Value>::quiet_NaN();
+  return static_cast<Value>(*nodata);
+}
+
+// Plain loops that vectorize; NaN fails the comparison with max.
+template <class Value>
+void to_metres(std::vector<Value>& values, std::size_t count, const HeightCode& code) {
+  constexpr Value max = std::numeric_limits<Value>::max();
+  constexpr Value none = std::numeric_limits<Value>::quiet_NaN();
+  const Value nodata = comparable<Value>(code.nodata);
+  Value* value = values.data();
+  if (!code.changes_values()) {
+    for (std::size_t i = 0; i < count; ++i)
+      value[i] = (std::abs(value[i]) <= max) & (value[i] != nodata) ? value[i] : none;
+    return;
+  }
+  const double scale = code.scale, offset = code.offset, unit_m = code.unit_m;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Value raw = value[i];
+    const Value height = static_cast<Value>((static_cast<double>(raw) * scale + offset) * unit_m);
+    value[i] = (std::abs(height) <= max) & (raw != nodata) ? height : none;
+  }
+}
+
+template <class Value>
+void put(const std::vector<Value>& tile, const RasterWindow& at, const GridOrder& order,
+         std::vector<Value>& heights) {
+  for (int line = 0; line < at.lines; ++line) {
+    const Value* from = tile.data() + std::ptrdiff_t{line} * at.pixels;
+    Value* to = heights.data() + order.start + at.pixel * order.per_pixel +
+                (at.line + line) * order.per_line;
+    if (order.per_pixel == 1)
+      std::copy_n(from, at.pixels, to);
+    else
+      for (int pixel = 0; pixel < at.pixels; ++pixel) to[pixel * order.per_pixel] = from[pixel];
+  }
+}
+
+// A mask of its own beside or instead of a nodata value: an internal mask or an alpha band.
+GDALRasterBand* mask_of(GDALRasterBand& band) {
+  const int flags = band.GetMaskFlags();
+  return flags == GMF_ALL_VALID || flags == GMF_NODATA ? nullptr : band.GetMaskBand();
+}
+
+class Reader {
+public:
+  Reader(GDALRasterBand& band, const RasterWindow& window, const std::string& path)
+      : band_(band), mask_(mask_of(band)), window_(window), path_(path) {}
+
+  template <class Value>
+  void read(const GridOrder& order, const HeightCode& code, std::vector<Value>& heights) {
+    const TileSize size = tile_size(band_);
+    std::vector<Value> tile;
+    // Tiles are counted from the raster's corner, not the window's, to hold whole blocks.
+    const int first_pixel = window_.pixel - window_.pixel % size.pixels;
+    const int first_line = window_.line - window_.line % size.lines;
+    const int end_pixel = window_.pixel + window_.pixels, end_line = window_.line + window_.lines;
+    // Down before across: the parts of a large block follow each other.
+    for (int pixel = first_pixel; pixel < end_pixel;
+         pixel += std::min(size.pixels, end_pixel - pixel))
+      for (int line = first_line; line < end_line; line += std::min(size.lines, end_line - line)) {
+        RasterWindow at{std::max(pixel, window_.pixel), std::max(line, window_.line), 0, 0};
+        at.pixels = std::min(size.pixels, end_pixel - pixel) - (at.pixel - pixel);
+        at.lines = std::min(size.lines, end_line - line) - (at.line - line);
+        const std::size_t count = static_cast<std::size_t>(at.pixels) * at.lines;
+        tile.resize(std::max(tile.size(), count));
+        read_tile(at, tile, count, code);
+        at.pixel -= window_.pixel;
+        at.line -= window_.line;
+        put(tile, at, order, heights);
+      }
+  }
+
+private:
+  template <class Value>
+  void read_tile(const RasterWindow& at, std::vector<Value>& tile, std::size_t count,
+                 const HeightCode& code) {
+    fetch(band_, at, tile.data(), sizeof(Value) == sizeof(float) ? GDT_Float32 : GDT_Float64);
+    to_metres(tile, count, code);
+    if (!mask_) return;
+    mask_tile_.resize(std::max(mask_tile_.size(), count));
+    fetch(*mask_, at, mask_tile_.data(), GDT_Byte);
+    for (std::size_t i = 0; i < count; ++i)
+      if (mask_tile_[i] == 0) tile[i] = std::numeric_limits<Value>::quiet_NaN();
+  }
+
+  void fetch(GDALRasterBand& band, const RasterWindow& at, void* to, GDALDataType type) {
+    GdalMessages messages;
+    if (band.RasterIO(GF_Read, at.pixel, at.line, at.pixels, at.lines, to, at.pixels, at.lines,
+                      type, 0, 0, nullptr) == CE_None)
+      return;
+    throw Error(fmt::format("{} can't be read ({})", path_, messages.last_failure()),
+                "the file seems to be truncated or damaged, fetch it again");
+  }
+
+  GDALRasterBand& band_;
+  GDALRasterBand* mask_;
+  RasterWindow window_;
+  const std::string& path_;
+  std::vector<unsigned char> mask_tile_;
+};
+
+// Float holds integers of 16 bits and its own values exactly.
+bool fits_float(GDALDataType type) {
+  return type == GDT_Float32 || GDALGetDataTypeSizeBits(type) <= 16;
+}
+
+} // namespace
+
+HeightCode height_code(GDALRasterBand& band, double unit_m) {
+  HeightCode code;
+  int known = 0;
+  // The C function, because only it converts the nodata value of 64-bit integers.
+  const double nodata = GDALGetRasterNoDataValue(GDALRasterBand::ToHandle(&band), &known);
+  if (known) code.nodata = nodata;
+  code.scale = band.GetScale(&known);
+  if (!known) code.scale = 1;
+  code.offset = band.GetOffset(&known);
+  if (!known) code.offset = 0;
+  code.unit_m = unit_m;
+  return code;
+}
+
+void read_heights(GDALRasterBand& band, const RasterWindow& window, const GridOrder& order,
+                  const HeightCode& code, const std::string& path, Grid& grid) {
+  if (!fits_float(band.GetRasterDataType())) grid.heights_m = std::vector<double>();
+  std::visit(
+      [&](auto& heights) {
+        heights.resize(grid.size());
+        Reader(band, window, path).read(order, code, heights);
+      },
+      grid.heights_m);
+}
+
+} // namespace orograph

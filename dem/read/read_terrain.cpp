@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/read/read_terrain.hpp"
+
+#include "dem/read/read_landxml.hpp"
+#include "dem/read/read_mesh.hpp"
+#include "dem/read/read_points.hpp"
+#include "dem/read/read_raster.hpp"
+#include "dem/read/read_vector.hpp"
+#include "dem/read/terrain_from_shapes.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+// In lower case, with its dot; of the file's name only.
+std::string extension_of(const std::string& path) {
+  const std::size_t dot = path.rfind('.'), slash = path.rfind('/');
+  if (dot == std::string::npos || (slash != std::string::npos && slash > dot)) return "";
+  std::string extension = path.substr(dot);
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+template <class... Words>
+bool is_one_of(std::string_view text, Words... words) {
+  return ((text == words) || ...);
+}
+
+std::string first_bytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(2000, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return bytes;
+}
+
+[[noreturn]] void refuse_lidar(const std::string& path) {
+  const std::string stem = path.substr(0, path.size() - 4);
+  throw Error(fmt::format("{} is a lidar point cloud (LAS or LAZ), which can't be read", path),
+              fmt::format("make text of it: pdal translate {0} {1}.csv "
+                          "--writers.text.order=X,Y,Z --writers.text.keep_unspecified=false, or "
+                          "las2txt -i {0} -o {1}.txt -parse xyz",
+                          path, stem));
+}
+
+std::optional<MeshFormat> mesh_format(const std::string& path, std::string_view begin) {
+  if (const auto format = mesh_format_of(path)) return format;
+  if (begin.starts_with("ply\n") || begin.starts_with("ply\r")) return MeshFormat::ply;
+  if (begin.starts_with("OFF\n") || begin.starts_with("OFF\r")) return MeshFormat::off;
+  return std::nullopt;
+}
+
+bool is_landxml(const std::string& extension, std::string_view begin) {
+  return extension == ".landxml" ||
+         (begin.find("<LandXML") != begin.npos || begin.find(":LandXML") != begin.npos);
+}
+
+void refuse_survey_options(const ReadOptions& options, const std::string& what) {
+  const char* option = !options.breaklines.empty()     ? "--breaklines"
+                       : !options.boundary.empty()     ? "--boundary"
+                       : options.max_edge_m            ? "--max-edge"
+                       : !options.height_field.empty() ? "--height-field"
+                                                       : nullptr;
+  if (option) throw Error(fmt::format("{} is for points, but {}", option, what), "leave it out");
+}
+
+Terrain from_triangles(MapShapes shapes, const ReadOptions& options) {
+  refuse_survey_options(options, fmt::format("{} holds triangles", shapes.path));
+  return terrain_from_triangles(std::move(shapes), options);
+}
+
+Terrain from_points(MapShapes shapes, const ReadOptions& options) {
+  std::optional<MapShapes> lines, boundary;
+  if (!options.breaklines.empty())
+    lines = read_vector(options.breaklines, VectorUse::breaklines, options);
+  if (!options.boundary.empty())
+    boundary = read_vector(options.boundary, VectorUse::boundary, options);
+  return terrain_from_points(std::move(shapes), std::move(lines), std::move(boundary), options);
+}
+
+Terrain from_raster(const std::string& path, const ReadOptions& options) {
+  Terrain terrain = read_raster(path, options);
+  refuse_survey_options(options, fmt::format("{} is a raster", path));
+  return terrain;
+}
+
+Terrain from_vector(const std::string& path, const ReadOptions& options) {
+  MapShapes shapes = read_vector(path, VectorUse::terrain, options);
+  return shapes.triangles.empty() ? from_points(std::move(shapes), options)
+                                  : from_triangles(std::move(shapes), options);
+}
+
+Terrain read(const std::string& path, const ReadOptions& options) {
+  const std::string extension = extension_of(path), begin = first_bytes(path);
+  const bool is_file = std::filesystem::is_regular_file(path); // GDAL has names of its own
+  if (is_one_of(extension, ".las", ".laz") || begin.starts_with("LASF")) refuse_lidar(path);
+  const auto format = mesh_format(path, begin);
+  if (is_file && format) return from_triangles(read_mesh(path, *format), options);
+  if (is_file && is_landxml(extension, begin))
+    return from_triangles(read_landxml(path, options.layer), options);
+  if (is_file && is_one_of(extension, ".csv", ".tsv"))
+    return from_points(read_points(path, options.columns), options);
+  // Other text that GDAL takes for a grid is one: Arc/Info ASCII, or x, y, z in regular rows.
+  if (is_file && is_one_of(extension, ".txt", ".xyz", ".dat", ".pts") &&
+      !is_raster_file(path, options))
+    return from_points(read_points(path, options.columns), options);
+  const bool is_vector =
+      is_vector_file(path, options) ||
+      (is_file && is_one_of(extension, ".gpkg", ".shp", ".geojson", ".json", ".dxf", ".fgb") &&
+       !is_raster_file(path, options));
+  return is_vector ? from_vector(path, options) : from_raster(path, options);
+}
+
+} // namespace
+
+Terrain read_terrain(const std::string& path, const ReadOptions& options) {
+  try {
+    return read(path, options);
+  } catch (const std::bad_alloc&) {
+    throw Error(fmt::format("{} doesn't fit into memory", path), "cut it into parts first");
+  } catch (const std::length_error&) {
+    throw Error(fmt::format("{} doesn't fit into memory", path), "cut it into parts first");
+  }
+}
+
+} // namespace orograph

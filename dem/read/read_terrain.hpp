@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading a terrain of any kind.
+#pragma once
+
+#include "dem/read/read_options.hpp"
+#include "dem/terrain.hpp"
+
+#include <string>
+
+namespace orograph {
+
+/// By what the file is:
+///  - a raster that GDAL opens: a Grid (`read_raster`);
+///  - triangles in OFF, PLY, OBJ or STL, in LandXML, or in a vector layer that GDAL opens (TIN,
+///    PolyhedralSurface and Polygon geometries with Z): a Tin;
+///  - points in text with named columns, or in a vector layer (with Z or a height field): the Tin
+///  of
+///    their triangulation, with the breaklines and the boundary that the options name.
+/// Throws Error in one clear line.
+Terrain read_terrain(const std::string& path, const ReadOptions& options = {});
+
+} // namespace orograph

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every way in which a file can't be terrain is told in one line that says what would be right.
+#include "dem/read/read_raster.hpp"
+#include "geometry/error.hpp"
+#include "tests/catch.hpp"
+#include "tests/dem/read/raster_file.hpp"
+#include "tests/dem/temp_folder.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+using namespace orograph;
+
+namespace {
+
+// "" if nothing is thrown.
+std::string message_of(const std::string& path, const ReadOptions& options = {}) {
+  try {
+    read_raster(path, options);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void check_message(const std::string& message, const std::vector<std::string>& words) {
+  INFO(message);
+  CHECK(!message.empty());
+  CHECK(std::count(message.begin(), message.end(), '\n') == 0);
+  for (const std::string& word : words) {
+    INFO("should say: " << word);
+    CHECK(message.find(word) != std::string::npos);
+  }
+}
+
+void refused(const RasterFile& raster, const std::vector<std::string>& words,
+             const ReadOptions& options = {}) {
+  const TempFolder folder;
+  write_raster(raster, folder.file("dem.tif"));
+  check_message(message_of(folder.file("dem.tif"), options), words);
+}
+
+ReadOptions window(double west, double south, double east, double north) {
+  ReadOptions options;
+  options.bbox = Box2{{west, south}, {east, north}};
+  return options;
+}
+
+} // namespace
+
+TEST_CASE("files that aren't rasters are refused") {
+  const TempFolder folder;
+  check_message(message_of(folder.file("missing.tif")), {"missing.tif", "no such file"});
+  std::ofstream(folder.file("words.txt")) << "not a raster\n";
+  check_message(message_of(folder.file("words.txt")), {"words.txt", "can't be opened", "GeoTIFF"});
+  check_message(message_of(folder.path().string()), {"can't be opened"});
+  // An archive in which nothing is found.
+  std::ofstream(folder.file("dem.zip")) << "not a zip\n";
+  check_message(message_of(folder.file("dem.zip")), {"archive", "/vsizip/"});
+}
+
+TEST_CASE("truncated files are refused, wherever they end") {
+  const TempFolder folder;
+  for (const char* compression : {"NONE", "DEFLATE"}) {
+    RasterFile raster = counting_raster(200, 150);
+    raster.creation_options = {std::string("COMPRESS=") + compression};
+    write_raster(raster, folder.file("dem.tif"));
+    const auto size = std::filesystem::file_size(folder.file("dem.tif"));
+    for (const double part : {0.01, 0.3, 0.6, 0.95, 0.999}) {
+      const std::string cut = folder.file("cut.tif");
+      std::filesystem::copy_file(folder.file("dem.tif"), cut,
+                                 std::filesystem::copy_options::overwrite_existing);
+      std::filesystem::resize_file(cut, static_cast<std::uintmax_t>(part * double(size)));
+      INFO(compression << " cut at " << part);
+      check_message(message_of(cut), {"cut.tif"});
+    }
+  }
+}
+
+TEST_CASE("windows that hold nothing are refused") {
+  const RasterFile raster = counting_raster(20, 10);
+  refused(raster, {"holds nothing", "reaches from 500005,4999905 to 500195,4999995"},
+          window(0, 0, 100, 100));
+  refused(raster, {"holds 1 x 10 vertices", "2 x 2"}, window(500000, 4999900, 500010, 5000000));
+  refused(raster, {"is empty", "south-west"}, window(500100, 4999900, 500000, 5000000));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  refused(raster, {"is empty"}, window(nan, 4999900, 500000, 5000000));
+}
+
+TEST_CASE("rasters without a surface are refused") {
+  RasterFile raster = counting_raster(20, 10);
+  raster.nodata = -1;
+  raster.values.assign(raster.values.size(), -1);
+  refused(raster, {"holds no heights", "nodata"});
+  refused(counting_raster(1, 30), {"1 x 30 cells", "2 x 2"});
+  refused(counting_raster(30, 1), {"30 x 1 cells", "2 x 2"});
+  RasterFile flat = counting_raster(5, 5);
+  flat.geotransform = {500000, 10, 20, 5000000, 5, 10};
+  refused(flat, {"geotransform"});
+}
+
+TEST_CASE("bands and overviews that aren't there are refused") {
+  RasterFile raster = counting_raster(20, 10);
+  ReadOptions options;
+  options.band = 2;
+  refused(raster, {"no band 2", "one band"}, options);
+  options.band = 0;
+  raster.bands = 3;
+  refused(raster, {"no band 0", "1 to 3"}, options);
+  options = {};
+  options.overview = 0;
+  refused(raster, {"no overview 0", "it has none", "gdaladdo"}, options);
+  raster.overviews = {2, 4};
+  options.overview = 2;
+  refused(raster, {"no overview 2", "0 to 1"}, options);
+  options.overview = -1;
+  refused(raster, {"no overview -1", "0 to 1"}, options);
+}
+
+TEST_CASE("a geographic CRS is refused with a projection that fits") {
+  RasterFile raster = counting_raster(20, 10);
+  raster.crs = "EPSG:4326";
+  const auto place = [&](double west, double north) {
+    raster.geotransform = {west, 0.01, 0, north, 0, -0.01};
+  };
+  place(6, 46);
+  refused(raster, {"degrees", "WGS 84", "gdalwarp -t_srs EPSG:32632"});
+  place(18.3, -33.9);
+  refused(raster, {"EPSG:32734"});
+  place(235, 48);
+  refused(raster, {"EPSG:32610"});
+  place(-179.9, -10);
+  refused(raster, {"EPSG:32701"});
+  place(179.7, 10);
+  refused(raster, {"EPSG:32660"});
+  place(10, 86);
+  refused(raster, {"EPSG:32661"});
+  raster.crs = "EPSG:4978";
+  refused(raster, {"geocentric"});
+}
+
+TEST_CASE("pictures are refused with what to do") {
+  RasterFile raster = counting_raster(16, 16);
+  raster.type = "Byte";
+  raster.bands = 4;
+  raster.colours = {"Red", "Green", "Blue", "Alpha"};
+  refused(raster, {"colours", "Red", "Terrain-RGB", "gdal_calc.py", "R*65536"});
+  ReadOptions alpha;
+  alpha.band = 4;
+  refused(raster, {"colours", "Alpha"}, alpha);
+  raster.bands = 1;
+  raster.colours = {"Palette"};
+  refused(raster, {"palette"});
+}
+
+TEST_CASE("values and places that aren't a grid of heights are refused") {
+  RasterFile raster = counting_raster(20, 10);
+  raster.type = "CFloat32";
+  refused(raster, {"complex"});
+  raster.type = "Float32";
+  raster.unit = "fathom";
+  refused(raster, {"fathom", "us-ft", "gdal_edit.py"});
+  raster.unit = "metre";
+  raster.geotransform.reset();
+  raster.control_points = true;
+  refused(raster, {"ground control points", "gdalwarp"});
+}
+
+TEST_CASE("an open option without a value is refused") {
+  ReadOptions options;
+  options.open_options = {"NUM_THREADS"};
+  refused(counting_raster(4, 4), {"NUM_THREADS", "NAME=VALUE"}, options);
+  options.open_options = {"NUM_THREADS=2"};
+  const TempFolder folder;
+  write_raster(counting_raster(4, 4), folder.file("dem.tif"));
+  CHECK(message_of(folder.file("dem.tif"), options).empty());
+}
