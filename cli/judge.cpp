@@ -29,7 +29,8 @@ Verdict Judge::verdict(ProfilePoint at, bool on_edge) const {
 Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool drawn) const {
   const Verdict right = drawn ? Verdict::visible : Verdict::hidden;
   const ProfilePoint at = point_between(line.from, line.to, t);
-  if (line.from.u == line.to.u && line.from.v == line.to.v) {
+  const bool vertical = line.from.u == line.to.u && line.from.v == line.to.v;
+  if (vertical) {
     // A vertical line that is seen from above has no picture.
     const Vec2 place = project(view_, at);
     const double rise = std::abs(project(view_, {at.u, at.v, line.to.z}).y -
@@ -52,14 +53,20 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
   const double farther = perspective && front.at_depth_m > 0 ? at.v / front.at_depth_m : 1;
   const double by_m = farther * std::max(rounding_m, 16 * front.rounding_m);
   const double away_m = std::hypot(at.u, at.v);
+  const auto is_same = [&](double way_m, double nearer_m) {
+    ProfilePoint aside{at.u + way_m, at.v - nearer_m, at.z};
+    if (perspective)
+      aside = {at.u + (way_m * at.v - nearer_m * at.u) / away_m,
+               at.v - (way_m * at.u + nearer_m * at.v) / away_m, at.z};
+    return verdict(aside, on_edge) == found;
+  };
   for (const double way_m : {-by_m, by_m}) {
     const double along = std::clamp(t + way_m / length, 0.0, 1.0);
-    ProfilePoint aside{at.u + way_m, at.v, at.z};
-    if (perspective) aside = {at.u + way_m * at.v / away_m, at.v - way_m * at.u / away_m, at.z};
-    if (verdict(point_between(line.from, line.to, along), on_edge) != found ||
-        verdict(aside, on_edge) != found)
-      return Verdict::tied;
+    if (verdict(point_between(line.from, line.to, along), on_edge) != found) return Verdict::tied;
+    // On a wall towards the eye as well: to the side alone may be behind it.
+    if (!is_same(way_m, vertical ? 64 * by_m : 0)) return Verdict::tied;
   }
+  if (vertical && !is_same(-by_m, 0) && !is_same(by_m, 0)) return Verdict::tied;
   return found;
 }
 

@@ -58,6 +58,19 @@ double greatest_height(const Horizon& horizon, double x, double beside) {
   return height;
 }
 
+double height_at(const Horizon& horizon, double x) {
+  const auto piece = piece_at(horizon, x);
+  return is_sky(*piece) ? -std::numeric_limits<double>::infinity() : height_at(piece->source, x);
+}
+
+// What an upright line has to be above.
+double height_before(const SurfaceLine& line, const Horizon& horizon) {
+  const double x = line.source.x0;
+  return line.vertical()
+             ? std::min(height_at(horizon, x - line.beside), height_at(horizon, x + line.beside))
+             : greatest_height(horizon, x, line.beside);
+}
+
 bool is_below(const SurfaceLine& line, const Horizon& horizon) {
   for (auto piece = piece_at(horizon, line.begin);
        piece != horizon.end() && piece->x_begin < line.end; ++piece) {
@@ -124,6 +137,7 @@ void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t 
   if (b.upright()) {
     const double x = std::clamp(b.source.x0, f.begin, f.end);
     const double nearness = nearness_at(f, x), height = height_at(f.source, x);
+    if (b.vertical() && std::abs(nearness - b.nearness0) <= 2 * nearness_rounding_at(f, x)) return;
     const Stretch stretch = intersection(positive(nearness - b.nearness0, nearness - b.nearness1),
                                          positive(height - b.source.y0, height - b.source.y1));
     if (!stretch.empty()) hidden_.push_back({behind, stretch.begin, stretch.end});
@@ -198,7 +212,7 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
       append(parts_, i, begin, seen.end);
     };
     if (line.upright())
-      take(upright_above(line, greatest_height(horizon, line.source.x0, line.beside)));
+      take(upright_above(line, height_before(line, horizon)));
     else
       above_horizon(line, horizon, tolerance, take);
   }

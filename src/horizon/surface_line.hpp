@@ -18,7 +18,9 @@ namespace orograph {
 ///
 /// A line with no extent in X (straight away from the eye) has source.x0 == source.x1, its nearer
 /// end as (x0, y0), begin and end as shares of the way along its picture, and `beside`: what is
-/// that close in X counts as being at its X.
+/// that close in X counts as being at its X. Of a vertical line both ends are
+/// as near: it shows where it is above what stands in front of it on either side of its X, since
+/// the tops of walls end at their corners.
 struct SurfaceLine {
   Segment source;
   double nearness0, nearness1; ///< at the source's ends
@@ -34,6 +36,7 @@ struct SurfaceLine {
   bool covers = false;
 
   bool upright() const { return source.x0 == source.x1; }
+  bool vertical() const { return upright() && nearness0 == nearness1; }
 };
 
 /// A part of line number `line` of a slab; along its source, 0 at the left end and 1 at the right.

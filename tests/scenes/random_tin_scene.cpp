@@ -15,7 +15,7 @@ Tin lattice(Random& random, bool cracks, std::string& what) {
   MadeTin wanted;
   wanted.columns = random.whole(2, 18);
   wanted.rows = random.whole(2, 18);
-  wanted.step_m = random.pick({8.0, 16.0});
+  wanted.step_m = random.pick({8.0, 8.0, 16.0, 16.0, 8192.0});
   wanted.whole = random.chance(0.6);
   wanted.moved = random.pick({0.0, 0.2, 0.24});
   wanted.high_m = random.pick({8.0, 20.0, 60.0});
