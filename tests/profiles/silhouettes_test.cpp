@@ -209,7 +209,8 @@ TEST_CASE("and in oblique views") {
                       random.pick({1.0, 3.0}));
     view.projection = Projection::oblique;
     view.x_per_v = random.pick({0.0, 1.0, random.between(-2, 2)});
-    view.y_per_v = random.pick({0.0, 1.0, random.between(0, 2)});
+    // Level rays along the map's axes would leave the definition's own signs to rounding.
+    view.y_per_v = random.pick({1.0, random.between(0.01, 2)});
     CAPTURE(seed, view.x_per_v, view.y_per_v);
     check(grid, view, tally);
   }

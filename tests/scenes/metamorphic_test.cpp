@@ -251,7 +251,9 @@ TEST_CASE("a mirror image of ground whose diagonals don't matter is the mirrored
       std::reverse(row, row + grid.columns);
     }
     other.settings.from_azimuth = Angle::degrees(-one.settings.from_azimuth.in_degrees());
-    check_same(one, other, kNear, kShare, [](Vec2 p, const Page& page) {
+    other.settings.oblique.rise =
+        Angle::degrees(180 - one.settings.oblique.rise.in_degrees()); // to the left
+    check_same(one, other, kNear, kShare, [Vec2 p, const Page& page) {
       return Vec2{page.width_mm - p.x, p.y};
     });
   }
