@@ -53,6 +53,8 @@ void ask(const FlatScene& scene, std::size_t list, const Piece& piece, Claim cla
   const long double begin = piece.x_begin, length = piece.x_end - begin;
   const auto ask_at = [&](long double share) {
     const long double x = begin + share * length;
+    // In a piece of an ulp or two, there may be no number but its ends, where lines of others end.
+    if (!(x > piece.x_begin && x < piece.x_end)) return;
     const Front front = greatest_in_front(scene, list, x);
     const long double above = height_of(s, x) - front.height;
     const double rounding = rounding_of(s) + (front.segment ? rounding_of(*front.segment) : 0);

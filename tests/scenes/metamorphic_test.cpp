@@ -253,7 +253,7 @@ TEST_CASE("a mirror image of ground whose diagonals don't matter is the mirrored
     other.settings.from_azimuth = Angle::degrees(-one.settings.from_azimuth.in_degrees());
     other.settings.oblique.rise =
         Angle::degrees(180 - one.settings.oblique.rise.in_degrees()); // to the left
-    check_same(one, other, kNear, kShare, [Vec2 p, const Page& page) {
+    check_same(one, other, kNear, kShare, [](Vec2 p, const Page& page) {
       return Vec2{page.width_mm - p.x, p.y};
     });
   }
