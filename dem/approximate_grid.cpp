@@ -2,8 +2,8 @@
 #include "dem/approximate_grid.hpp"
 
 #include "dem/grid_ground.hpp"
-#include "dem/lattice_insertion_order.hpp"
 #include "dem/lattice_edge.hpp"
+#include "dem/lattice_insertion_order.hpp"
 #include "dem/lattice_plane.hpp"
 #include "dem/lattice_tin.hpp"
 #include "dem/lattice_triangulation.hpp"
