@@ -15,9 +15,9 @@ namespace orograph {
 /// Bits of a triangle: what its facing may be. Both where the sign is within its rounding bound.
 constexpr std::uint8_t kMayFace = 1, kMayTurn = 2;
 
-/// Whether of two triangles one may be seen and the other turned away.
+/// Whether of two triangles one may be seen and the other turned away. No bits: it isn't there.
 inline bool are_seen_and_turned(std::uint8_t a, std::uint8_t b) {
-  return ((a & kMayFace) && (b & kMayTurn)) || ((b & kMayFace) && (a & kMayTurn));
+  return a != 0 && b != 0 && (a | b) == (kMayFace | kMayTurn);
 }
 
 /// A sum of three terms, and a bound on its rounding where each term is a product of three factors

@@ -92,13 +92,14 @@ public:
     const double bound =
         16 * std::numeric_limits<double>::epsilon() * cells_away_ *
         (std::abs(constant) + greatest_height + greatest_gc * reach_c + greatest_gr * reach_r);
-    std::uint8_t doubt = 0;
     for (std::size_t c = 0; c < lower.size(); ++c) {
       lower[c] = bits(lower_sign_[c], bound);
       upper[c] = bits(upper_sign_[c], bound);
+    }
+    std::uint8_t doubt = 0; // in a loop of its own, over bytes alone
+    for (std::size_t c = 0; c < lower.size(); ++c)
       doubt |=
           static_cast<std::uint8_t>((lower[c] & (lower[c] >> 1U)) | (upper[c] & (upper[c] >> 1U)));
-    }
     if (doubt & 1U) settle(row);
   }
 
