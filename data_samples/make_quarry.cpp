@@ -2,12 +2,12 @@
 // Writes quarry_points.csv and quarry_breaklines.geojson: a surveyed quarry on a hillside, as
 // scattered points and as the edges of its benches. usage: make_quarry OUT_DIR
 #include "geometry/vec.hpp"
-#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -126,9 +126,11 @@ std::vector<Vec3> points() {
       add({kSide_m, s});
     }
   }
-  Random random(1871);
+  std::mt19937_64 engine(1871); // fixed by the standard, so the same on every machine
+  const auto anywhere = [&] { return kSide_m * (static_cast<double>(engine() >> 11U) * 0x1p-53); };
   for (int i = 0; i < 1400; ++i) {
-    const Vec2 p{random.between(0, kSide_m), random.between(0, kSide_m)};
+    const double east = anywhere();
+    const Vec2 p{east, anywhere()};
     if (!is_at_an_edge(p)) add(p);
   }
   return all;
