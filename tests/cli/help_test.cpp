@@ -126,3 +126,30 @@ TEST_CASE("the pages for readers use options that there are") {
   CHECK(long_options_in("orograph render a --fov 3 --view-from 1/2") ==
         std::vector<std::string>{"--fov", "--view-from"});
 }
+
+TEST_CASE("messages name options that there are") {
+  const Tables tables;
+  // Of orograph itself, and of programs that hints tell to run.
+  std::set<std::string> known{"--version", "--man",     "--calc", "--formats",
+                              "--outfile", "--writers", "--type"};
+  for (const auto& command : tables.commands)
+    for (const auto& option : command.options) known.insert(option.name);
+  const std::filesystem::path root = OROGRAPH_SOURCE_DIR;
+  int named = 0;
+  for (const char* folder : {"cli", "dem", "profiles", "src"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+      if (entry.path().extension() != ".cpp") continue;
+      std::ifstream file(entry.path());
+      std::string line;
+      while (std::getline(file, line)) {
+        if (line.find('"') == std::string::npos) continue;
+        std::replace(line.begin(), line.end(), '"', ' ');
+        for (const auto& name : long_options_in(line)) {
+          INFO(entry.path() << ": " << line);
+          CHECK(known.contains(name));
+          ++named;
+        }
+      }
+    }
+  CHECK(named > 100);
+}

@@ -213,7 +213,7 @@ TEST_CASE("one layer of several is picked by name") {
   file.features.pop_back();
   write_vector(file, folder.file("a.gpkg"));
   ReadOptions options;
-  check_message(message_of(folder.file("a.gpkg")), {"2 layers: old, new", "--layer"});
+  check_message(message_of(folder.file("a.gpkg")), {"2 layers: old, new", "--input-layer"});
   options.layer = "old";
   CHECK(tin_in(read_terrain(folder.file("a.gpkg"), options)).triangles.size() == 2);
   options.layer = "new";
