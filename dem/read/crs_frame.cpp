@@ -119,11 +119,4 @@ std::string crs_for_command(const std::string& wkt) {
   return fmt::format("'{}'", crs->GetName());
 }
 
-std::string unit_name(double unit_m) {
-  if (unit_m == 1) return "metre";
-  if (std::abs(unit_m - 0.3048) < 1e-9) return "foot";
-  if (std::abs(unit_m - 1200. / 3937.) < 1e-9) return "US survey foot";
-  return fmt::format("{} m", unit_m);
-}
-
 } // namespace orograph

@@ -41,7 +41,4 @@ bool same_place(const std::string& wkt, const std::string& other_wkt);
 /// "EPSG:32632", or the name if it has no code: as a command line takes it.
 std::string crs_for_command(const std::string& wkt);
 
-/// The name of a unit of length; its metres if it has no name that we know.
-std::string unit_name(double unit_m);
-
 } // namespace orograph

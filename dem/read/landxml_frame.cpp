@@ -3,39 +3,20 @@
 
 #include "dem/read/crs_frame.hpp"
 #include "dem/read/gdal_messages.hpp"
+#include "dem/read/length_units.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
 #include <ogr_spatialref.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace orograph {
 namespace {
 
-struct LinearUnit {
-  const char* written; ///< by the schema of LandXML 1.2 and 2.0
-  const char* name;
-  double metres;
-};
-
-constexpr std::array linear_units{
-    LinearUnit{"meter", "metre", 1},
-    LinearUnit{"millimeter", "millimetre", 0.001},
-    LinearUnit{"centimeter", "centimetre", 0.01},
-    LinearUnit{"kilometer", "kilometre", 1000},
-    LinearUnit{"foot", "foot", 0.3048},
-    LinearUnit{"USSurveyFoot", "US survey foot", 1200. / 3937.},
-    LinearUnit{"inch", "inch", 0.0254},
-    LinearUnit{"mile", "mile", 1609.344},
-};
-
-const LinearUnit& unit_of(const std::string& written, const std::string& path) {
-  const auto unit = std::find_if(linear_units.begin(), linear_units.end(),
-                                 [&](const LinearUnit& u) { return written == u.written; });
-  if (unit == linear_units.end())
+LengthUnit unit_of(const std::string& written, const std::string& path) {
+  const auto unit = length_unit(written);
+  if (!unit)
     throw Error(fmt::format("{}: lengths in '{}' can't be brought to metres", path, written),
                 "LandXML has meter, foot, USSurveyFoot, kilometer, centimeter, millimeter, inch "
                 "and mile");
@@ -50,8 +31,7 @@ void set_height(const std::string& written, MapShapes& shapes) {
     shapes.map.height_unit_name = shapes.map.unit_name;
     return;
   }
-  const LinearUnit& unit =
-      unit_of(written == "feet" ? "foot" : (written == "miles" ? "mile" : written), shapes.path);
+  const LengthUnit unit = unit_of(written, shapes.path);
   shapes.map.height_unit_m = unit.metres;
   shapes.map.height_unit_name = unit.name;
 }
@@ -72,7 +52,7 @@ void set_landxml_frame(const LandxmlPlace& place, MapShapes& shapes) {
   const GdalMessages messages;
   MapFrame& map = shapes.map;
   if (!place.linear_unit.empty()) {
-    const LinearUnit& unit = unit_of(place.linear_unit, shapes.path);
+    const LengthUnit unit = unit_of(place.linear_unit, shapes.path);
     map.unit_m = unit.metres;
     map.unit_name = unit.name;
     shapes.units_known = true;

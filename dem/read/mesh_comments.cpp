@@ -3,6 +3,7 @@
 
 #include "dem/read/crs_frame.hpp"
 #include "dem/read/gdal_messages.hpp"
+#include "dem/read/length_units.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>

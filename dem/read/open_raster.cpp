@@ -63,10 +63,6 @@ bool is_colour(GDALColorInterp meaning) {
 
 } // namespace
 
-void CloseDataset::operator()(GDALDataset* dataset) const {
-  GDALClose(dataset);
-}
-
 Dataset open_raster(const std::string& path, const std::vector<std::string>& open_options,
                     GdalMessages& messages) {
   CPLStringList options;

@@ -2,21 +2,15 @@
 // Opening a raster, and saying what is wrong with one that can't be terrain.
 #pragma once
 
+#include "dem/read/gdal_dataset.hpp"
 #include "dem/read/gdal_messages.hpp"
 
-#include <memory>
 #include <string>
 #include <vector>
 
-class GDALDataset;
 class GDALRasterBand;
 
 namespace orograph {
-
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const;
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
 /// Throws Error with a hint: not there, not a raster, an archive, a container of several rasters.
 Dataset open_raster(const std::string& path, const std::vector<std::string>& open_options,

@@ -2,60 +2,18 @@
 #include "dem/read/raster_frame.hpp"
 
 #include "dem/read/crs_frame.hpp"
+#include "dem/read/length_units.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace orograph {
 namespace {
-
-constexpr double foot_m = 0.3048, us_survey_foot_m = 1200. / 3937.;
-
-struct HeightUnit {
-  const char* written; ///< as files write it, in lower case
-  const char* name;
-  double metres;
-};
-
-constexpr std::array height_units{
-    HeightUnit{"m", "metre", 1},
-    HeightUnit{"metre", "metre", 1},
-    HeightUnit{"metres", "metre", 1},
-    HeightUnit{"meter", "metre", 1},
-    HeightUnit{"meters", "metre", 1},
-    HeightUnit{"km", "kilometre", 1000},
-    HeightUnit{"kilometre", "kilometre", 1000},
-    HeightUnit{"dm", "decimetre", 0.1},
-    HeightUnit{"decimetre", "decimetre", 0.1},
-    HeightUnit{"cm", "centimetre", 0.01},
-    HeightUnit{"centimetre", "centimetre", 0.01},
-    HeightUnit{"mm", "millimetre", 0.001},
-    HeightUnit{"millimetre", "millimetre", 0.001},
-    HeightUnit{"ft", "foot", foot_m},
-    HeightUnit{"foot", "foot", foot_m},
-    HeightUnit{"feet", "foot", foot_m},
-    HeightUnit{"international foot", "foot", foot_m},
-    HeightUnit{"us-ft", "US survey foot", us_survey_foot_m},
-    HeightUnit{"us_ft", "US survey foot", us_survey_foot_m},
-    HeightUnit{"ftus", "US survey foot", us_survey_foot_m},
-    HeightUnit{"foot_us", "US survey foot", us_survey_foot_m},
-    HeightUnit{"us survey foot", "US survey foot", us_survey_foot_m},
-    HeightUnit{"us survey feet", "US survey foot", us_survey_foot_m},
-    HeightUnit{"survey foot", "US survey foot", us_survey_foot_m},
-};
-
-std::string in_lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
 
 void set_horizontal(MapFrame& map, const OGRSpatialReference* crs, const std::string& path,
                     Vec2 centre, std::vector<std::string>& notes) {
@@ -74,10 +32,8 @@ void set_vertical(MapFrame& map, const OGRSpatialReference* crs, const std::stri
     notes.push_back("The file names no unit of height: metres are taken.");
     return;
   }
-  const auto unit = std::find_if(
-      height_units.begin(), height_units.end(),
-      [lower = in_lower_case(written)](const HeightUnit& u) { return lower == u.written; });
-  if (unit == height_units.end())
+  const auto unit = length_unit(written);
+  if (!unit)
     throw Error(
         fmt::format("{}: heights in '{}' can't be brought to metres", path, written),
         "units known are m, ft, us-ft, km, dm, cm and mm; 'gdal_edit.py -units m' sets one");

@@ -3,6 +3,7 @@
 
 #include "dem/read/check_mesh.hpp"
 #include "dem/read/mesh_comments.hpp"
+#include "dem/read/words.hpp"
 #include "geometry/error.hpp"
 
 #include <CGAL/IO/OBJ.h>
@@ -111,9 +112,7 @@ void add_faces(const Faces& faces, MapShapes& shapes) {
 } // namespace
 
 std::optional<MeshFormat> mesh_format_of(const std::string& path) {
-  std::string end = path.substr(path.size() - std::min<std::size_t>(4, path.size()));
-  for (char& c : end)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string end = extension_of(path);
   if (end == ".off") return MeshFormat::off;
   if (end == ".ply") return MeshFormat::ply;
   if (end == ".obj") return MeshFormat::obj;

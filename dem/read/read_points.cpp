@@ -34,13 +34,6 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::string in_lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return lower;
-}
-
 char separator_of(std::string_view line) {
   for (const char c : {';', '\t', ','})
     if (line.find(c) != std::string_view::npos) return c;

@@ -7,6 +7,7 @@
 #include "dem/read/read_raster.hpp"
 #include "dem/read/read_vector.hpp"
 #include "dem/read/terrain_from_shapes.hpp"
+#include "dem/read/words.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
@@ -22,16 +23,6 @@
 
 namespace orograph {
 namespace {
-
-// In lower case, with its dot; of the file's name only.
-std::string extension_of(const std::string& path) {
-  const std::size_t dot = path.rfind('.'), slash = path.rfind('/');
-  if (dot == std::string::npos || (slash != std::string::npos && slash > dot)) return "";
-  std::string extension = path.substr(dot);
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
 
 template <class... Words>
 bool is_one_of(std::string_view text, Words... words) {

@@ -13,9 +13,8 @@ namespace orograph {
 ///  - a raster that GDAL opens: a Grid (`read_raster`);
 ///  - triangles in OFF, PLY, OBJ or STL, in LandXML, or in a vector layer that GDAL opens (TIN,
 ///    PolyhedralSurface and Polygon geometries with Z): a Tin;
-///  - points in text with named columns, or in a vector layer (with Z or a height field): the Tin
-///  of
-///    their triangulation, with the breaklines and the boundary that the options name.
+///  - points in text with named columns, or in a vector layer (with Z or a height field): the
+///    Tin of their triangulation, with the breaklines and the boundary that the options name.
 /// Throws Error in one clear line.
 Terrain read_terrain(const std::string& path, const ReadOptions& options = {});
 

@@ -2,8 +2,9 @@
 #include "dem/read/read_vector.hpp"
 
 #include "dem/read/crs_frame.hpp"
+#include "dem/read/gdal_dataset.hpp"
 #include "dem/read/gdal_messages.hpp"
-#include "dem/read/open_raster.hpp"
+#include "dem/read/length_units.hpp"
 #include "dem/read/vector_shapes.hpp"
 #include "geometry/error.hpp"
 

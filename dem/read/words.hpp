@@ -6,10 +6,25 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace orograph {
+
+/// ASCII letters alone.
+inline std::string in_lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+/// Of a file's name, with its dot and in lower case; empty where there is none.
+inline std::string extension_of(const std::string& path) {
+  return in_lower_case(std::filesystem::path(path).extension().string());
+}
 
 /// Cuts the next word off the text; empty at its end.
 inline std::string_view next_word(std::string_view& text) {

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/write/write_tin.hpp"
 
+#include "dem/read/words.hpp"
 #include "dem/write/tin_writers.hpp"
 
-#include <algorithm>
-#include <filesystem>
 #include <utility>
 
 namespace orograph {
 
 std::optional<TinFormat> tin_format_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
+  const std::string extension = extension_of(path);
   for (const auto& [of_format, format] :
        {std::pair(".gpkg", TinFormat::gpkg), std::pair(".off", TinFormat::off),
         std::pair(".ply", TinFormat::ply), std::pair(".obj", TinFormat::obj)})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A GeoPackage through OGR: one layer, one TIN Z.
+#include "dem/read/gdal_dataset.hpp"
 #include "dem/read/gdal_messages.hpp"
-#include "dem/read/open_raster.hpp"
 #include "dem/write/tin_writers.hpp"
 #include "geometry/error.hpp"
 
