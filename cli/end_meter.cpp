@@ -22,8 +22,7 @@ EndMeter::EndMeter(const Surface& surface, const Scene& scene, const RenderSetti
                    Wanted wanted)
     : scene_(scene), tolerance_mm_(settings.visibility_tolerance_mm),
       draws_level_(settings.flat == FlatGround::draw),
-      judge_(surface, scene.view, tie_tolerance(scene, settings.visibility_tolerance_mm)),
-      wanted_(wanted) {}
+      judges_(judges_of(surface, scene, settings.visibility_tolerance_mm)), wanted_(wanted) {}
 
 // The profile as runs of connected stretches on the page, and which segment is which stretch.
 void EndMeter::trace(const Profile& profile, const std::vector<Segment>& segments) {
@@ -37,7 +36,7 @@ void EndMeter::trace(const Profile& profile, const std::vector<Segment>& segment
     const std::uint32_t left = left_vertex(segments[i]);
     if (profile.after[left] == Span::level && !draws_level_) continue;
     const ProfileLine line{point(left), point(left + 1)};
-    const auto picture = LineOnPage::of(line, scene_.view, scene_.to_page, scene_.page.inner_mm());
+    const auto picture = LineOnPage::of(line, sector_->view, sector_->to_page, scene_.frame_mm);
     if (!picture) continue;
     const std::size_t number = path_.size();
     const bool goes_on = number > 0 && last_vertex == left;
@@ -75,7 +74,8 @@ ProfilePoint EndMeter::at(const Stretch& of_run, double mm) const {
 }
 
 double EndMeter::above_mm(ProfilePoint p, bool on_edge) const {
-  return judge_.above(p, on_edge) * scene_.to_page.mm_per_y(project(scene_.view, p));
+  return judges_[sector_->behind ? 1 : 0].above(p, on_edge) *
+         sector_->to_page.mm_per_y(project(sector_->view, p));
 }
 
 void EndMeter::measure(const End& end, bool on_edge) {
@@ -138,8 +138,9 @@ void EndMeter::measure_some(std::uint64_t count, bool on_edge) {
   }
 }
 
-void EndMeter::see(const Profile& profile, const std::vector<Segment>& segments,
-                   const std::vector<Piece>& visible) {
+void EndMeter::see(const Sector& sector, const Profile& profile,
+                   const std::vector<Segment>& segments, const std::vector<Piece>& visible) {
+  sector_ = &sector;
   trace(profile, segments);
   found_.clear();
   for (std::size_t i = 0; i < visible.size(); ++i) {
@@ -156,16 +157,18 @@ void EndMeter::see(const Profile& profile, const std::vector<Segment>& segments,
   measure_some(wanted_.of_profile, false);
 }
 
-void EndMeter::see(const LineSweep& lines, const std::vector<LinePart>& visible) {
+void EndMeter::see(const Sector& sector, const LineSweep& lines,
+                   const std::vector<LinePart>& visible) {
+  sector_ = &sector;
   path_.clear();
   found_.clear();
   std::uint32_t last_line = 0;
   for (const LinePart& part : visible) {
     if (part.t_begin <= 0 && part.t_end >= 1) continue;
     const ProfileLine line = lines.whole(part.line);
-    if (scene_.view.is_perspective() && std::min(line.from.v, line.to.v) <= scene_.view.near_m)
+    if (sector.view.is_perspective() && std::min(line.from.v, line.to.v) <= sector.view.near_m)
       continue;
-    const auto picture = LineOnPage::of(line, scene_.view, scene_.to_page, scene_.page.inner_mm());
+    const auto picture = LineOnPage::of(line, sector_->view, sector_->to_page, scene_.frame_mm);
     if (!picture) continue;
     if (path_.empty() || last_line != part.line)
       path_.push_back({line, *picture, 0, path_.size(), path_.size() + 1});

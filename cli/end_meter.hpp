@@ -36,9 +36,10 @@ public:
   EndMeter(const Surface& surface, const Scene& scene, const RenderSettings& settings,
            Wanted wanted);
 
-  void see(const Profile& profile, const std::vector<Segment>& segments,
+  void see(const Sector& sector, const Profile& profile, const std::vector<Segment>& segments,
            const std::vector<Piece>& visible) override;
-  void see(const LineSweep& lines, const std::vector<LinePart>& visible) override;
+  void see(const Sector& sector, const LineSweep& lines,
+           const std::vector<LinePart>& visible) override;
 
   const EndSample& ends() const { return ends_; }
 
@@ -63,9 +64,10 @@ private:
   double above_mm(ProfilePoint p, bool on_edge) const;
 
   const Scene& scene_;
+  const Sector* sector_ = nullptr; ///< that is being seen
   double tolerance_mm_;
   bool draws_level_;
-  Judge judge_;
+  std::vector<Judge> judges_; ///< by sector
   Wanted wanted_;
   std::mt19937_64 engine_{20240302}; ///< always the same: a measurement can be made again
   std::vector<Stretch> path_;

@@ -17,29 +17,32 @@ DrawnScene draw_exactly(const Terrain& terrain, const Scene& scene, LineObserver
   };
   DrawnScene out;
   SecondsReport& seconds = out.seconds;
-  seconds.facing = seconds.cut = seconds.project = seconds.layout = 0;
-  const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles);
-  std::vector<Profile> profiles(scene.depths_m.size());
-  std::vector<std::vector<Segment>> segments(scene.depths_m.size());
-  std::vector<Segment> uprights; // of walls: the exact clip compares what has an extent in X
-  std::vector<ExactList> lists;
-  for (std::size_t i = 0; i < scene.depths_m.size(); ++i) {
-    auto start = Clock::now();
-    cutter.cut(scene.depths_m[i], profiles[i]);
-    seconds.cut += since(start);
-    start = Clock::now();
-    project_profile(profiles[i], static_cast<std::uint32_t>(i), scene.view, segments[i], uprights);
-    seconds.project += since(start);
-    out.counts.segments += segments[i].size();
-    lists.push_back({segments[i], Role::drawn_occluder});
-  }
-  const auto start = Clock::now();
-  const std::vector<ExactClip> clipped = exact_clip(lists);
-  seconds.clip = since(start);
-  for (std::size_t i = 0; i < clipped.size(); ++i) {
-    out.counts.largest_horizon =
-        std::max<std::uint64_t>(out.counts.largest_horizon, clipped[i].least_horizon);
-    if (observer) observer->see(profiles[i], segments[i], clipped[i].visible);
+  seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.layout = 0;
+  for (const Sector& sector : scene.sectors) {
+    const SurfaceCutter cutter(terrain.surface, sector.view, scene.level.triangles);
+    std::vector<Profile> profiles(sector.profiles.size());
+    std::vector<std::vector<Segment>> segments(sector.profiles.size());
+    std::vector<Segment> uprights; // of walls: the exact clip compares what has an extent in X
+    std::vector<ExactList> lists;
+    for (std::size_t i = 0; i < sector.profiles.size(); ++i) {
+      auto start = Clock::now();
+      cutter.cut(sector.profiles[i].depth_m, profiles[i]);
+      seconds.cut += since(start);
+      start = Clock::now();
+      project_profile(profiles[i], static_cast<std::uint32_t>(sector.profiles[i].number),
+                      sector.view, segments[i], uprights);
+      seconds.project += since(start);
+      out.counts.segments += segments[i].size();
+      lists.push_back({segments[i], Role::drawn_occluder});
+    }
+    const auto start = Clock::now();
+    const std::vector<ExactClip> clipped = exact_clip(lists);
+    seconds.clip += since(start);
+    for (std::size_t i = 0; i < clipped.size(); ++i) {
+      out.counts.largest_horizon =
+          std::max<std::uint64_t>(out.counts.largest_horizon, clipped[i].least_horizon);
+      if (observer) observer->see(sector, profiles[i], segments[i], clipped[i].visible);
+    }
   }
   return out;
 }

@@ -35,8 +35,7 @@ InkSample operator+(const InkSample& a, const InkSample& b) {
 InkMeter::InkMeter(const Surface& surface, const Scene& scene, const RenderSettings& settings,
                    double stride_mm, const Surface* full_heights)
     : scene_(scene), full_(full_heights), draws_level_(settings.flat == FlatGround::draw),
-      judge_(full_ ? *full_ : surface, scene.view,
-             tie_tolerance(scene, settings.visibility_tolerance_mm)),
+      judges_(judges_of(full_ ? *full_ : surface, scene, settings.visibility_tolerance_mm)),
       stride_mm_(stride_mm), to_next_mm_(stride_mm * share()),
       rest_of_stride_mm_(stride_mm_ - to_next_mm_) {}
 
@@ -44,22 +43,22 @@ double InkMeter::share() {
   return static_cast<double>(engine_() >> 11U) * 0x1p-53;
 }
 
-void InkMeter::judge(const ProfileLine& line, double t, bool on_edge, bool drawn,
-                     InkSample& sample) {
+void InkMeter::judge(const Sector& sector, const ProfileLine& line, double t, bool on_edge,
+                     bool drawn, InkSample& sample) {
   Verdict verdict = Verdict::tied;
   if (full_) {
     ProfilePoint at = point_between(line.from, line.to, t);
-    const Vec3 ground = to_ground_m(scene_.view, at);
+    const Vec3 ground = to_ground_m(sector.view, at);
     const auto height = height_at(*full_, {ground.x, ground.y});
     if (!height) return; // the overview's border isn't the full heights'
-    const Vec2 as_drawn = page_mm(at, scene_.view, scene_.to_page);
-    at.z = *height * scene_.view.exaggeration;
+    const Vec2 as_drawn = page_mm(at, sector.view, sector.to_page);
+    at.z = *height * sector.view.exaggeration;
     if (drawn)
       farthest_mm_ =
-          std::max(farthest_mm_, length(page_mm(at, scene_.view, scene_.to_page) - as_drawn));
-    verdict = judge_.verdict(at, on_edge);
+          std::max(farthest_mm_, length(page_mm(at, sector.view, sector.to_page) - as_drawn));
+    verdict = judge_of(sector).verdict(at, on_edge);
   } else {
-    verdict = judge_.verdict(line, t, on_edge, drawn);
+    verdict = judge_of(sector).verdict(line, t, on_edge, drawn);
   }
   ++sample.asked;
   if (verdict == Verdict::tied) ++sample.ties;
@@ -71,16 +70,16 @@ void InkMeter::judge(const ProfileLine& line, double t, bool on_edge, bool drawn
 }
 
 template <class IsDrawn>
-void InkMeter::ask(const ProfileLine& line, bool on_edge, const IsDrawn& is_drawn,
-                   InkSample& sample) {
-  const auto on_page = LineOnPage::of(line, scene_.view, scene_.to_page, scene_.page.inner_mm());
+void InkMeter::ask(const Sector& sector, const ProfileLine& line, bool on_edge,
+                   const IsDrawn& is_drawn, InkSample& sample) {
+  const auto on_page = LineOnPage::of(line, sector.view, sector.to_page, scene_.frame_mm);
   if (!on_page) return;
   sample.length_mm += on_page->length_mm();
   if (!std::isfinite(stride_mm_)) return;
   double place = to_next_mm_;
   while (place < on_page->length_mm()) {
     const double t = on_page->share_at(place);
-    judge(line, t, on_edge, is_drawn(t), sample);
+    judge(sector, line, t, on_edge, is_drawn(t), sample);
     const double within = share() * stride_mm_;
     place += rest_of_stride_mm_ + within;
     rest_of_stride_mm_ = stride_mm_ - within;
@@ -88,8 +87,8 @@ void InkMeter::ask(const ProfileLine& line, bool on_edge, const IsDrawn& is_draw
   to_next_mm_ = place - on_page->length_mm();
 }
 
-void InkMeter::see(const Profile& profile, const std::vector<Segment>& segments,
-                   const std::vector<Piece>& visible) {
+void InkMeter::see(const Sector& sector, const Profile& profile,
+                   const std::vector<Segment>& segments, const std::vector<Piece>& visible) {
   const auto at = [&](std::uint32_t vertex) {
     return ProfilePoint{profile.u_m[vertex], profile.depth_m, profile.z_m[vertex]};
   };
@@ -103,13 +102,14 @@ void InkMeter::see(const Profile& profile, const std::vector<Segment>& segments,
         if (piece->t_begin <= t && t <= piece->t_end) return true;
       return false;
     };
-    ask({at(left), at(left + 1)}, profile.after[left] == Span::wall, is_drawn, profiles_);
+    ask(sector, {at(left), at(left + 1)}, profile.after[left] == Span::wall, is_drawn, profiles_);
   }
 }
 
-void InkMeter::see(const LineSweep& lines, const std::vector<LinePart>& visible) {
+void InkMeter::see(const Sector& sector, const LineSweep& lines,
+                   const std::vector<LinePart>& visible) {
   if (full_) return;
-  const View& view = scene_.view;
+  const View& view = sector.view;
   auto first = visible.begin();
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
     if (!lines.line(i).drawn) continue;
@@ -129,8 +129,8 @@ void InkMeter::see(const LineSweep& lines, const std::vector<LinePart>& visible)
         if (part->t_begin <= t && t <= part->t_end) return true;
       return false;
     };
-    ask({point_between(line.from, line.to, from), point_between(line.from, line.to, to)}, true,
-        is_drawn, lines_);
+    ask(sector, {point_between(line.from, line.to, from), point_between(line.from, line.to, to)},
+        true, is_drawn, lines_);
   }
 }
 

@@ -41,9 +41,10 @@ public:
   InkMeter(const Surface& surface, const Scene& scene, const RenderSettings& settings,
            double stride_mm, const Surface* full_heights);
 
-  void see(const Profile& profile, const std::vector<Segment>& segments,
+  void see(const Sector& sector, const Profile& profile, const std::vector<Segment>& segments,
            const std::vector<Piece>& visible) override;
-  void see(const LineSweep& lines, const std::vector<LinePart>& visible) override;
+  void see(const Sector& sector, const LineSweep& lines,
+           const std::vector<LinePart>& visible) override;
 
   const InkSample& profiles() const { return profiles_; }
   const InkSample& lines() const { return lines_; }
@@ -52,14 +53,17 @@ public:
 
 private:
   template <class IsDrawn>
-  void ask(const ProfileLine& line, bool on_edge, const IsDrawn& is_drawn, InkSample& sample);
-  void judge(const ProfileLine& line, double t, bool on_edge, bool drawn, InkSample& sample);
+  void ask(const Sector& sector, const ProfileLine& line, bool on_edge, const IsDrawn& is_drawn,
+           InkSample& sample);
+  void judge(const Sector& sector, const ProfileLine& line, double t, bool on_edge, bool drawn,
+             InkSample& sample);
   double share();
+  const Judge& judge_of(const Sector& sector) const { return judges_[sector.behind ? 1 : 0]; }
 
   const Scene& scene_;
   const Surface* full_;
   bool draws_level_;
-  Judge judge_;
+  std::vector<Judge> judges_;        ///< by sector
   std::mt19937_64 engine_{20240301}; ///< always the same: a measurement can be made again
   double stride_mm_, to_next_mm_, rest_of_stride_mm_;
   InkSample profiles_, lines_;

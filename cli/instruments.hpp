@@ -16,10 +16,11 @@ class LineObserver {
 public:
   virtual ~LineObserver() = default;
   /// A profile; `visible` are pieces of `segments`, in order.
-  virtual void see(const Profile& profile, const std::vector<Segment>& segments,
-                   const std::vector<Piece>& visible) = 0;
+  virtual void see(const Sector& sector, const Profile& profile,
+                   const std::vector<Segment>& segments, const std::vector<Piece>& visible) = 0;
   /// All other lines; `visible` by line.
-  virtual void see(const LineSweep& lines, const std::vector<LinePart>& visible) = 0;
+  virtual void see(const Sector& sector, const LineSweep& lines,
+                   const std::vector<LinePart>& visible) = 0;
 };
 
 struct Instruments {

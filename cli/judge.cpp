@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/judge.hpp"
 
+#include "cli/tie_tolerance.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,6 +70,13 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
   }
   if (vertical && !is_same(-by_m, 0) && !is_same(by_m, 0)) return Verdict::tied;
   return found;
+}
+
+std::vector<Judge> judges_of(const Surface& surface, const Scene& scene, double tolerance_mm) {
+  std::vector<Judge> judges;
+  for (const Sector& sector : scene.sectors)
+    judges.emplace_back(surface, sector.view, tie_tolerance(sector, tolerance_mm));
+  return judges;
 }
 
 } // namespace orograph

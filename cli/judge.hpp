@@ -2,9 +2,12 @@
 // Whether a place on a line is visible, by the ray walk.
 #pragma once
 
+#include "cli/scene.hpp"
 #include "horizon/compare.hpp"
 #include "profiles/slab_lines.hpp"
 #include "reference/ray_walk.hpp"
+
+#include <vector>
 
 namespace orograph {
 
@@ -29,5 +32,9 @@ private:
   TieTolerance tolerance_;
   RayWalk walk_;
 };
+
+/// One for each of a scene's sectors, with this visibility tolerance. REQUIRES that both outlive
+/// them.
+std::vector<Judge> judges_of(const Surface& surface, const Scene& scene, double tolerance_mm);
 
 } // namespace orograph

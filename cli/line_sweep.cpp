@@ -27,31 +27,47 @@ double position_rounding_m(const Surface& surface, const View& view) {
   return 16 * std::numeric_limits<double>::epsilon() * (reach + length(view.depth_origin_m));
 }
 
-void join(std::vector<LinePart>& parts) {
+// Joins parts of one line that are no farther apart than `gap` says of the line.
+template <class Gap>
+void join(std::vector<LinePart>& parts, const Gap& gap) {
   std::sort(parts.begin(), parts.end(), [](const LinePart& a, const LinePart& b) {
     return a.line != b.line ? a.line < b.line : a.t_begin < b.t_begin;
   });
   std::size_t count = 0;
   for (const LinePart& part : parts) {
     if (count > 0 && parts[count - 1].line == part.line &&
-        parts[count - 1].t_end >= part.t_begin - kSameShare)
+        parts[count - 1].t_end >= part.t_begin - gap(part.line))
       parts[count - 1].t_end = std::max(parts[count - 1].t_end, part.t_end);
     else
       parts[count++] = part;
   }
   parts.resize(count);
 }
+void join(std::vector<LinePart>& parts) {
+  join(parts, [](std::uint32_t) { return kSameShare; });
+}
+
+// A line that keeps to the strip between two sectors is taken to lie along the near plane of the
+// one in front; else neither would have it.
+ProfileLine line_in(const Surface& surface, const Sector& sector, SurfaceEdge edge) {
+  ProfileLine line = line_of(surface, sector.view, edge);
+  const double near_m = sector.view.near_m;
+  if (sector.keeps_strip && std::abs(line.from.v) <= near_m && std::abs(line.to.v) <= near_m)
+    line.from.v = line.to.v = near_m;
+  return line;
+}
 
 } // namespace
 
-LineSweep::LineSweep(const Surface& surface, const View& view, std::vector<SweptLine> lines,
-                     double from_m, const TieTolerance& tolerance)
-    : view_(view), lines_(std::move(lines)), from_m_(from_m), tolerance_(tolerance),
-      rounding_m_(position_rounding_m(surface, view)),
+LineSweep::LineSweep(const Surface& surface, const Sector& sector,
+                     const std::vector<SweptLine>& lines, double from_m,
+                     const TieTolerance& tolerance)
+    : view_(sector.view), lines_(lines), from_m_(from_m), tolerance_(tolerance),
+      rounding_m_(position_rounding_m(surface, sector.view)),
       slabs_(
-          static_cast<std::uint32_t>(lines_.size()),
-          [&surface, &view, this](std::uint32_t i) {
-            return line_of(surface, view, lines_[i].edge);
+          static_cast<std::uint32_t>(lines.size()),
+          [&surface, &sector, &lines](std::uint32_t i) {
+            return line_in(surface, sector, lines[i].edge);
           },
           from_m) {}
 
@@ -194,19 +210,30 @@ ProfilePoint LineSweep::point(std::uint32_t line, double t) const {
   return point_between(whole.from, whole.to, t);
 }
 
-void draw_parts(const LineSweep& sweep, const std::vector<LinePart>& parts, const View& view,
-                StrokeBuilder& builder) {
+void join_sectors(const Surface& surface, const View& view, const std::vector<SweptLine>& lines,
+                  std::vector<LinePart>& parts) {
+  join(parts, [&](std::uint32_t i) {
+    const ProfileLine line = line_of(surface, view, lines[i].edge);
+    // The strip, twice as wide: its sides are rounded.
+    return 4 * view.near_m / std::abs(line.to.v - line.from.v) + kSameShare;
+  });
+}
+
+void draw_parts(const Surface& surface, const View& view, const std::vector<SweptLine>& lines,
+                const std::vector<LinePart>& parts, StrokeBuilder& builder) {
   std::vector<ChainLink> links;
   links.reserve(parts.size());
   for (const auto& [line, t_begin, t_end] : parts)
-    links.push_back({t_begin <= 0 ? sweep.line(line).edge.from : kLooseEnd,
-                     t_end >= 1 ? sweep.line(line).edge.to : kLooseEnd});
+    links.push_back({t_begin <= 0 ? lines[line].edge.from : kLooseEnd,
+                     t_end >= 1 ? lines[line].edge.to : kLooseEnd});
   for (const auto& pieces : chain(links)) {
     builder.begin(-1, std::numeric_limits<double>::quiet_NaN());
     const auto add = [&](const ChainedPiece& piece, bool at_end) {
       const LinePart& part = parts[piece.piece];
-      const ProfilePoint at = sweep.point(part.line, at_end ? part.t_end : part.t_begin);
-      builder.add({project(view, at), at});
+      const ProfileLine whole = line_of(surface, view, lines[part.line].edge);
+      const ProfilePoint at =
+          point_between(whole.from, whole.to, at_end ? part.t_end : part.t_begin);
+      builder.add({project_homogeneous(view, at), at});
     };
     add(pieces.front(), pieces.front().turned);
     for (const ChainedPiece& piece : pieces) add(piece, !piece.turned);

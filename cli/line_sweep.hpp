@@ -2,6 +2,7 @@
 // Lines on the surface other than profiles, swept front to back: silhouettes, shores, the border.
 #pragma once
 
+#include "cli/scene.hpp"
 #include "draw/stroke_builder.hpp"
 #include "horizon/clip.hpp"
 #include "horizon/surface_line.hpp"
@@ -33,9 +34,10 @@ struct LinePart {
 /// horizon by those that hide.
 class LineSweep {
 public:
-  /// REQUIRES that surface and view outlive the sweep. `from_m` is where the first slab begins.
-  LineSweep(const Surface& surface, const View& view, std::vector<SweptLine> lines, double from_m,
-            const TieTolerance& tolerance);
+  /// REQUIRES that surface, sector and lines outlive the sweep. `from_m` is where the first slab
+  /// begins.
+  LineSweep(const Surface& surface, const Sector& sector, const std::vector<SweptLine>& lines,
+            double from_m, const TieTolerance& tolerance);
 
   /// The slab up to the plane at `to_m`. `horizon` is made of what stands in front of the slab, and
   /// then of what stands in the slab as well, but for lines that lie in its last plane: they hide
@@ -71,7 +73,7 @@ private:
   double along_edge(const Projected& projected, double share) const;
 
   const View& view_;
-  std::vector<SweptLine> lines_;
+  const std::vector<SweptLine>& lines_;
   double from_m_;
   TieTolerance tolerance_;
   double rounding_m_; ///< bound on the rounding of u and v
@@ -86,8 +88,13 @@ private:
 std::vector<LinePart> without(const std::vector<LinePart>& parts,
                               const std::vector<LinePart>& taken);
 
+/// Brings the parts of several sectors, a vector after another, in order by line, and joins those
+/// that only the strip between the sectors parts. `view` is that of the first sector.
+void join_sectors(const Surface& surface, const View& view, const std::vector<SweptLine>& lines,
+                  std::vector<LinePart>& parts);
+
 /// Draws parts of lines as long strokes, joined at shared vertices.
-void draw_parts(const LineSweep& sweep, const std::vector<LinePart>& parts, const View& view,
-                StrokeBuilder& builder);
+void draw_parts(const Surface& surface, const View& view, const std::vector<SweptLine>& lines,
+                const std::vector<LinePart>& parts, StrokeBuilder& builder);
 
 } // namespace orograph

@@ -55,12 +55,13 @@ public:
   explicit AllOf(std::vector<LineObserver*> observers) : observers_(std::move(observers)) {}
   void add(LineObserver& observer) { observers_.push_back(&observer); }
 
-  void see(const Profile& profile, const std::vector<Segment>& segments,
+  void see(const Sector& sector, const Profile& profile, const std::vector<Segment>& segments,
            const std::vector<Piece>& visible) override {
-    for (LineObserver* observer : observers_) observer->see(profile, segments, visible);
+    for (LineObserver* observer : observers_) observer->see(sector, profile, segments, visible);
   }
-  void see(const LineSweep& lines, const std::vector<LinePart>& visible) override {
-    for (LineObserver* observer : observers_) observer->see(lines, visible);
+  void see(const Sector& sector, const LineSweep& lines,
+           const std::vector<LinePart>& visible) override {
+    for (LineObserver* observer : observers_) observer->see(sector, lines, visible);
   }
 
 private:

@@ -23,8 +23,9 @@ StrokePoint ProfileStrokes::point(const Profile& profile, std::uint32_t left, do
   const auto at = [&](std::uint32_t i) {
     return ProfilePoint{profile.u_m[i], profile.depth_m, profile.z_m[i]};
   };
-  const ProfilePoint scene = point_between(at(left), at(left + 1), t);
-  return {project(view_, scene), scene};
+  ProfilePoint scene = point_between(at(left), at(left + 1), t);
+  if (sector_.behind) scene = {-scene.u, -scene.v, scene.z};
+  return {project_homogeneous(view_, scene), scene};
 }
 
 void ProfileStrokes::add(const Profile& profile, std::int32_t number,
@@ -36,7 +37,7 @@ void ProfileStrokes::add(const Profile& profile, std::int32_t number,
     if (profile.after[left] == Span::level && !draws_level_) continue;
     if (!(open && at_vertex && piece.t_begin <= 0 && joined(profile, open_vertex, left))) {
       if (open) builder_.end();
-      builder_.begin(number, profile.depth_m);
+      builder_.begin(number, sector_.behind ? -profile.depth_m : profile.depth_m);
       builder_.add(point(profile, left, piece.t_begin));
       open = true;
     }

@@ -2,10 +2,10 @@
 // The visible pieces of profiles as strokes.
 #pragma once
 
+#include "cli/scene.hpp"
 #include "draw/stroke_builder.hpp"
 #include "horizon/clip.hpp"
 #include "profiles/profile.hpp"
-#include "view/view.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -16,9 +16,9 @@ namespace orograph {
 /// stroke, and level ground is left out where its shores are drawn instead.
 class ProfileStrokes {
 public:
-  /// REQUIRES that view and builder outlive this.
-  ProfileStrokes(const View& view, bool draws_level, StrokeBuilder& builder)
-      : view_(view), draws_level_(draws_level), builder_(builder) {}
+  /// Of profiles of a sector of `view`. REQUIRES that all outlive this.
+  ProfileStrokes(const View& view, const Sector& sector, bool draws_level, StrokeBuilder& builder)
+      : view_(view), sector_(sector), draws_level_(draws_level), builder_(builder) {}
 
   void add(const Profile& profile, std::int32_t number, const std::vector<Segment>& segments,
            const std::vector<Piece>& visible);
@@ -27,6 +27,7 @@ private:
   StrokePoint point(const Profile& profile, std::uint32_t left, double t) const;
 
   const View& view_;
+  const Sector& sector_;
   bool draws_level_;
   StrokeBuilder& builder_;
 };

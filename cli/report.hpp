@@ -70,6 +70,10 @@ struct CheckReport {
   std::uint64_t missing = 0; ///< visible, but not drawn
 };
 
+inline CheckReport operator+(const CheckReport& a, const CheckReport& b) {
+  return {a.asked + b.asked, a.ties + b.ties, a.hidden + b.hidden, a.missing + b.missing};
+}
+
 /// Visible ink that was left out on purpose, mm on the page.
 struct LeftOutReport {
   double silhouette_jump_mm = 0, min_stroke_mm = 0;

@@ -6,6 +6,7 @@
 #include "profiles/cut_surface.hpp"
 #include "profiles/plan.hpp"
 #include "view/place_view.hpp"
+#include "view/sectors.hpp"
 
 #include <fmt/format.h>
 
@@ -58,6 +59,34 @@ std::vector<BorderEdge> border_of(const Tin& tin, const SurfaceExtent&) {
   return border_edges(tin);
 }
 
+// Those of the two sides of the eye on which there is terrain.
+std::vector<Sector> sectors_of(const Surface& surface, const Scene& scene) {
+  Sector ahead;
+  ahead.view = scene.view;
+  ahead.to_page = scene.to_page;
+  std::vector<Sector> sectors{ahead};
+  if (shows_beside(scene.view) && scene.nearest_m < -scene.view.near_m) {
+    Sector behind;
+    behind.behind = true;
+    behind.view = sector_behind(scene.view);
+    behind.to_page = homography_behind(scene.to_page);
+    sectors.push_back(behind);
+    sectors.front().keeps_strip = true;
+  }
+  for (Sector& sector : sectors) {
+    const SurfaceCutter cutter(surface, sector.view, scene.level.triangles);
+    sector.nearest_m = cutter.nearest_m();
+    sector.farthest_m = cutter.farthest_m();
+    for (std::size_t i = 0; i < scene.depths_m.size(); ++i) {
+      const double depth = sector.behind ? -scene.depths_m[i] : scene.depths_m[i];
+      if (sectors.size() == 1 || depth > 0)
+        sector.profiles.push_back({depth, static_cast<std::int32_t>(i)});
+    }
+    if (sector.behind) std::reverse(sector.profiles.begin(), sector.profiles.end());
+  }
+  return sectors;
+}
+
 } // namespace
 
 double chosen_exaggeration(const Box3& terrain) {
@@ -90,6 +119,7 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
   const Placement placement = place_on_page(scene.view.window, settings.page);
   scene.page = placement.page;
   scene.to_page = compose(placement.to_page, scene.view.to_picture);
+  scene.frame_mm = scene.page.inner_mm();
 
   const SurfaceCutter cutter(surface, scene.view, scene.level.triangles);
   scene.nearest_m = cutter.nearest_m();
@@ -101,6 +131,7 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
                   {scene.nearest_m, scene.farthest_m, scene.extent.mean_height_m * exaggeration,
                    (box.high.z - box.low.z) * exaggeration},
                   scene.view, scene.to_page);
+  scene.sectors = sectors_of(surface, scene);
   return scene;
 }
 

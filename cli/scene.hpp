@@ -5,13 +5,32 @@
 #include "cli/render_settings.hpp"
 #include "dem/extent.hpp"
 #include "dem/terrain.hpp"
+#include "draw/stroke_builder.hpp"
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
 #include "view/view.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace orograph {
+
+/// A depth to cut at, in its sector, and the profile's number in the drawing.
+struct PlannedProfile {
+  double depth_m;
+  std::int32_t number;
+};
+
+/// What is ahead of the eye, or, where the page shows any of that, behind it.
+struct Sector {
+  View view;
+  Homography to_page;                   ///< its visibility plane to page mm
+  std::vector<PlannedProfile> profiles; ///< front to back
+  double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
+  bool behind = false;
+  bool keeps_strip = false; ///< has a sector behind it, and what lies between the two
+};
 
 struct Scene {
   SurfaceExtent extent;
@@ -19,11 +38,14 @@ struct Scene {
   LevelGround level; ///< empty where level ground is drawn like any other
   View view;
   Page page;
-  Homography to_page; ///< visibility plane to page mm
+  Homography to_page;               ///< visibility plane to page mm
+  Box2 frame_mm;                    ///< strokes end here
+  std::optional<VolumeDepth> depth; ///< and at the front and back plane, where there are any
   PlanRequest plan;
-  std::vector<double> depths_m;
+  std::vector<double> depths_m;         ///< of all profiles, rising; in `view`
   double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
-  double cell_m = 0;                    ///< its finest ground detail
+  std::vector<Sector> sectors;          ///< ahead, then behind; at least one
+  double cell_m = 0;                    ///< the terrain's finest ground detail
   bool exaggeration_chosen = false;     ///< by us, not by the user
 };
 

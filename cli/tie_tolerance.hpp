@@ -7,7 +7,7 @@
 
 namespace orograph {
 
-/// `mm` on the page as differences of Y, for what the page shows.
-TieTolerance tie_tolerance(const Scene& scene, double mm);
+/// `mm` on the page as differences of Y, for what the page shows of a sector.
+TieTolerance tie_tolerance(const Sector& sector, double mm);
 
 } // namespace orograph

@@ -8,8 +8,8 @@
 
 namespace orograph {
 
-void VisibleRecord::see(const Profile& profile, const std::vector<Segment>& segments,
-                        const std::vector<Piece>& visible) {
+void VisibleRecord::see(const Sector& sector, const Profile& profile,
+                        const std::vector<Segment>& segments, const std::vector<Piece>& visible) {
   Stretches& stretches = profiles_.emplace_back();
   const auto at = [&](std::uint32_t vertex) {
     return ProfilePoint{profile.u_m[vertex], profile.depth_m, profile.z_m[vertex]};
@@ -18,7 +18,7 @@ void VisibleRecord::see(const Profile& profile, const std::vector<Segment>& segm
   auto piece = visible.begin();
   for (std::uint32_t vertex = 0; vertex + 1 < profile.size(); ++vertex) {
     if (profile.after[vertex] == Span::gap) continue;
-    const auto line = LineOnPage::of({at(vertex), at(vertex + 1)}, scene_.view, scene_.to_page,
+    const auto line = LineOnPage::of({at(vertex), at(vertex + 1)}, sector.view, sector.to_page,
                                      scene_.page.inner_mm());
     for (; piece != visible.end() && left_vertex(segments[piece->segment]) <= vertex; ++piece) {
       if (!line || left_vertex(segments[piece->segment]) < vertex) continue;

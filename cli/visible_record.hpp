@@ -17,9 +17,9 @@ class VisibleRecord : public LineObserver {
 public:
   explicit VisibleRecord(const Scene& scene) : scene_(scene) {}
 
-  void see(const Profile& profile, const std::vector<Segment>& segments,
+  void see(const Sector& sector, const Profile& profile, const std::vector<Segment>& segments,
            const std::vector<Piece>& visible) override;
-  void see(const LineSweep&, const std::vector<LinePart>&) override {}
+  void see(const Sector&, const LineSweep&, const std::vector<LinePart>&) override {}
 
   /// The longest stretch that is visible in one run of a scene and hidden in the other: 0 where the
   /// two agree, else how far an end has moved, or what was lost or gained.

@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame's sides are half-planes in homogeneous page coordinates (x, y, w), in which a straight
-// line stays straight: x - left * w >= 0 and so on, and w > 0 in front of the picture plane. A
-// crossing with a side is therefore found without dividing by w (Liang and Barsky's way).
+// The frame's sides are planes in homogeneous page coordinates (x, y, w), in which a straight line
+// stays straight: x - left * w >= 0 and so on. A crossing with a side is therefore found without
+// dividing by w.
 #include "draw/stroke_builder.hpp"
 
 #include "draw/simplify.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace orograph {
+namespace {
+
+// Lines that lie in the front or back plane, along which the terrain was cut, are within rounding
+// of it.
+constexpr double kInPlane = 1e-9;
+
+StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) {
+  return {a.plane + share * (b.plane - a.plane), point_between(a.scene, b.scene, share)};
+}
+
+} // namespace
 
 void StrokeBuilder::begin(std::int32_t profile, double depth_m) {
   stroke_.profile = profile;
@@ -17,68 +27,47 @@ void StrokeBuilder::begin(std::int32_t profile, double depth_m) {
   has_last_ = false;
 }
 
-StrokeBuilder::PagePoint StrokeBuilder::page_of(Vec2 p) const {
-  const auto& m = settings_.to_page.m;
-  return {m[0] * p.x + m[1] * p.y + m[2], m[3] * p.x + m[4] * p.y + m[5],
-          m[6] * p.x + m[7] * p.y + m[8]};
-}
-
-bool StrokeBuilder::is_inside(const PagePoint& p) const {
-  const Box2& frame = settings_.frame_mm;
-  return p.w > 0 && p.x >= frame.low.x * p.w && p.x <= frame.high.x * p.w &&
-         p.y >= frame.low.y * p.w && p.y <= frame.high.y * p.w;
-}
-
-StrokePoint StrokeBuilder::between(const StrokePoint& a, const StrokePoint& b, double share) const {
-  const double depth_share =
-      settings_.perspective ? share_in_depth(share, a.scene.v, b.scene.v) : share;
-  return {
-      {a.plane.x + share * (b.plane.x - a.plane.x), a.plane.y + share * (b.plane.y - a.plane.y)},
-      point_between(a.scene, b.scene, depth_share)};
+// Left, right, above, below, back, front. That w >= 0 follows from back and front.
+PlaneValues StrokeBuilder::plane_values(const StrokePoint& point) const {
+  const Vec3 page = settings_.to_page.of(point.plane);
+  const auto& [x, y, w] = page;
+  const auto& [low, high] = settings_.frame_mm;
+  double depth = -0.5 * w;
+  if (const auto& d = settings_.depth)
+    depth = d->per_u * point.scene.u + d->per_v * point.scene.v + d->per_z * point.scene.z +
+            d->at_origin;
+  return {x - low.x * w,  high.x * w - x,           y - low.y * w,
+          high.y * w - y, w + depth + kInPlane * w, kInPlane * w - depth};
 }
 
 void StrokeBuilder::append(const StrokePoint& point) {
   // A point cut at the frame may round to just outside of it.
-  const Vec2 page = settings_.to_page(point.plane);
+  const Vec3 page = settings_.to_page.of(point.plane);
   const Box2& frame = settings_.frame_mm;
-  page_mm_.push_back({std::clamp(page.x, frame.low.x, frame.high.x),
-                      std::clamp(page.y, frame.low.y, frame.high.y)});
+  page_mm_.push_back({std::clamp(page.x / page.z, frame.low.x, frame.high.x),
+                      std::clamp(page.y / page.z, frame.low.y, frame.high.y)});
   if (settings_.to_map) scene_.push_back(point.scene);
 }
 
 void StrokeBuilder::add(const StrokePoint& point) {
-  const PagePoint page = page_of(point.plane);
-  const bool inside = is_inside(page);
+  const PlaneValues values = plane_values(point);
+  const bool inside = *std::ranges::min_element(values) >= 0;
   if (!has_last_) {
     if (inside) append(point);
   } else if (inside && last_inside_) {
     append(point);
   } else {
-    const Box2& frame = settings_.frame_mm;
-    const auto sides = [&](const PagePoint& p) {
-      return std::array<double, 5>{p.w, p.x - frame.low.x * p.w, frame.high.x * p.w - p.x,
-                                   p.y - frame.low.y * p.w, frame.high.y * p.w - p.y};
-    };
-    const auto from = sides(last_page_), to = sides(page);
-    double enter = 0, leave = 1;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      if (from[i] < 0 && to[i] < 0)
-        enter = 1, leave = 0;
-      else if (from[i] < 0)
-        enter = std::max(enter, from[i] / (from[i] - to[i]));
-      else if (to[i] < 0)
-        leave = std::min(leave, from[i] / (from[i] - to[i]));
-    }
-    if (enter < leave) {
-      if (!last_inside_) append(between(last_, point, enter));
-      append(inside ? point : between(last_, point, leave));
+    const auto shares = clip_by_planes(last_values_, values);
+    if (shares && shares->begin < shares->end) {
+      if (!last_inside_) append(between(last_, point, shares->begin));
+      append(inside ? point : between(last_, point, shares->end));
     } else if (inside) {
       append(point); // on the frame itself: nothing of the line so far, but it may go on
     }
     if (!inside) flush();
   }
   last_ = point;
-  last_page_ = page;
+  last_values_ = values;
   last_inside_ = inside;
   has_last_ = true;
 }

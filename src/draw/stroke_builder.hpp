@@ -3,31 +3,40 @@
 #pragma once
 
 #include "draw/drawing.hpp"
+#include "geometry/clip_by_planes.hpp"
 #include "geometry/homography.hpp"
 #include "geometry/profile_point.hpp"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace orograph {
 
+/// Both are affine functions of one point of the scene.
 struct StrokePoint {
-  Vec2 plane; ///< in the visibility plane
+  Vec3 plane; ///< in the visibility plane, in homogeneous coordinates (X w, Y w, w)
   ProfilePoint scene;
 };
 
+/// Where in a view volume's depth a point of the scene is: between -w at the back plane and 0 at
+/// the front plane, w being that of the point on the page.
+struct VolumeDepth {
+  double per_u, per_v, per_z, at_origin;
+};
+
 struct StrokeSettings {
-  Homography to_page; ///< visibility plane to page
-  Box2 frame_mm;      ///< strokes end here
+  Homography to_page;               ///< visibility plane to page
+  Box2 frame_mm;                    ///< strokes end here
+  std::optional<VolumeDepth> depth; ///< and at the front and back plane, where there are any
   double simplify_mm = 0.02;
-  double min_stroke_mm = 0; ///< shorter strokes are left out
-  bool perspective = true;  ///< depth is linear in 1/v along a projected line, not in v
+  double min_stroke_mm = 0;                 ///< shorter strokes are left out
   std::function<Vec3(ProfilePoint)> to_map; ///< empty where the output isn't tied to the ground
 };
 
-/// Takes one polyline after another, cuts it at the frame, simplifies what is inside and appends it
-/// to a layer. Memory: one polyline.
+/// Takes one polyline after another, clips it to the frame and between the planes, simplifies what
+/// is inside and appends it to a layer. Memory: one polyline.
 class StrokeBuilder {
 public:
   /// REQUIRES that both outlive the builder.
@@ -43,12 +52,7 @@ public:
   double left_out_mm() const { return left_out_mm_; }
 
 private:
-  struct PagePoint {
-    double x, y, w; ///< homogeneous page coordinates
-  };
-  PagePoint page_of(Vec2 plane) const;
-  bool is_inside(const PagePoint& p) const;
-  StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) const;
+  PlaneValues plane_values(const StrokePoint& point) const;
   void append(const StrokePoint& point);
   bool is_long_enough();
   void flush();
@@ -58,7 +62,7 @@ private:
   Stroke stroke_;
   bool has_last_ = false, last_inside_ = false;
   StrokePoint last_;
-  PagePoint last_page_{};
+  PlaneValues last_values_{};
   std::vector<Vec2> page_mm_;
   std::vector<ProfilePoint> scene_;
   std::vector<std::uint32_t> kept_;

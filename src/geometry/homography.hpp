@@ -15,6 +15,11 @@ struct Homography {
   std::array<double, 9> m{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
   double w(Vec2 p) const { return m[6] * p.x + m[7] * p.y + m[8]; }
+  /// The image of a point in homogeneous coordinates (X w, Y w, w), likewise.
+  Vec3 of(Vec3 p) const {
+    return {m[0] * p.x + m[1] * p.y + m[2] * p.z, m[3] * p.x + m[4] * p.y + m[5] * p.z,
+            m[6] * p.x + m[7] * p.y + m[8] * p.z};
+  }
   /// REQUIRES w(p) > 0.
   Vec2 operator()(Vec2 p) const {
     const double scale = 1 / w(p);
@@ -38,6 +43,17 @@ constexpr Homography compose(const Homography& outer, const Homography& inner) {
       product.m[3 * row + column] = sum;
     }
   return product;
+}
+
+/// Its product with `homography` is the identity, to rounding. REQUIRES that it is regular.
+constexpr Homography inverse(const Homography& homography) {
+  const auto& m = homography.m;
+  Homography out{{m[4] * m[8] - m[5] * m[7], m[2] * m[7] - m[1] * m[8], m[1] * m[5] - m[2] * m[4],
+                  m[5] * m[6] - m[3] * m[8], m[0] * m[8] - m[2] * m[6], m[2] * m[3] - m[0] * m[5],
+                  m[3] * m[7] - m[4] * m[6], m[1] * m[6] - m[0] * m[7], m[0] * m[4] - m[1] * m[3]}};
+  const double determinant = m[0] * out.m[0] + m[1] * out.m[3] + m[2] * out.m[6];
+  for (double& entry : out.m) entry /= determinant;
+  return out;
 }
 
 } // namespace orograph

@@ -12,10 +12,10 @@ Standing compare(const Segment& p, const Segment& s, const TieTolerance& toleran
 
   const double greatest = std::max(std::abs(at_low), std::abs(at_high));
   if (greatest == 0) return {tied};
-  if (greatest <= tolerance.greatest_y) {
-    const double middle = 0.5 * (low + high);
-    if (greatest <= tolerance.at(middle, height_at(p, middle))) return {tied};
-  }
+  if (greatest <= tolerance.greatest_y &&
+      std::abs(at_low) <= tolerance.at(low, height_at(p, low)) &&
+      std::abs(at_high) <= tolerance.at(high, height_at(p, high)))
+    return {tied};
   if (at_low >= 0 && at_high >= 0) return {above};
   if (at_low <= 0 && at_high <= 0) return {below};
 

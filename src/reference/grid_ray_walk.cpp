@@ -31,6 +31,8 @@ struct Walk {
   double rounding_m, rounding; ///< of a ground position, in metres and in cells
   double rounding_z;           ///< of a height on the surface, metres, exaggerated
   InFront found{};
+  // Rounding decides between these which Y is the greatest.
+  double greatest_upper = -std::numeric_limits<double>::infinity(), greatest_lower = greatest_upper;
 
   double y_of(double z, double w) const { return project(view, {0, w, z}).y; }
   double rounding_of_y(double y, double w) const {
@@ -40,7 +42,9 @@ struct Walk {
 
   void meet(double surface_m, double w) {
     const double y = y_of(surface_m * view.exaggeration, w);
-    found.rounding = std::max(found.rounding, rounding_of_y(y, w));
+    const double rounding_y = rounding_of_y(y, w);
+    greatest_upper = std::max(greatest_upper, y + rounding_y);
+    greatest_lower = std::max(greatest_lower, y - rounding_y);
     if (w < depth_m - rounding_m) found.greatest_y_apart = std::max(found.greatest_y_apart, y);
     if (!(y > found.greatest_y)) return;
     found.greatest_y = y;
@@ -149,6 +153,9 @@ InFront GridRayWalk::in_front(ProfilePoint p) const {
           if (const auto surface_m = height_at(grid_, ground - (p.v - begin_m) * per_m))
             walk.meet(*surface_m, begin_m);
         walk.found.rounding_m = rounding_m;
+        if (walk.greatest_upper > -std::numeric_limits<double>::infinity())
+          walk.found.rounding = std::max(walk.greatest_upper - walk.found.greatest_y,
+                                         walk.found.greatest_y - walk.greatest_lower);
         walk.found.rounding += walk.rounding_of_y(walk.y_of(p.z, p.v), p.v);
         return walk.found;
       },

@@ -17,19 +17,12 @@ struct AcceptedPart {
   Eigen::Vector4d begin, end;
 };
 
-/// Cohen and Sutherland's method with the six planes of the volume: ends outside are moved to a
-/// plane that they are outside of, until an outcode says that all or nothing is left. After each
-/// move it asks again whether both ends are outside one plane, so an edge that misses a corner is
-/// rejected. (Chen and Sabbagh 1983, section 5.7, which does not ask again.)
+/// Cohen and Sutherland's method with the six planes of the volume (geometry/clip_by_planes.hpp).
 ///
 /// x, y and z are over w, and the sign of w counts: a point with w < 0 is behind the eye and
 /// outside, and an edge between w > 0 and w < 0 is that of the scene, whose picture runs to
-/// infinity. What is accepted has w > 0. A point on a plane is inside.
-///
-/// Which side of a plane an end is on is decided exactly, and t is right to some 1e-16: every
-/// plane's function is a sum of two terms, rounded once, and differences are taken of values of
-/// opposite signs only. So an edge is accepted or rejected rightly unless it passes an edge of
-/// the volume within rounding.
+/// infinity. What is accepted has w > 0. A point on a plane is inside, and which side of a plane an
+/// end is on is decided exactly: every plane's function is a sum of two terms, rounded once.
 /// REQUIRES finite coordinates; no point from `from` to `to` is (0, 0, 0, 0), as none is that a
 /// regular matrix made of a scene's edge.
 std::optional<AcceptedPart> clip_to_volume(const Eigen::Vector4d& from, const Eigen::Vector4d& to,

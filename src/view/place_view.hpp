@@ -5,7 +5,6 @@
 #include "geometry/blocked_points.hpp"
 #include "view/view.hpp"
 
-#include <array>
 #include <span>
 
 namespace orograph {
@@ -29,17 +28,8 @@ struct TerrainShape {
 /// box, but for ground that can't be seen: nothing visible is lower than the terrain's near edge.
 /// A window given by a field of view is as high as `aspect` (height over width) says.
 ///
-/// Throws Error: perspective would need ground at v < v_near (it names the steepest elevation that
-/// works; where none does, it asks for a greater distance or a smaller field); the window would
-/// show rays with v <= 0; eye and target coincide, or lie above each other in perspective; all
-/// terrain is behind the eye.
+/// Throws Error: a framing perspective would need ground behind the picture plane; eye and target
+/// coincide; a parallel view looks up; all terrain is behind the eye.
 View place_view(const ViewRequest& request, const TerrainShape& terrain, double aspect);
-
-/// The visibility plane's point with this picture: the inverse of `view.to_picture`.
-/// REQUIRES, in perspective, that its ray has v > 0.
-Vec2 plane_of_picture(const View& view, Vec2 picture);
-
-/// The corners of the window in the visibility plane: their hull is what the page shows of it.
-std::array<Vec2, 4> shown_corners(const View& view);
 
 } // namespace orograph

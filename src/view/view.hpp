@@ -51,6 +51,14 @@ inline Vec2 project(const View& view, ProfilePoint p) {
   return {p.u + p.v * view.x_per_v, p.z * view.y_per_z + p.v * view.y_per_v};
 }
 
+/// The same in homogeneous coordinates (X w, Y w, w), for any point, beside and behind the eye as
+/// well: affine in p. In perspective w is the depth, in a parallel view 1.
+inline Vec3 project_homogeneous(const View& view, ProfilePoint p) {
+  if (view.is_perspective()) return {p.u, p.z - view.eye_z_m, p.v};
+  const Vec2 plane = project(view, p);
+  return {plane.x, plane.y, 1};
+}
+
 /// How u and z change along the ray of a point, away from the eye, in a metre of depth. REQUIRES
 /// p.v > 0 in perspective. A ray straight down changes z by -infinity.
 inline double u_along_ray(const View& view, ProfilePoint p) {
@@ -69,5 +77,8 @@ inline Vec3 to_ground_m(const View& view, ProfilePoint p) {
 /// Nearest ground that is drawn in perspective, as a share of a cell: closer than a hundredth of a
 /// cell there is nothing but the triangle under the eye, and 1/v would only cost digits.
 constexpr double kNearShareOfCell = 0.01;
+/// Where the page shows rays beside the eye, the ground between the near planes of the two sectors
+/// must not show: from a hundredth of a cell above the ground it is 1e-6 of that height wide.
+constexpr double kNearShareBetweenSectors = 1e-8;
 
 } // namespace orograph

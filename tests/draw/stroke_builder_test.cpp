@@ -19,31 +19,36 @@ Homography camera(double descent, double mm) {
 
 struct Scene {
   StrokeSettings settings;
+  bool perspective = false;
   std::vector<StrokePoint> points;
 };
 
 StrokePoint seen(ProfilePoint p, bool perspective) {
-  if (perspective) return {{p.u / p.v, p.z / p.v}, p};
-  return {{p.u, p.z + 0.5 * p.v}, p};
+  if (perspective) return {{p.u, p.z, p.v}, p};
+  return {{p.u, p.z + 0.5 * p.v, 1}, p};
+}
+
+Vec2 plane_of(const StrokePoint& p) {
+  return {p.plane.x / p.plane.z, p.plane.y / p.plane.z};
 }
 
 Scene made_scene(Random& random) {
   Scene scene;
   StrokeSettings& settings = scene.settings;
-  settings.perspective = random.chance(0.7);
+  scene.perspective = random.chance(0.7);
   settings.frame_mm = {{10, 10}, {190, 140}};
   settings.simplify_mm = 0;
   settings.to_map = [](ProfilePoint p) { return Vec3{p.u, p.v, p.z}; };
   // Upwards steep enough, and points have no picture; on a whole-number page they lie on the frame.
   const bool whole = random.chance(0.3);
-  settings.to_page = settings.perspective ? camera(random.pick({0.3, -0.9, 0.0}), 150)
-                                          : Homography{{10, 0, 100, 0, -10, 70, 0, 0, 1}};
+  settings.to_page = scene.perspective ? camera(random.pick({0.3, -0.9, 0.0}), 150)
+                                       : Homography{{10, 0, 100, 0, -10, 70, 0, 0, 1}};
   const double reach = random.pick({3.0, 9.0, 30.0});
   for (int i = random.whole(0, 25); i > 0; --i) {
     ProfilePoint p{random.between(-reach, reach), random.between(1, 9),
                    random.between(-reach, reach)};
     if (whole) p = {std::round(p.u), 2.0 * random.whole(1, 2), std::round(p.z)};
-    scene.points.push_back(seen(p, settings.perspective));
+    scene.points.push_back(seen(p, scene.perspective));
     if (random.chance(0.1)) scene.points.push_back(scene.points.back());
   }
   return scene;
@@ -80,11 +85,11 @@ struct Nearness {
   double plane, space;
 };
 Nearness to_polyline(const Scene& scene, Vec3 map) {
-  const StrokePoint p = seen({map.x, map.y, map.z}, scene.settings.perspective);
+  const StrokePoint p = seen({map.x, map.y, map.z}, scene.perspective);
   Nearness least{HUGE_VAL, HUGE_VAL};
   for (std::size_t i = 0; i + 1 < scene.points.size(); ++i) {
     const StrokePoint &a = scene.points[i], &b = scene.points[i + 1];
-    least.plane = std::min(least.plane, to_segment(p.plane, a.plane, b.plane));
+    least.plane = std::min(least.plane, to_segment(plane_of(p), plane_of(a), plane_of(b)));
     const Vec3 from{a.scene.u, a.scene.v, a.scene.z}, to{b.scene.u, b.scene.v, b.scene.z};
     const double squared = dot(to - from, to - from);
     const double t = squared > 0 ? std::clamp(dot(map - from, to - from) / squared, 0.0, 1.0) : 0;
@@ -126,14 +131,14 @@ TEST_CASE("what lies in the frame is drawn, and nothing else") {
       const Vec3 map = layer.map[i];
       const Nearness near = to_polyline(scene, map);
       REQUIRE(near.space <= 1e-12 * 100);
-      const Vec2 plane = seen({map.x, map.y, map.z}, scene.settings.perspective).plane;
+      const Vec2 plane = plane_of(seen({map.x, map.y, map.z}, scene.perspective));
       REQUIRE(to_page.w(plane) > 0);
       REQUIRE(length(to_page(plane) - p) <= rounding_mm);
     }
 
     for (std::size_t i = 0; i + 1 < scene.points.size(); ++i)
       for (int k = 0; k <= 60; ++k) {
-        const Vec2 a = scene.points[i].plane, b = scene.points[i + 1].plane;
+        const Vec2 a = plane_of(scene.points[i]), b = plane_of(scene.points[i + 1]);
         if (a == b) continue;
         const Vec2 p = a + (k / 60.0) * (b - a);
         if (!(to_page.w(p) > 1e-6)) continue;
@@ -159,9 +164,8 @@ TEST_CASE("what lies in the frame is drawn, and nothing else") {
 TEST_CASE("a polyline that comes in through a vertex on the frame goes on from there") {
   Scene scene;
   scene.settings.frame_mm = {{10, 10}, {190, 140}};
-  scene.settings.perspective = false;
   for (const double x : {5.0, 10.0, 20.0, 190.0, 195.0, 190.0, 150.0})
-    scene.points.push_back({{x, 50 + x}, {x, 0, 0}});
+    scene.points.push_back({{x, 50 + x, 1}, {x, 0, 0}});
   scene.settings.frame_mm.high.y = 300;
   scene.settings.simplify_mm = 0;
   const Layer layer = drawn(scene);
@@ -176,10 +180,9 @@ TEST_CASE("a polyline that comes in through a vertex on the frame goes on from t
 TEST_CASE("strokes are simplified within the tolerance, and points counted before") {
   Scene scene;
   scene.settings.frame_mm = {{0, 0}, {300, 300}};
-  scene.settings.perspective = false;
   scene.settings.simplify_mm = 0.02;
   for (int i = 0; i <= 100; ++i)
-    scene.points.push_back({{1.0 * i, 50 + (i % 2) * 0.01}, {1.0 * i, 0, 0}});
+    scene.points.push_back({{1.0 * i, 50 + (i % 2) * 0.01, 1}, {1.0 * i, 0, 0}});
   Layer layer;
   StrokeBuilder builder(scene.settings, layer);
   for (int times = 0; times < 2; ++times) {
@@ -190,4 +193,29 @@ TEST_CASE("strokes are simplified within the tolerance, and points counted befor
   REQUIRE(layer.strokes.size() == 2);
   CHECK(layer.strokes[1].point_count == 2);
   CHECK(layer.page_mm[2] == Vec2{0, 50});
+}
+
+TEST_CASE("strokes end at the front and back plane, and lines in a plane stay whole") {
+  Scene scene;
+  scene.settings.frame_mm = {{-1000, -1000}, {1000, 1000}};
+  scene.settings.simplify_mm = 0;
+  scene.settings.to_map = [](ProfilePoint p) { return Vec3{p.u, p.v, p.z}; };
+  // The front plane at depth 2, the back plane at 12; they leave a 1e-9 of that more.
+  constexpr double slack_m = 2e-8;
+  scene.settings.depth = VolumeDepth{0, -0.1, 0, 0.2};
+  for (const ProfilePoint& p : {ProfilePoint{0, 0, 1}, {1, 10, 2}, {1, 20, 3}, {2, 5, 0}})
+    scene.points.push_back(seen(p, false));
+  const Layer layer = drawn(scene);
+  REQUIRE(layer.strokes.size() == 2);
+  REQUIRE(layer.map.size() == 5);
+  CHECK(length(layer.map[0] - Vec3{0.2, 2, 1.2}) <= slack_m);
+  CHECK(layer.map[1] == Vec3{1, 10, 2});
+  CHECK(length(layer.map[2] - Vec3{1, 12, 2.2}) <= slack_m);
+  CHECK(length(layer.map[3] - Vec3{1 + 8 / 15., 12, 3 - 8 / 5.}) <= slack_m);
+  CHECK(layer.map[4] == Vec3{2, 5, 0});
+
+  scene.points.clear();
+  for (int i = 0; i < 30; ++i) // to rounding in the front plane
+    scene.points.push_back(seen({1.0 * i, 2 + (i % 2 ? 1e-12 : -1e-12), 0}, false));
+  CHECK(drawn(scene).map.size() == 30);
 }

@@ -4,6 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 #include "view/place_view.hpp"
+#include "view/sectors.hpp"
 
 using namespace orograph;
 
@@ -20,8 +21,8 @@ Homography on_page(const View& view) {
 }
 
 // Two vertices are terrain enough for a view.
-View view_of(const ViewRequest& request, double near_m = 1) {
-  const std::vector<Vec3> vertices{{-2000, -2000, 0}, {2000, 2000, 500}};
+View view_of(const ViewRequest& request, double near_m = 1, double highest_m = 500) {
+  const std::vector<Vec3> vertices{{-2000, -2000, 0}, {2000, 2000, highest_m}};
   BlockedPoints points;
   for (const Vec3& p : vertices) points.boxes.push_back({p, p});
   points.points = [&](std::size_t i) { return std::span(vertices).subspan(i, 1); };
@@ -146,17 +147,18 @@ TEST_CASE("an eye in the terrain gets all its profiles, most of them for what th
     request.look_at_m = Vec3{0, 1000, request.eye_m->z + 1000 * std::tan(climb * 3.14159 / 180)};
     request.field_of_view = Angle::degrees(random.pick({10.0, 30.0, 50.0}));
     request.roll = Angle::degrees(random.pick({0.0, 0.0, 90.0, 180.0, random.between(0, 360)}));
-    const View view = view_of(request, 0.3);
+    const View view = view_of(request, 0.3, climb > 0 ? 1e5 : -1e5); // where it looks
     const PlanGround ground{-2000, 2000, 250, 500};
     const int count = random.pick({1, 10, 300});
     CAPTURE(climb, request.eye_m->z, view.roll.in_degrees(), request.field_of_view->in_degrees());
     const auto depths = plan_depths(ProfileCount{count}, ground, view, on_page(view));
     REQUIRE(depths.size() == static_cast<std::size_t>(count));
-    check_in_order(depths, view.near_m, ground.farthest_m);
+    check_in_order(depths, shows_beside(view) ? ground.nearest_m : view.near_m, ground.farthest_m);
+    for (const double depth : depths) REQUIRE(std::abs(depth) >= view.near_m);
     // Even on the page can't mean a crowd at the eye's feet.
-    const auto behind =
-        std::count_if(depths.begin(), depths.end(), [](double d) { return d > 20; });
-    REQUIRE(behind >= count / 2);
+    const auto away =
+        std::count_if(depths.begin(), depths.end(), [](double d) { return std::abs(d) > 20; });
+    REQUIRE(away >= count / 2);
     CHECK_NOTHROW(plan_depths(PageSpacing{0.6}, ground, view, on_page(view)));
   }
 }

@@ -31,7 +31,7 @@ public:
   };
   std::vector<Part> parts;
 
-  void see(const Profile& profile, const std::vector<Segment>& segments,
+  void see(const Sector&, const Profile& profile, const std::vector<Segment>& segments,
            const std::vector<Piece>& visible) override {
     for (const Piece& piece : visible) {
       const std::uint32_t left = left_vertex(segments[piece.segment]);
@@ -42,7 +42,7 @@ public:
                        piece.t_begin, piece.t_end});
     }
   }
-  void see(const LineSweep& lines, const std::vector<LinePart>& visible) override {
+  void see(const Sector&, const LineSweep& lines, const std::vector<LinePart>& visible) override {
     for (const LinePart& part : visible) {
       const ProfileLine whole = lines.whole(part.line);
       parts.push_back({whole.from, whole.to, static_cast<int>(lines.line(part.line).kind),

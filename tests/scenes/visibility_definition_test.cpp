@@ -29,7 +29,8 @@ FlatScene cut_all(const Terrain& terrain, const Scene& scene) {
 
 Tally check(const Terrain& terrain, const RenderSettings& settings, std::uint64_t seed) {
   const Scene scene = place_scene(terrain, settings);
-  const TieTolerance tolerance = tie_tolerance(scene, settings.visibility_tolerance_mm);
+  const TieTolerance tolerance =
+      tie_tolerance(scene.sectors.front(), settings.visibility_tolerance_mm);
   return check_clip(cut_all(terrain, scene), tolerance.mm, tolerance.page, tolerance.greatest_y,
                     seed);
 }

@@ -2,6 +2,7 @@
 // The picture of a view against a pinhole camera, and what must never be mirrored or lean.
 #include "tests/catch.hpp"
 #include "tests/view/made_terrain.hpp"
+#include "view/sectors.hpp"
 
 using namespace orograph;
 
@@ -71,18 +72,20 @@ TEST_CASE("the picture is a pinhole camera's") {
       // The homography divides numbers up to 1/cos, 1/v: relative to the plane's coordinates.
       const double size = std::max({1.0, largest(project(view, frame)), largest(expected)});
       REQUIRE(largest(found - expected) <= 1e-10 * size);
-      const Vec2 plane = project(view, frame), back = plane_of_picture(view, found);
+      const Vec3 ray = ray_of_picture(view, found);
+      const Vec2 plane = project(view, frame), back{ray.x / ray.z, ray.y / ray.z};
       REQUIRE(largest(back - plane) <= 1e-10 * std::max(1.0, largest(plane)) * size);
       const Vec3 ground = to_ground_m(view, frame);
       REQUIRE(length(ground - p) <= 1e-11 * 1e4);
     }
     if (!camera.parallel) {
       REQUIRE(largest(picture_of(view, target)) <= 1e-12);
-      const auto corners = shown_corners(view);
+      const auto corners = corner_rays(view);
       const auto& [low, high] = view.window;
       const Vec2 window[4] = {low, {high.x, low.y}, high, {low.x, high.y}};
       for (std::size_t i = 0; i < 4; ++i)
-        REQUIRE(largest(view.to_picture(corners[i]) - window[i]) <= 1e-12);
+        REQUIRE(length(view.to_picture.of(corners[i]) - Vec3{window[i].x, window[i].y, 1}) <=
+                1e-12);
     }
   }
 }

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view/place_phigs_view.hpp"
+
+#include "geometry/error.hpp"
+#include "view/profile_frame.hpp"
+#include "view/sectors.hpp"
+#include "view/view_orientation.hpp"
+#include "view/visibility_homography.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orograph {
+namespace {
+
+// The homography leads to a page, on which y runs down; the picture plane's y runs up.
+Homography to_view_plane(const PhigsView& phigs, const ProfileFrame& frame) {
+  const Box2& window = phigs.window_m;
+  Homography out =
+      homography_of(phigs, frame, {{window.low.x, -window.high.y}, {window.high.x, -window.low.y}});
+  for (std::size_t i = 3; i < 6; ++i) out.m[i] *= -1;
+  return out;
+}
+
+// How far the picture of what is vertical, or leads away where the view is straight down, is turned
+// clockwise from upwards.
+Angle roll_of(const View& view) {
+  const Vec2 middle = view.window.centre();
+  const Vec3 ray = ray_of_picture(view, middle);
+  const Vec3 upwards = view.is_perspective() ? Vec3{0, ray.z, -ray.y} : Vec3{0, 1, 0};
+  const Vec3 image = view.to_picture.of(upwards), centre = view.to_picture.of(ray);
+  const double x = image.x - middle.x * image.z / centre.z,
+               y = image.y - middle.y * image.z / centre.z;
+  return atan2_angle(x, y);
+}
+
+void set_directions(View& view, const PhigsView& phigs, const ProfileFrame& frame) {
+  const Vec3 direction = direction_of_projection(phigs);
+  if (view.is_perspective()) {
+    view.depth_origin_m = {frame.origin_m.x, frame.origin_m.y};
+    view.eye_z_m = frame.origin_m.z;
+    view.distance_m = length(frame.origin_m - phigs.vrp_m);
+    view.elevation = atan2_angle(phigs.vpn.z, std::hypot(phigs.vpn.x, phigs.vpn.y));
+    return;
+  }
+  if (direction.z > 0)
+    throw Error(
+        "a parallel view can't look up",
+        "put the PRP higher, so that the direction from it to the window's centre descends");
+  view.depth_origin_m = {phigs.vrp_m.x, phigs.vrp_m.y};
+  view.elevation = atan2_angle(-direction.z, std::hypot(direction.x, direction.y));
+  if (is_vertical(direction)) {
+    view.y_per_z = 0;
+    view.y_per_v = 1;
+    return;
+  }
+  const Vec2 along{direction.x, direction.y};
+  const double d_u = dot(along, view.right), d_v = dot(along, view.forward);
+  view.x_per_v = 0 - d_u / d_v;
+  view.y_per_z = 1;
+  view.y_per_v = 0 - direction.z / d_v;
+}
+
+Projection kind_of(const PhigsView& phigs) {
+  if (phigs.projection == PhigsProjection::perspective) return Projection::perspective;
+  const Vec2 centre = phigs.window_m.centre();
+  return centre == Vec2{phigs.prp_m.x, phigs.prp_m.y} ? Projection::orthographic
+                                                      : Projection::oblique;
+}
+
+} // namespace
+
+View place_phigs_view(const PhigsView& phigs, double exaggeration, double cell_m) {
+  const ProfileFrame frame = frame_of(phigs);
+  View view;
+  view.projection = kind_of(phigs);
+  view.forward = frame.forward;
+  view.right = frame.right();
+  view.exaggeration = exaggeration;
+  view.look_at_m = {phigs.vrp_m.x, phigs.vrp_m.y, phigs.vrp_m.z / exaggeration};
+  view.frames_terrain = false;
+  view.window = phigs.window_m;
+  set_directions(view, phigs, frame);
+  view.to_picture = to_view_plane(phigs, frame);
+  view.roll = roll_of(view);
+  if (view.is_perspective())
+    view.near_m = (shows_beside(view) ? kNearShareBetweenSectors : kNearShareOfCell) * cell_m;
+  return view;
+}
+
+PhigsView phigs_of(const View& view, double reach_m) {
+  PhigsView phigs;
+  const Vec3 forward{view.forward.x, view.forward.y, 0}, right{view.right.x, view.right.y, 0},
+      up{0, 0, 1};
+  const double c = cos(view.elevation), s = sin(view.elevation);
+  const bool upright_plate = view.projection == Projection::oblique;
+  const Vec3 axis = upright_plate ? forward : c * forward - s * up;
+  phigs.vpn = -1.0 * axis;
+  // The picture turns clockwise by the roll.
+  phigs.vup = cos(view.roll) * cross(right, axis) - sin(view.roll) * right;
+  phigs.window_m = view.window;
+  if (view.is_perspective()) {
+    phigs.vrp_m = Vec3{view.depth_origin_m.x, view.depth_origin_m.y, view.eye_z_m} + axis;
+    phigs.prp_m = {0, 0, 1};
+    phigs.front_m = 1 - 1e-9;
+    phigs.back_m = 1 - std::max(reach_m, 1.0);
+    return phigs;
+  }
+  phigs.projection = PhigsProjection::parallel;
+  // A parallel picture is measured from the depth origin at height 0.
+  phigs.vrp_m = {view.depth_origin_m.x, view.depth_origin_m.y, 0};
+  const Vec2 centre = view.window.centre();
+  phigs.prp_m = {centre.x, centre.y, 1};
+  if (upright_plate) { // from the window's centre towards the viewer
+    phigs.prp_m.x += cos(view.roll) * view.x_per_v + sin(view.roll) * view.y_per_v;
+    phigs.prp_m.y += cos(view.roll) * view.y_per_v - sin(view.roll) * view.x_per_v;
+  }
+  phigs.front_m = reach_m;
+  phigs.back_m = -reach_m;
+  return phigs;
+}
+
+} // namespace orograph

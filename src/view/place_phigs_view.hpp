@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between a view by PHIGS's parameters and the view that the cut and the clip work with.
+#pragma once
+
+#include "view/phigs_view.hpp"
+#include "view/view.hpp"
+
+namespace orograph {
+
+/// The view with its profiles parallel to the view plane (`frame_of`), its picture plane the view
+/// plane in metres, its window the same. `exaggeration` is what heights in `phigs` are multiplied
+/// by already; `cell_m` is the terrain's finest ground detail. Front and back plane are not looked
+/// at: they cut the terrain (dem/mesh).
+/// Throws the Errors of the pipeline, and one for a parallel view that looks up.
+View place_phigs_view(const PhigsView& phigs, double exaggeration, double cell_m);
+
+/// The same the other way round, for every kind of view: a PHIGS view with the same picture, its
+/// view plane at distance 1 from the eye, or through `look_at_m` in a parallel view; front and back
+/// plane have `reach_m` between eye (or look-at point) and them or more.
+PhigsView phigs_of(const View& view, double reach_m);
+
+} // namespace orograph
