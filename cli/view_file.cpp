@@ -25,7 +25,7 @@ namespace {
 using Kind = ViewEntry::Kind;
 
 // A view takes less than a kilobyte; a report tells of every profile.
-constexpr std::size_t kMostBytesOfToml = 1'000'000, kMostBytesOfReport = 100'000'000;
+constexpr std::size_t kMostBytesOfToml = 1'000'000, kMostBytesOfReport = 20'000'000;
 
 std::string whole_file(const std::string& path, std::size_t most_bytes) {
   const std::string right = "give a view in TOML, or a report of orograph render (.json)";

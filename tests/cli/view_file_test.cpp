@@ -84,7 +84,7 @@ void check_refused_file(const std::string& content, const std::string& words,
                         const std::string& name = "my view.toml") {
   const MadeFolder folder;
   const std::string path = folder.write(name, content);
-  INFO(content);
+  INFO(content.substr(0, 1000));
   check_refused([&] { read_view_file(path); }, words);
   check_refused([&] { read_view_file(path); }, path);
   try {
@@ -165,6 +165,9 @@ TEST_CASE("a view from a run report") {
   check_refused_file("", "line 1: this isn't JSON", "r.json");
   check_refused_file("{\n\"view\": {\n\"eye\" 3}}\n", "line 3: this isn't JSON", "r.json");
   check_refused_file(kPerspective, "line 1: this isn't JSON", "r.json");
+  check_refused_file(std::string(100'000, '['), "line 1: this isn't JSON", "r.json");
+  check_refused_file(std::string(100'000, '[') + std::string(100'000, ']'), none, "r.json");
+  check_refused_file(std::string(20'000'001, ' '), "too large for a view (over 20 MB)", "r.json");
   check_refused_file("{\"x\": 1e999}", "a number is too large", "r.json");
   const auto phigs = [](const std::string& inside) {
     return "{\"view\": {\"phigs\": {" + inside + "}}}";
