@@ -5,6 +5,7 @@ pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo>=1.16)
 find_package(fmt 9 CONFIG REQUIRED)
 find_package(CLI11 2.1 CONFIG REQUIRED)
 find_package(nlohmann_json 3.11 CONFIG REQUIRED)
+find_package(tomlplusplus 3.3 CONFIG REQUIRED)
 find_package(CGAL 5.5 CONFIG REQUIRED)
 find_package(pugixml 1.13 CONFIG REQUIRED)
 find_package(Eigen3 3.4 CONFIG REQUIRED) # after CGAL, which looks for it in another way

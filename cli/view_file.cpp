@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// View files: TOML, and the run report's JSON.
+#include "cli/view_file.hpp"
+
+#include "cli/view_entries.hpp"
+#include "dem/read/words.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <string_view>
+
+namespace orograph {
+namespace {
+
+using Kind = ViewEntry::Kind;
+
+// A view takes less than a kilobyte; a report tells of every profile.
+constexpr std::size_t kMostBytesOfToml = 1'000'000, kMostBytesOfReport = 20'000'000;
+
+std::string whole_file(const std::string& path, std::size_t most_bytes) {
+  const std::string right = "give a view in TOML, or a report of orograph render (.json)";
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown)) throw Error(path + " is a folder", right);
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    if (errno == ENOENT) throw Error(path + ": no such file", right);
+    throw Error(fmt::format("{} can't be opened ({})", path, std::strerror(errno)), right);
+  }
+  std::string text;
+  constexpr std::size_t block = 65536;
+  while (file && text.size() <= most_bytes) {
+    const std::size_t before = text.size();
+    text.resize(before + block);
+    file.read(text.data() + before, block);
+    text.resize(before + static_cast<std::size_t>(file.gcount()));
+  }
+  if (file.bad()) throw Error(path + " can't be read", right);
+  if (text.size() > most_bytes)
+    throw Error(
+        fmt::format("{} is too large for a view (over {} MB)", path, most_bytes / 1'000'000),
+        right);
+  return text;
+}
+
+// A library's words may quote what stands in the file.
+std::string printable(std::string_view text) {
+  std::string line(text);
+  std::replace_if(
+      line.begin(), line.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  return line;
+}
+
+// A list of numbers or of something else. `number_at(i)` is empty where it is no number.
+template <class NumberAt>
+void take_list(ViewEntry& entry, std::size_t count, const NumberAt& number_at) {
+  entry.kind = Kind::numbers;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::optional<double> number = number_at(i);
+    if (!number) {
+      entry.kind = Kind::other;
+      entry.text = "a list that doesn't hold numbers alone";
+      entry.numbers.clear();
+      return;
+    }
+    entry.numbers.push_back(*number);
+  }
+}
+
+// Text is no number, and neither is true or false.
+std::optional<double> as_number(const toml::node& node) {
+  if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+  if (const auto* number = node.as_floating_point()) return number->get();
+  return std::nullopt;
+}
+
+ViewEntry entry_of(std::string_view key, const toml::node& node) {
+  ViewEntry entry;
+  entry.key = printable(key);
+  entry.line = node.source().begin.line;
+  if (const auto* text = node.as_string()) {
+    entry.kind = Kind::text;
+    entry.text = printable(text->get());
+  } else if (const auto number = as_number(node)) {
+    entry.kind = Kind::number;
+    entry.numbers = {*number};
+  } else if (const auto* list = node.as_array()) {
+    take_list(entry, list->size(), [&](std::size_t i) { return as_number((*list)[i]); });
+  } else {
+    entry.text = node.is_table() ? "a table" : node.is_boolean() ? "true or false" : "a time";
+  }
+  return entry;
+}
+
+std::vector<ViewEntry> toml_entries(const std::string& path) {
+  const std::string text = whole_file(path, kMostBytesOfToml);
+  std::vector<ViewEntry> entries;
+  try {
+    for (const auto& [key, value] : toml::parse(text)) entries.push_back(entry_of(key, value));
+  } catch (const toml::parse_error& error) {
+    throw Error(fmt::format("{}, line {}: this isn't TOML ({})", path, error.source().begin.line,
+                            printable(error.description())),
+                "give a view with lines such as vrp = [500000, 100000, 1200]");
+  }
+  // What stands first in the file is spoken of first.
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const ViewEntry& a, const ViewEntry& b) { return a.line < b.line; });
+  return entries;
+}
+
+std::optional<double> as_number(const nlohmann::json& value) {
+  if (!value.is_number()) return std::nullopt;
+  return value.get<double>();
+}
+
+ViewEntry entry_of(const std::string& key, const nlohmann::json& value) {
+  ViewEntry entry;
+  entry.key = printable(key);
+  if (value.is_string()) {
+    entry.kind = Kind::text;
+    entry.text = printable(value.get<std::string>());
+  } else if (const auto number = as_number(value)) {
+    entry.kind = Kind::number;
+    entry.numbers = {*number};
+  } else if (value.is_array()) {
+    take_list(entry, value.size(), [&](std::size_t i) { return as_number(value[i]); });
+  } else {
+    entry.text = value.is_null() ? "null" : value.is_boolean() ? "true or false" : "an object";
+  }
+  return entry;
+}
+
+// Where a key isn't there, or its owner is no object, null.
+nlohmann::json member(const nlohmann::json& owner, const char* key) {
+  return owner.is_object() && owner.contains(key) ? owner[key] : nlohmann::json();
+}
+
+std::vector<ViewEntry> report_entries(const std::string& path) {
+  const std::string text = whole_file(path, kMostBytesOfReport);
+  nlohmann::json report;
+  try {
+    report = nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    throw Error(
+        fmt::format("{}, line {}: this isn't JSON", path, 1 + std::count(text.begin(), end, '\n')),
+        "give the report again with --report");
+  } catch (const nlohmann::json::out_of_range&) {
+    throw Error(path + ": a number is too large", "give the report again with --report");
+  }
+  const nlohmann::json view = member(member(report, "view"), "phigs");
+  if (!view.is_object())
+    throw Error(path + " is no report of a run with a view to take over (view.phigs)",
+                "give a report that orograph render --report wrote, or a view in TOML");
+  std::vector<ViewEntry> entries;
+  for (const auto& [key, value] : view.items()) {
+    if (value.is_null() && (key == "front" || key == "back")) continue;
+    entries.push_back(entry_of(key, value));
+  }
+  return entries;
+}
+
+// The shortest that reads back to the same number, and as a float: an integer -0 would lose its
+// sign, and one of twenty digits would be too large.
+std::string printed(double number) {
+  char buffer[32];
+  std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string printed(std::initializer_list<double> numbers) {
+  std::string text;
+  for (const double number : numbers)
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", printed(number));
+  return "[" + text + "]";
+}
+
+std::string printed(Vec3 p) {
+  return printed({p.x, p.y, p.z});
+}
+
+} // namespace
+
+ViewFile read_view_file(const std::string& path) {
+  return view_of_entries(extension_of(path) == ".json" ? report_entries(path) : toml_entries(path),
+                         path);
+}
+
+std::string view_file_text(const ViewFile& view) {
+  const Box2& window = view.window_m;
+  std::string text = fmt::format(
+      "# A view of orograph. Points u, v, n are metres from vrp: to the right, up, to the viewer.\n"
+      "projection = \"{}\"\n"
+      "vrp = {} # view reference point: x, y and height of the terrain\n"
+      "vpn = {} # view plane normal, to the viewer: east, north, up\n"
+      "vup = {} # what is up in the picture: east, north, up\n"
+      "prp = {} # {}: u, v, n\n"
+      "window = {} # what is shown of the view plane: umin, vmin, umax, vmax\n",
+      view.projection == PhigsProjection::perspective ? "perspective" : "parallel",
+      printed(view.vrp_map), printed(view.vpn), printed(view.vup), printed(view.prp_m),
+      view.projection == PhigsProjection::perspective ? "the eye"
+                                                      : "from the window's centre to the viewer",
+      printed({window.low.x, window.low.y, window.high.x, window.high.y}));
+  if (view.front_m)
+    text += fmt::format("front = {} # n; what is nearer is cut away\n", printed(*view.front_m));
+  if (view.back_m)
+    text += fmt::format("back = {} # n; what is farther is cut away\n", printed(*view.back_m));
+  return text;
+}
+
+} // namespace orograph
