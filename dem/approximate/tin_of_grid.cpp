@@ -18,12 +18,22 @@ std::size_t count_of(const CellRow& cells) {
   return count;
 }
 
+using LeaveOut = std::function<void(int, CellRow&)>;
+
 template <class Value>
-std::size_t triangle_count(const Grid& grid, const std::vector<Value>& heights) {
+void find_left(const Grid& grid, const std::vector<Value>& heights, int row,
+               const LeaveOut& leave_out, CellRow& cells) {
+  find_triangles(grid, heights, row, cells);
+  if (leave_out && row + 1 < grid.rows) leave_out(row, cells);
+}
+
+template <class Value>
+std::size_t triangle_count(const Grid& grid, const std::vector<Value>& heights,
+                           const LeaveOut& leave_out) {
   CellRow cells(grid.columns);
   std::size_t count = 0;
   for (int row = 0; row + 1 < grid.rows; ++row) {
-    find_triangles(grid, heights, row, cells);
+    find_left(grid, heights, row, leave_out, cells);
     count += count_of(cells);
   }
   return count;
@@ -100,11 +110,15 @@ private:
 } // namespace
 
 Tin tin_of(const Grid& grid) {
+  return tin_of(grid, {});
+}
+
+Tin tin_of(const Grid& grid, const LeaveOut& leave_out) {
   Tin tin;
   if (grid.columns < 2 || grid.rows < 2) return tin;
   std::visit(
       [&](const auto& heights) {
-        const std::size_t count = triangle_count(grid, heights);
+        const std::size_t count = triangle_count(grid, heights, leave_out);
         tin.triangles.reserve(count);
         tin.neighbours.reserve(count);
         tin.vertices_m.reserve(std::min(grid.size(), 3 * count));
@@ -112,7 +126,7 @@ Tin tin_of(const Grid& grid) {
         Numbers north(static_cast<std::size_t>(grid.columns)), south = north;
         TriangleRows triangles(tin, grid.columns, cross(grid.column_step_m, grid.row_step_m) > 0);
         for (int row = 0; row < grid.rows; ++row) {
-          find_triangles(grid, heights, row, cells);
+          find_left(grid, heights, row, leave_out, cells);
           add_vertices(grid, heights, row, before, cells, tin, south);
           if (row > 0) triangles.add(before, north, south);
           std::swap(north, south);
