@@ -2,6 +2,7 @@
 #include "cli/accuracy.hpp"
 
 #include "cli/accuracy_report.hpp"
+#include "cli/cut_by_view.hpp"
 #include "cli/plot_accuracy.hpp"
 #include "cli/progress.hpp"
 #include "dem/read/read_terrain.hpp"
@@ -35,7 +36,8 @@ void accuracy(const AccuracySettings& settings) {
                     svg = settings.prefix + ".svg";
   for (const std::string& path : {csv, json, svg}) check_writable(path, render.write);
 
-  const Terrain terrain = read_terrain(render.input, render.reading);
+  Terrain terrain = read_terrain(render.input, render.reading);
+  cut_by_view(terrain, render);
   std::vector<AccuracyRow> rows = accuracy_rows(settings);
   ProgressBar bar(shows_progress(render.quiet, render.progress));
   for (std::size_t i = 0; i < rows.size(); ++i) {

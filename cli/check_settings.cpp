@@ -48,7 +48,7 @@ void check_no_input(const RenderSettings& settings, const std::string& path,
   const ReadOptions& reading = settings.reading;
   for (const auto& [input, name] :
        {std::pair{settings.input, "INPUT"}, std::pair{reading.breaklines, "--breaklines"},
-        std::pair{reading.boundary, "--boundary"}})
+        std::pair{reading.boundary, "--boundary"}, std::pair{settings.view_file, "--view"}})
     if (!input.empty() && replaces_input(input, path))
       throw UsageError(
           fmt::format("{} '{}' is the {}", option, path, name),
@@ -137,6 +137,7 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given) {
   check_view(settings, given);
   check_page(settings);
+  if (!settings.view_file.empty()) settings.view = read_view_file(settings.view_file);
 }
 
 } // namespace orograph

@@ -2,6 +2,7 @@
 #include "cli/describe_run.hpp"
 
 #include "cli/error_budget.hpp"
+#include "cli/scene_view.hpp"
 #include "draw/library_versions.hpp"
 #include "draw/pen_travel.hpp"
 
@@ -43,7 +44,8 @@ Vec3 eye_on_map(const View& view, const MapFrame& map) {
       {view.depth_origin_m.x, view.depth_origin_m.y, view.eye_z_m / view.exaggeration});
 }
 
-ViewReport describe_view(const Scene& scene, const MapFrame& map) {
+ViewReport describe_view(const Scene& scene, const MapFrame& map,
+                         const std::optional<ViewFile>& given) {
   const View& view = scene.view;
   ViewReport out;
   out.projection = projection_name(view.projection);
@@ -67,6 +69,9 @@ ViewReport describe_view(const Scene& scene, const MapFrame& map) {
   out.exaggeration = view.exaggeration;
   out.exaggeration_auto = scene.exaggeration_chosen;
   out.homography = scene.to_page;
+  out.phigs = given.value_or(ViewFile{});
+  if (!given) out.phigs = view_file_of(view, map);
+  out.phigs.exaggeration = view.exaggeration;
   return out;
 }
 
@@ -120,7 +125,7 @@ void entitle(Drawing& drawing, const Terrain& terrain, const Scene& scene,
 void describe_run(RunReport& report, const Terrain& terrain, const Scene& scene,
                   const DrawnScene& drawn, const RenderSettings& settings) {
   report.input = describe_input(terrain);
-  report.view = describe_view(scene, terrain.map);
+  report.view = describe_view(scene, terrain.map, settings.view);
   report.profiles = {spacing_text(scene.plan), scene.depths_m};
   report.counts = drawn.counts;
   report.left_out = drawn.left_out;

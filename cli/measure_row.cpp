@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One row's runs: one that measures lengths, one that asks the ray walk, and those that are timed.
 #include "cli/accuracy.hpp"
+#include "cli/cut_by_view.hpp"
 #include "cli/draw_scene.hpp"
 #include "cli/error_budget.hpp"
 #include "cli/exact_run.hpp"
@@ -85,7 +86,10 @@ void keep_least(SecondsReport& least, const SecondsReport& run) {
 void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terrain& full) {
   const RenderSettings render = settings_of(row, settings.render, full);
   std::optional<Terrain> overview;
-  if (row.settings.overview) overview = read_raster(render.input, render.reading);
+  if (row.settings.overview) {
+    overview = read_raster(render.input, render.reading);
+    cut_by_view(*overview, render);
+  }
   const Terrain& terrain = overview ? *overview : full;
   const Surface* full_heights = overview ? &full.surface : nullptr;
   const Scene scene = place_scene(terrain, render);

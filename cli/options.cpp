@@ -17,15 +17,20 @@ namespace {
 
 // Of the options for view, page and messages.
 std::vector<Conflict> picture_conflicts() {
-  return {{"--view-from", "--eye",
-           "give --view-from to frame the terrain, or --eye to stand somewhere"},
-          {"--distance", "--eye", "the distance is from --eye to --look-at"},
-          {"--portrait", "--landscape", "give one of the two"},
-          {"--view-from", "--axonometric", "give one of the two"},
-          {"--projection", "--axonometric", "leave --projection out"},
-          {"--oblique", "--axonometric", "give one of the two"},
-          {"--progress", "--no-progress", "give one of the two"},
-          {"--quiet", "--progress", "give one of the two"}};
+  std::vector<Conflict> conflicts{
+      {"--view-from", "--eye",
+       "give --view-from to frame the terrain, or --eye to stand somewhere"},
+      {"--distance", "--eye", "the distance is from --eye to --look-at"},
+      {"--portrait", "--landscape", "give one of the two"},
+      {"--view-from", "--axonometric", "give one of the two"},
+      {"--projection", "--axonometric", "leave --projection out"},
+      {"--oblique", "--axonometric", "give one of the two"},
+      {"--progress", "--no-progress", "give one of the two"},
+      {"--quiet", "--progress", "give one of the two"}};
+  for (const char* option : {"--view-from", "--projection", "--oblique", "--axonometric",
+                             "--distance", "--fov", "--eye", "--look-at", "--roll"})
+    conflicts.push_back({"--view", option, "the file holds the whole view"});
+  return conflicts;
 }
 
 } // namespace

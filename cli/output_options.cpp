@@ -37,12 +37,14 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
                      .name = "--overwrite",
                      .help = "Replace OUTPUT and the report where they exist",
                      .take = set_to(s.write.overwrite, true)});
-  options.push_back({.group = kGroup,
-                     .name = "--report",
-                     .value = "FILE.json",
-                     .help = "Write what was drawn, how exactly and in which time",
-                     .allowed = "a file name",
-                     .take = stored_name(s.report)});
+  options.push_back(
+      {.group = kGroup,
+       .name = "--report",
+       .value = "FILE.json|FILE.toml",
+       .help = "Write what was drawn, how exactly and in which time; to a .toml the view alone, "
+               "as --view takes it",
+       .allowed = "a file name",
+       .take = stored_name(s.report)});
   options.push_back(with_integer({.group = kGroup,
                                   .name = "--check",
                                   .value = "N",

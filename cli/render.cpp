@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/render.hpp"
 
+#include "cli/cut_by_view.hpp"
 #include "cli/describe_run.hpp"
 #include "cli/draw_scene.hpp"
 #include "cli/progress.hpp"
@@ -48,9 +49,12 @@ void render(const RenderSettings& settings) {
   RunReport report;
   SecondsReport& seconds = report.seconds;
 
-  const Terrain terrain =
+  Terrain terrain =
       timed(seconds.read, [&] { return read_terrain(settings.input, settings.reading); });
-  const Scene scene = timed(seconds.place, [&] { return place_scene(terrain, settings); });
+  const Scene scene = timed(seconds.place, [&] {
+    cut_by_view(terrain, settings);
+    return place_scene(terrain, settings);
+  });
   if (scene.exaggeration_chosen && scene.view.exaggeration != 1)
     say(settings, fmt::format("heights are exaggerated {} times (--exaggeration 1 draws them true)",
                               scene.view.exaggeration));

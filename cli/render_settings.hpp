@@ -2,6 +2,7 @@
 // Everything that `orograph render` is told, checked and in its own types.
 #pragma once
 
+#include "cli/view_file.hpp"
 #include "dem/read/read_options.hpp"
 #include "draw/page.hpp"
 #include "draw/write_drawing.hpp"
@@ -23,6 +24,8 @@ struct RenderSettings {
   std::string input, output;
   ReadOptions reading;
 
+  std::string view_file;        ///< its path; empty: the view is as the following say
+  std::optional<ViewFile> view; ///< what it holds
   Projection projection = Projection::perspective;
   Oblique oblique = kCavalier;
   Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);

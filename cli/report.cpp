@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
 
 namespace orograph {
@@ -57,6 +58,21 @@ Json json_of(const InputReport& input) {
           {"notes", input.notes}};
 }
 
+// The keys of view files.
+Json json_of(const ViewFile& view) {
+  const Box2& window = view.window_m;
+  return {
+      {"projection", view.projection == PhigsProjection::perspective ? "perspective" : "parallel"},
+      {"vrp", json_of(view.vrp_map)},
+      {"vpn", json_of(view.vpn)},
+      {"vup", json_of(view.vup)},
+      {"prp", json_of(view.prp_m)},
+      {"window", {window.low.x, window.low.y, window.high.x, window.high.y}},
+      {"front", or_null(view.front_m)},
+      {"back", or_null(view.back_m)},
+      {"exaggeration", view.exaggeration}};
+}
+
 Json json_of(const ViewReport& view) {
   Json rows = Json::array();
   for (std::size_t row = 0; row < 3; ++row)
@@ -78,7 +94,8 @@ Json json_of(const ViewReport& view) {
           {"roll_deg", view.roll_deg},
           {"exaggeration", view.exaggeration},
           {"exaggeration_auto", view.exaggeration_auto},
-          {"homography", rows}};
+          {"homography", rows},
+          {"phigs", json_of(view.phigs)}};
 }
 
 Json json_of(const CountsReport& counts) {
@@ -155,7 +172,8 @@ std::string report_text(const RunReport& report) {
 void write_report(const RunReport& report, const std::string& path, bool overwrite) {
   OutputFile place(path, overwrite);
   std::ofstream file(place.temporary_path(), std::ios::binary | std::ios::trunc);
-  file << report_text(report);
+  const bool view_alone = std::filesystem::path(path).extension() == ".toml";
+  file << (view_alone ? view_file_text(report.view.phigs) : report_text(report));
   file.close();
   if (!file)
     throw Error("can't write the report '" + path + "'",

@@ -2,6 +2,7 @@
 // The run report: what was drawn, how exactly and in which time, as JSON (docs/how-it-works.md).
 #pragma once
 
+#include "cli/view_file.hpp"
 #include "dem/triangulate/triangulate.hpp"
 #include "geometry/homography.hpp"
 #include "geometry/vec.hpp"
@@ -49,6 +50,7 @@ struct ViewReport {
   double exaggeration = 1;
   bool exaggeration_auto = false;
   Homography homography; ///< visibility plane to page mm
+  ViewFile phigs;        ///< the same view, as `--view` takes it
 };
 
 struct ProfilesReport {
@@ -116,7 +118,8 @@ struct RunReport {
 /// The JSON text, `"schema": 1`, with the program's version and commit.
 std::string report_text(const RunReport& report);
 
-/// Writes it whole or not at all. Throws Error where it can't be written, or exists and
+/// Writes it whole or not at all; to a path that ends in ".toml" only the view, as `--view` takes
+/// it. Throws Error where it can't be written, or exists and
 /// `overwrite` is off.
 void write_report(const RunReport& report, const std::string& path, bool overwrite);
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/scene.hpp"
 
+#include "cli/scene_view.hpp"
 #include "dem/height_at.hpp"
 #include "geometry/error.hpp"
 #include "profiles/cut_surface.hpp"
 #include "profiles/plan.hpp"
+#include "view/place_phigs_view.hpp"
 #include "view/place_view.hpp"
+#include "view/profile_frame.hpp"
 #include "view/sectors.hpp"
+#include "view/visibility_homography.hpp"
 
 #include <fmt/format.h>
 
@@ -59,6 +63,12 @@ std::vector<BorderEdge> border_of(const Tin& tin, const SurfaceExtent&) {
   return border_edges(tin);
 }
 
+void place_view_file(Scene& scene, const PhigsView& phigs, double exaggeration) {
+  scene.view = place_phigs_view(phigs, exaggeration, scene.cell_m);
+  const auto [per_u, per_v, per_z, at_origin] = volume_depth(phigs, frame_of(phigs));
+  scene.depth = VolumeDepth{per_u, per_v, per_z, at_origin};
+}
+
 // Those of the two sides of the eye on which there is terrain.
 std::vector<Sector> sectors_of(const Surface& surface, const Scene& scene) {
   Sector ahead;
@@ -95,6 +105,12 @@ double chosen_exaggeration(const Box3& terrain) {
   return steepness >= 0.12 ? 1 : steepness >= 0.06 ? 1.5 : 2;
 }
 
+double exaggeration_of(const RenderSettings& settings, const Box3& terrain) {
+  if (settings.exaggeration) return *settings.exaggeration;
+  if (settings.view) return settings.view->exaggeration;
+  return settings.eye_map ? 1 : chosen_exaggeration(terrain);
+}
+
 Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
   const Surface& surface = terrain.surface;
   Scene scene;
@@ -104,22 +120,28 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
   if (settings.flat == FlatGround::shore)
     scene.level = std::visit([](const auto& s) { return find_water(s); }, surface);
 
-  // A given eye sees the world as it is; exaggerating would lift the eye off its ground as well.
-  scene.exaggeration_chosen = !settings.exaggeration;
-  const double exaggeration =
-      settings.exaggeration.value_or(settings.eye_map ? 1 : chosen_exaggeration(scene.extent.box));
+  scene.exaggeration_chosen = !settings.exaggeration && !settings.view;
+  const double exaggeration = exaggeration_of(settings, scene.extent.box);
   const std::vector<OutlineEdge> outline =
       std::visit([&](const auto& s) { return outline_of(s, scene.border); }, surface);
   const TerrainShape shape{scene.extent.blocks, outline, scene.extent.box,
                            scene.extent.mean_height_m, scene.cell_m};
-  scene.view = place_view(view_request(settings, terrain.map, exaggeration), shape,
-                          page_aspect(settings.page));
+  if (settings.view)
+    place_view_file(scene, phigs_view(*settings.view, terrain.map, exaggeration), exaggeration);
+  else
+    scene.view = place_view(view_request(settings, terrain.map, exaggeration), shape,
+                            page_aspect(settings.page));
   check_eye(scene.view, terrain);
 
   const Placement placement = place_on_page(scene.view.window, settings.page);
   scene.page = placement.page;
   scene.to_page = compose(placement.to_page, scene.view.to_picture);
   scene.frame_mm = scene.page.inner_mm();
+  if (settings.view) { // of which the window is all that is shown
+    const Vec2 low = placement.to_page(scene.view.window.low),
+               high = placement.to_page(scene.view.window.high);
+    scene.frame_mm = {{low.x, high.y}, {high.x, low.y}};
+  }
 
   const SurfaceCutter cutter(surface, scene.view, scene.level.triangles);
   scene.nearest_m = cutter.nearest_m();

@@ -54,6 +54,10 @@ struct Scene {
 /// mountain range of 30 km.
 double chosen_exaggeration(const Box3& terrain);
 
+/// What heights are multiplied by: as the settings say, or chosen; 1 from a given eye, which sees
+/// the world as it is.
+double exaggeration_of(const RenderSettings& settings, const Box3& terrain);
+
 /// REQUIRES that the terrain outlives the scene. Throws Error as `place_view` and `plan_depths` do,
 /// and where the eye is under the ground.
 Scene place_scene(const Terrain& terrain, const RenderSettings& settings);

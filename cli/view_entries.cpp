@@ -25,14 +25,15 @@ struct Key {
   bool required = true; // has to be there
 };
 
-constexpr std::array<Key, 8> kKeys{{{"projection", "\"perspective\"", 0},
+constexpr std::array<Key, 9> kKeys{{{"projection", "\"perspective\"", 0},
                                     {"vrp", "[500000, 100000, 1200]", 3},
                                     {"vpn", "[0, -1, 0.5]", 3},
                                     {"vup", "[0, 0, 1]", 3, false},
                                     {"prp", "[0, 0, 4000]", 3},
                                     {"window", "[-1000, -500, 1000, 500]", 4},
                                     {"front", "2000", 1, false},
-                                    {"back", "-2000", 1, false}}};
+                                    {"back", "-2000", 1, false},
+                                    {"exaggeration", "1.5", 1, false}}};
 
 std::string place(const std::string& path, const ViewEntry& entry) {
   return entry.line == 0 ? path : fmt::format("{}, line {}", path, entry.line);
@@ -57,7 +58,8 @@ std::string how_to_give(const Key& key) {
       nearest = &key;
     }
   }
-  std::string hint = "a view has projection, vrp, vpn, vup, prp, window, front and back";
+  std::string hint =
+      "a view has projection, vrp, vpn, vup, prp, window, front, back and exaggeration";
   if (nearest != nullptr) hint = fmt::format("did you mean {}? {}", nearest->name, hint);
   throw Error(fmt::format("{}: unknown key '{}'", place(path, entry), entry.key), hint);
 }
@@ -117,6 +119,7 @@ void set(ViewFile& view, const ViewEntry& entry, const std::string& path) {
   if (entry.key == "window") view.window_m = {{n[0], n[1]}, {n[2], n[3]}};
   if (entry.key == "front") view.front_m = n[0];
   if (entry.key == "back") view.back_m = n[0];
+  if (entry.key == "exaggeration") view.exaggeration = n[0];
 }
 
 // The view as the pipeline's stages take it, with planes that stand in for those not given and
@@ -135,6 +138,8 @@ PhigsView with_planes(const ViewFile& file) {
 }
 
 void check_view(const ViewFile& file) {
+  if (!(file.exaggeration > 0 && file.exaggeration <= 1000))
+    throw Error("the exaggeration is not above 0 and up to 1000", "1 draws heights true");
   view_orientation({}, file.vpn, file.vup);
   const bool perspective = file.projection == PhigsProjection::perspective;
   // Without a front plane the stages have none to speak of.

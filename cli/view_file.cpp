@@ -213,6 +213,8 @@ std::string view_file_text(const ViewFile& view) {
       view.projection == PhigsProjection::perspective ? "the eye"
                                                       : "from the window's centre to the viewer",
       printed({window.low.x, window.low.y, window.high.x, window.high.y}));
+  if (view.exaggeration != 1)
+    text += fmt::format("exaggeration = {} # of all heights\n", printed(view.exaggeration));
   if (view.front_m)
     text += fmt::format("front = {} # n; what is nearer is cut away\n", printed(*view.front_m));
   if (view.back_m)

@@ -20,11 +20,13 @@ struct ViewFile {
   Vec3 prp_m{0, 0, 1};                   ///< projection reference point (u, v, n)
   Box2 window_m{{-1, -1}, {1, 1}};       ///< umin, vmin, umax, vmax
   std::optional<double> front_m, back_m; ///< n of the planes; none: nothing is cut there
+  double exaggeration = 1; ///< all heights are multiplied by it first, that of vrp too
 };
 
-/// TOML with the keys projection, vrp, vpn, vup (default [0, 0, 1]), prp, window, front and back,
-/// the last two optional. A file whose name ends in .json is a run report (`--report`) instead: its
-/// object view.phigs holds the same keys, and null is as good as no front or back plane.
+/// TOML with the keys projection, vrp, vpn, vup (default [0, 0, 1]), prp, window, front, back and
+/// exaggeration, the last three optional. A file whose name ends in .json is a run report
+/// (`--report`) instead: its object view.phigs holds the same keys, and null is as good as no front
+/// or back plane.
 ///
 /// Throws Error, one line that begins with the file's name, and line where there is one: no such
 /// file, a folder, too large; not TOML; a key that is unknown, missing, of the wrong type, with the

@@ -72,6 +72,13 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                        s.projection = Projection::orthographic;
                        return true;
                      }});
+  options.push_back({.group = kGroup,
+                     .name = "--view",
+                     .value = "FILE",
+                     .help = "Picture by all the parameters of PHIGS: view plane, projection "
+                             "reference point, window, front and back plane (docs/pipeline.md)",
+                     .allowed = "a view in TOML, or the report of a run (.json)",
+                     .take = stored_name(s.view_file)});
   options.push_back(with_number(
       {.group = kGroup,
        .name = "--distance",

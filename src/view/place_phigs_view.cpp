@@ -7,7 +7,6 @@
 #include "view/view_orientation.hpp"
 #include "view/visibility_homography.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace orograph {
@@ -88,7 +87,7 @@ View place_phigs_view(const PhigsView& phigs, double exaggeration, double cell_m
   return view;
 }
 
-PhigsView phigs_of(const View& view, double reach_m) {
+PhigsView phigs_of(const View& view) {
   PhigsView phigs;
   const Vec3 forward{view.forward.x, view.forward.y, 0}, right{view.right.x, view.right.y, 0},
       up{0, 0, 1};
@@ -102,8 +101,6 @@ PhigsView phigs_of(const View& view, double reach_m) {
   if (view.is_perspective()) {
     phigs.vrp_m = Vec3{view.depth_origin_m.x, view.depth_origin_m.y, view.eye_z_m} + axis;
     phigs.prp_m = {0, 0, 1};
-    phigs.front_m = 1 - 1e-9;
-    phigs.back_m = 1 - std::max(reach_m, 1.0);
     return phigs;
   }
   phigs.projection = PhigsProjection::parallel;
@@ -115,8 +112,6 @@ PhigsView phigs_of(const View& view, double reach_m) {
     phigs.prp_m.x += cos(view.roll) * view.x_per_v + sin(view.roll) * view.y_per_v;
     phigs.prp_m.y += cos(view.roll) * view.y_per_v - sin(view.roll) * view.x_per_v;
   }
-  phigs.front_m = reach_m;
-  phigs.back_m = -reach_m;
   return phigs;
 }
 

@@ -15,8 +15,9 @@ namespace orograph {
 View place_phigs_view(const PhigsView& phigs, double exaggeration, double cell_m);
 
 /// The same the other way round, for every kind of view: a PHIGS view with the same picture, its
-/// view plane at distance 1 from the eye, or through `look_at_m` in a parallel view; front and back
-/// plane have `reach_m` between eye (or look-at point) and them or more.
-PhigsView phigs_of(const View& view, double reach_m);
+/// view plane at distance 1 from the eye, or through the depth origin at height 0 in a parallel
+/// view. Of front and back plane it keeps the defaults. REQUIRES that it wasn't placed from a PHIGS
+/// view.
+PhigsView phigs_of(const View& view);
 
 } // namespace orograph

@@ -29,4 +29,14 @@ Homography homography_of(const PhigsView& view, const ProfileFrame& frame,
   return homography;
 }
 
+std::array<double, 4> volume_depth(const PhigsView& view, const ProfileFrame& frame) {
+  const Eigen::Matrix4d page = compose(Eigen::Matrix4d::Identity(), view, {{0, 0}, {1, 1}});
+  const auto of = [&](double x, double y, double z, double w) {
+    return page.row(2).dot(Eigen::Vector4d(x, y, z, w));
+  };
+  const Vec2 right = frame.right();
+  return {of(right.x, right.y, 0, 0), of(frame.forward.x, frame.forward.y, 0, 0), of(0, 0, 1, 0),
+          of(frame.origin_m.x, frame.origin_m.y, 0, 1)};
+}
+
 } // namespace orograph

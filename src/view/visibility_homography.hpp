@@ -6,6 +6,8 @@
 #include "view/phigs_view.hpp"
 #include "view/profile_frame.hpp"
 
+#include <array>
+
 namespace orograph {
 
 /// The picture of the visibility plane's point (X, Y) in page mm. For a point (u, v, z) of the
@@ -20,5 +22,10 @@ namespace orograph {
 /// REQUIRES, in a perspective view, the frame's origin at the eye, any F; in a parallel one a frame
 /// with d_v > 0, or the direction vertical. Throws the Errors of `compose`.
 Homography homography_of(const PhigsView& view, const ProfileFrame& frame, const Box2& viewport_mm);
+
+/// Where in the view volume's depth a point (u, v, z) of the frame is, z here above height 0: the
+/// factors of u, v, z and 1 in its z of the canonical parallel volume, times the w that the
+/// homography gives it; so between -w at the back plane and 0 at the front plane.
+std::array<double, 4> volume_depth(const PhigsView& view, const ProfileFrame& frame);
 
 } // namespace orograph

@@ -47,6 +47,21 @@ double small_hill_m(int column, int row) {
   return hill_m(column, row, kSize);
 }
 
+// A view of the hill from the south, but for the lines that are given.
+void write_view(const MadeFolder& folder, const std::string& name,
+                const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string line :
+       {"projection = 'parallel'", "vrp = [200, 200, 100]", "vpn = [0, -1, 1]", "vup = [0, 0, 1]",
+        "prp = [0, 0, 100]", "window = [-200, -200, 200, 200]", "front = 1000", "back = -1000"}) {
+    const std::string key = line.substr(0, line.find('=') + 1);
+    const auto other = std::find_if(lines.begin(), lines.end(),
+                                    [&](const std::string& l) { return l.starts_with(key); });
+    text += (other == lines.end() ? line : *other) + "\n";
+  }
+  folder.write(name, text);
+}
+
 void make_inputs(const MadeFolder& folder) {
   const auto nothing = [](int, int) { return -9999.0; };
   folder.write("hill.asc", ascii_grid(kSize, kSize, small_hill_m));
@@ -61,6 +76,15 @@ void make_inputs(const MadeFolder& folder) {
   const std::string tiff = geotiff(kSize, kSize, small_hill_m);
   folder.write("cut.tif", tiff.substr(0, tiff.size() / 2));
   folder.write("stub.tif", tiff.substr(0, 20));
+  write_view(folder, "flat.toml", {});
+  write_view(folder, "parallel-vup.toml", {"vup = [0, -2, 2]"});
+  write_view(folder, "empty-window.toml", {"window = [-200, 50, 200, 50]"});
+  write_view(folder, "front-behind.toml", {"front = -1000"});
+  write_view(folder, "eye-on-plane.toml", {"projection = 'perspective'", "prp = [0, 0, 0]"});
+  write_view(folder, "direction-in-plane.toml", {"prp = [10, 5, 0]"});
+  write_view(folder, "from-below.toml", {"vpn = [0, -1, -1]"});
+  write_view(folder, "all-cut.toml", {"back = 900"});
+  write_view(folder, "aside.toml", {"window = [5000, -200, 5400, 200]", "prp = [5200, 0, 9]"});
   folder.write("old.svg", "an older drawing");
   fs::create_directory(folder.path("folder.svg"));
   fs::create_symlink("hill.asc", folder.path("link.asc"));

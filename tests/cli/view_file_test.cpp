@@ -45,6 +45,7 @@ std::vector<std::uint64_t> bits(const ViewFile& view) {
     all.push_back(plane.has_value() ? 1 : 0);
     if (plane) all.push_back(std::bit_cast<std::uint64_t>(*plane));
   }
+  all.push_back(std::bit_cast<std::uint64_t>(view.exaggeration));
   all.push_back(view.projection == PhigsProjection::parallel ? 1 : 0);
   return all;
 }
@@ -52,7 +53,7 @@ std::vector<std::uint64_t> bits(const ViewFile& view) {
 ViewFile random_view_file(Random& random) {
   const PhigsView view = random_phigs_view(
       random, random.pick({PhigsProjection::perspective, PhigsProjection::parallel}));
-  ViewFile file{view.projection, {}, view.vpn, view.vup, view.prp_m, view.window_m, {}, {}};
+  ViewFile file{view.projection, {}, view.vpn, view.vup, view.prp_m, view.window_m, {}, {}, 1};
   const auto any = [&] {
     const double special = random.pick({-0.0, 5e-324, -1e300, 1e22, 0.1, 123456789012345680.0,
                                         -9007199254740994.0, 1e15, 1.0 / 3});
@@ -61,6 +62,7 @@ ViewFile random_view_file(Random& random) {
   file.vrp_map = {any(), any(), any()};
   if (random.chance(0.6)) file.front_m = view.front_m;
   if (random.chance(0.6)) file.back_m = view.back_m;
+  file.exaggeration = random.pick({1.0, random.between(0.1, 10)});
   return file;
 }
 
@@ -152,6 +154,7 @@ TEST_CASE("a view from a run report") {
                                {"vup", list(view.vup)},
                                {"prp", list(view.prp_m)},
                                {"window", {w.low.x, w.low.y, w.high.x, w.high.y}},
+                               {"exaggeration", view.exaggeration},
                                {"front", plane(view.front_m)},
                                {"back", plane(view.back_m)}};
     const nlohmann::json report{{"schema", 1}, {"view", {{"projection", "-"}, {"phigs", phigs}}}};
@@ -204,7 +207,11 @@ TEST_CASE("keys and values that a view file can't have") {
   };
   refused("windw", "windw = [0, 0, 1, 1]", "line 6: unknown key 'windw': did you mean window? a");
   refused("prp", "prpp = [0, 0, 4000]", "line 4: unknown key 'prpp': did you mean prp? a view has");
-  refused("exaggeration", "exaggeration = 2", "line 6: unknown key 'exaggeration': a view has");
+  refused("exaggeration", "exaggeration = 0", "the exaggeration is not above 0");
+  refused("exaggeration", "exaggeration = -1", "the exaggeration is not above 0");
+  refused("exaggeration", "exaggeration = 1001", "up to 1000");
+  refused("exaggeration", "exaggeration = [2]", "line 6: exaggeration is a list of 1 number");
+  refused("exageration", "exageration = 2", "line 6: unknown key 'exageration': did you mean");
   refused("Front", "Front = 2", "line 6: unknown key 'Front': did you mean front? a view has");
   refused("view", "[view]", "line 6: unknown key 'view': a view has projection, vrp,");
   refused("xyz", "xyz = 1", "line 6: unknown key 'xyz': a view has");
