@@ -86,8 +86,8 @@ void Check::ask(const LineSweep& lines, const std::vector<LinePart>& visible, st
     }
     if (!lines.line(line).drawn) continue;
     const ProfilePoint at = lines.point(line, t);
-    // Cut away, but for rounding.
-    if (view_.is_perspective() && at.v <= view_.near_m + lines.rounding_m()) continue;
+    // Cut away, or not: rounding of the place, of the cut and of the cut's own line decides.
+    if (view_.is_perspective() && at.v <= view_.near_m + 4 * lines.rounding_m()) continue;
     const auto part = std::partition_point(visible.begin(), visible.end(), [&](const LinePart& p) {
       return p.line < line || (p.line == line && p.t_end < t);
     });
