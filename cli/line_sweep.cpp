@@ -3,6 +3,7 @@
 
 #include "dem/extent.hpp"
 #include "draw/chain.hpp"
+#include "view/sectors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,13 +48,11 @@ void join(std::vector<LinePart>& parts) {
   join(parts, [](std::uint32_t) { return kSameShare; });
 }
 
-// A line that keeps to the strip between two sectors is taken to lie along the near plane of the
-// one in front; else neither would have it.
 ProfileLine line_in(const Surface& surface, const Sector& sector, SurfaceEdge edge) {
   ProfileLine line = line_of(surface, sector.view, edge);
   const double near_m = sector.view.near_m;
   if (sector.keeps_strip && std::abs(line.from.v) <= near_m && std::abs(line.to.v) <= near_m)
-    line.from.v = line.to.v = near_m;
+    line.from.v = line.to.v = kNearPlanesAhead * near_m;
   return line;
 }
 
@@ -212,11 +211,18 @@ ProfilePoint LineSweep::point(std::uint32_t line, double t) const {
 
 void join_sectors(const Surface& surface, const View& view, const std::vector<SweptLine>& lines,
                   std::vector<LinePart>& parts) {
-  join(parts, [&](std::uint32_t i) {
-    const ProfileLine line = line_of(surface, view, lines[i].edge);
-    // The strip, twice as wide: its sides are rounded.
+  const auto whole = [&](std::uint32_t line) { return line_of(surface, view, lines[line].edge); };
+  // The strip, twice as wide, since its sides are rounded.
+  const auto strip = [&](const ProfileLine& line) {
     return 4 * view.near_m / std::abs(line.to.v - line.from.v) + kSameShare;
-  });
+  };
+  join(parts, [&](std::uint32_t line) { return strip(whole(line)); });
+  // Edges that meet in the strip meet in the drawing as well.
+  for (LinePart& part : parts) {
+    const ProfileLine line = whole(part.line);
+    if (std::abs(line.from.v) <= view.near_m && part.t_begin <= strip(line)) part.t_begin = 0;
+    if (std::abs(line.to.v) <= view.near_m && part.t_end >= 1 - strip(line)) part.t_end = 1;
+  }
 }
 
 void draw_parts(const Surface& surface, const View& view, const std::vector<SweptLine>& lines,

@@ -36,7 +36,8 @@ double first_depth(const PlanGround& ground, const View& view) {
 
 // Not beside the eye, where a profile would have no picture.
 double beside_no_eye(double depth, const View& view) {
-  return view.is_perspective() && std::abs(depth) < view.near_m ? view.near_m : depth;
+  return view.is_perspective() && std::abs(depth) < view.near_m ? kNearPlanesAhead * view.near_m
+                                                                : depth;
 }
 
 class PagePath {

@@ -11,8 +11,8 @@
 namespace orograph {
 namespace {
 
-// Lines that lie in the front or back plane, along which the terrain was cut, are within rounding
-// of it.
+// Rounding puts a point of a plane on either side of it: a picture that fills the frame touches its
+// sides (in mm), and along the front and back plane, where they cut the terrain, lines lie in them.
 constexpr double kInPlane = 1e-9;
 
 StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) {
@@ -28,7 +28,7 @@ void StrokeBuilder::begin(std::int32_t profile, double depth_m) {
 }
 
 // Left, right, above, below, back, front. That w >= 0 follows from back and front.
-PlaneValues StrokeBuilder::plane_values(const StrokePoint& point) const {
+StrokeBuilder::Place StrokeBuilder::place_of(const StrokePoint& point) const {
   const Vec3 page = settings_.to_page.of(point.plane);
   const auto& [x, y, w] = page;
   const auto& [low, high] = settings_.frame_mm;
@@ -36,8 +36,11 @@ PlaneValues StrokeBuilder::plane_values(const StrokePoint& point) const {
   if (const auto& d = settings_.depth)
     depth = d->per_u * point.scene.u + d->per_v * point.scene.v + d->per_z * point.scene.z +
             d->at_origin;
-  return {x - low.x * w,  high.x * w - x,           y - low.y * w,
-          high.y * w - y, w + depth + kInPlane * w, kInPlane * w - depth};
+  const double slack = kInPlane * w;
+  const PlaneValues values{x - low.x * w,  high.x * w - x,    y - low.y * w,
+                           high.y * w - y, w + depth + slack, slack - depth};
+  return {values, w > 0 && *std::min_element(values.begin(), values.begin() + 4) >= -slack &&
+                      values[4] >= 0 && values[5] >= 0};
 }
 
 void StrokeBuilder::append(const StrokePoint& point) {
@@ -50,25 +53,23 @@ void StrokeBuilder::append(const StrokePoint& point) {
 }
 
 void StrokeBuilder::add(const StrokePoint& point) {
-  const PlaneValues values = plane_values(point);
-  const bool inside = *std::ranges::min_element(values) >= 0;
+  const Place place = place_of(point);
   if (!has_last_) {
-    if (inside) append(point);
-  } else if (inside && last_inside_) {
+    if (place.inside) append(point);
+  } else if (place.inside && last_place_.inside) {
     append(point);
   } else {
-    const auto shares = clip_by_planes(last_values_, values);
+    const auto shares = clip_by_planes(last_place_.values, place.values);
     if (shares && shares->begin < shares->end) {
-      if (!last_inside_) append(between(last_, point, shares->begin));
-      append(inside ? point : between(last_, point, shares->end));
-    } else if (inside) {
+      if (!last_place_.inside) append(between(last_, point, shares->begin));
+      append(place.inside ? point : between(last_, point, shares->end));
+    } else if (place.inside) {
       append(point); // on the frame itself: nothing of the line so far, but it may go on
     }
-    if (!inside) flush();
+    if (!place.inside) flush();
   }
   last_ = point;
-  last_values_ = values;
-  last_inside_ = inside;
+  last_place_ = place;
   has_last_ = true;
 }
 

@@ -52,7 +52,11 @@ public:
   double left_out_mm() const { return left_out_mm_; }
 
 private:
-  PlaneValues plane_values(const StrokePoint& point) const;
+  struct Place {
+    PlaneValues values; ///< of the view volume's planes
+    bool inside;
+  };
+  Place place_of(const StrokePoint& point) const;
   void append(const StrokePoint& point);
   bool is_long_enough();
   void flush();
@@ -60,9 +64,9 @@ private:
   const StrokeSettings& settings_;
   Layer& layer_;
   Stroke stroke_;
-  bool has_last_ = false, last_inside_ = false;
+  bool has_last_ = false;
   StrokePoint last_;
-  PlaneValues last_values_{};
+  Place last_place_{};
   std::vector<Vec2> page_mm_;
   std::vector<ProfilePoint> scene_;
   std::vector<std::uint32_t> kept_;

@@ -8,6 +8,10 @@
 
 namespace orograph {
 
+/// What keeps to the plane between two sectors is taken to lie so many near planes ahead, in the
+/// first sector; else neither would have it. The ground before it is cut away but for a hundredth.
+constexpr double kNearPlanesAhead = 100;
+
 /// The ray of a point of the picture plane, from the eye, in the homogeneous coordinates of the
 /// visibility plane: to_picture takes it to (x, y, 1), so in perspective its last coordinate, the
 /// depth that it gains, is 0 beside the eye and less behind it.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole pipeline with the surface as occluder, asked by the ray walk: nothing drawn is hidden,
 // nothing visible is missing, in any layer.
-#include "cli/draw_scene.hpp"
 #include "dem/height_at.hpp"
 #include "dem/read/read_raster.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
+#include "tests/scenes/asked_scenes.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
@@ -22,39 +22,6 @@ constexpr std::uint64_t kScenes = 700, kSampleProbes = 10000;
 #else
 constexpr std::uint64_t kScenes = 50, kSampleProbes = 1000;
 #endif
-
-struct Sum {
-  std::uint64_t scenes = 0, asked = 0, ties = 0, hidden = 0, missing = 0;
-
-  void add(const CheckReport& check) {
-    ++scenes;
-    asked += check.asked;
-    ties += check.ties;
-    hidden += check.hidden;
-    missing += check.missing;
-  }
-};
-
-CheckReport check(const Terrain& terrain, RenderSettings settings, std::uint64_t probes) {
-  settings.occluder = Occluder::surface;
-  settings.simplify_mm = 0;
-  settings.check = probes;
-  settings.silhouette_jump = 0;
-  const Scene scene = place_scene(terrain, settings);
-  const DrawnScene drawn = draw_scene(terrain, scene, settings, [](double) {});
-  const auto fault = find_fault(drawn.drawing);
-  INFO(fault.value_or(""));
-  REQUIRE(!fault);
-  REQUIRE(drawn.check);
-  CHECK(drawn.check->hidden == 0);
-  CHECK(drawn.check->missing == 0);
-  return *drawn.check;
-}
-
-void report(const char* what, const Sum& sum) {
-  WARN(what << ": " << sum.scenes << " scenes, " << sum.asked << " asked, " << sum.ties << " ties, "
-            << sum.hidden << " hidden but drawn, " << sum.missing << " missing");
-}
 
 // A view from an eye on the surface or a little above it, at a vertex or anywhere, which looks at
 // another vertex.
@@ -86,18 +53,18 @@ void put_eye(RenderSettings& settings, const Grid& grid, Random& random) {
 } // namespace
 
 TEST_CASE("the ray walk agrees with every line of made scenes") {
-  Sum sum;
+  Asked sum;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const RandomScene scene = random_scene(seed);
     CAPTURE(seed, scene.what);
-    sum.add(check(scene.terrain, scene.settings, 2000));
+    sum.add(ask(scene.terrain, scene.settings, 2000));
   }
   report("made scenes", sum);
   CHECK(sum.ties < sum.asked / 20);
 }
 
 TEST_CASE("and with profiles along rows, columns and diagonals, through their vertices") {
-  Sum sum;
+  Asked sum;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_scene(seed);
     Grid& grid = grid_of(scene.terrain);
@@ -116,7 +83,7 @@ TEST_CASE("and with profiles along rows, columns and diagonals, through their ve
     if (scene.settings.projection == Projection::perspective)
       scene.settings.from_elevation = Angle::degrees(random.between(0, 30));
     CAPTURE(seed, scene.what, diagonal, quarter);
-    sum.add(check(scene.terrain, scene.settings, 1000));
+    sum.add(ask(scene.terrain, scene.settings, 1000));
   }
   report("along rows", sum);
   // Where rounding leaves a profile a crumb beside a vertex, there is nothing to be seen.
@@ -124,7 +91,7 @@ TEST_CASE("and with profiles along rows, columns and diagonals, through their ve
 }
 
 TEST_CASE("and from an eye on the surface, on a vertex, a millimetre above it") {
-  Sum sum;
+  Asked sum;
   std::uint64_t refused = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_scene(seed);
@@ -133,9 +100,9 @@ TEST_CASE("and from an eye on the surface, on a vertex, a millimetre above it") 
     CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
             scene.settings.eye_map->z);
     try {
-      sum.add(check(scene.terrain, scene.settings, 2000));
+      sum.add(ask(scene.terrain, scene.settings, 2000));
     } catch (const Error&) {
-      ++refused; // the height below the eye rounds to above it, or the page shows the nadir
+      ++refused; // the height below the eye rounds to above it
     }
   }
   report("eyes at the surface", sum);
@@ -146,7 +113,7 @@ TEST_CASE("and from an eye on the surface, on a vertex, a millimetre above it") 
 }
 
 TEST_CASE("and of the samples, from several sides") {
-  Sum sum;
+  Asked sum;
   for (const char* name : {"cone", "plateau", "saddle", "ridge_and_valley", "fractal_alps",
                            "islands", "jacksboro", "volcano"}) {
     const Terrain terrain =
@@ -158,7 +125,7 @@ TEST_CASE("and of the samples, from several sides") {
       settings.from_elevation = Angle::degrees(2 + 11 * side);
       if (side >= 2) settings.projection = Projection::orthographic;
       settings.plan = ProfileCount{40};
-      sum.add(check(terrain, settings, kSampleProbes));
+      sum.add(ask(terrain, settings, kSampleProbes));
     }
   }
   report("samples", sum);

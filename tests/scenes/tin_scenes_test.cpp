@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole pipeline over TINs, asked by the ray walk: nothing drawn is hidden, nothing visible is
 // missing, in any layer.
-#include "cli/draw_scene.hpp"
 #include "dem/extent.hpp"
 #include "dem/height_at.hpp"
 #include "dem/mesh/verify_tin.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
+#include "tests/scenes/asked_scenes.hpp"
 #include "tests/scenes/random_tin_scene.hpp"
 #include "tests/support/random.hpp"
 
@@ -24,39 +24,11 @@ constexpr std::uint64_t kScenes = 500;
 constexpr std::uint64_t kScenes = 50;
 #endif
 
-struct Sum {
-  std::uint64_t scenes = 0, asked = 0, ties = 0, hidden = 0, missing = 0;
-
-  void add(const CheckReport& check) {
-    ++scenes;
-    asked += check.asked;
-    ties += check.ties;
-    hidden += check.hidden;
-    missing += check.missing;
-  }
-};
-
-CheckReport check(const Terrain& terrain, RenderSettings settings, std::uint64_t probes) {
-  settings.simplify_mm = 0;
-  settings.check = probes;
-  settings.silhouette_jump = 0;
-  const auto fault_of_tin = verify(std::get<Tin>(terrain.surface));
-  INFO((fault_of_tin ? fault_of_tin->what : ""));
-  REQUIRE(!fault_of_tin);
-  const Scene scene = place_scene(terrain, settings);
-  const DrawnScene drawn = draw_scene(terrain, scene, settings, [](double) {});
-  const auto fault = find_fault(drawn.drawing);
-  INFO(fault.value_or(""));
+CheckReport ask_tin(const Terrain& terrain, const RenderSettings& settings, std::uint64_t probes) {
+  const auto fault = verify(std::get<Tin>(terrain.surface));
+  INFO((fault ? fault->what : ""));
   REQUIRE(!fault);
-  REQUIRE(drawn.check);
-  CHECK(drawn.check->hidden == 0);
-  CHECK(drawn.check->missing == 0);
-  return *drawn.check;
-}
-
-void report(const char* what, const Sum& sum) {
-  WARN(what << ": " << sum.scenes << " scenes, " << sum.asked << " asked, " << sum.ties << " ties, "
-            << sum.hidden << " hidden but drawn, " << sum.missing << " missing");
+  return ask(terrain, settings, probes);
 }
 
 // At the highest surface of a vertex, of an edge's middle or of any place on a triangle; or over no
@@ -95,13 +67,13 @@ void put_eye(RenderSettings& settings, const Tin& tin, Random& random) {
 } // namespace
 
 TEST_CASE("the ray walk agrees with every line of made TINs") {
-  Sum sum;
+  Asked sum;
   std::uint64_t refused = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const RandomTinScene scene = random_tin_scene(seed);
     CAPTURE(seed, scene.what);
     try {
-      sum.add(check(scene.terrain, scene.settings, 2000));
+      sum.add(ask_tin(scene.terrain, scene.settings, 2000));
     } catch (const Error&) {
       ++refused; // too steep for a perspective of a narrow TIN
     }
@@ -112,7 +84,7 @@ TEST_CASE("the ray walk agrees with every line of made TINs") {
 }
 
 TEST_CASE("and with profiles through vertices and along edges and walls") {
-  Sum sum;
+  Asked sum;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomTinScene scene = random_tin_scene(8 * seed, false);
     Random random(seed + 200000);
@@ -125,14 +97,14 @@ TEST_CASE("and with profiles through vertices and along edges and walls") {
     if (scene.settings.projection == Projection::perspective)
       scene.settings.from_elevation = Angle::degrees(random.between(0, 30));
     CAPTURE(seed, scene.what);
-    sum.add(check(scene.terrain, scene.settings, 2000));
+    sum.add(ask_tin(scene.terrain, scene.settings, 2000));
   }
   report("along edges", sum);
   CHECK(sum.ties < sum.asked / 5);
 }
 
 TEST_CASE("and from an eye on the surface, on a vertex, in a hole, a millimetre above it") {
-  Sum sum;
+  Asked sum;
   std::uint64_t refused = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomTinScene scene = random_tin_scene(seed);
@@ -141,7 +113,7 @@ TEST_CASE("and from an eye on the surface, on a vertex, in a hole, a millimetre 
     CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
             scene.settings.eye_map->z);
     try {
-      sum.add(check(scene.terrain, scene.settings, 2000));
+      sum.add(ask_tin(scene.terrain, scene.settings, 2000));
     } catch (const Error&) {
       ++refused; // the height below the eye rounds to above it, or the page shows the nadir
     }

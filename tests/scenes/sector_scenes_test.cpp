@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cameras that look straight down or up, or far aside: drawn in two sectors, without a seam.
+#include "geometry/error.hpp"
+#include "profiles/project_profile.hpp"
+#include "tests/scenes/asked_scenes.hpp"
+#include "tests/scenes/random_scene.hpp"
+#include "tests/support/grid_of.hpp"
+#include "tests/support/random.hpp"
+#include "view/sectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+using namespace orograph;
+
+namespace {
+
+// Unoptimized and sanitized builds are there to find other things.
+#ifdef NDEBUG
+constexpr std::uint64_t kScenes = 500;
+#else
+constexpr std::uint64_t kScenes = 40;
+#endif
+
+// From anywhere over the terrain or beside it, low or high, at anything below, with any field.
+void look_down(RenderSettings& settings, const Terrain& terrain, Random& random) {
+  const Box3 box = extent_of(terrain.surface).box;
+  const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  const auto within = [&](double beyond) {
+    return Vec2{random.between(box.low.x - beyond * size, box.high.x + beyond * size),
+                random.between(box.low.y - beyond * size, box.high.y + beyond * size)};
+  };
+  Vec2 eye = within(0.1);
+  // Exactly over a vertex, a row or a column, as users' coordinates are.
+  const Grid& grid = grid_of(terrain);
+  if (random.chance(0.4))
+    eye = grid.position_m(random.whole(0, grid.columns - 1), random.whole(0, grid.rows - 1));
+  const double height = box.high.z + random.pick({0.01, 0.2, 1.0}) * size;
+  const Vec2 target = random.chance(0.4) ? eye : within(-0.3);
+  settings.projection = Projection::perspective;
+  settings.exaggeration = random.pick({1.0, 2.0});
+  settings.eye_map = Vec3{eye.x, eye.y, height};
+  settings.look_at_map = Vec3{target.x, target.y, box.low.z};
+  settings.from_azimuth = Angle::degrees(random.pick({0.0, 90.0, random.between(0, 360)}));
+  settings.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 120.0, 170.0}));
+  settings.roll = Angle::degrees(random.pick({0.0, random.between(-180, 180)}));
+}
+
+// A low hill, all of which can be seen from straight above.
+Terrain gentle(int columns, int rows) {
+  Terrain terrain;
+  Grid grid;
+  grid.columns = columns;
+  grid.rows = rows;
+  grid.first_vertex_m = {-10.0 * (columns - 1) / 2, 10.0 * (rows - 1) / 2};
+  grid.column_step_m = {10, 0};
+  grid.row_step_m = {0, -10};
+  std::vector<double> heights;
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c)
+      heights.push_back(100 + 3 * std::sin(0.4 * c) + 2 * std::cos(0.5 * r));
+  grid.heights_m = std::move(heights);
+  terrain.surface = std::move(grid);
+  return terrain;
+}
+
+const Layer& layer_named(const Drawing& drawing, const std::string& name) {
+  const auto layer = std::find_if(drawing.layers.begin(), drawing.layers.end(),
+                                  [&](const Layer& l) { return l.name == name; });
+  REQUIRE(layer != drawing.layers.end());
+  return *layer;
+}
+
+} // namespace
+
+TEST_CASE("the ray walk agrees with cameras that look straight down, and nearly") {
+  Asked sum;
+  int two_sectors = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    RandomScene scene = random_scene(seed);
+    Random random(seed + 400000);
+    look_down(scene.settings, scene.terrain, random);
+    if (random.chance(0.3)) scene.settings.layers.push_back("edges");
+    CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
+            scene.settings.eye_map->z, scene.settings.look_at_map->x,
+            scene.settings.look_at_map->y);
+    const Scene placed = place_scene(scene.terrain, scene.settings);
+    two_sectors += placed.sectors.size() == 2;
+    sum.add(ask(scene.terrain, scene.settings, 2000));
+  }
+  report("looking down", sum);
+  WARN(two_sectors << " in two sectors");
+  CHECK(two_sectors > static_cast<int>(kScenes / 2));
+  CHECK(sum.ties < sum.asked / 10);
+}
+
+TEST_CASE("from straight above nothing of a gentle hill is missing, and no line has a seam") {
+  for (const auto& [columns, rows] : {std::pair{21, 15}, {20, 14}, {21, 14}}) {
+    const Terrain terrain = gentle(columns, rows);
+    const Grid& grid = grid_of(terrain);
+    for (const double azimuth : {180.0, 90.0, 33.0, 225.0}) {
+      CAPTURE(columns, rows, azimuth);
+      RenderSettings settings;
+      settings.from_azimuth = Angle::degrees(azimuth);
+      settings.from_elevation = Angle::degrees(90);
+      settings.exaggeration = 1;
+      settings.look_at_map = Vec3{0, 0, 100}; // with 21 columns, rows over the eye's own place
+      settings.layers = {"profiles", "border", "edges"};
+      settings.simplify_mm = 0;
+      settings.plan = ProfileCount{24};
+      const Scene scene = place_scene(terrain, settings);
+      REQUIRE(scene.sectors.size() == 2);
+      const Drawing drawing = draw_scene(terrain, scene, settings, [](double) {}).drawing;
+      REQUIRE(!find_fault(drawing));
+
+      const Layer& border = layer_named(drawing, "border");
+      REQUIRE(border.strokes.size() == 1);
+      const auto ring = border.points(border.strokes[0]);
+      CHECK(ring.front() == ring.back());
+      // Each profile is one stroke, and they are all there, in both sectors.
+      const Layer& profiles = layer_named(drawing, "profiles");
+      CHECK(profiles.strokes.size() == 24);
+      std::vector<int> numbers;
+      for (const Stroke& stroke : profiles.strokes) {
+        numbers.push_back(stroke.profile);
+        CHECK(stroke.depth_m == scene.depths_m[static_cast<std::size_t>(stroke.profile)]);
+      }
+      std::sort(numbers.begin(), numbers.end());
+      for (int i = 0; i < 24; ++i) CHECK(numbers[static_cast<std::size_t>(i)] == i);
+
+      // Every edge is drawn as long as it is in the picture.
+      double drawn_mm = 0, whole_mm = 0;
+      for (const char* name : {"border", "edges"}) {
+        const Layer& layer = layer_named(drawing, name);
+        for (const Stroke& stroke : layer.strokes) {
+          const auto points = layer.points(stroke);
+          for (std::size_t i = 1; i < points.size(); ++i)
+            drawn_mm += length(points[i] - points[i - 1]);
+        }
+      }
+      const auto page = [&](int column, int row) {
+        const Vec2 at = grid.position_m(column, row);
+        const Vec3 p = scene.to_page.of(project_homogeneous(
+            scene.view, to_profile_frame(scene.view, {at.x, at.y, grid.height_m(column, row)})));
+        return Vec2{p.x / p.z, p.y / p.z};
+      };
+      int edges = 0;
+      for (int r = 0; r < rows; ++r)
+        for (int c = 0; c < columns; ++c)
+          for (const auto& [dc, dr] : {std::pair{1, 0}, {0, 1}, {1, 1}})
+            if (c + dc < columns && r + dr < rows) {
+              whole_mm += length(page(c + dc, r + dr) - page(c, r));
+              ++edges;
+            }
+      // Ends are rounded to 1e-4 mm.
+      CHECK(std::abs(drawn_mm - whole_mm) <= edges * 2e-4);
+    }
+  }
+}
+
+TEST_CASE("what is visible doesn't depend on pitch, roll or field, to the bit") {
+  class Seen : public LineObserver {
+  public:
+    std::vector<double> parts;
+    void see(const Sector& sector, const Profile& profile, const std::vector<Segment>& segments,
+             const std::vector<Piece>& visible) override {
+      for (const Piece& p : visible)
+        parts.insert(parts.end(),
+                     {sector.behind ? -profile.depth_m : profile.depth_m,
+                      static_cast<double>(left_vertex(segments[p.segment])), p.t_begin, p.t_end});
+    }
+    void see(const Sector& sector, const LineSweep&,
+             const std::vector<LinePart>& visible) override {
+      for (const LinePart& p : visible)
+        parts.insert(parts.end(),
+                     {sector.behind ? 1.0 : 0, static_cast<double>(p.line), p.t_begin, p.t_end});
+    }
+  };
+  int compared = 0, in_two_sectors = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 4; ++seed) {
+    RandomScene scene = random_scene(seed);
+    RenderSettings& settings = scene.settings;
+    Random random(seed + 500000);
+    look_down(settings, scene.terrain, random);
+    settings.visibility_tolerance_mm = 0;
+    const Vec3 eye = *settings.eye_map;
+    const Box3 box = extent_of(scene.terrain.surface).box;
+    settings.plan = GroundSpacing{(box.high.x - box.low.x) / 15};
+    const double heading = random.between(0, 6.28);
+    std::vector<double> first[2]; // by the number of sectors
+    for (int i = 0; i < 6; ++i) {
+      // The horizontal view direction to the bit: it is a difference of coordinates.
+      settings.look_at_map =
+          Vec3{eye.x + 1000 * std::sin(heading), eye.y + 1000 * std::cos(heading),
+               eye.z - random.pick({100.0, 300.0, 1000.0, 4000.0})};
+      settings.field_of_view = Angle::degrees(random.between(60, 150));
+      settings.roll = Angle::degrees(random.between(-180, 180));
+      std::optional<Scene> found;
+      try {
+        found = place_scene(scene.terrain, settings);
+      } catch (const Error&) {
+        continue; // looks away from the terrain
+      }
+      const Scene& placed = *found;
+      Seen seen;
+      draw_scene(scene.terrain, placed, settings, [](double) {}, {&seen, true, false});
+      auto& parts = first[shows_beside(placed.view) ? 1 : 0];
+      CAPTURE(seed, scene.what, i);
+      if (parts.empty()) {
+        parts = seen.parts;
+        continue;
+      }
+      REQUIRE(seen.parts == parts);
+      ++compared;
+      in_two_sectors += placed.sectors.size() == 2;
+    }
+  }
+  CHECK(compared > static_cast<int>(kScenes / 2));
+  CHECK(in_two_sectors > static_cast<int>(kScenes / 8));
+}
