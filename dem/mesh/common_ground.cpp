@@ -87,6 +87,11 @@ double height_on(const Tin& tin, std::uint32_t triangle, Vec2 at) {
   const Vec3 &a = tin.vertices_m[i], &b = tin.vertices_m[j], &c = tin.vertices_m[k];
   const Vec2 ab{b.x - a.x, b.y - a.y}, ac{c.x - a.x, c.y - a.y}, p{at.x - a.x, at.y - a.y};
   const double all = cross(ab, ac);
+  if (all == 0) { // a needle whose area rounds to nothing: along its longer edge from a
+    const bool to_b = dot(ab, ab) >= dot(ac, ac);
+    const Vec2 along = to_b ? ab : ac;
+    return a.z + dot(p, along) / dot(along, along) * ((to_b ? b.z : c.z) - a.z);
+  }
   return a.z + cross(p, ac) / all * (b.z - a.z) + cross(ab, p) / all * (c.z - a.z);
 }
 

@@ -5,12 +5,14 @@
 #include "dem/mesh/cut_at_plane.hpp"
 
 #include "dem/mesh/cut_wall.hpp"
+#include "dem/mesh/edge_points.hpp"
 #include "dem/mesh/neighbours.hpp"
 #include "dem/mesh/orientation.hpp"
 #include "dem/mesh/overlap.hpp"
 #include "dem/mesh/plane_crossings.hpp"
 #include "dem/mesh/split_polygon.hpp"
 #include "dem/mesh/tin_from_triangles.hpp"
+#include "dem/plan_area.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -72,11 +74,23 @@ private:
     std::vector<Vec2> corners;
     for (const std::uint32_t v : polygon) corners.push_back({vertex_m(v).x, vertex_m(v).y});
     const std::vector<PolygonTriangle> pieces = split_polygon(corners);
+    has_thin_ = has_thin_ || is_thin(t);
     for (const auto& [i, j, k] : pieces) triangles_.push_back({polygon[i], polygon[j], polygon[k]});
     if (!pieces.empty()) return;
     turned_over_ = true;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
       triangles_.push_back({polygon[0], polygon[i], polygon[i + 1]});
+  }
+
+  // Not much thicker than what counts as one place, seen from above: rounding may fold its pieces.
+  bool is_thin(std::uint32_t t) const {
+    double longest_m = 0, reach_m = 0;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const PlanEdge edge = edge_of(tin_.triangles[t], k);
+      longest_m = std::max(longest_m, plan_length_m(tin_, edge));
+      reach_m = std::max(reach_m, rounding_reach_m(tin_, edge));
+    }
+    return 2 * plan_area_m2(tin_, t) <= 4 * reach_m * longest_m;
   }
 
   void split_wall(std::uint32_t t) {
@@ -115,19 +129,18 @@ private:
     out.triangles = std::move(triangles_);
     for (Triangle& triangle : out.triangles)
       for (std::uint32_t& v : triangle) v = number[v];
-    if (turned_over_)
-      return tin_from_triangles({std::move(out.vertices_m), std::move(out.triangles)}, true,
-                                "the surface cut at a plane")
-          .tin;
     out.neighbours = find_neighbours(out.triangles, out.vertices_m.size()).of;
-    return out;
+    if (!turned_over_ && !(has_thin_ && first_overlap(out))) return out;
+    return tin_from_triangles({std::move(out.vertices_m), std::move(out.triangles)}, true,
+                              "the surface cut at a plane")
+        .tin;
   }
 
   const Tin& tin_;
   const HalfSpace& space_;
   PlaneCrossings crossings_;
   std::vector<Triangle> triangles_;
-  bool turned_over_ = false;
+  bool turned_over_ = false, has_thin_ = false; ///< pieces, and triangles that were split
 };
 
 } // namespace

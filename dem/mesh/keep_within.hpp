@@ -15,7 +15,8 @@ namespace orograph {
 ///      Vertices and triangles keep their order; the vertices of cut lines come after the others,
 ///      and the pieces of a triangle take its place. So edges that aren't cut are reckoned alike.
 ///  (2) A vertex of a cut line is made once for each edge and plane, from the edge's vertex of
-///      lower index, and rounded; planes are taken one after the other. On a border edge it is
+///      lower index, and rounded. Planes are taken one after the other; edges that split a piece of
+///      an earlier cut count like any. On a border edge it is
 ///      rounded to the inner side, so that ground which only touches there doesn't overlap.
 ///  (3) A vertex counts as on a plane where rounding can't tell (half_space.hpp), and where an edge
 ///      of it that isn't upright meets the plane within 64 roundings of its position seen from
@@ -24,11 +25,11 @@ namespace orograph {
 ///      a plane from beyond, in an edge or a vertex, isn't.
 ///  (5) Walls are cut into upright pieces between the places, seen from above, where they or walls
 ///      that share an edge with them meet the plane; ground beside them has vertices there too.
-/// The result is valid (verify_tin.hpp) if the surface is. Where triangles are so thin, seen from
-/// above, that rounding turns a piece over, the pieces are reduced to their upper surface
-/// (upper_surface.hpp).
-/// Cost O(vertices of the surface + triangles left); memory O(triangles left or cut), and 12 bytes
-/// for each vertex of a Tin. REQUIRES a Tin that is valid, if not empty.
+/// The result is valid (verify_tin.hpp) if the surface is. Where triangles are so thin,
+/// seen from above (some hundred roundings), that the pieces' rounding turns one over or lays one
+/// on another, they are reduced to their upper surface (upper_surface.hpp). Cost O(vertices of the
+/// surface + triangles left); memory O(triangles left or cut), and 12 bytes for each vertex of a
+/// Tin. REQUIRES a Tin that is valid, if not empty.
 Tin keep_within(const Surface& surface, std::span<const HalfSpace> spaces);
 Tin keep_within(const Grid& grid, std::span<const HalfSpace> spaces);
 Tin keep_within(const Tin& tin, std::span<const HalfSpace> spaces);

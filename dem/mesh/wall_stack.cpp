@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/mesh/wall_stack.hpp"
 
-#include "dem/mesh/inner_side.hpp"
+#include "dem/mesh/edge_points.hpp"
 #include "dem/mesh/orientation.hpp"
 #include "dem/mesh/overlap.hpp"
 

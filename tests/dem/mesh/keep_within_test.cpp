@@ -4,6 +4,7 @@
 #include "dem/approximate/tin_of_grid.hpp"
 #include "dem/mesh/keep_within.hpp"
 #include "dem/mesh/verify_tin.hpp"
+#include "dem/plan_area.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/approximate/grid_triangles.hpp"
 #include "tests/support/half_spaces.hpp"
@@ -325,4 +326,81 @@ TEST_CASE("walls are cut, and so is what stands over them or ends beside them") 
   }
   report("walls", sums);
   CHECK(sums.walls > sums.scenes);
+}
+
+TEST_CASE("small cases, reckoned by hand") {
+  // Four cells of 1 m in two rows; heights are columns.
+  const Grid grid{3, 3, {0, 2}, {1, 0}, {0, -1}, std::vector<double>{0, 1, 2, 0, 1, 2, 0, 1, 2}};
+  const auto keep = [&](std::vector<HalfSpace> spaces) { return keep_within(grid, spaces); };
+  SECTION("a plane far off leaves everything as it is, or nothing") {
+    CHECK(keep({{{1, 0, 0}, 9}}) == tin_of(grid));
+    CHECK(keep({}) == tin_of(grid));
+    CHECK(keep({{{1, 0, 0}, -1}}) == Tin{});
+    CHECK(keep_within(Tin{}, std::vector<HalfSpace>{{{1, 0, 0}, 0}}) == Tin{});
+  }
+  SECTION("a plane along a column takes what is beyond, and makes no vertex") {
+    for (const HalfSpace& space : {HalfSpace{{1, 0, 0}, 1}, HalfSpace{{0, 0, 7}, 7}}) {
+      const Tin left = keep({space});
+      CHECK(left.vertices_m ==
+            std::vector<Vec3>{{0, 2, 0}, {1, 2, 1}, {0, 1, 0}, {1, 1, 1}, {0, 0, 0}, {1, 0, 1}});
+      CHECK(left.triangles.size() == 4);
+      CHECK_FALSE(verify(left));
+    }
+  }
+  SECTION("a plane that touches a border from beyond leaves nothing, one within it everything") {
+    CHECK(keep({{{1, 0, 0}, 0}}) == Tin{});
+    CHECK(keep({{{-1, 0, 0}, 0}}) == tin_of(grid));
+    CHECK(keep({{{1, 1, 0}, 0}}) == Tin{});
+  }
+  SECTION("what lies in a plane is kept from either side") {
+    CHECK(keep({{{-1, 0, 1}, 0}}) == tin_of(grid));
+    CHECK(keep({{{1, 0, -1}, 0}}) == tin_of(grid));
+    CHECK(keep({{{1, 0, -1}, 0}, {{-1, 0, 1}, 0}}) == tin_of(grid));
+  }
+  SECTION("two planes across one cell leave a strip whose new vertices both sides share") {
+    const Tin left = keep({{{-1, 0, 0}, -0.25}, {{1, 0, 0}, 0.75}});
+    // On three rows and two diagonals, at both planes; and where the second plane meets the edges
+    // that split the two pieces with four corners.
+    CHECK(left.vertices_m.size() == 12);
+    CHECK(left.triangles.size() == 10);
+    CHECK_FALSE(verify(left));
+    CHECK(std::count_if(left.vertices_m.begin(), left.vertices_m.end(),
+                        [](const Vec3& v) { return v.x == 0.25 && v.z == 0.25; }) == 5);
+    CHECK(std::count_if(left.vertices_m.begin(), left.vertices_m.end(),
+                        [](const Vec3& v) { return v.x == 0.75 && v.z == 0.75; }) == 7);
+  }
+  SECTION("a triangle cut by three planes") {
+    Tin tin{{{0, 0, 0}, {8, 0, 0}, {0, 8, 8}}, {{0, 1, 2}}, {}};
+    tin.neighbours = {{kNoTriangle, kNoTriangle, kNoTriangle}};
+    const std::vector<HalfSpace> corners{{{1, 0, 0}, 6}, {{0, 0, 1}, 6}, {{-1, -1, 0}, -2}};
+    const Tin left = keep_within(tin, corners);
+    CHECK_FALSE(verify(left));
+    CHECK(plan_area_m2(left) == 32 - 2 - 2 - 2);
+    for (const Vec3& corner :
+         {Vec3{6, 0, 0}, Vec3{6, 2, 2}, Vec3{2, 6, 6}, Vec3{0, 6, 6}, Vec3{0, 2, 2}, Vec3{2, 0, 0}})
+      CHECK(std::count(left.vertices_m.begin(), left.vertices_m.end(), corner) == 1);
+  }
+}
+
+TEST_CASE("triangles almost as thin as rounding, seen from above, are cut to a valid TIN") {
+  std::size_t kept = 0;
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    MadeTin wanted = any_wish(random);
+    wanted.first_vertex_m = {};
+    wanted.walls = random.pick({0.0, 0.5});
+    Tin tin = made_tin(random, wanted);
+    if (tin.triangles.empty()) continue;
+    const double thin = std::ldexp(1, -random.whole(20, 55)), by = random.pick({0.0, 0.0, 3.3});
+    for (Vec3& v : tin.vertices_m) v.y = v.y * thin + by * v.x; // exact where by is 0
+    if (verify(tin)) continue;
+    const Tin left = keep_within(tin, any_spaces(tin, random));
+    if (left.triangles.empty()) continue;
+    ++kept;
+    const auto fault = verify(left);
+    INFO((fault ? fault->what : ""));
+    REQUIRE_FALSE(fault);
+  }
+  CHECK(kept > 200);
 }
