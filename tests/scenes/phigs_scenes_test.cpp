@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Views by PHIGS's parameters over made terrain: any plate, any direction, with planes that cut.
+#include "cli/cut_by_view.hpp"
+#include "dem/extent.hpp"
+#include "dem/mesh/verify_tin.hpp"
+#include "geometry/error.hpp"
+#include "profiles/project_profile.hpp"
+#include "tests/scenes/asked_scenes.hpp"
+#include "tests/scenes/random_scene.hpp"
+#include "tests/support/random.hpp"
+#include "tests/view/random_phigs_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+using namespace orograph;
+
+namespace {
+
+// Unoptimized and sanitized builds are there to find other things.
+#ifdef NDEBUG
+constexpr std::uint64_t kScenes = 500;
+#else
+constexpr std::uint64_t kScenes = 40;
+#endif
+
+Vec3 turned(Vec3 p, double angle) {
+  return {std::cos(angle) * p.x - std::sin(angle) * p.y,
+          std::sin(angle) * p.x + std::cos(angle) * p.y, p.z};
+}
+
+// A view plane through the terrain's middle, tilted anyhow, seen from above.
+ViewFile view_of(const Terrain& terrain, Random& random) {
+  const Box3 box = extent_of(terrain.surface).box;
+  const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  ViewFile view;
+  view.projection = random.pick({PhigsProjection::perspective, PhigsProjection::parallel});
+  view.vrp_map = box.centre();
+  view.vpn = turned({0, -1, random.pick({0.0, 0.3, 1.0, 5.0, 1e3})}, random.between(0, 6.28));
+  view.vup = random.pick({Vec3{0, 0, 1}, Vec3{0.3, 0.2, 1}, Vec3{1, 0.5, -0.3}});
+  const Vec2 centre{random.between(-0.2, 0.2) * size, random.between(-0.2, 0.2) * size};
+  const Vec2 half{random.between(0.2, 0.8) * size, random.between(0.2, 0.8) * size};
+  view.window_m = {centre - half, centre + half};
+  view.prp_m = {centre.x + random.pick({0.0, random.between(-1, 1) * size}),
+                centre.y + random.pick({0.0, random.between(0, 1) * size}),
+                random.between(0.6, 2) * size};
+  if (random.chance(0.6)) view.front_m = random.between(0, 0.4) * size;
+  if (random.chance(0.6)) view.back_m = random.between(-0.5, -0.05) * size;
+  view.exaggeration = random.pick({1.0, 2.0});
+  return view;
+}
+
+// Visible stretches by what they belong to: a profile's vertex, or a line other than a profile.
+class Visible : public LineObserver {
+public:
+  std::map<std::pair<double, std::uint32_t>, std::vector<std::pair<double, double>>> stretches;
+  void see(const Sector&, const Profile& profile, const std::vector<Segment>& segments,
+           const std::vector<Piece>& visible) override {
+    for (const Piece& p : visible) {
+      // Which profile, by its depth to a millimetre.
+      const double depth = std::round(profile.depth_m * 1e3);
+      stretches[{depth, left_vertex(segments[p.segment])}].emplace_back(p.t_begin, p.t_end);
+    }
+  }
+  void see(const Sector&, const LineSweep&, const std::vector<LinePart>& visible) override {
+    for (const LinePart& p : visible) stretches[{-1e99, p.line}].emplace_back(p.t_begin, p.t_end);
+  }
+};
+
+// Length, in shares of lines, that is visible in one and not in the other.
+double difference(const Visible& a, const Visible& b) {
+  double sum = 0;
+  const auto of = [](const Visible& v, const auto& key) {
+    const auto at = v.stretches.find(key);
+    return at == v.stretches.end() ? std::vector<std::pair<double, double>>{} : at->second;
+  };
+  std::map<std::pair<double, std::uint32_t>, int> keys;
+  for (const auto* v : {&a, &b})
+    for (const auto& [key, stretches] : v->stretches) keys[key] = 0;
+  for (const auto& [key, unused] : keys) {
+    const auto in_a = of(a, key), in_b = of(b, key);
+    double length_a = 0, length_b = 0, both = 0;
+    for (const auto& [begin, end] : in_a) length_a += end - begin;
+    for (const auto& [begin, end] : in_b) length_b += end - begin;
+    for (const auto& [begin, end] : in_a)
+      for (const auto& [from, to] : in_b)
+        both += std::max(0.0, std::min(end, to) - std::max(begin, from));
+    sum += length_a + length_b - 2 * both;
+  }
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("the ray walk agrees with any PHIGS view, cut by its planes or not") {
+  Asked sum;
+  int refused = 0, cut = 0, parallel = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    RandomScene scene = random_scene(seed);
+    Random random(seed + 600000);
+    scene.settings.view = view_of(scene.terrain, random);
+    scene.settings.exaggeration.reset();
+    CAPTURE(seed, scene.what);
+    try {
+      cut_by_view(scene.terrain, scene.settings);
+      if (const Tin* tin = std::get_if<Tin>(&scene.terrain.surface)) {
+        const auto fault = verify(*tin);
+        INFO((fault ? fault->what : ""));
+        REQUIRE(!fault);
+        ++cut;
+      }
+      sum.add(ask(scene.terrain, scene.settings, 2000));
+      parallel += scene.settings.view->projection == PhigsProjection::parallel;
+    } catch (const Error& error) {
+      ++refused; // planes that leave nothing, a parallel view that looks up, an eye under ground
+    }
+  }
+  report("PHIGS views", sum);
+  WARN(refused << " refused, " << cut << " cut, " << parallel << " parallel");
+  CHECK(refused < static_cast<int>(kScenes / 4));
+  CHECK(cut > static_cast<int>(kScenes / 4));
+  CHECK(parallel > static_cast<int>(kScenes / 8));
+  CHECK(sum.ties < sum.asked / 10);
+}
+
+TEST_CASE("what is visible doesn't depend on the plate, its window or its turn") {
+  int compared = 0;
+  double greatest = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 4; ++seed) {
+    RandomScene scene = random_scene(seed);
+    RenderSettings& settings = scene.settings;
+    Random random(seed + 700000);
+    settings.visibility_tolerance_mm = 0;
+    settings.exaggeration.reset();
+    const Box3 box = extent_of(scene.terrain.surface).box;
+    const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    settings.plan = GroundSpacing{size / 15};
+    const bool parallel = random.chance(0.5);
+    const double heading = random.between(0, 6.28);
+    const Vec3 middle = box.centre();
+    // In perspective the eye; else towards the viewer.
+    const Vec3 towards = turned({random.pick({0.0, 0.3}), -1, random.between(0.2, 1.2)}, heading);
+    const Vec3 eye = middle + 2 * size * towards;
+    std::vector<Visible> seen;
+    for (int i = 0; i < 4; ++i) {
+      // Plates across the same heading, tilted by more or less, turned in themselves.
+      PhigsView plate;
+      plate.vpn = turned({0, -1, random.pick({0.0, 0.2, 0.5, 1.0})}, heading);
+      const double roll = random.between(-3, 3);
+      plate.vup = std::cos(roll) * Vec3{0, 0, 1} + std::sin(roll) * turned({1, 0, 0}, heading);
+      plate.vrp_m = middle;
+      const auto [u, v, n] = axes_of(plate);
+      ViewFile view;
+      view.projection = parallel ? PhigsProjection::parallel : PhigsProjection::perspective;
+      view.vrp_map = plate.vrp_m;
+      view.vpn = plate.vpn;
+      view.vup = plate.vup;
+      const Vec2 half{random.between(0.5, 1) * size, random.between(0.5, 1) * size};
+      if (parallel) {
+        const Vec2 centre{random.between(-0.1, 0.1) * size, random.between(-0.1, 0.1) * size};
+        view.window_m = {centre - half, centre + half};
+        view.prp_m = {centre.x + dot(towards, u), centre.y + dot(towards, v), dot(towards, n)};
+      } else {
+        view.window_m = {Vec2{} - half, half};
+        view.prp_m = {dot(eye - middle, u), dot(eye - middle, v), dot(eye - middle, n)};
+      }
+      settings.view = view;
+      const Scene placed = place_scene(scene.terrain, settings);
+      if (placed.sectors.size() > 1) continue; // cut at another near plane
+      draw_scene(scene.terrain, placed, settings, [](double) {},
+                 {&seen.emplace_back(), true, false});
+    }
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+      CAPTURE(seed, scene.what, parallel, i);
+      const double found = difference(seen[0], seen[i]);
+      greatest = std::max(greatest, found);
+      // The eye and the direction come out of each plate rounded to some 1e-16.
+      REQUIRE(found <= 1e-6);
+      ++compared;
+    }
+  }
+  WARN(compared << " compared, greatest difference " << greatest << " of a line");
+  CHECK(compared > static_cast<int>(kScenes / 4));
+}
