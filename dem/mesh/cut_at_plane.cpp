@@ -131,6 +131,10 @@ private:
       for (std::uint32_t& v : triangle) v = number[v];
     out.neighbours = find_neighbours(out.triangles, out.vertices_m.size()).of;
     if (!turned_over_ && !(has_thin_ && first_overlap(out))) return out;
+    if (std::all_of(out.triangles.begin(), out.triangles.end(), [&](const Triangle& t) {
+          return on_one_line(out.vertices_m[t[0]], out.vertices_m[t[1]], out.vertices_m[t[2]]);
+        }))
+      return {};
     return tin_from_triangles({std::move(out.vertices_m), std::move(out.triangles)}, true,
                               "the surface cut at a plane")
         .tin;
