@@ -93,6 +93,12 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
       if (given.contains(option))
         throw UsageError(fmt::format("{} has no meaning in a parallel view", option),
                          fmt::format("{}, or use --projection perspective", right));
+  if (settings.projection != Projection::perspective)
+    for (const char* option : {"--refraction", "--curvature-coefficient"})
+      if (given.contains(option))
+        throw UsageError(
+            fmt::format("{} has no meaning in a parallel view, which has no eye", option),
+            "leave it out, or use --projection perspective");
   if (settings.eye_map && settings.eye_map == settings.look_at_map)
     throw UsageError("--eye and --look-at are the same point", "look at another point");
 }

@@ -44,6 +44,21 @@ Vec3 eye_on_map(const View& view, const MapFrame& map) {
       {view.depth_origin_m.x, view.depth_origin_m.y, view.eye_z_m / view.exaggeration});
 }
 
+CurvatureReport describe_curvature(const Scene& scene, Curvature setting) {
+  const SceneCurvature& curvature = scene.curvature;
+  CurvatureReport out;
+  out.setting = setting == Curvature::automatic ? "auto" : setting == Curvature::on ? "on" : "off";
+  out.applied = curvature.applied;
+  out.would_move_mm = curvature.would_move_mm;
+  out.refraction = curvature.refraction;
+  out.curvature_coefficient = 1 - curvature.refraction;
+  const Vec2 along = scene.view.forward; // Euler: 1 / R is cos^2 / M + sin^2 / N
+  const double per_m = along.y * along.y / curvature.radii.meridian_m +
+                       along.x * along.x / curvature.radii.prime_vertical_m;
+  if (curvature.refraction != 1) out.effective_radius_m = 1 / (per_m * (1 - curvature.refraction));
+  return out;
+}
+
 ViewReport describe_view(const Scene& scene, const MapFrame& map,
                          const std::optional<ViewFile>& given) {
   const View& view = scene.view;
@@ -126,6 +141,7 @@ void describe_run(RunReport& report, const Terrain& terrain, const Scene& scene,
                   const DrawnScene& drawn, const RenderSettings& settings) {
   report.input = describe_input(terrain);
   report.view = describe_view(scene, terrain.map, settings.view);
+  report.view.curvature = describe_curvature(scene, settings.curvature);
   report.profiles = {spacing_text(scene.plan), scene.depths_m};
   report.counts = drawn.counts;
   report.left_out = drawn.left_out;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/error_budget.hpp"
 
-#include "view/sectors.hpp"
+#include "cli/geodesy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,56 +36,10 @@ double rounding_mm(const WriteOptions& write) {
   return page_step;
 }
 
-// Length on the page, in mm, by which a step of 1 m of height moves a ray's point at its end. The
-// ray is in homogeneous coordinates of the visibility plane; in a parallel view it has no end, and
-// all points of it move alike.
-double mm_per_height(const Scene& scene, Vec3 ray) {
-  const auto& m = scene.to_page.m;
-  const Vec3 page = scene.to_page.of(ray);
-  return std::hypot(m[1] - m[7] * page.x / page.z, m[4] - m[7] * page.y / page.z) / page.z *
-         (scene.view.is_perspective() ? 1 : scene.view.y_per_z);
-}
-
-// Rays over the window, its corners among them.
-std::vector<Vec3> shown_rays(const View& view) {
-  constexpr int kSteps = 4;
-  std::vector<Vec3> rays;
-  for (int i = 0; i <= kSteps; ++i)
-    for (int k = 0; k <= kSteps; ++k)
-      rays.push_back(ray_of_picture(view, {view.window.low.x + view.window.width() * i / kSteps,
-                                           view.window.low.y + view.window.height() * k / kSteps}));
-  return rays;
-}
-
-// Of the terrain, from where depth is 0: least and greatest horizontal distance.
-struct Distances {
-  double nearest_m, farthest_m;
-};
-Distances distances(const Scene& scene) {
-  const auto& [low, high] = scene.extent.box;
-  const Vec2 at = scene.view.depth_origin_m;
-  const double aside_x = std::max({low.x - at.x, at.x - high.x, 0.0}),
-               aside_y = std::max({low.y - at.y, at.y - high.y, 0.0});
-  return {std::hypot(aside_x, aside_y),
-          std::hypot(std::max(at.x - low.x, high.x - at.x), std::max(at.y - low.y, high.y - at.y))};
-}
-
-// The map plane is flat: how much more the earth's curvature, less refraction's 0.13 of it, would
-// move the farthest ground than the nearest. (What moves everything alike only moves the picture.)
+// What the drawing leaves out of the earth's shape.
 double geodesy_mm(const Terrain& terrain, const Scene& scene) {
-  if (terrain.map.crs_wkt.empty()) return 0;
-  constexpr double kEarthRadius_m = 6371e3, kRefraction = 0.13;
-  const auto [nearest, farthest] = distances(scene);
-  const double drop_per_m2 = (1 - kRefraction) / (2 * kEarthRadius_m);
-  double greatest = 0;
-  for (const Vec3& ray : shown_rays(scene.view)) {
-    // A perspective ray with ground at a horizontal distance is as many times as long.
-    const double moved = scene.view.is_perspective()
-                             ? std::hypot(ray.x, ray.z) * (farthest - nearest)
-                             : farthest * farthest;
-    greatest = std::max(greatest, mm_per_height(scene, ray) * drop_per_m2 * moved);
-  }
-  return greatest;
+  if (terrain.map.crs_wkt.empty() && !scene.curvature.applied) return 0;
+  return scene.curvature.applied ? map_plane_mm(scene) : scene.curvature.would_move_mm;
 }
 
 // From the eye to the nearest ground there may be.

@@ -25,6 +25,7 @@ std::vector<Conflict> picture_conflicts() {
       {"--view-from", "--axonometric", "give one of the two"},
       {"--projection", "--axonometric", "leave --projection out"},
       {"--oblique", "--axonometric", "give one of the two"},
+      {"--refraction", "--curvature-coefficient", "give one of the two"},
       {"--progress", "--no-progress", "give one of the two"},
       {"--quiet", "--progress", "give one of the two"}};
   for (const char* option : {"--view-from", "--projection", "--oblique", "--axonometric",

@@ -18,6 +18,7 @@
 namespace orograph {
 
 enum class Occluder { surface, profiles };
+enum class Curvature { automatic, on, off };
 enum class FlatGround { shore, draw };
 
 struct RenderSettings {
@@ -33,6 +34,8 @@ struct RenderSettings {
   std::optional<double> distance_m;
   std::optional<Vec3> eye_map, look_at_map; ///< coordinates and height unit of the file
   Angle roll;
+  Curvature curvature = Curvature::automatic;
+  double refraction = 0.13;           ///< K: share of the earth's curvature that rays follow
   std::optional<double> exaggeration; ///< none: chosen from the terrain
 
   std::optional<PlanRequest> plan; ///< none: four pen widths on the page

@@ -94,6 +94,13 @@ Json json_of(const ViewReport& view) {
           {"roll_deg", view.roll_deg},
           {"exaggeration", view.exaggeration},
           {"exaggeration_auto", view.exaggeration_auto},
+          {"curvature",
+           {{"setting", view.curvature.setting},
+            {"applied", view.curvature.applied},
+            {"would_move_mm", view.curvature.would_move_mm},
+            {"refraction", view.curvature.refraction},
+            {"curvature_coefficient", view.curvature.curvature_coefficient},
+            {"effective_radius_m", view.curvature.effective_radius_m}}},
           {"homography", rows},
           {"phigs", json_of(view.phigs)}};
 }

@@ -33,6 +33,16 @@ struct InputReport {
   std::vector<std::string> notes;
 };
 
+struct CurvatureReport {
+  std::string setting;                      ///< as asked for: "auto", "on" or "off"
+  bool applied = false;                     ///< drawn or left out
+  double would_move_mm = 0;                 ///< on the page, at most
+  double refraction = 0;                    ///< K
+  double curvature_coefficient = 1;         ///< 1 - K, GDAL's notation
+  double effective_radius_m = kNotMeasured; ///< R / (1 - K), surveyors' notation; of Euler's radius
+                                            ///< along the view; NaN where K is 1
+};
+
 /// Points are in map coordinates with true heights, whatever the exaggeration.
 struct ViewReport {
   std::string projection;
@@ -49,6 +59,7 @@ struct ViewReport {
   double roll_deg = 0;
   double exaggeration = 1;
   bool exaggeration_auto = false;
+  CurvatureReport curvature;
   Homography homography; ///< visibility plane to page mm
   ViewFile phigs;        ///< the same view, as `--view` takes it
 };

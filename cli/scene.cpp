@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/scene.hpp"
 
+#include "cli/geodesy.hpp"
 #include "cli/scene_view.hpp"
 #include "dem/height_at.hpp"
 #include "geometry/error.hpp"
@@ -63,10 +64,42 @@ std::vector<BorderEdge> border_of(const Tin& tin, const SurfaceExtent&) {
   return border_edges(tin);
 }
 
-void place_view_file(Scene& scene, const PhigsView& phigs, double exaggeration) {
-  scene.view = place_phigs_view(phigs, exaggeration, scene.cell_m);
+void place_view_file(Scene& scene, const PhigsView& phigs, double exaggeration,
+                     const EarthDrop& drop) {
+  scene.view = place_phigs_view(phigs, exaggeration, scene.cell_m, drop);
   const auto [per_u, per_v, per_z, at_origin] = volume_depth(phigs, frame_of(phigs));
   scene.depth = VolumeDepth{per_u, per_v, per_z, at_origin};
+}
+
+// View and page, on ground that sinks by `drop`.
+void place_on_earth(Scene& scene, const Terrain& terrain, const RenderSettings& settings,
+                    const TerrainShape& shape, double exaggeration, const EarthDrop& drop) {
+  if (settings.view) {
+    place_view_file(scene, phigs_view(*settings.view, terrain.map, exaggeration), exaggeration,
+                    drop);
+  } else {
+    ViewRequest request = view_request(settings, terrain.map, exaggeration);
+    request.drop = drop;
+    scene.view = place_view(request, shape, page_aspect(settings.page));
+  }
+  const Placement placement = place_on_page(scene.view.window, settings.page);
+  scene.page = placement.page;
+  scene.to_page = compose(placement.to_page, scene.view.to_picture);
+  scene.frame_mm = scene.page.inner_mm();
+  if (settings.view) { // of which the window is all that is shown
+    const Vec2 low = placement.to_page(scene.view.window.low),
+               high = placement.to_page(scene.view.window.high);
+    scene.frame_mm = {{low.x, high.y}, {high.x, low.y}};
+  }
+}
+
+// Where it would show, unless told otherwise. A parallel view is a picture of the map plane, and so
+// are planes that cut the terrain.
+bool draws_curvature(const Terrain& terrain, const Scene& scene, const RenderSettings& settings) {
+  if (settings.curvature != Curvature::automatic) return settings.curvature == Curvature::on;
+  const bool cut = settings.view && (settings.view->front_m || settings.view->back_m);
+  return scene.view.is_perspective() && terrain.map.radii && !cut &&
+         scene.curvature.would_move_mm > settings.simplify_mm + kPageStep_mm;
 }
 
 // Those of the two sides of the eye on which there is terrain.
@@ -126,22 +159,19 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
       std::visit([&](const auto& s) { return outline_of(s, scene.border); }, surface);
   const TerrainShape shape{scene.extent.blocks, outline, scene.extent.box,
                            scene.extent.mean_height_m, scene.cell_m};
-  if (settings.view)
-    place_view_file(scene, phigs_view(*settings.view, terrain.map, exaggeration), exaggeration);
-  else
-    scene.view = place_view(view_request(settings, terrain.map, exaggeration), shape,
-                            page_aspect(settings.page));
+  const auto place = [&](const EarthDrop& drop) {
+    place_on_earth(scene, terrain, settings, shape, exaggeration, drop);
+  };
+  place({});
+  SceneCurvature& curvature = scene.curvature;
+  curvature.refraction = scene.view.is_perspective() ? settings.refraction : 0;
+  curvature.radii =
+      terrain.map.radii.value_or(CurvatureRadii{kMeanEarthRadius_m, kMeanEarthRadius_m});
+  const EarthDrop drop = earth_drop(terrain.map, curvature.refraction);
+  curvature.would_move_mm = drop_mm(scene, drop);
+  curvature.applied = draws_curvature(terrain, scene, settings);
+  if (curvature.applied) place(drop);
   check_eye(scene.view, terrain);
-
-  const Placement placement = place_on_page(scene.view.window, settings.page);
-  scene.page = placement.page;
-  scene.to_page = compose(placement.to_page, scene.view.to_picture);
-  scene.frame_mm = scene.page.inner_mm();
-  if (settings.view) { // of which the window is all that is shown
-    const Vec2 low = placement.to_page(scene.view.window.low),
-               high = placement.to_page(scene.view.window.high);
-    scene.frame_mm = {{low.x, high.y}, {high.x, low.y}};
-  }
 
   const SurfaceCutter cutter(surface, scene.view, scene.level.triangles);
   scene.nearest_m = cutter.nearest_m();

@@ -32,6 +32,14 @@ struct Sector {
   bool keeps_strip = false; ///< has a sector behind it, and what lies between the two
 };
 
+/// The earth's curvature: whether it is drawn, and what it moves.
+struct SceneCurvature {
+  bool applied = false;
+  double would_move_mm = 0; ///< on the page, at most; less refraction
+  double refraction = 0;    ///< K; 0 in a parallel view, which has no eye
+  CurvatureRadii radii;
+};
+
 struct Scene {
   SurfaceExtent extent;
   std::vector<BorderEdge> border;
@@ -41,6 +49,7 @@ struct Scene {
   Homography to_page;               ///< visibility plane to page mm
   Box2 frame_mm;                    ///< strokes end here
   std::optional<VolumeDepth> depth; ///< and at the front and back plane, where there are any
+  SceneCurvature curvature;
   PlanRequest plan;
   std::vector<double> depths_m;         ///< of all profiles, rising; in `view`
   double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain

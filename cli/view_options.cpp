@@ -114,6 +114,28 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                                  .by_default = "0"},
                                 {.unit = "degrees"},
                                 [&s](double deg) { s.roll = Angle::degrees(deg); }));
+  options.push_back(with_choice<Curvature>(
+      {.group = kGroup,
+       .name = "--curvature",
+       .help =
+           "Draw the earth's curvature: auto does so in perspective where it would show, and the "
+           "report says by how much; of the map plane otherwise",
+       .by_default = "auto"},
+      {{"auto", Curvature::automatic}, {"on", Curvature::on}, {"off", Curvature::off}},
+      s.curvature));
+  options.push_back(with_number(
+      {.group = kGroup,
+       .name = "--refraction",
+       .value = "K",
+       .help = "Share of the earth's curvature that rays of light follow; perspective only",
+       .by_default = fmt::format("{}", s.refraction)},
+      {.low = -1, .high = 1}, [&s](double k) { s.refraction = k; }));
+  options.push_back(with_number(
+      {.group = kGroup,
+       .name = "--curvature-coefficient",
+       .value = "C",
+       .help = "The same as gdal_viewshed has it: 1 less --refraction, as 0.85714 for 1/7"},
+      {.low = 0, .high = 2}, [&s](double c) { s.refraction = 1 - c; }));
   Option exaggeration = with_number(
       {.group = kGroup,
        .name = "--exaggeration",

@@ -25,6 +25,11 @@ int last_cell(double number, int cells) {
 } // namespace
 
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m) {
+  return height_at(grid, ground_m, [&](int column, int row) { return grid.height_m(column, row); });
+}
+
+std::optional<double> height_at(const Grid& grid, Vec2 ground_m,
+                                const std::function<double(int, int)>& height_m) {
   // Solve ground = first + c * column_step + r * row_step.
   const Vec2 from_first = ground_m - grid.first_vertex_m;
   const double area = cross(grid.column_step_m, grid.row_step_m);
@@ -35,13 +40,13 @@ std::optional<double> height_at(const Grid& grid, Vec2 ground_m) {
   for (int row = first_cell(r); row <= last_cell(r, grid.rows - 1); ++row)
     for (int column = first_cell(c); column <= last_cell(c, grid.columns - 1); ++column) {
       const double east = c - column, south = r - row;
-      const double corner = grid.height_m(column, row);
-      const double opposite = grid.height_m(column + 1, row + 1);
+      const double corner = height_m(column, row);
+      const double opposite = height_m(column + 1, row + 1);
       // A missing vertex makes its triangle's height NaN, with a weight of zero as well.
       const double upper =
-          (1 - east) * corner + south * opposite + (east - south) * grid.height_m(column + 1, row);
+          (1 - east) * corner + south * opposite + (east - south) * height_m(column + 1, row);
       const double lower =
-          (1 - south) * corner + east * opposite + (south - east) * grid.height_m(column, row + 1);
+          (1 - south) * corner + east * opposite + (south - east) * height_m(column, row + 1);
       if (east >= south && !std::isnan(upper)) return upper;
       if (south >= east && !std::isnan(lower)) return lower;
     }

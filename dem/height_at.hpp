@@ -4,6 +4,7 @@
 
 #include "dem/surface.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace orograph {
@@ -12,6 +13,9 @@ namespace orograph {
 /// none outside of the grid and where no such triangle is there. Exact at vertices: a point within
 /// 1e-9 of a cell of a column or row line counts as on it.
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m);
+/// The same of other heights over the grid's places, by column and row; NaN where there is none.
+std::optional<double> height_at(const Grid& grid, Vec2 ground_m,
+                                const std::function<double(int, int)>& height_m);
 /// The highest where a wall stands. Cost: one pass over the triangles.
 std::optional<double> height_at(const Tin& tin, Vec2 ground_m);
 std::optional<double> height_at(const Surface& surface, Vec2 ground_m);

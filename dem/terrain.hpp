@@ -12,6 +12,11 @@
 
 namespace orograph {
 
+/// Of the ellipsoid at a place: along the meridian (M) and across it (N).
+struct CurvatureRadii {
+  double meridian_m, prime_vertical_m;
+};
+
 /// Between ground metres and the terrain's own coordinates (its CRS's axes and units, heights in
 /// the file's unit).
 struct MapFrame {
@@ -20,6 +25,7 @@ struct MapFrame {
   double height_unit_m = 1; ///< metres in one unit of the file's heights
   std::string crs_wkt;      ///< empty where the file has none
   std::string crs_name;     ///< for people; "none" where the file has none
+  std::optional<CurvatureRadii> radii; ///< at the terrain's middle; none where the CRS has no place
   std::string unit_name = "metre";
   std::string height_unit_name = "metre";
 

@@ -32,9 +32,10 @@ struct Walk {
     return column >= 0 && row >= 0 && column < grid.columns && row < grid.rows;
   }
   Vertex vertex(int column, int row) const {
-    const Vec2 at = grid.position_m(column, row) - view.depth_origin_m;
-    return {column, row, dot(at, view.right), dot(at, view.forward),
-            static_cast<double>(heights[grid.index(column, row)]) * view.exaggeration};
+    const Vec2 at = grid.position_m(column, row);
+    const ProfilePoint p =
+        to_profile_frame(view, {at.x, at.y, static_cast<double>(heights[grid.index(column, row)])});
+    return {column, row, p.u, p.v, p.z};
   }
   bool is_far(const Vertex& p) const { return far_at_plane ? p.v >= depth : p.v > depth; }
 

@@ -20,7 +20,8 @@ struct EyeInCells {
   double column, row, height;
 };
 
-EyeInCells eye_in_cells(const Grid& grid, const View& view) {
+// `exaggeration` is what the heights that it is compared with still have to be multiplied by.
+EyeInCells eye_in_cells(const Grid& grid, const View& view, double exaggeration) {
   const double area = cross(grid.column_step_m, grid.row_step_m);
   const auto solve = [&](Vec2 v) {
     return Vec2{cross(v, grid.row_step_m) / area, cross(grid.column_step_m, v) / area};
@@ -30,7 +31,7 @@ EyeInCells eye_in_cells(const Grid& grid, const View& view) {
     return {back.x, back.y, 0};
   }
   const Vec2 at = solve(view.depth_origin_m - grid.first_vertex_m);
-  return {at.x, at.y, view.eye_z_m / view.exaggeration};
+  return {at.x, at.y, view.eye_z_m / exaggeration};
 }
 
 // The facing of a row of cells. Loops over a row are plain arithmetic without branches, for the
@@ -40,7 +41,8 @@ class RowFacing {
 public:
   RowFacing(const Grid& grid, const std::vector<Height>& heights, const View& view)
       : lower(static_cast<std::size_t>(grid.columns) - 1), upper(lower.size()), grid_(grid),
-        heights_(heights), view_(view), eye_(eye_in_cells(grid, view)),
+        heights_(heights), view_(view), exaggeration_(view.drop.any() ? 1 : view.exaggeration),
+        eye_(eye_in_cells(grid, view, exaggeration_)),
         mirrored_(cross(grid.column_step_m, grid.row_step_m) > 0), lower_sign_(lower.size()),
         upper_sign_(lower.size()) {
     // Vertices are rounded to metres, which moves them, in cells, by ulps of how far they are from
@@ -58,19 +60,37 @@ public:
   }
 
   void reckon(int row) {
-    const Height* north = &heights_[grid_.index(0, row)];
-    const Height* south = &heights_[grid_.index(0, row + 1)];
+    if (!view_.drop.any()) {
+      reckon(row, &heights_[grid_.index(0, row)], &heights_[grid_.index(0, row + 1)], 0);
+      return;
+    }
+    // What sinks is not a plane over cells any more: heights as the profile frame has them.
+    north_z_.resize(static_cast<std::size_t>(grid_.columns));
+    south_z_.resize(north_z_.size());
+    double greatest_drop = 0;
+    for (int c = 0; c < grid_.columns; ++c)
+      for (const int r : {row, row + 1}) {
+        const ProfilePoint p = vertex(c, r);
+        (r == row ? north_z_ : south_z_)[static_cast<std::size_t>(c)] = p.z;
+        greatest_drop = std::max(greatest_drop, std::abs(view_.drop.at(p.u, p.v)));
+      }
+    reckon(row, north_z_.data(), south_z_.data(), greatest_drop);
+  }
+
+private:
+  template <class AnyHeight>
+  void reckon(int row, const AnyHeight* north, const AnyHeight* south, double greatest_drop) {
     const bool perspective = view_.is_perspective();
     // A sign is constant + per_height * h0 + per_c * gc + per_r * gr, where per_c grows along the
     // row in perspective.
-    const double scale = perspective ? 1 : -view_.y_per_z * view_.exaggeration;
+    const double scale = perspective ? 1 : -view_.y_per_z * exaggeration_;
     const double constant = perspective ? eye_.height : view_.y_per_v;
     const double per_height = perspective ? -1 : 0;
     const double per_r = perspective ? row - eye_.row : scale * eye_.row;
     const double first_per_c = perspective ? -eye_.column : scale * eye_.column;
     const double step_per_c = perspective ? 1 : 0;
     const auto cells = static_cast<int>(lower.size());
-    double greatest_height = 0, greatest_gc = 0, greatest_gr = 0;
+    double greatest_height = greatest_drop, greatest_gc = 0, greatest_gr = 0;
     const auto take = [](double& greatest, double value) {
       value = std::abs(value);
       greatest = value > greatest ? value : greatest; // a missing height is never greater
@@ -80,7 +100,7 @@ public:
       const double per_c = first_per_c + step_per_c * c, level = constant + per_height * nw;
       lower_sign_[static_cast<std::size_t>(c)] = level + per_c * (se - sw) + per_r * (sw - nw);
       upper_sign_[static_cast<std::size_t>(c)] = level + per_c * (ne - nw) + per_r * (se - ne);
-      take(greatest_height, nw);
+      take(greatest_height, std::abs(nw) + greatest_drop);
       take(greatest_gc, ne - nw);
       take(greatest_gc, se - sw);
       take(greatest_gr, sw - nw);
@@ -103,7 +123,6 @@ public:
     if (doubt & 1U) settle(row);
   }
 
-private:
   // A missing height makes both comparisons false.
   static std::uint8_t bits(double sign, double bound) {
     return static_cast<std::uint8_t>((sign >= -bound ? kMayFace : 0) |
@@ -128,10 +147,12 @@ private:
   const Grid& grid_;
   const std::vector<Height>& heights_;
   const View& view_;
+  double exaggeration_; ///< of the heights that are reckoned with
   EyeInCells eye_;
   bool mirrored_; ///< columns and rows turn the other way
   double cells_away_;
   std::vector<double> lower_sign_, upper_sign_;
+  std::vector<double> north_z_, south_z_; ///< where the ground sinks
 };
 
 struct CellVertex {
@@ -150,14 +171,20 @@ std::vector<SurfaceEdge> find(const Grid& grid, const std::vector<Height>& heigh
   const double rounding =
       32 * std::numeric_limits<double>::epsilon() * 4 * (grid.columns + grid.rows);
   const auto height = [&](CellVertex v) {
-    return static_cast<double>(heights[grid.index(v.column, v.row)]);
+    return view.drop.any() ? facing.vertex(v.column, v.row).z
+                           : static_cast<double>(heights[grid.index(v.column, v.row)]);
+  };
+  const auto drop_at = [&](CellVertex v) {
+    const ProfilePoint p = facing.vertex(v.column, v.row);
+    return view.drop.any() ? 8 * std::abs(view.drop.at(p.u, p.v)) : 0;
   };
   // The two triangles at an edge make a parallelogram: it is a ridge where its middle is higher
   // than the middle between the other two vertices.
   const auto is_ridge = [&](CellVertex from, CellVertex to, CellVertex left, CellVertex right) {
     const double a = height(from), b = height(to), c = height(left), d = height(right);
     const double above = (a - c) + (b - d);
-    if (std::abs(above) > rounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d)))
+    if (std::abs(above) >
+        rounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d) + drop_at(from)))
       return above > 0;
     const auto at = [&](CellVertex v) { return facing.vertex(v.column, v.row); };
     return cross(grid.column_step_m, grid.row_step_m) > 0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/crs_frame.hpp"
 
+#include "geometry/angle.hpp"
 #include "geometry/error.hpp"
 
 #include <cpl_conv.h>
@@ -57,6 +58,24 @@ std::string well_known_text(const OGRSpatialReference& crs) {
   return wkt;
 }
 
+// By the latitude of a place in the CRS's own coordinates, easting first.
+std::optional<CurvatureRadii> radii_at(const OGRSpatialReference& crs, Vec2 place) {
+  const Crs geographic(crs.CloneGeogCS());
+  if (!geographic) return std::nullopt;
+  geographic->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const Crs projected(crs.Clone());
+  projected->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const std::unique_ptr<OGRCoordinateTransformation> to_degrees(
+      OGRCreateCoordinateTransformation(projected.get(), geographic.get()));
+  double longitude = place.x, latitude_deg = place.y;
+  if (!to_degrees || !to_degrees->Transform(1, &longitude, &latitude_deg)) return std::nullopt;
+  const double a = geographic->GetSemiMajor(), b = geographic->GetSemiMinor();
+  const double e2 = 1 - (b / a) * (b / a), s = sin(Angle::degrees(latitude_deg));
+  const double w = std::sqrt(1 - e2 * s * s);
+  if (!(a > 0 && b > 0 && w > 0)) return std::nullopt;
+  return CurvatureRadii{a * (1 - e2) / (w * w * w), a / w};
+}
+
 } // namespace
 
 void ReleaseCrs::operator()(OGRSpatialReference* crs) const {
@@ -86,6 +105,7 @@ void set_crs(MapFrame& map, const OGRSpatialReference& crs, const std::string& p
                             kind == FileKind::raster ? "gdalwarp" : "ogr2ogr -t_srs"));
   map.crs_name = name_for_people(crs);
   map.crs_wkt = well_known_text(crs);
+  map.radii = radii_at(crs, centre);
   const char* unit = nullptr;
   map.unit_m = crs.GetLinearUnits(&unit);
   if (map.unit_m != 1 && unit) map.unit_name = unit;

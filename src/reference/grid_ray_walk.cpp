@@ -23,7 +23,7 @@ int whole(double number) {
 template <class Height>
 struct Walk {
   const View& view;
-  const Height& height_m; ///< by column and row; NaN where there is none
+  const Height& z_m; ///< by column and row, in the profile frame; NaN where there is none
   int columns, rows;
   double depth_m, column, row; ///< the point's
   double column_per_m, row_per_m;
@@ -40,8 +40,8 @@ struct Walk {
                                  : rounding_z + rounding_m;
   }
 
-  void meet(double surface_m, double w) {
-    const double y = y_of(surface_m * view.exaggeration, w);
+  void meet(double z, double w) {
+    const double y = y_of(z, w);
     const double rounding_y = rounding_of_y(y, w);
     greatest_upper = std::max(greatest_upper, y + rounding_y);
     greatest_lower = std::max(greatest_lower, y - rounding_y);
@@ -55,9 +55,9 @@ struct Walk {
   // is there if one of its two triangles is.
   void meet_edge(int c, int r, int right, int down, double t, double w) {
     const bool diagonal = right == down;
-    const double from = height_m(c, r), to = height_m(c + right, r + down);
-    const double third = diagonal ? height_m(c + 1, r) : height_m(c - down, r - right);
-    const double other = diagonal ? height_m(c, r + 1) : height_m(c + 1, r + 1);
+    const double from = z_m(c, r), to = z_m(c + right, r + down);
+    const double third = diagonal ? z_m(c + 1, r) : z_m(c - down, r - right);
+    const double other = diagonal ? z_m(c, r + 1) : z_m(c + 1, r + 1);
     if (std::isnan(from) || std::isnan(to) || (std::isnan(third) && std::isnan(other))) return;
     meet(from + std::clamp(t, 0.0, 1.0) * (to - from), w);
   }
@@ -121,37 +121,45 @@ InFront GridRayWalk::in_front(ProfilePoint p) const {
   const double rounding_m =
       16 * kEpsilon * (reach_m_ + length(view_.depth_origin_m) + std::abs(p.u) + std::abs(p.v));
   const double rounding = rounding_m * (length(per_column_) + length(per_row_));
+  // No ground on the way sinks more than a point that far off in any direction.
+  const double away_m = reach_m_ + length(view_.depth_origin_m);
+  const double greatest_drop_m =
+      (std::abs(view_.drop.per_uu) + std::abs(view_.drop.per_uv) + std::abs(view_.drop.per_vv)) *
+      away_m * away_m;
   // A position that is off by a share of a cell has a height that is off by as much of two edges.
   const double rounding_z =
       view_.exaggeration * (2 * rounding * steepest_m_ + 8 * kEpsilon * highest_m_) +
-      4 * kEpsilon * std::abs(view_.eye_z_m);
+      4 * kEpsilon * std::abs(view_.eye_z_m) + 8 * kEpsilon * greatest_drop_m;
   return std::visit(
       [&](const auto& heights) {
-        const auto height_m = [&](int c, int r) {
-          const bool inside = c >= 0 && r >= 0 && c < grid_.columns && r < grid_.rows;
-          return inside ? static_cast<double>(heights[grid_.index(c, r)])
-                        : std::numeric_limits<double>::quiet_NaN();
+        const auto z_m = [&](int c, int r) {
+          if (c < 0 || r < 0 || c >= grid_.columns || r >= grid_.rows)
+            return std::numeric_limits<double>::quiet_NaN();
+          const Vec2 at = grid_.position_m(c, r);
+          return to_profile_frame(view_,
+                                  {at.x, at.y, static_cast<double>(heights[grid_.index(c, r)])})
+              .z;
         };
         const double begin_m =
             view_.is_perspective() ? view_.near_m : -std::numeric_limits<double>::infinity();
-        Walk<decltype(height_m)> walk{view_,
-                                      height_m,
-                                      grid_.columns,
-                                      grid_.rows,
-                                      p.v,
-                                      dot(per_column_, from_first),
-                                      dot(per_row_, from_first),
-                                      dot(per_column_, per_m),
-                                      dot(per_row_, per_m),
-                                      begin_m,
-                                      rounding_m,
-                                      rounding,
-                                      rounding_z};
+        Walk<decltype(z_m)> walk{view_,
+                                 z_m,
+                                 grid_.columns,
+                                 grid_.rows,
+                                 p.v,
+                                 dot(per_column_, from_first),
+                                 dot(per_row_, from_first),
+                                 dot(per_column_, per_m),
+                                 dot(per_row_, per_m),
+                                 begin_m,
+                                 rounding_m,
+                                 rounding,
+                                 rounding_z};
         walk.meet_all();
         // In perspective, terrain is cut at the near plane.
         if (view_.is_perspective() && begin_m < p.v)
-          if (const auto surface_m = height_at(grid_, ground - (p.v - begin_m) * per_m))
-            walk.meet(*surface_m, begin_m);
+          if (const auto z = height_at(grid_, ground - (p.v - begin_m) * per_m, z_m))
+            walk.meet(*z, begin_m);
         walk.found.rounding_m = rounding_m;
         if (walk.greatest_upper > -std::numeric_limits<double>::infinity())
           walk.found.rounding = std::max(walk.greatest_upper - walk.found.greatest_y,

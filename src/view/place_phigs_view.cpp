@@ -69,13 +69,15 @@ Projection kind_of(const PhigsView& phigs) {
 
 } // namespace
 
-View place_phigs_view(const PhigsView& phigs, double exaggeration, double cell_m) {
+View place_phigs_view(const PhigsView& phigs, double exaggeration, double cell_m,
+                      const EarthDrop& drop) {
   const ProfileFrame frame = frame_of(phigs);
   View view;
   view.projection = kind_of(phigs);
   view.forward = frame.forward;
   view.right = frame.right();
   view.exaggeration = exaggeration;
+  view.drop = drop_in_frame(drop, view.forward);
   view.look_at_m = {phigs.vrp_m.x, phigs.vrp_m.y, phigs.vrp_m.z / exaggeration};
   view.frames_terrain = false;
   view.window = phigs.window_m;

@@ -12,7 +12,8 @@ namespace orograph {
 /// by already; `cell_m` is the terrain's finest ground detail. Front and back plane are not looked
 /// at: they cut the terrain (dem/mesh).
 /// Throws the Errors of the pipeline, and one for a parallel view that looks up.
-View place_phigs_view(const PhigsView& phigs, double exaggeration, double cell_m);
+View place_phigs_view(const PhigsView& phigs, double exaggeration, double cell_m,
+                      const EarthDrop& drop = {});
 
 /// The same the other way round, for every kind of view: a PHIGS view with the same picture, its
 /// view plane at distance 1 from the eye, or through the depth origin at height 0 in a parallel

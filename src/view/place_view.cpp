@@ -9,6 +9,7 @@
 #include "view/sectors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -27,22 +28,49 @@ Homography picture_of(const View& view) {
   return compose(Homography{{c, s, 0, -s, c, 0, 0, 0, 1}}, pitched);
 }
 
-// A picture coordinate of a ground point, as a function for `greatest`: sign * (x or y); infinite
-// where the point lies nearer than `nearest_m` or has no picture.
+// A picture coordinate of a point of the profile frame: sign * (x or y); infinite where it lies
+// nearer than `nearest_m` or has no picture.
 struct PictureCoordinate {
   const View& view;
   double nearest_m;
   int row;
   double sign;
 
-  double operator()(Vec3 ground) const {
-    const ProfilePoint p = to_profile_frame(view, ground);
+  double of(ProfilePoint p) const {
     if (view.is_perspective() && !(p.v >= nearest_m)) return kInfinity;
     const Vec3 image = view.to_picture.of(project_homogeneous(view, p));
     if (!(image.z > 0)) return kInfinity;
     return sign * ((row == 0 ? image.x : image.y) / image.z);
   }
+  double operator()(Vec3 ground) const { return of(to_profile_frame(view, ground)); }
+
+  // Linear-fractional in a point of the profile frame, so greatest at a corner of the box, or below
+  // it by as much as ground of the box may sink: a quadratic form between 0 and its values at the
+  // corners.
+  double bound(const Box3& box) const {
+    std::array<ProfilePoint, 8> corners;
+    double least_drop = 0, most_drop = 0;
+    for (int i = 0; i < 8; ++i) {
+      ProfilePoint& p = corners[static_cast<std::size_t>(i)];
+      p = to_profile_frame(view, corner_of(box, i));
+      const double drop = view.drop.at(p.u, p.v);
+      p.z += drop;
+      least_drop = std::min(least_drop, drop);
+      most_drop = std::max(most_drop, drop);
+    }
+    double most = -kInfinity;
+    for (const ProfilePoint& p : corners)
+      for (const double drop : {least_drop, most_drop})
+        most = std::max(most, of({p.u, p.v, p.z - drop}));
+    return most;
+  }
 };
+
+// The greatest over the terrain.
+double greatest(const TerrainShape& terrain, const PictureCoordinate& coordinate) {
+  return greatest(terrain.points, coordinate,
+                  [&](const Box3& box) { return coordinate.bound(box); });
+}
 
 double lowest_near_edge(const View& view, std::span<const OutlineEdge> outline) {
   const PictureCoordinate down{view, view.near_m, 1, -1};
@@ -61,7 +89,7 @@ double lowest_near_edge(const View& view, std::span<const OutlineEdge> outline) 
 // The picture's bounding box. REQUIRES that all ground has a picture.
 Box2 picture_box(const View& view, const TerrainShape& terrain) {
   const auto most = [&](int row, double sign) {
-    return sign * greatest(terrain.points, PictureCoordinate{view, -kInfinity, row, sign});
+    return sign * greatest(terrain, PictureCoordinate{view, -kInfinity, row, sign});
   };
   Box2 box{{most(0, -1), 0}, {most(0, 1), most(1, 1)}};
   // "Lowest at the near edge" holds along the vertical of the visibility plane only, and in front
@@ -91,9 +119,9 @@ double picture_size(View& view, const TerrainShape& terrain, double distance, Fi
   const bool in_front = fitted == Fitted::width_in_front;
   const double nearest_m = in_front ? view.near_m : -kInfinity;
   const auto extent = [&](int row) {
-    const double most = greatest(terrain.points, PictureCoordinate{view, nearest_m, row, 1});
+    const double most = greatest(terrain, PictureCoordinate{view, nearest_m, row, 1});
     if (most == kInfinity) return kInfinity;
-    return most + greatest(terrain.points, PictureCoordinate{view, nearest_m, row, -1});
+    return most + greatest(terrain, PictureCoordinate{view, nearest_m, row, -1});
   };
   return in_front ? extent(0) : std::max(extent(0), extent(1));
 }
@@ -196,6 +224,7 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
   else
     set_elevation(view, request.from_elevation);
   if (view.projection == Projection::oblique) set_oblique(view, request.oblique);
+  view.drop = drop_in_frame(request.drop, view.forward);
 
   const bool by_field =
       view.is_perspective() && (request.eye_m || (request.distance_m && request.field_of_view));

@@ -12,6 +12,13 @@
 
 namespace orograph {
 
+/// The same along u and v: a quadratic form, in metres.
+struct FrameDrop {
+  double per_uu = 0, per_uv = 0, per_vv = 0;
+  double at(double u, double v) const { return (per_uu * u + per_uv * v) * u + per_vv * v * v; }
+  bool any() const { return per_uu != 0 || per_uv != 0 || per_vv != 0; }
+};
+
 struct View {
   Projection projection = Projection::perspective;
   Vec2 depth_origin_m;   ///< under the eye; in a parallel view the point looked at
@@ -27,6 +34,7 @@ struct View {
   double x_per_v = 0, y_per_z = 1, y_per_v = 0;
   Angle roll;
   double exaggeration = 1;
+  FrameDrop drop;             ///< of every vertex, after exaggeration
   double near_m = 0;          ///< v_near: nearer ground is cut away; perspective only
   bool frames_terrain = true; ///< the window was made to hold all of the terrain
   Homography to_picture;      ///< visibility plane to picture plane (x right, y up)
@@ -38,8 +46,8 @@ struct View {
 /// Ground frame (true height) to profile frame.
 inline ProfilePoint to_profile_frame(const View& view, Vec3 ground_m) {
   const Vec2 from_origin = Vec2{ground_m.x, ground_m.y} - view.depth_origin_m;
-  return {dot(from_origin, view.right), dot(from_origin, view.forward),
-          ground_m.z * view.exaggeration};
+  const double u = dot(from_origin, view.right), v = dot(from_origin, view.forward);
+  return {u, v, ground_m.z * view.exaggeration - view.drop.at(u, v)};
 }
 
 /// Profile frame to visibility plane. REQUIRES p.v > 0 in perspective.
@@ -68,10 +76,21 @@ inline double z_along_ray(const View& view, ProfilePoint p) {
   return view.is_perspective() ? (p.z - view.eye_z_m) / p.v : -view.y_per_v / view.y_per_z;
 }
 
-/// Profile frame to ground frame (true height).
+/// Profile frame to ground frame (true height). Between vertices that sank with the earth's
+/// curvature straight lines do too, so there heights are too low by up to an eighth of their
+/// distance's square over the earth's radius: 0.02 mm at 30 m.
 inline Vec3 to_ground_m(const View& view, ProfilePoint p) {
   const Vec2 ground = view.depth_origin_m + p.u * view.right + p.v * view.forward;
-  return {ground.x, ground.y, p.z / view.exaggeration};
+  return {ground.x, ground.y, (p.z + view.drop.at(p.u, p.v)) / view.exaggeration};
+}
+
+/// `drop` in the profile frame that looks along `forward`.
+inline FrameDrop drop_in_frame(const EarthDrop& drop, Vec2 forward) {
+  const Vec2 right{forward.y, 0 - forward.x};
+  const double n = drop.per_north, e = drop.per_east;
+  return {e * right.x * right.x + n * right.y * right.y,
+          2 * (e * right.x * forward.x + n * right.y * forward.y),
+          e * forward.x * forward.x + n * forward.y * forward.y};
 }
 
 /// Nearest ground that is drawn in perspective, as a share of a cell: closer than a hundredth of a

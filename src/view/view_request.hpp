@@ -11,6 +11,14 @@ namespace orograph {
 
 enum class Projection { perspective, orthographic, oblique };
 
+/// How far ground sinks below the map plane with the square of its distance, north and east of the
+/// eye (of the point looked at in a parallel view), per metre: half the earth's curvature, less
+/// what refraction lifts. Not exaggerated.
+struct EarthDrop {
+  double per_north = 0, per_east = 0;
+  bool operator==(const EarthDrop&) const = default;
+};
+
 /// A parallel view onto an upright plate: what lies across the view keeps its true shape, and a
 /// line straight away from the viewer is drawn `length` times as long as it is, at an angle `rise`
 /// above the horizontal, to the right.
@@ -41,7 +49,8 @@ struct ViewRequest {
   std::optional<Vec3> eye_m;        ///< ground frame, true height
   std::optional<Vec3> look_at_m;    ///< ground frame, true height; else the terrain's centre
   Angle roll;                       ///< the picture turns clockwise by it
-  double exaggeration = 1;          ///< multiplies all heights, the eye's and the target's too
+  EarthDrop drop;
+  double exaggeration = 1; ///< multiplies all heights, the eye's and the target's too
 };
 
 } // namespace orograph
