@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The earth's curvature, less refraction: the horizon of the sea, mountains beyond it, and made
+// scenes on a small planet, where it shows.
+#include "cli/geodesy.hpp"
+#include "dem/approximate/tin_of_grid.hpp"
+#include "dem/mesh/verify_tin.hpp"
+#include "profiles/project_profile.hpp"
+#include "tests/scenes/asked_scenes.hpp"
+#include "tests/scenes/random_scene.hpp"
+#include "tests/support/grid_of.hpp"
+#include "tests/support/random.hpp"
+#include "view/sectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+using namespace orograph;
+
+namespace {
+
+#ifdef NDEBUG
+constexpr std::uint64_t kScenes = 400;
+#else
+constexpr std::uint64_t kScenes = 30;
+#endif
+
+constexpr double kRadius_m = 6371000;
+
+// A strip of sea to the north of (0, 0), which begins 100 m behind it, of square cells.
+Terrain sea(double length_m, double cell_m) {
+  Terrain terrain;
+  Grid grid;
+  grid.columns = 9;
+  grid.rows = static_cast<int>(std::ceil((length_m + 100) / cell_m)) + 1;
+  grid.first_vertex_m = {-4 * cell_m, (grid.rows - 1) * cell_m - 100};
+  grid.column_step_m = {cell_m, 0};
+  grid.row_step_m = {0, -cell_m};
+  grid.heights_m = std::vector<double>(grid.size(), 0.0);
+  terrain.surface = std::move(grid);
+  terrain.map.radii = CurvatureRadii{kRadius_m, kRadius_m};
+  return terrain;
+}
+
+RenderSettings northwards(double eye_m, double refraction) {
+  RenderSettings settings;
+  settings.eye_map = Vec3{0, 0, eye_m};
+  settings.look_at_map = Vec3{0, 10000, eye_m};
+  settings.field_of_view = Angle::degrees(2);
+  settings.curvature = Curvature::on;
+  settings.refraction = refraction;
+  settings.simplify_mm = 0;
+  settings.silhouette_jump = 0;
+  settings.flat = FlatGround::draw;
+  settings.plan = ProfileCount{200};
+  return settings;
+}
+
+// The greatest Y, straight ahead, of what is drawn.
+double highest_y(const Terrain& terrain, const RenderSettings& settings) {
+  class Seen : public LineObserver {
+  public:
+    const View* view = nullptr;
+    double highest = -1e9;
+    void see(const Sector&, const Profile&, const std::vector<Segment>&,
+             const std::vector<Piece>&) override {}
+    void see(const Sector& sector, const LineSweep& lines,
+             const std::vector<LinePart>& visible) override {
+      for (const LinePart& part : visible)
+        for (const double t : {part.t_begin, part.t_end}) {
+          const Vec2 at = project(sector.view, lines.point(part.line, t));
+          if (std::abs(at.x) < 0.01) highest = std::max(highest, at.y);
+        }
+    }
+  } seen;
+  const Scene scene = place_scene(terrain, settings);
+  REQUIRE(scene.curvature.applied);
+  draw_scene(terrain, scene, settings, [](double) {}, {&seen, true, false});
+  return seen.highest;
+}
+
+// A small planet, on which made scenes of some hundred metres bend.
+void shrink_the_earth(RandomScene& scene, Random& random) {
+  const Box3 box = extent_of(scene.terrain.surface).box;
+  const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  const double radius = size * random.pick({1.0, 10.0, 1000.0});
+  scene.terrain.map.radii = CurvatureRadii{radius, radius * random.between(1, 1.3)};
+  scene.settings.curvature = Curvature::on;
+  scene.settings.refraction = random.pick({0.0, 0.13, 0.9, -0.5});
+}
+
+} // namespace
+
+TEST_CASE("the sea ends at its horizon") {
+  for (const double refraction : {0.0, 0.13})
+    for (const double eye : {2.0, 50.0, 1000.0, 9000.0}) {
+      const double effective = kRadius_m / (1 - refraction);
+      const double distance = std::sqrt(2 * effective * eye);
+      const double cell = distance / 400;
+      const Terrain terrain = sea(1.5 * distance, cell);
+      RenderSettings settings = northwards(eye, refraction);
+      const double dip = std::sqrt(2 * eye / effective); // its tangent, of a parabola
+      settings.look_at_map->z = eye - 10000 * dip;
+      CAPTURE(eye, refraction, distance);
+      // Between vertices the sea is flat: too low by cell^2 / 8R, seen at the horizon's distance;
+      // and the farthest that is seen is a vertex, up to half a cell from the horizon.
+      const double chord = cell * cell / (8 * effective) / distance;
+      CHECK(std::abs(highest_y(terrain, settings) + dip) <= 2 * chord);
+      // Degrees: at 9 km 3.0427 without refraction (3.0437 on a sphere, which a parabola isn't).
+      if (eye == 9000 && refraction == 0)
+        CHECK(std::abs(std::atan(dip) * 180 / std::numbers::pi - 3.0427) < 1e-3);
+    }
+}
+
+TEST_CASE("a mountain beyond the horizon shows from its limiting height on") {
+  for (const double refraction : {0.0, 0.13})
+    for (const double eye : {10.0, 500.0}) {
+      const double effective = kRadius_m / (1 - refraction);
+      const double horizon = std::sqrt(2 * effective * eye), away = 2.5 * horizon;
+      const double limit = (away - horizon) * (away - horizon) / (2 * effective);
+      const double cell = horizon / 200;
+      for (const double times : {0.97, 1.03}) {
+        Terrain terrain = sea(1.1 * away, cell);
+        Grid& grid = grid_of(terrain);
+        const int row = static_cast<int>(std::round((grid.first_vertex_m.y - away) / cell));
+        auto& heights = std::get<std::vector<double>>(grid.heights_m);
+        heights[grid.index(4, row)] = times * limit;
+        RenderSettings settings = northwards(eye, refraction);
+        const double dip = std::sqrt(2 * eye / effective);
+        settings.look_at_map->z = eye - 10000 * dip;
+        CAPTURE(eye, refraction, times, limit);
+        const double top = highest_y(terrain, settings) + dip;
+        const double expected = (times - 1) * limit / away;
+        if (times < 1)
+          CHECK(top < 0.02 * limit / away);
+        else
+          CHECK(std::abs(top - expected) < 0.2 * expected); // of the summit's own place
+      }
+    }
+}
+
+TEST_CASE("on a flat map the sea has no end") {
+  const Terrain terrain = sea(20000, 50);
+  RenderSettings settings = northwards(100, 0.13);
+  settings.curvature = Curvature::off;
+  const Scene scene = place_scene(terrain, settings);
+  CHECK_FALSE(scene.curvature.applied);
+  CHECK_FALSE(scene.view.drop.any());
+}
+
+TEST_CASE("curvature is drawn by itself where it would show, and not in parallel views") {
+  RenderSettings settings;
+  for (const double length : {300.0, 60000.0}) {
+    Terrain terrain = sea(length, length / 100);
+    auto& heights = std::get<std::vector<double>>(grid_of(terrain).heights_m);
+    for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = i % 7;
+    const Scene scene = place_scene(terrain, settings);
+    CAPTURE(length, scene.curvature.would_move_mm);
+    CHECK(scene.curvature.applied == (length > 1000));
+    RenderSettings flat = settings;
+    flat.projection = Projection::orthographic;
+    CHECK_FALSE(place_scene(terrain, flat).curvature.applied);
+    flat.curvature = Curvature::on;
+    CHECK(place_scene(terrain, flat).curvature.applied);
+    terrain.map.radii.reset(); // without a CRS
+    CHECK_FALSE(place_scene(terrain, settings).curvature.applied);
+  }
+}
+
+TEST_CASE("a vertex sinks by the square of its distance, by Euler's radius in its azimuth") {
+  Random random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const double m = random.between(1e3, 7e6), n = random.between(1e3, 7e6);
+    const double k = random.between(0, 1);
+    MapFrame map;
+    map.radii = CurvatureRadii{m, n};
+    View view;
+    view.depth_origin_m = {random.between(-1000, 1000), random.between(-1000, 1000)};
+    const double heading = random.between(0, 6.28);
+    view.forward = {std::sin(heading), std::cos(heading)};
+    view.right = {view.forward.y, -view.forward.x};
+    view.exaggeration = random.pick({1.0, 2.0});
+    view.drop = drop_in_frame(earth_drop(map, k), view.forward);
+    const double azimuth = random.between(0, 6.28), distance = random.between(0, 5e3);
+    const Vec3 at{view.depth_origin_m.x + distance * std::sin(azimuth),
+                  view.depth_origin_m.y + distance * std::cos(azimuth), random.between(0, 100)};
+    const double radius =
+        1 / (std::cos(azimuth) * std::cos(azimuth) / m + std::sin(azimuth) * std::sin(azimuth) / n);
+    const double expected = at.z * view.exaggeration - (1 - k) * distance * distance / (2 * radius);
+    const ProfilePoint p = to_profile_frame(view, at);
+    CAPTURE(m, n, k, azimuth, distance);
+    REQUIRE(std::abs(p.z - expected) <= 1e-12 * (100 + std::abs(expected)));
+    REQUIRE(length(to_ground_m(view, p) - at) <= 1e-9);
+    const ProfilePoint behind = to_profile_frame(sector_behind(view), at);
+    REQUIRE(behind.z == p.z);
+  }
+}
+
+TEST_CASE("the ray walk agrees on a small planet, in any view") {
+  Asked sum;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    RandomScene scene = random_scene(seed);
+    Random random(seed + 800000);
+    shrink_the_earth(scene, random);
+    if (random.chance(0.3)) { // straight down, in two sectors
+      scene.settings.projection = Projection::perspective;
+      scene.settings.from_elevation = Angle::degrees(random.between(75, 90));
+    }
+    if (random.chance(0.3)) scene.settings.layers.push_back("edges");
+    CAPTURE(seed, scene.what, scene.settings.refraction, scene.terrain.map.radii->meridian_m);
+    sum.add(ask(scene.terrain, scene.settings, 2000));
+  }
+  report("small planets", sum);
+  CHECK(sum.ties < sum.asked / 20);
+}
+
+TEST_CASE("and a grid and its TIN are the same there, to the bit") {
+  class Seen : public LineObserver {
+  public:
+    std::vector<double> parts;
+    void see(const Sector&, const Profile& profile, const std::vector<Segment>& segments,
+             const std::vector<Piece>& visible) override {
+      for (const Piece& p : visible) {
+        const std::uint32_t left = left_vertex(segments[p.segment]);
+        for (const double x : {profile.u_m[left], profile.z_m[left], p.t_begin, p.t_end})
+          parts.push_back(x);
+      }
+    }
+    void see(const Sector&, const LineSweep& lines, const std::vector<LinePart>& visible) override {
+      for (const LinePart& p : visible) {
+        const ProfileLine line = lines.whole(p.line);
+        for (const double x :
+             {line.from.u, line.from.v, line.from.z, line.to.u, p.t_begin, p.t_end})
+          parts.push_back(x);
+      }
+    }
+  };
+  std::size_t compared = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 4; ++seed) {
+    RandomScene scene = random_scene(seed);
+    Random random(seed + 900000);
+    shrink_the_earth(scene, random);
+    scene.settings.flat = FlatGround::draw;
+    Terrain as_tin = scene.terrain;
+    as_tin.surface = tin_of(grid_of(scene.terrain));
+    Scene placed = place_scene(scene.terrain, scene.settings);
+    Seen by_grid, by_tin;
+    draw_scene(scene.terrain, placed, scene.settings, [](double) {}, {&by_grid, true, false});
+    placed.border = border_edges(std::get<Tin>(as_tin.surface));
+    draw_scene(as_tin, placed, scene.settings, [](double) {}, {&by_tin, true, false});
+    CAPTURE(seed, scene.what);
+    REQUIRE(by_grid.parts.size() == by_tin.parts.size());
+    REQUIRE(std::memcmp(by_grid.parts.data(), by_tin.parts.data(),
+                        by_grid.parts.size() * sizeof(double)) == 0);
+    compared += by_grid.parts.size();
+  }
+  CHECK(compared > 10000);
+}
