@@ -48,7 +48,7 @@ DistanceAzimuth distance_and_azimuth(const GeoPoint& from, const GeoPoint& to,
   geodesic.Inverse(from.lat_deg, from.lon_deg, to.lat_deg, to.lon_deg, distance_m, azimuth_deg,
                    arrival_deg);
   if (azimuth_deg < 0) azimuth_deg += 360;
-  if (azimuth_deg == 360) azimuth_deg = 0; // a hair west of north
+  if (azimuth_deg == 0 || azimuth_deg == 360) azimuth_deg = 0; // not -0, nor a hair west of north
   return {distance_m, Angle::degrees(azimuth_deg)};
 }
 

@@ -92,7 +92,12 @@ TEST_CASE("distances and azimuths are Geodesic::Inverse's") {
   CHECK(distance_and_azimuth({179.9, 0, 0}, {-179.9, 0, 0}).azimuth.in_degrees() == Approx(90));
   CHECK(distance_and_azimuth({0, 10, 0}, {0, 9, 0}).azimuth.in_degrees() == Approx(180));
   CHECK(distance_and_azimuth({0, 0, 0}, {359, 0, 0}).azimuth.in_degrees() == Approx(270));
-  CHECK(distance_and_azimuth({0, 0, 0}, {-1e-18, 1, 0}).azimuth.in_degrees() == 0);
+  for (const double west_deg : {1e-16, 1e-18}) {
+    const double azimuth_deg =
+        distance_and_azimuth({0, 0, 0}, {-west_deg, 1, 0}).azimuth.in_degrees();
+    CHECK(azimuth_deg == 0);
+    CHECK_FALSE(std::signbit(azimuth_deg));
+  }
   // Its own known answer: a degree of the equator.
   CHECK(distance_and_azimuth({0, 0, 0}, {1, 0, 0}).distance_m == Approx(111319.4908).epsilon(1e-9));
 }
