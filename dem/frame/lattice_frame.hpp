@@ -45,7 +45,7 @@ public:
   }
 
   /// The places of one whole row of heights, bit for bit those of position_m with
-  /// exaggeration * height. All five spans have one value a column and don't overlap.
+  /// exaggeration * height. The four spans have one value a column and don't overlap.
   void row_positions_m(int row, std::span<const float> heights_m, double exaggeration,
                        std::span<double> x_m, std::span<double> y_m, std::span<double> z_m) const;
   void row_positions_m(int row, std::span<const double> heights_m, double exaggeration,
