@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every table value is a product or a sum without cancellation, so that its error is a share of the
+// distance from the origin and not of the earth's radius:
+//   1 - cos(d) is 2 sin^2(d / 2), of latitudes as of longitudes;
+//   N - N0 comes from w0^2 - w^2 = e^2 sin(lat - lat0) sin(lat + lat0), where N = a / w.
+#include "dem/frame/lattice_frame.hpp"
+
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace orograph {
+namespace {
+
+double sine(double deg) {
+  return sin(Angle::degrees(deg));
+}
+double cosine(double deg) {
+  return cos(Angle::degrees(deg));
+}
+double one_minus_cosine(double deg) {
+  const double half = sine(deg / 2);
+  return 2 * half * half;
+}
+
+// Whole turns go first: taking 360 from a longitude is exact where it matters, and so is what is
+// left to round the difference itself.
+double degrees_east(double lon_deg, double origin_lon_deg) {
+  const double origin = std::remainder(origin_lon_deg, 360);
+  return (lon_deg - 360 * std::round((lon_deg - origin) / 360)) - origin;
+}
+
+} // namespace
+
+LatticeFrame::Row LatticeFrame::row_at(double lat_deg, double origin_lat_deg,
+                                       const Ellipsoid& ellipsoid) {
+  const double a = ellipsoid.semi_major_axis_m, e2 = ellipsoid.eccentricity_squared();
+  const double s = sine(lat_deg), s0 = sine(origin_lat_deg), c0 = cosine(origin_lat_deg);
+  const double w = std::sqrt(1 - e2 * s * s), w0 = std::sqrt(1 - e2 * s0 * s0);
+  const double n = a / w, n0 = a / w0;
+  const double north = lat_deg - origin_lat_deg, sum = lat_deg + origin_lat_deg;
+  const double sin_north = sine(north);
+
+  const double n_more = a * e2 * sin_north * sine(sum) / (w * w0 * (w + w0));        // n - n0
+  const double along_axis = n_more * s + 2 * n0 * sine(north / 2) * cosine(sum / 2); // ns - n0 s0
+  return {n * cosine(lat_deg),
+          cosine(lat_deg),
+          n * sin_north - e2 * c0 * along_axis,
+          sin_north,
+          n_more - n * one_minus_cosine(north) - e2 * s0 * along_axis,
+          cosine(north)};
+}
+
+LatticeFrame::LatticeFrame(const DegreeLattice& lattice, const LocalFrame& frame)
+    : lattice_(lattice), origin_sine_(sine(frame.origin_lat_deg())),
+      origin_cosine_(cosine(frame.origin_lat_deg())) {
+  for (int column = 0; column < lattice.columns; ++column) {
+    const double east = degrees_east(lattice.lon_deg(column), frame.origin_lon_deg());
+    sine_.push_back(sine(east));
+    versine_.push_back(one_minus_cosine(east));
+  }
+  for (int row = 0; row < lattice.rows; ++row) {
+    const double lat_deg = lattice.lat_deg(row);
+    if (!(std::abs(lat_deg) <= 90))
+      throw Error(fmt::format("latitude {} degrees in row {}", lat_deg, row),
+                  "latitudes are within -90 to 90");
+    rows_.push_back(row_at(lat_deg, frame.origin_lat_deg(), frame.ellipsoid()));
+  }
+}
+
+template <class Height>
+void LatticeFrame::place_row(const Row& row, const Height* __restrict heights_m,
+                             double exaggeration, double* __restrict x_m, double* __restrict y_m,
+                             double* __restrict z_m) const {
+  const double* __restrict sines = sine_.data();
+  const double* __restrict versines = versine_.data();
+  const std::size_t columns = sine_.size();
+  for (std::size_t c = 0; c < columns; ++c) {
+    const Vec3 at = place(row, sines[c], versines[c], exaggeration * heights_m[c]);
+    x_m[c] = at.x;
+    y_m[c] = at.y;
+    z_m[c] = at.z;
+  }
+}
+
+void LatticeFrame::row_positions_m(int row, std::span<const float> heights_m, double exaggeration,
+                                   std::span<double> x_m, std::span<double> y_m,
+                                   std::span<double> z_m) const {
+  place_row(rows_[static_cast<std::size_t>(row)], heights_m.data(), exaggeration, x_m.data(),
+            y_m.data(), z_m.data());
+}
+
+void LatticeFrame::row_positions_m(int row, std::span<const double> heights_m, double exaggeration,
+                                   std::span<double> x_m, std::span<double> y_m,
+                                   std::span<double> z_m) const {
+  place_row(rows_[static_cast<std::size_t>(row)], heights_m.data(), exaggeration, x_m.data(),
+            y_m.data(), z_m.data());
+}
+
+} // namespace orograph

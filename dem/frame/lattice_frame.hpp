@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A lattice of longitudes and latitudes in the ground frame: every vertex at its true place on the
+// ellipsoid for seven multiplications, no trigonometry, nothing resampled.
+#pragma once
+
+#include "dem/frame/local_frame.hpp"
+#include "geometry/vec.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// Vertices at first + number * step, in double precision, steps of either sign. Longitudes may
+/// pass 180 or 360 degrees.
+struct DegreeLattice {
+  double first_lon_deg = 0, lon_step_deg = 0;
+  int columns = 0;
+  double first_lat_deg = 0, lat_step_deg = 0;
+  int rows = 0;
+
+  double lon_deg(int column) const { return first_lon_deg + column * lon_step_deg; }
+  double lat_deg(int row) const { return first_lat_deg + row * lat_step_deg; }
+};
+
+/// The place of each vertex of a lattice at a height: that of LocalFrame::to_frame, and closer to
+/// the true one, within 6e-16 of the distance from the origin (measured on the earth up to
+/// 300 km away: 2e-10 m). Heights are metres, exaggerated beforehand by a factor where one is
+/// asked for, so that the earth's curvature never is; a NaN height gives a NaN place.
+///
+/// Tables a column and a row, from the coordinates about the earth's axis, in which longitude and
+/// latitude come apart: a vertex is (N + h) cos(lat) from the axis and (N (1 - e^2) + h) sin(lat)
+/// along it, N the radius of curvature in the prime vertical.
+class LatticeFrame {
+public:
+  /// Throws Error where a row is beyond a pole.
+  LatticeFrame(const DegreeLattice& lattice, const LocalFrame& frame);
+
+  const DegreeLattice& lattice() const { return lattice_; }
+
+  Vec3 position_m(int column, int row, double h_m) const {
+    const auto c = static_cast<std::size_t>(column);
+    return place(rows_[static_cast<std::size_t>(row)], sine_[c], versine_[c], h_m);
+  }
+
+  /// The places of one whole row of heights, bit for bit those of position_m with
+  /// exaggeration * height. The four spans have one value a column and don't overlap.
+  void row_positions_m(int row, std::span<const float> heights_m, double exaggeration,
+                       std::span<double> x_m, std::span<double> y_m, std::span<double> z_m) const;
+  void row_positions_m(int row, std::span<const double> heights_m, double exaggeration,
+                       std::span<double> x_m, std::span<double> y_m, std::span<double> z_m) const;
+
+private:
+  /// Of a vertex on the origin's meridian, in this row: its distance from the earth's axis, and
+  /// its place north and up; each at height 0 and what a metre of height adds to it.
+  struct Row {
+    double axis_m, axis_a_metre;
+    double north_m, north_a_metre;
+    double up_m, up_a_metre;
+  };
+
+  static Row row_at(double lat_deg, double origin_lat_deg, const Ellipsoid& ellipsoid);
+
+  // From the meridian to its longitude a vertex goes round the axis: by axis * sin(d) east, and by
+  // axis * (1 - cos(d)) towards the axis, which is partly north and partly down at the origin.
+  Vec3 place(const Row& row, double sine, double versine, double h_m) const {
+    const double axis_m = row.axis_m + h_m * row.axis_a_metre;
+    const double inward_m = axis_m * versine;
+    return {axis_m * sine, row.north_m + h_m * row.north_a_metre + inward_m * origin_sine_,
+            row.up_m + h_m * row.up_a_metre - inward_m * origin_cosine_};
+  }
+
+  template <class Height>
+  void place_row(const Row& row, const Height* heights_m, double exaggeration, double* x_m,
+                 double* y_m, double* z_m) const;
+
+  DegreeLattice lattice_;
+  double origin_sine_, origin_cosine_; ///< of the origin's latitude
+  std::vector<double> sine_, versine_; ///< sin(d), 1 - cos(d) of longitudes from the origin's
+  std::vector<Row> rows_;
+};
+
+} // namespace orograph
