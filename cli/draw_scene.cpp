@@ -6,6 +6,7 @@
 #include "cli/sweep_sector.hpp"
 #include "draw/round_drawing.hpp"
 #include "draw/stroke_builder.hpp"
+#include "geometry/error.hpp"
 
 #include <utility>
 
@@ -122,6 +123,13 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   }
   watch.mark(seconds.layout);
   return drawn;
+}
+
+void check_not_empty(const DrawnScene& drawn, const RenderSettings& settings) {
+  if (drawn.counts.strokes == 0)
+    throw Error("nothing of the terrain is on the page",
+                settings.view ? "turn the view towards it, or widen its window"
+                              : "turn the view towards it, or widen --fov");
 }
 
 } // namespace orograph

@@ -29,4 +29,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
                       const std::function<void(double)>& progress,
                       const Instruments& instruments = {});
 
+/// Throws Error if nothing is on the page.
+void check_not_empty(const DrawnScene& drawn, const RenderSettings& settings);
+
 } // namespace orograph

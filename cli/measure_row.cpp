@@ -111,6 +111,7 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
   InkMeter lengths(terrain.surface, scene, render, kNever, full_heights);
   const DrawnScene whole =
       draw_scene(terrain, scene, unsimplified, [](double) {}, {&lengths, true, false});
+  check_not_empty(whole, render);
 
   // Profiles get the points that were asked for, whether other lines are drawn too or not: rows
   // with the same profiles are asked of the same points.

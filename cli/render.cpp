@@ -62,9 +62,7 @@ void render(const RenderSettings& settings) {
   ProgressBar bar(shows_progress(settings.quiet, settings.progress));
   DrawnScene drawn =
       draw_scene(terrain, scene, settings, [&](double fraction) { bar.show(fraction); });
-  if (drawn.counts.strokes == 0)
-    throw Error("nothing of the terrain is on the page",
-                "turn the view towards it, or widen --fov");
+  check_not_empty(drawn, settings);
   if (const auto& check = drawn.check)
     fmt::print(stderr,
                "orograph: check: {} points asked, {} tied, {} drawn but hidden, {} visible but not "

@@ -64,9 +64,15 @@ std::vector<BorderEdge> border_of(const Tin& tin, const SurfaceExtent&) {
   return border_edges(tin);
 }
 
+// Whether the settings' view has a front or back plane.
+bool is_cut(const RenderSettings& settings) {
+  return settings.view && (settings.view->front_m || settings.view->back_m);
+}
+
 void place_view_file(Scene& scene, const PhigsView& phigs, double exaggeration,
-                     const EarthDrop& drop) {
+                     const EarthDrop& drop, bool cut) {
   scene.view = place_phigs_view(phigs, exaggeration, scene.cell_m, drop);
+  if (!cut) return;
   const auto [per_u, per_v, per_z, at_origin] = volume_depth(phigs, frame_of(phigs));
   scene.depth = VolumeDepth{per_u, per_v, per_z, at_origin};
 }
@@ -76,7 +82,7 @@ void place_on_earth(Scene& scene, const Terrain& terrain, const RenderSettings& 
                     const TerrainShape& shape, double exaggeration, const EarthDrop& drop) {
   if (settings.view) {
     place_view_file(scene, phigs_view(*settings.view, terrain.map, exaggeration), exaggeration,
-                    drop);
+                    drop, is_cut(settings));
   } else {
     ViewRequest request = view_request(settings, terrain.map, exaggeration);
     request.drop = drop;
@@ -93,12 +99,22 @@ void place_on_earth(Scene& scene, const Terrain& terrain, const RenderSettings& 
   }
 }
 
+// With the eye on the ground itself there is no seam to be seen between two sectors: all ground
+// under it is seen edge-on. The narrow strip's near cut would be a matter of rounding.
+void keep_off_the_ground(Scene& scene, const Surface& surface) {
+  View& view = scene.view;
+  if (!shows_beside(view)) return;
+  const auto ground = height_at(surface, view.depth_origin_m);
+  const double least_m = 1e-6 * scene.cell_m;
+  if (ground && view.eye_z_m < view.exaggeration * *ground + least_m)
+    view.near_m = kNearShareOfCell * scene.cell_m;
+}
+
 // Where it would show, unless told otherwise. A parallel view is a picture of the map plane, and so
 // are planes that cut the terrain.
 bool draws_curvature(const Terrain& terrain, const Scene& scene, const RenderSettings& settings) {
   if (settings.curvature != Curvature::automatic) return settings.curvature == Curvature::on;
-  const bool cut = settings.view && (settings.view->front_m || settings.view->back_m);
-  return scene.view.is_perspective() && terrain.map.radii && !cut &&
+  return scene.view.is_perspective() && terrain.map.radii && !is_cut(settings) &&
          scene.curvature.would_move_mm > settings.simplify_mm + kPageStep_mm;
 }
 
@@ -114,7 +130,7 @@ std::vector<Sector> sectors_of(const Surface& surface, const Scene& scene) {
     behind.view = sector_behind(scene.view);
     behind.to_page = homography_behind(scene.to_page);
     sectors.push_back(behind);
-    sectors.front().keeps_strip = true;
+    sectors.front().keeps_strip = scene.view.near_m < kNearShareOfCell * scene.cell_m;
   }
   for (Sector& sector : sectors) {
     const SurfaceCutter cutter(surface, sector.view, scene.level.triangles);
@@ -172,6 +188,7 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
   curvature.applied = draws_curvature(terrain, scene, settings);
   if (curvature.applied) place(drop);
   check_eye(scene.view, terrain);
+  keep_off_the_ground(scene, surface);
 
   const SurfaceCutter cutter(surface, scene.view, scene.level.triangles);
   scene.nearest_m = cutter.nearest_m();

@@ -22,14 +22,12 @@ PhigsView phigs_view(const ViewFile& file, const MapFrame& map, double exaggerat
   view.vup = file.vup;
   view.prp_m = file.prp_m;
   view.window_m = file.window_m;
+  // Beyond that they are out of the way as well, and their own numbers might be too large.
+  view.back_m = std::max(file.back_m.value_or(-kOutOfTheWay_m), -kOutOfTheWay_m);
+  const bool perspective = file.projection == PhigsProjection::perspective;
   const double eye_n = file.prp_m.z;
-  view.back_m =
-      file.back_m.value_or(std::min(-kOutOfTheWay_m, file.front_m.value_or(0) - kOutOfTheWay_m));
-  // In perspective just beyond the eye.
-  view.front_m =
-      file.front_m.value_or(file.projection == PhigsProjection::perspective
-                                ? eye_n - 1e-9 * (eye_n - view.back_m)
-                                : std::max(kOutOfTheWay_m, view.back_m + kOutOfTheWay_m));
+  const double stand_in = perspective ? eye_n - 1e-6 * std::min(1.0, eye_n) : kOutOfTheWay_m;
+  view.front_m = std::min(file.front_m.value_or(stand_in), stand_in);
   return view;
 }
 

@@ -69,9 +69,11 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
   ClipWorkspace workspace;
   if (surface && view.is_perspective()) raise_near_cut(cutter, view, horizon, workspace);
 
-  // Slabs are about a cell thick, so that few lines meet in one.
+  // Slabs are about a cell thick, so that few lines meet in one; but slivers that a cut has left
+  // don't make millions of them.
+  constexpr double kMostSlabs = 1e5;
   double plane = std::max(sector.nearest_m, from_m);
-  const double thickness = scene.cell_m;
+  const double thickness = std::max(scene.cell_m, (sector.farthest_m - plane) / kMostSlabs);
   const auto take_slabs = [&](double to_m) {
     const double count = surface ? std::ceil((to_m - plane) / thickness) : 1;
     for (int i = 1; i < count; ++i)

@@ -5,6 +5,7 @@
 #include "profiles/plan.hpp"
 
 #include "geometry/error.hpp"
+#include "profiles/shown_depths.hpp"
 #include "view/sectors.hpp"
 
 #include <algorithm>
@@ -29,11 +30,6 @@ struct Rays {
   Vec3 at, above;
 };
 
-double first_depth(const PlanGround& ground, const View& view) {
-  if (!view.is_perspective() || shows_beside(view)) return ground.nearest_m;
-  return std::max(ground.nearest_m, view.near_m);
-}
-
 // Not beside the eye, where a profile would have no picture.
 double beside_no_eye(double depth, const View& view) {
   return view.is_perspective() && std::abs(depth) < view.near_m ? kNearPlanesAhead * view.near_m
@@ -42,57 +38,94 @@ double beside_no_eye(double depth, const View& view) {
 
 class PagePath {
 public:
-  PagePath(const PlanGround& ground, const View& view, const Homography& to_page)
-      : view_(view), to_page_(to_page), nearest_(first_depth(ground, view)),
-        farthest_(ground.farthest_m),
+  PagePath(const PlanGround& ground, const DepthRange& range, const View& view,
+           const Homography& to_page)
+      : view_(view), to_page_(to_page), nearest_(range.nearest_m), farthest_(range.farthest_m),
+        relief_(ground.relief_m),
         drop_(std::max(view.eye_z_m - ground.mean_z_m, kLeastDrop * ground.relief_m)) {
     if (drop_ <= 0) drop_ = 1e-3 * farthest_; // level ground at the eye's own height
-    if (view.is_perspective() && view.frames_terrain && nearest_ < 0) {
-      // Of a plane behind the picture plane there is no picture.
-      const double nearest_seen = to_page.m[7] / to_page.m[8] * drop_;
-      if (to_page.m[8] > 0 && nearest_ <= nearest_seen)
-        nearest_ = nearest_seen + 1e-3 * (farthest_ - nearest_seen);
-    }
-    on_page_ = nearest_;
-    if (view.is_perspective() && !view.frames_terrain) enter_page(ground.relief_m);
+    enters_ = nearest_;
+    leaves_ = farthest_;
+    if (!view.is_perspective()) return;
+    if (view.frames_terrain)
+      lower_plane();
+    else
+      cross_page(ground.farthest_m);
   }
 
-  double length_mm() const { return before_page_mm_ + page_mm(on_page_, farthest_); }
+  double length_mm() const { return before_mm() + page_mm(enters_, leaves_) + after_mm(); }
 
   // The way that profiles share out between them: in a low view, where slopes and not the ground
-  // fill the picture, no less than kLeastFill of its height.
+  // fill the picture, no less than kLeastFill of its height, as far as the terrain is that high.
   double filled_mm() const {
     const Vec2 centre = view_.window.centre();
-    const double height_mm =
+    double height_mm =
         length(on_page({centre.x, view_.window.high.y}) - on_page({centre.x, view_.window.low.y}));
+    if (!view_.frames_terrain) {
+      const double middle = 0.5 * (enters_ + leaves_);
+      const Vec2 foot = page_at(middle), top = page_at(middle, relief_);
+      height_mm = std::min(height_mm, length_mm() + length(top - foot));
+    }
     return std::max(length_mm(), kLeastFill * height_mm);
   }
 
   // The depth at a way along the path; bisection, since the measure rises with depth.
   double depth_at(double way_mm) const {
-    if (way_mm <= before_page_mm_)
-      return nearest_ + (on_page_ - nearest_) * (way_mm / before_page_mm_);
-    double low = on_page_, high = farthest_;
+    if (way_mm < before_mm()) return nearest_ + (enters_ - nearest_) * (way_mm / before_mm());
+    way_mm -= before_mm();
+    const double on_page_mm = page_mm(enters_, leaves_);
+    if (way_mm > on_page_mm)
+      return leaves_ + (farthest_ - leaves_) * std::min(1.0, (way_mm - on_page_mm) / after_mm());
+    double low = enters_, high = leaves_;
     for (int step = 0; step < 100 && low < high; ++step) {
       const double middle = 0.5 * (low + high);
       if (middle <= low || middle >= high) break;
-      (page_mm(on_page_, middle) < way_mm - before_page_mm_ ? low : high) = middle;
+      (page_mm(enters_, middle) < way_mm ? low : high) = middle;
     }
     return 0.5 * (low + high);
   }
+
+  /// Whether it is planned as if the page showed level ground ahead.
+  bool is_as_if_level() const { return as_if_level_; }
 
 private:
   Vec2 on_page(Vec2 picture) const {
     const Vec3 image = to_page_.of(ray_of_picture(view_, picture));
     return {image.x / image.z, image.y / image.z};
   }
-  Vec2 page_at(double depth) const {
-    if (as_if_level_) return {0, mm_per_tangent_ * drop_ / depth};
-    if (!view_.is_perspective()) return to_page_({0, depth * std::max(view_.y_per_v, kLeastSine)});
-    const Vec3 image = to_page_.of({depth * u_per_depth_, -drop_, depth});
+  Vec2 page_at(double depth, double above_plane = 0) const {
+    if (as_if_level_) return {0, mm_per_tangent_ * (drop_ - above_plane) / depth};
+    if (!view_.is_perspective())
+      return to_page_(
+          {0, depth * std::max(view_.y_per_v, kLeastSine) + above_plane * view_.y_per_z});
+    const Vec3 image = to_page_.of({depth * u_per_depth_, above_plane - drop_, depth});
     return {image.x / image.z, image.y / image.z};
   }
   double page_mm(double from, double to) const { return length(page_at(to) - page_at(from)); }
+
+  // Hills in front of where the plane comes onto the page, and valleys behind where it leaves it,
+  // may show as well: there profiles are as far apart on the ground as at that place.
+  double mm_per_m(double depth) const {
+    const double step = 1e-3 * (view_.is_perspective() ? std::hypot(depth, drop_) : 1);
+    return page_mm(depth, depth + step) / step;
+  }
+  double before_mm() const {
+    return enters_ > nearest_ ? mm_per_m(enters_) * (enters_ - nearest_) : 0;
+  }
+  double after_mm() const {
+    return farthest_ > leaves_ ? mm_per_m(leaves_) * (farthest_ - leaves_) : 0;
+  }
+
+  // Where ground under the eye and behind it is framed: the plane has a picture only in front of
+  // the picture plane, so that it is taken lower, or not as far back.
+  void lower_plane() {
+    const double up = to_page_.m[7], ahead = to_page_.m[8];
+    if (!(nearest_ < 0 && ahead > 0 && up < 0)) return;
+    drop_ = std::max(drop_, std::min(1.05 * nearest_ * ahead / up, drop_ + relief_));
+    const double seen_from = drop_ * up / ahead;
+    nearest_ = std::max(nearest_, seen_from + 1e-3 * (farthest_ - seen_from));
+    enters_ = nearest_;
+  }
 
   // Through the middle of the window, where that is well ahead; else along u = 0.
   Rays middle_rays() const {
@@ -104,46 +137,48 @@ private:
     return {at, {0, at.z, -at.y}};
   }
 
-  // In front of where the plane comes onto the page there may still be hills that stand on it: the
-  // profiles go on there as far apart on the ground as where it does. A page that shows no ground
-  // but hills above it (the eye looks up, or over all of the plane) is planned as if it looked
-  // level.
-  void enter_page(double relief_m) {
+  // Finds where the plane comes onto the page and leaves it. A page that shows no ground but hills
+  // above it (the eye looks up, or over all of the plane) is planned as if it looked level.
+  void cross_page(double farthest_m) {
     const Rays middle = middle_rays();
     if (middle.at.z > 0) u_per_depth_ = middle.at.x / middle.at.z;
-    // Down the picture from its middle to the page's end.
+    // Down the picture from its middle to the page's end, and up.
     const Vec3 centre = view_.to_picture.of(middle.at), above = view_.to_picture.of(middle.above);
     const Vec2 start{centre.x / centre.z, centre.y / centre.z};
     const Vec2 down{start.x * above.z - above.x, start.y * above.z - above.y};
-    const auto reach = [](double begin, double step, double low, double high) {
-      return step == 0 ? std::numeric_limits<double>::infinity()
-                       : ((step < 0 ? low : high) - begin) / step;
+    const auto way_along = [&](Vec2 step) {
+      const Box2& window = view_.window;
+      const auto reach = [](double begin, double change, double low, double high) {
+        return change == 0 ? std::numeric_limits<double>::infinity()
+                           : ((change < 0 ? low : high) - begin) / change;
+      };
+      return std::max(0.0, std::min(reach(start.x, step.x, window.low.x, window.high.x),
+                                    reach(start.y, step.y, window.low.y, window.high.y)));
     };
-    const Box2& window = view_.window;
-    const double way = std::max(0.0, std::min(reach(start.x, down.x, window.low.x, window.high.x),
-                                              reach(start.y, down.y, window.low.y, window.high.y)));
-    const Vec3 lowest = ray_of_picture(view_, start + way * down);
-    as_if_level_ = !(lowest.y < 0 && -lowest.y * farthest_ > drop_ * lowest.z);
-    const double entered = as_if_level_ ? drop_ / way : drop_ * lowest.z / -lowest.y;
+    const double way = way_along(down);
+    const Vec3 lowest = ray_of_picture(view_, start + way * down),
+               highest = ray_of_picture(view_, start - way_along(-1.0 * down) * down);
+    as_if_level_ = !(lowest.y < 0 && -lowest.y * farthest_m > drop_ * lowest.z);
+    double enters = drop_ * lowest.z / -lowest.y, leaves = farthest_;
     if (as_if_level_) {
       const Vec3 page = to_page_.of(middle.at), page_above = to_page_.of(middle.above);
       mm_per_tangent_ = std::hypot(page_above.x - page.x / page.z * page_above.z,
                                    page_above.y - page.y / page.z * page_above.z) /
                         page.z;
+      enters = drop_ / way;
+    } else if (highest.y < 0) {
+      leaves = drop_ * highest.z / -highest.y;
     }
-    // Behind the eye, where the ray has gone down through all heights nothing more can stand.
-    if (entered < 0) nearest_ = std::max(nearest_, entered * (1 + relief_m / drop_));
-    on_page_ = std::clamp(entered, nearest_, farthest_);
-    const double step = 1e-3 * std::abs(on_page_);
-    if (on_page_ > nearest_)
-      before_page_mm_ = page_mm(on_page_, on_page_ + step) / step * (on_page_ - nearest_);
+    enters_ = std::clamp(enters, nearest_, farthest_);
+    leaves_ = std::clamp(leaves, enters_, farthest_);
   }
 
   const View& view_;
   const Homography& to_page_;
-  double nearest_, farthest_, drop_;
-  double on_page_, before_page_mm_ = 0;
-  double u_per_depth_ = 0; ///< of the ground under the path
+  double nearest_, farthest_; ///< depths that are planned
+  double relief_, drop_;
+  double enters_ = 0, leaves_ = 0; ///< between them the plane is on the page
+  double u_per_depth_ = 0;         ///< of the ground under the path
   bool as_if_level_ = false;
   double mm_per_tangent_ = 1; ///< about the middle of the picture
 };
@@ -159,8 +194,48 @@ std::vector<double> evenly_on_page(double count, const PagePath& path, const Vie
 }
 
 void check_count(double count) {
-  if (count > kMostProfiles)
+  if (!(count <= kMostProfiles))
     throw Error("that spacing makes more than 100000 profiles", "use a wider --spacing");
+}
+
+std::vector<double> evenly_on_ground(double spacing_m, const DepthRange& range, const View& view) {
+  const double count = std::max(1.0, std::round((range.farthest_m - range.nearest_m) / spacing_m));
+  check_count(count);
+  std::vector<double> depths;
+  for (int i = 0; i < count; ++i) {
+    const double depth = beside_no_eye(range.nearest_m + (i + 0.5) * spacing_m, view);
+    if (depth < range.farthest_m && (depths.empty() || depth > depths.back()))
+      depths.push_back(depth);
+  }
+  if (depths.empty()) // wider than the ground
+    depths.push_back(0.5 * (range.nearest_m + range.farthest_m));
+  return depths;
+}
+
+// Looking up there is a plan ahead of the eye and one behind it, each as if it were level there.
+std::vector<double> on_both_sides(const PlanRequest& request, const PlanGround& ground,
+                                  const DepthRange& range, const View& view,
+                                  const Homography& to_page) {
+  const double near_m = kNearPlanesAhead * view.near_m;
+  const PagePath behind({near_m, -range.nearest_m, ground.mean_z_m, ground.relief_m},
+                        {near_m, -range.nearest_m}, view, to_page);
+  const PagePath ahead(ground, {near_m, range.farthest_m}, view, to_page);
+  double of_behind = 0, of_ahead = 0;
+  if (const auto* number = std::get_if<ProfileCount>(&request)) {
+    const double share = behind.length_mm() / (behind.length_mm() + ahead.length_mm());
+    of_behind = std::round(share * number->count);
+    of_ahead = number->count - of_behind;
+  } else {
+    const double spacing_mm = std::get<PageSpacing>(request).mm;
+    of_behind = std::max(1.0, std::round(behind.filled_mm() / spacing_mm));
+    of_ahead = std::max(1.0, std::round(ahead.filled_mm() / spacing_mm));
+  }
+  check_count(of_behind + of_ahead);
+  std::vector<double> depths = evenly_on_page(of_behind, behind, view);
+  for (double& depth : depths) depth = -depth;
+  std::ranges::reverse(depths);
+  for (const double depth : evenly_on_page(of_ahead, ahead, view)) depths.push_back(depth);
+  return depths;
 }
 
 } // namespace
@@ -168,19 +243,15 @@ void check_count(double count) {
 std::vector<double> plan_depths(const PlanRequest& request, const PlanGround& ground,
                                 const View& view, const Homography& to_page) {
   if (const auto* spacing = std::get_if<GroundSpacing>(&request)) {
-    const double from = first_depth(ground, view);
-    const double count = std::max(1.0, std::round((ground.farthest_m - from) / spacing->m));
-    check_count(count);
-    std::vector<double> depths;
-    for (int i = 0; i < count; ++i) {
-      const double depth = beside_no_eye(from + (i + 0.5) * spacing->m, view);
-      if (depth < ground.farthest_m && (depths.empty() || depth > depths.back()))
-        depths.push_back(depth);
-    }
-    if (depths.empty()) depths.push_back(0.5 * (from + ground.farthest_m)); // wider than the ground
-    return depths;
+    DepthRange all{ground.nearest_m, ground.farthest_m};
+    if (view.is_perspective() && !shows_beside(view))
+      all.nearest_m = std::max(all.nearest_m, view.near_m);
+    return evenly_on_ground(spacing->m, all, view);
   }
-  const PagePath path(ground, view, to_page);
+  const DepthRange range = shown_depths(ground, view);
+  const PagePath path(ground, range, view, to_page);
+  if (path.is_as_if_level() && range.nearest_m < 0 && range.farthest_m > 0)
+    return on_both_sides(request, ground, range, view, to_page);
   if (const auto* number = std::get_if<ProfileCount>(&request))
     return evenly_on_page(number->count, path, view);
   const double count =

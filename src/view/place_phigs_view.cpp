@@ -84,8 +84,7 @@ View place_phigs_view(const PhigsView& phigs, double exaggeration, double cell_m
   set_directions(view, phigs, frame);
   view.to_picture = to_view_plane(phigs, frame);
   view.roll = roll_of(view);
-  if (view.is_perspective())
-    view.near_m = (shows_beside(view) ? kNearShareBetweenSectors : kNearShareOfCell) * cell_m;
+  view.near_m = near_plane_m(view, cell_m);
   return view;
 }
 

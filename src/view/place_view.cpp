@@ -241,7 +241,7 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
     if (view.is_perspective()) frame_perspective(view, request, terrain);
     view.window = picture_box(view, terrain);
   }
-  if (shows_beside(view)) view.near_m = kNearShareBetweenSectors * terrain.cell_m;
+  view.near_m = near_plane_m(view, terrain.cell_m);
   return view;
 }
 

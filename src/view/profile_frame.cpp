@@ -31,15 +31,13 @@ Vec2 horizontal(Vec3 a) {
 // F before it is scaled to length 1.
 Vec2 forward_of(const PhigsView& view) {
   const Vec2 into_plate = horizontal(in_world(view, {0, 0, -1}));
-  const Vec3 direction = direction_of_projection(view);
   const bool level_plate = length(into_plate) <= kLevel;
-  if (view.projection == PhigsProjection::perspective) {
-    if (!level_plate) return into_plate;
-  } else if (!level_plate &&
-             dot(horizontal(direction), into_plate) > kLeastAlongDepth * length(into_plate)) {
+  const bool perspective = view.projection == PhigsProjection::perspective;
+  const Vec3 direction = direction_of_projection(view);
+  if (!level_plate && (perspective || dot(horizontal(direction), into_plate) >
+                                          kLeastAlongDepth * length(into_plate)))
     return into_plate;
-  }
-  if (!is_vertical(direction)) return horizontal(direction);
+  if (!perspective && !is_vertical(direction)) return horizontal(direction);
   return horizontal(in_world(view, {0, 1, 0}));
 }
 

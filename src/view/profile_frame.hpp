@@ -30,9 +30,10 @@ inline bool is_vertical(Vec3 direction) {
 }
 
 /// Profiles parallel to the view plane: F is the horizontal part of -n. Where the view plane is
-/// level, or (in a parallel projection) depth along F would hardly grow (by less than a
-/// thousandth) along the direction of projection, F is the horizontal part of that direction; and
-/// the plate's up direction where the direction of projection is vertical. Throws the same Errors.
+/// level, F is the plate's up direction in perspective. In a parallel projection, where the plane
+/// is level or depth along F would hardly grow (by less than a thousandth) along the direction of
+/// projection, F is the horizontal part of that direction, and the plate's up direction only where
+/// that is vertical. Throws the same Errors.
 ProfileFrame frame_of(const PhigsView& view);
 
 } // namespace orograph

@@ -31,6 +31,11 @@ bool shows_beside(const View& view) {
                              [](Vec3 ray) { return ray.z < kLeastDepthShare * length(ray); });
 }
 
+double near_plane_m(const View& view, double cell_m) {
+  if (!view.is_perspective()) return 0;
+  return (shows_beside(view) ? kNearShareBetweenSectors : kNearShareOfCell) * cell_m;
+}
+
 // The ray (X, Y, 1) of the one is (-X, Y, -1) of the other.
 Homography homography_behind(const Homography& ahead) {
   Homography behind = ahead;

@@ -25,6 +25,10 @@ std::array<Vec3, 4> corner_rays(const View& view);
 /// length): straight down or up, or aside. Always false in a parallel view.
 bool shows_beside(const View& view);
 
+/// v_near for a terrain with this finest ground detail: narrower where the page shows rays beside
+/// the eye; 0 in a parallel view.
+double near_plane_m(const View& view, double cell_m);
+
 /// The homography of what is behind the eye, from that of what is ahead: to the same picture.
 Homography homography_behind(const Homography& ahead);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/error.hpp"
 #include "profiles/plan.hpp"
+#include "profiles/shown_depths.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 #include "view/place_view.hpp"
@@ -138,6 +139,7 @@ TEST_CASE("views too flat for the plane still get all their profiles, in order")
 
 // The eye stands on the ground or flies over it, and looks anywhere, up too.
 TEST_CASE("an eye in the terrain gets all its profiles, most of them for what the page shows") {
+  int empty = 0;
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     Random random(seed);
     INFO("seed " << seed);
@@ -152,6 +154,12 @@ TEST_CASE("an eye in the terrain gets all its profiles, most of them for what th
     const int count = random.pick({1, 10, 300});
     CAPTURE(climb, request.eye_m->z, view.roll.in_degrees(), request.field_of_view->in_degrees());
     const auto depths = plan_depths(ProfileCount{count}, ground, view, on_page(view));
+    const DepthRange shown = shown_depths(ground, view);
+    if (shown.nearest_m == shown.farthest_m) { // the page shows no ground at all
+      REQUIRE(depths.size() == 1);
+      ++empty;
+      continue;
+    }
     REQUIRE(depths.size() == static_cast<std::size_t>(count));
     check_in_order(depths, shows_beside(view) ? ground.nearest_m : view.near_m, ground.farthest_m);
     for (const double depth : depths) REQUIRE(std::abs(depth) >= view.near_m);
@@ -161,4 +169,74 @@ TEST_CASE("an eye in the terrain gets all its profiles, most of them for what th
     REQUIRE(away >= count / 2);
     CHECK_NOTHROW(plan_depths(PageSpacing{0.6}, ground, view, on_page(view)));
   }
+  CHECK(empty < 500);
+}
+
+// By definition: a depth may show ground if some ray of the window meets some height there.
+TEST_CASE("the depths that a window may show, by rays all over it") {
+  int narrow = 0, behind = 0;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    ViewRequest request;
+    request.eye_m = Vec3{0, 0, random.pick({2.0, 600.0, 5000.0})};
+    const double climb = random.pick({-89.9, random.between(-89, 60)});
+    request.look_at_m = Vec3{0, 1000, request.eye_m->z + 1000 * std::tan(climb * 3.14159 / 180)};
+    request.field_of_view = Angle::degrees(random.pick({1.0, 30.0, 120.0}));
+    request.roll = Angle::degrees(random.pick({0.0, random.between(0, 360)}));
+    const View view = view_of(request, 0.3, climb > 0 ? 1e5 : -1e5);
+    const PlanGround ground{-20000, 20000, 250, random.pick({1.0, 500.0})};
+    const DepthRange range = shown_depths(ground, view);
+    double low = HUGE_VAL, high = -HUGE_VAL; // of what is met
+    const double first = shows_beside(view) ? ground.nearest_m : view.near_m;
+    for (int x = 0; x <= 40; ++x)
+      for (int y = 0; y <= 40; ++y) {
+        const Vec3 ray = ray_of_picture(view, {view.window.low.x + view.window.width() * x / 40,
+                                               view.window.low.y + view.window.height() * y / 40});
+        for (int k = -10; k <= 10; ++k) {
+          const double height = 250 + ground.relief_m * k / 10 - view.eye_z_m, t = height / ray.y;
+          if (!(t > 0) || t * ray.z < first || t * ray.z > ground.farthest_m) continue;
+          low = std::min(low, t * ray.z);
+          high = std::max(high, t * ray.z);
+        }
+      }
+    CAPTURE(climb, request.eye_m->z, low, high, range.nearest_m, range.farthest_m);
+    if (low > high) continue;
+    REQUIRE(range.nearest_m <= low + 1e-6);
+    REQUIRE(range.farthest_m >= high - 1e-6);
+    narrow += range.farthest_m - range.nearest_m < 10000;
+    behind += range.nearest_m < 0;
+    // Not much more than that, where all rays go down.
+    if (std::ranges::all_of(corner_rays(view), [](Vec3 r) { return r.y < -0.1 * length(r); })) {
+      REQUIRE(range.nearest_m >= low - 0.1 * (high - low) - 1);
+      REQUIRE(range.farthest_m <= high + 0.1 * (high - low) + 1);
+    }
+  }
+  CHECK(narrow > 100);
+  CHECK(behind > 20);
+}
+
+TEST_CASE("profiles go where the page shows ground, as many as fit on it") {
+  const PlanGround ground{-15000, 15000, 250, 500};
+  ViewRequest request;
+  const auto planned = [&](Vec3 eye, Vec3 target, double field) {
+    request.eye_m = eye;
+    request.look_at_m = target;
+    request.field_of_view = Angle::degrees(field);
+    const View view = view_of(request, 0.3, target.z > eye.z ? 1e5 : -1e5);
+    // As wide as an A4 page shows it.
+    const double scale = 277 / view.window.width();
+    return plan_depths(PageSpacing{0.6}, ground, view,
+                       compose({{scale, 0, 148, 0, -scale, 105, 0, 0, 1}}, view.to_picture))
+        .size();
+  };
+  // 194 mm of height, each side of it once more at the most.
+  CHECK(planned({0, -14000, 3000}, {0, 1000, 500}, 1) < 1000);
+  // Ground 500 m higher or lower than the plane may be on the page from 18 % nearer or farther away.
+  CHECK(planned({0, -14000, 3000}, {0, 1000, 500}, 0.1) < 6000);
+  CHECK(planned({0, 0, 5000}, {0, 500, 500}, 1) < 1000);
+  CHECK(planned({0, 0, 800}, {0, 200, 600}, 108) < 1000);
+  CHECK(planned({0, 0, 2500}, {0, 1e-9, 9000}, 170) < 2000);
+  CHECK(planned({0, 0, 2500}, {0, 1, 0}, 60) > 250);
+  CHECK(planned({0, 0, 2500}, {0, 1, 0}, 60) < 1000);
 }
