@@ -85,7 +85,9 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     std::vector<LinePart> all;
     for (SectorLines& sector : found)
       all.insert(all.end(), (sector.*parts).begin(), (sector.*parts).end());
-    if (found.size() > 1) join_sectors(terrain.surface, view, lines, all);
+    if (found.size() > 1)
+      join_sectors(terrain.surface, view, lines,
+                   scene.sectors.front().keeps_strip ? view.near_m : 0, all);
     return all;
   };
   const std::vector<LinePart> visible = of_all_sectors(&SectorLines::visible);

@@ -210,18 +210,18 @@ ProfilePoint LineSweep::point(std::uint32_t line, double t) const {
 }
 
 void join_sectors(const Surface& surface, const View& view, const std::vector<SweptLine>& lines,
-                  std::vector<LinePart>& parts) {
+                  double strip_m, std::vector<LinePart>& parts) {
   const auto whole = [&](std::uint32_t line) { return line_of(surface, view, lines[line].edge); };
   // The strip, twice as wide, since its sides are rounded.
   const auto strip = [&](const ProfileLine& line) {
-    return 4 * view.near_m / std::abs(line.to.v - line.from.v) + kSameShare;
+    return 4 * strip_m / std::abs(line.to.v - line.from.v) + kSameShare;
   };
   join(parts, [&](std::uint32_t line) { return strip(whole(line)); });
   // Edges that meet in the strip meet in the drawing as well.
   for (LinePart& part : parts) {
     const ProfileLine line = whole(part.line);
-    if (std::abs(line.from.v) <= view.near_m && part.t_begin <= strip(line)) part.t_begin = 0;
-    if (std::abs(line.to.v) <= view.near_m && part.t_end >= 1 - strip(line)) part.t_end = 1;
+    if (std::abs(line.from.v) <= strip_m && part.t_begin <= strip(line)) part.t_begin = 0;
+    if (std::abs(line.to.v) <= strip_m && part.t_end >= 1 - strip(line)) part.t_end = 1;
   }
 }
 

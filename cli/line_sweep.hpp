@@ -89,9 +89,10 @@ std::vector<LinePart> without(const std::vector<LinePart>& parts,
                               const std::vector<LinePart>& taken);
 
 /// Brings the parts of several sectors, a vector after another, in order by line, and joins those
-/// that only the strip between the sectors parts. `view` is that of the first sector.
+/// that only the strip between the sectors parts; `strip_m` wide to either side, 0 where what is in
+/// it is left out. `view` is that of the first sector.
 void join_sectors(const Surface& surface, const View& view, const std::vector<SweptLine>& lines,
-                  std::vector<LinePart>& parts);
+                  double strip_m, std::vector<LinePart>& parts);
 
 /// Draws parts of lines as long strokes, joined at shared vertices.
 void draw_parts(const Surface& surface, const View& view, const std::vector<SweptLine>& lines,

@@ -46,6 +46,7 @@ StrokeBuilder::Place StrokeBuilder::place_of(const StrokePoint& point) const {
 void StrokeBuilder::append(const StrokePoint& point) {
   // A point cut at the frame may round to just outside of it.
   const Vec3 page = settings_.to_page.of(point.plane);
+  if (!(page.z > 0)) return; // the eye itself
   const Box2& frame = settings_.frame_mm;
   page_mm_.push_back({std::clamp(page.x / page.z, frame.low.x, frame.high.x),
                       std::clamp(page.y / page.z, frame.low.y, frame.high.y)});

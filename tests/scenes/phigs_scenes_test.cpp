@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Views by PHIGS's parameters over made terrain: any plate, any direction, with planes that cut.
 #include "cli/cut_by_view.hpp"
+#include "cli/scene_view.hpp"
 #include "dem/extent.hpp"
 #include "dem/mesh/verify_tin.hpp"
 #include "geometry/error.hpp"
 #include "profiles/project_profile.hpp"
 #include "tests/scenes/asked_scenes.hpp"
 #include "tests/scenes/random_scene.hpp"
+#include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
 #include "tests/view/random_phigs_view.hpp"
 
@@ -182,4 +184,49 @@ TEST_CASE("what is visible doesn't depend on the plate, its window or its turn")
   }
   WARN(compared << " compared, greatest difference " << greatest << " of a line");
   CHECK(compared > static_cast<int>(kScenes / 4));
+}
+
+TEST_CASE("terrain of any size comes back through a view file") {
+  for (const double size : {1e-3, 1.0, 1e4})
+    for (const char* projection : {"perspective", "orthographic", "oblique"}) {
+      RandomScene scene = random_scene(3);
+      Grid& grid = grid_of(scene.terrain);
+      for (Vec2* step : {&grid.column_step_m, &grid.row_step_m, &grid.first_vertex_m})
+        *step = size * *step;
+      std::visit(
+          [&](auto& heights) {
+            for (auto& h : heights) h *= static_cast<float>(size);
+          },
+          grid.heights_m);
+      RenderSettings& settings = scene.settings;
+      settings = {};
+      settings.from_azimuth = Angle::degrees(200);
+      settings.from_elevation = Angle::degrees(40);
+      settings.exaggeration = 1.5;
+      settings.projection = projection[0] == 'p'   ? Projection::perspective
+                            : projection[1] == 'r' ? Projection::orthographic
+                                                   : Projection::oblique;
+      settings.plan = ProfileCount{20};
+      const Scene placed = place_scene(scene.terrain, settings);
+      const DrawnScene named = draw_scene(scene.terrain, placed, settings, [](double) {});
+      RenderSettings by_file = settings;
+      by_file.view = view_file_of(placed.view, scene.terrain.map);
+      by_file.exaggeration.reset();
+      const Scene again = place_scene(scene.terrain, by_file);
+      const DrawnScene filed = draw_scene(scene.terrain, again, by_file, [](double) {});
+      CAPTURE(size, projection);
+      CHECK(named.counts.strokes > 20);
+      CHECK(std::abs(static_cast<double>(named.counts.strokes) -
+                     static_cast<double>(filed.counts.strokes)) <=
+            0.02 * static_cast<double>(named.counts.strokes)); // ties, by rounding
+      // The same place of the page for a point of the terrain.
+      const auto page = [&](const Scene& of, Vec3 at) {
+        const Vec3 image =
+            of.to_page.of(project_homogeneous(of.view, to_profile_frame(of.view, at)));
+        return Vec2{image.x / image.z, image.y / image.z};
+      };
+      const Vec3 centre = placed.extent.box.centre();
+      for (const Vec3& at : {centre, placed.extent.box.low, placed.extent.box.high})
+        CHECK(length(page(placed, at) - page(again, at)) <= 1e-6);
+    }
 }
