@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Front and back planes cut the terrain (docs/how-it-works.md).
+// Front and back planes cut the terrain (docs/decisions/0010-sectors-and-planes.md).
 #pragma once
 
 #include "cli/render_settings.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Views that show rays beside or behind the eye (docs/how-it-works.md).
+// Views that show rays beside or behind the eye (docs/decisions/0010-sectors-and-planes.md).
 #pragma once
 
 #include "view/view.hpp"
