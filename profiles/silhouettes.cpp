@@ -65,19 +65,32 @@ public:
       return;
     }
     // What sinks is not a plane over cells any more: heights as the profile frame has them.
-    north_z_.resize(static_cast<std::size_t>(grid_.columns));
-    south_z_.resize(north_z_.size());
+    if (row != next_row_) take_row(row, south_z_);
+    std::swap(north_z_, south_z_);
+    take_row(row + 1, south_z_);
+    next_row_ = row + 1;
+    // The drop grows with the square of the distance: along a row it is greatest at one of its
+    // ends.
     double greatest_drop = 0;
-    for (int c = 0; c < grid_.columns; ++c)
+    for (const int c : {0, grid_.columns - 1})
       for (const int r : {row, row + 1}) {
         const ProfilePoint p = vertex(c, r);
-        (r == row ? north_z_ : south_z_)[static_cast<std::size_t>(c)] = p.z;
         greatest_drop = std::max(greatest_drop, std::abs(view_.drop.at(p.u, p.v)));
       }
     reckon(row, north_z_.data(), south_z_.data(), greatest_drop);
   }
 
 private:
+  void take_row(int row, std::vector<double>& z) const {
+    const Height* heights = &heights_[grid_.index(0, row)];
+    z.resize(static_cast<std::size_t>(grid_.columns));
+    for (int c = 0; c < grid_.columns; ++c) {
+      const Vec2 at = grid_.position_m(c, row);
+      z[static_cast<std::size_t>(c)] =
+          to_profile_frame(view_, {at.x, at.y, static_cast<double>(heights[c])}).z;
+    }
+  }
+
   template <class AnyHeight>
   void reckon(int row, const AnyHeight* north, const AnyHeight* south, double greatest_drop) {
     const bool perspective = view_.is_perspective();
@@ -153,6 +166,7 @@ private:
   double cells_away_;
   std::vector<double> lower_sign_, upper_sign_;
   std::vector<double> north_z_, south_z_; ///< where the ground sinks
+  int next_row_ = -1;                     ///< whose heights `south_z_` holds
 };
 
 struct CellVertex {
