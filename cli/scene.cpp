@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/scene.hpp"
 
+#include "cli/place_eye.hpp"
 #include "cli/scene_view.hpp"
 #include "dem/height_at.hpp"
 #include "geometry/error.hpp"
@@ -22,7 +23,8 @@ namespace {
 // Pen widths between profiles that read well on real terrain (docs/how-it-works.md).
 constexpr double kPenWidthsApart = 4;
 
-ViewRequest view_request(const RenderSettings& settings, const MapFrame& map, double exaggeration) {
+ViewRequest view_request(const RenderSettings& settings, const Terrain& terrain, const Box3& box,
+                         double exaggeration) {
   ViewRequest request;
   request.projection = settings.projection;
   request.oblique = settings.oblique;
@@ -30,10 +32,9 @@ ViewRequest view_request(const RenderSettings& settings, const MapFrame& map, do
   request.from_elevation = settings.from_elevation;
   request.field_of_view = settings.field_of_view;
   request.distance_m = settings.distance_m;
-  if (settings.eye_map) request.eye_m = map.to_ground_m(*settings.eye_map);
-  if (settings.look_at_map) request.look_at_m = map.to_ground_m(*settings.look_at_map);
   request.roll = settings.roll;
   request.exaggeration = exaggeration;
+  place_eye(request, settings, terrain, box);
   return request;
 }
 
@@ -108,7 +109,7 @@ double chosen_exaggeration(const Box3& terrain) {
 double exaggeration_of(const RenderSettings& settings, const Box3& terrain) {
   if (settings.exaggeration) return *settings.exaggeration;
   if (settings.view) return settings.view->exaggeration;
-  return settings.eye_map ? 1 : chosen_exaggeration(terrain);
+  return settings.has_eye() ? 1 : chosen_exaggeration(terrain);
 }
 
 Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
@@ -129,7 +130,7 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
   if (settings.view)
     place_view_file(scene, phigs_view(*settings.view, terrain.map, exaggeration), exaggeration);
   else
-    scene.view = place_view(view_request(settings, terrain.map, exaggeration), shape,
+    scene.view = place_view(view_request(settings, terrain, scene.extent.box, exaggeration), shape,
                             page_aspect(settings.page));
   check_eye(scene.view, terrain);
 

@@ -20,6 +20,8 @@ struct MapFrame {
   double height_unit_m = 1; ///< metres in one unit of the file's heights
   std::string crs_wkt;      ///< empty where the file has none
   std::string crs_name;     ///< for people; "none" where the file has none
+  std::string
+      vertical_crs_name; ///< what heights are above, for people; empty: the file doesn't say
   std::string unit_name = "metre";
   std::string height_unit_name = "metre";
 

@@ -147,6 +147,17 @@ Box2 window_of_field(Angle field, double aspect) {
   return {{-half_width, -half_height}, {half_width, half_height}};
 }
 
+void look_along(View& view, const LookDirection& look, Vec3 eye) {
+  view.forward = direction_of_azimuth(look.azimuth);
+  view.right = {view.forward.y, 0 - view.forward.x};
+  set_elevation(view, Angle() + -look.pitch); // without -0
+  view.depth_origin_m = {eye.x, eye.y};
+  view.eye_z_m = eye.z * view.exaggeration;
+  view.distance_m = 1;
+  const Vec2 ahead = cos(look.pitch) * view.forward;
+  view.look_at_m = eye + Vec3{ahead.x, ahead.y, sin(look.pitch) / view.exaggeration};
+}
+
 void look_from_eye(View& view, const ViewRequest& request) {
   const Vec3 eye = *request.eye_m;
   const Vec3 to_target{view.look_at_m.x - eye.x, view.look_at_m.y - eye.y,
@@ -191,7 +202,9 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
   // Also where the eye is straight above what it looks at.
   view.forward = Vec2{} - direction_of_azimuth(request.from_azimuth); // without -0
   view.right = {view.forward.y, 0 - view.forward.x};
-  if (request.eye_m)
+  if (request.eye_m && request.look)
+    look_along(view, *request.look, *request.eye_m);
+  else if (request.eye_m)
     look_from_eye(view, request);
   else
     set_elevation(view, request.from_elevation);
@@ -207,7 +220,7 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
       return view.to_picture.of(project_homogeneous(view, to_profile_frame(view, p))).z;
     };
     if (greatest(terrain.points, in_front_of_picture) <= 0)
-      throw Error("all of the terrain is behind the eye", "turn --look-at towards it");
+      throw Error("all of the terrain is behind the eye", "turn the view towards it");
   } else {
     if (view.is_perspective()) frame_perspective(view, request, terrain);
     view.window = picture_box(view, terrain);
