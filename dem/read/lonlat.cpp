@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <memory>
-#include <tuple>
 #include <vector>
 
 namespace orograph {
@@ -32,8 +31,9 @@ Transformation transformation(const std::string& crs_wkt, Way way) {
   if (crs_wkt.empty()) return nullptr;
   const Crs map = plane_of(crs_wkt), earth = plane_of("EPSG:4326");
   if (!map || !earth || map->IsLocal()) return nullptr;
-  const auto& [from, to] = way == Way::to_lonlat ? std::tie(map, earth) : std::tie(earth, map);
-  return Transformation(OGRCreateCoordinateTransformation(from.get(), to.get()));
+  Transformation there(OGRCreateCoordinateTransformation(map.get(), earth.get()));
+  if (way == Way::to_lonlat || !there) return there;
+  return Transformation(there->GetInverse());
 }
 
 // All of the places, or nothing.

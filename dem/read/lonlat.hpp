@@ -14,7 +14,8 @@ namespace orograph {
 // `crs_wkt` is that of a MapFrame, `map` a place in this CRS, in its units, easting (or longitude)
 // first, whatever order the CRS has for its axes. Longitude and latitude are in degrees on WGS 84,
 // longitude first. Heights take no part in any of this. Nothing is returned where the CRS isn't on
-// the earth, and for places that the CRS or the earth doesn't have.
+// the earth, and for places that the CRS or the earth doesn't have. Between datums places are as
+// good as what PROJ knows of their shift, a metre or some.
 
 /// Whether the CRS tells where on the earth it is: none that is local, and no empty text.
 bool is_on_earth(const std::string& crs_wkt);
