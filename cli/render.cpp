@@ -64,7 +64,7 @@ void render(const RenderSettings& settings) {
       draw_scene(terrain, scene, settings, [&](double fraction) { bar.show(fraction); });
   if (drawn.counts.strokes == 0)
     throw Error("nothing of the terrain is on the page",
-                "turn the view towards it, or widen --fov");
+                "turn the view towards it, widen --fov, or raise an eye that faces a slope");
   if (const auto& check = drawn.check)
     fmt::print(stderr,
                "orograph: check: {} points asked, {} tied, {} drawn but hidden, {} visible but not "
