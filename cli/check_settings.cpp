@@ -80,6 +80,25 @@ void check_report(const RenderSettings& settings, const GivenOptions& given) {
                      "give the report another name");
 }
 
+void check_eye(const RenderSettings& settings, const GivenOptions& given) {
+  if (!settings.has_eye())
+    for (const char* option : {"--eye-height", "--look-azimuth", "--pitch"})
+      if (given.contains(option))
+        throw UsageError(fmt::format("{} has no meaning without an eye", option),
+                         "give --eye X,Y or --eye-lonlat LON,LAT too");
+  if (given.contains("--pitch") && !settings.look_azimuth)
+    throw UsageError("--pitch needs a direction to look in", "give --look-azimuth DEG too");
+  const bool by_lonlat = settings.eye_lonlat.has_value();
+  const auto& eye = by_lonlat ? settings.eye_lonlat : settings.eye_map;
+  if (eye && eye->z && settings.eye_height_m)
+    throw UsageError(fmt::format("--eye-height is for an eye on the ground, and {} has a height",
+                                 by_lonlat ? "--eye-lonlat" : "--eye"),
+                     by_lonlat ? "give --eye-lonlat LON,LAT, or leave --eye-height out"
+                               : "give --eye X,Y, or leave --eye-height out");
+  if (eye && eye == (by_lonlat ? settings.look_at_lonlat : settings.look_at_map))
+    throw UsageError("the eye and what it looks at are the same point", "look at another point");
+}
+
 void check_view(RenderSettings& settings, const GivenOptions& given) {
   if (given.contains("--oblique")) {
     if (given.contains("--projection") && settings.projection != Projection::oblique)
@@ -89,7 +108,11 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
   if (settings.projection != Projection::perspective)
     for (const auto& [option, right] :
          {std::pair{"--distance", "leave it out"}, std::pair{"--fov", "leave it out"},
-          std::pair{"--eye", "give --view-from AZ/EL"}})
+          std::pair{"--eye", "give --view-from AZ/EL"},
+          std::pair{"--eye-lonlat", "give --view-from AZ/EL"},
+          std::pair{"--eye-height", "leave it out"},
+          std::pair{"--look-azimuth", "give --view-from AZ/EL"},
+          std::pair{"--pitch", "give --view-from AZ/EL"}})
       if (given.contains(option))
         throw UsageError(fmt::format("{} has no meaning in a parallel view", option),
                          fmt::format("{}, or use --projection perspective", right));
@@ -99,8 +122,7 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
         throw UsageError(
             fmt::format("{} has no meaning in a parallel view, which has no eye", option),
             "leave it out, or use --projection perspective");
-  if (settings.eye_map && settings.eye_map == settings.look_at_map)
-    throw UsageError("--eye and --look-at are the same point", "look at another point");
+  check_eye(settings, given);
 }
 
 void check_page(const RenderSettings& settings) {

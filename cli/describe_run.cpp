@@ -3,6 +3,8 @@
 
 #include "cli/error_budget.hpp"
 #include "cli/scene_view.hpp"
+#include "dem/height_at.hpp"
+#include "dem/read/lonlat.hpp"
 #include "draw/library_versions.hpp"
 #include "draw/pen_travel.hpp"
 
@@ -59,18 +61,48 @@ CurvatureReport describe_curvature(const Scene& scene, Curvature setting) {
   return out;
 }
 
-ViewReport describe_view(const Scene& scene, const MapFrame& map,
-                         const std::optional<ViewFile>& given) {
+std::optional<Vec3> lonlat_of(const MapFrame& map, const std::optional<Vec3>& place) {
+  if (!place) return std::nullopt;
+  const auto lonlat = lonlat_of_map(map.crs_wkt, {place->x, place->y});
+  if (!lonlat) return std::nullopt;
+  return Vec3{lonlat->x, lonlat->y, place->z};
+}
+
+// Clockwise from true north, at the eye or in a parallel view at the point looked at.
+double true_azimuth_deg(const View& view, const MapFrame& map) {
+  const Vec3 at = map.to_map({view.depth_origin_m.x, view.depth_origin_m.y, 0});
+  const auto azimuth =
+      true_azimuth(map.crs_wkt, {at.x, at.y}, atan2_angle(view.forward.x, view.forward.y));
+  if (!azimuth) return kNotMeasured;
+  const double deg = azimuth->in_degrees();
+  return deg < 0 ? deg + 360 : deg;
+}
+
+double eye_height_m(const View& view, const Surface& surface) {
+  const auto ground_m = height_at(surface, view.depth_origin_m);
+  return ground_m ? view.eye_z_m - *ground_m * view.exaggeration : kNotMeasured;
+}
+
+ViewReport describe_view(const Scene& scene, const Terrain& terrain,
+                         const RenderSettings& settings) {
   const View& view = scene.view;
+  const MapFrame& map = terrain.map;
+  const std::optional<ViewFile>& given = settings.view;
   ViewReport out;
   out.projection = projection_name(view.projection);
   out.look_azimuth_deg = azimuth_deg(view.forward);
   out.view_from_azimuth_deg = azimuth_deg(-1.0 * view.forward);
   out.elevation_deg = view.elevation.in_degrees();
-  out.look_at = map.to_map(view.look_at_m);
+  out.look_azimuth_true_deg = true_azimuth_deg(view, map);
+  if (!settings.look_azimuth) {
+    out.look_at = map.to_map(view.look_at_m);
+    out.look_at_lonlat = lonlat_of(map, out.look_at);
+  }
   if (view.is_perspective()) {
     out.eye = eye_on_map(view, map);
-    out.distance_m = view.distance_m;
+    out.eye_lonlat = lonlat_of(map, out.eye);
+    out.eye_height_m = eye_height_m(view, terrain.surface);
+    if (out.look_at) out.distance_m = view.distance_m;
     out.field_of_view_deg = atan2_angle(view.window.high.x, 1).in_degrees() -
                             atan2_angle(view.window.low.x, 1).in_degrees();
   }
@@ -96,6 +128,7 @@ InputReport describe_input(const Terrain& terrain) {
   out.path = terrain.source;
   out.crs_name = map.crs_name;
   out.crs_wkt = map.crs_wkt;
+  out.vertical_crs_name = map.vertical_crs_name;
   out.unit_name = map.unit_name;
   out.height_unit_name = map.height_unit_name;
   out.unit_m = map.unit_m;
@@ -140,7 +173,7 @@ void entitle(Drawing& drawing, const Terrain& terrain, const Scene& scene,
 void describe_run(RunReport& report, const Terrain& terrain, const Scene& scene,
                   const DrawnScene& drawn, const RenderSettings& settings) {
   report.input = describe_input(terrain);
-  report.view = describe_view(scene, terrain.map, settings.view);
+  report.view = describe_view(scene, terrain, settings);
   report.view.curvature = describe_curvature(scene, settings.curvature);
   report.profiles = {spacing_text(scene.plan), scene.depths_m};
   report.counts = drawn.counts;

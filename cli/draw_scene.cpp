@@ -130,8 +130,9 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
 void check_not_empty(const DrawnScene& drawn, const RenderSettings& settings) {
   if (drawn.counts.strokes == 0)
     throw Error("nothing of the terrain is on the page",
-                settings.view ? "turn the view towards it, or widen its window"
-                              : "turn the view towards it, or widen --fov");
+                settings.view
+                    ? "turn the view towards it, or widen its window"
+                    : "turn the view towards it, widen --fov, or raise an eye that faces a slope");
 }
 
 } // namespace orograph

@@ -147,6 +147,7 @@ std::string describe(const Terrain& terrain) {
     add_line(text, "Stands for",
              fmt::format("heights that are up to {:.4g} m away", terrain.surface_error_m));
   add_line(text, "CRS", map.crs_name);
+  if (!map.vertical_crs_name.empty()) add_line(text, "Vertical", map.vertical_crs_name);
   add_line(text, "Units", describe_units(map));
   add_line(text, "Bounds",
            fmt::format("{},{},{},{} (xmin,ymin,xmax,ymax of the vertices)",

@@ -14,9 +14,9 @@ struct InfoSettings {
   ReadOptions reading;
 };
 
-/// Aligned lines of "word   value": file, size, cells or triangles, CRS, units, bounds of the
-/// vertices in map coordinates, heights, missing heights, memory, and the reader's notes. A few
-/// passes over the surface.
+/// Aligned lines of "word   value": file, size, cells or triangles, CRS (and what heights are
+/// above, where the file says it), units, bounds of the vertices in map coordinates, heights,
+/// missing heights, memory, and the reader's notes. A few passes over the surface.
 std::string describe(const Terrain& terrain);
 
 /// Reads the terrain and prints its description to standard output. Throws Error.

@@ -16,6 +16,8 @@ namespace orograph {
 /// Each appends a group; what its options store into must outlive them.
 void add_terrain_options(std::vector<Option>& options, std::string& input, ReadOptions& reading);
 void add_view_options(std::vector<Option>& options, RenderSettings& settings);
+/// A part of the view's: where the eye is, and where it looks.
+void add_eye_options(std::vector<Option>& options, RenderSettings& settings);
 void add_line_options(std::vector<Option>& options, RenderSettings& settings);
 void add_page_options(std::vector<Option>& options, RenderSettings& settings);
 /// What `accuracy` measures, and where it writes.

@@ -47,10 +47,10 @@ std::optional<int> parse_integer(std::string_view text) {
   return parse_whole<int>(text);
 }
 
-std::optional<Vec3> parse_point(std::string_view text) {
-  const auto n = parse_numbers(text, ',', 3);
-  if (!n) return std::nullopt;
-  return Vec3{(*n)[0], (*n)[1], (*n)[2]};
+std::optional<GivenPlace> parse_place(std::string_view text) {
+  if (const auto n = parse_numbers(text, ',', 2)) return GivenPlace((*n)[0], (*n)[1]);
+  if (const auto n = parse_numbers(text, ',', 3)) return GivenPlace({(*n)[0], (*n)[1], (*n)[2]});
+  return std::nullopt;
 }
 
 std::optional<Box2> parse_box(std::string_view text) {

@@ -2,6 +2,7 @@
 // The values of options, from text. Nothing here knows which option it reads.
 #pragma once
 
+#include "cli/given_place.hpp"
 #include "geometry/angle.hpp"
 #include "geometry/box.hpp"
 #include "geometry/vec.hpp"
@@ -21,8 +22,8 @@ namespace orograph {
 
 std::optional<double> parse_number(std::string_view text);
 std::optional<int> parse_integer(std::string_view text);
-/// "X,Y,Z".
-std::optional<Vec3> parse_point(std::string_view text);
+/// "X,Y" or "X,Y,Z".
+std::optional<GivenPlace> parse_place(std::string_view text);
 /// "XMIN,YMIN,XMAX,YMAX" with XMIN < XMAX and YMIN < YMAX.
 std::optional<Box2> parse_box(std::string_view text);
 

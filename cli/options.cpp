@@ -20,7 +20,16 @@ std::vector<Conflict> picture_conflicts() {
   std::vector<Conflict> conflicts{
       {"--view-from", "--eye",
        "give --view-from to frame the terrain, or --eye to stand somewhere"},
+      {"--view-from", "--eye-lonlat",
+       "give --view-from to frame the terrain, or --eye-lonlat to stand somewhere"},
       {"--distance", "--eye", "the distance is from --eye to --look-at"},
+      {"--distance", "--eye-lonlat", "the distance is from --eye-lonlat to --look-at-lonlat"},
+      {"--eye", "--eye-lonlat", "give one of the two"},
+      {"--look-at", "--look-at-lonlat", "give one of the two"},
+      {"--look-at", "--look-azimuth", "look at a point, or in a direction"},
+      {"--look-at-lonlat", "--look-azimuth", "look at a point, or in a direction"},
+      {"--look-at", "--pitch", "the point tells how steeply to look"},
+      {"--look-at-lonlat", "--pitch", "the point tells how steeply to look"},
       {"--portrait", "--landscape", "give one of the two"},
       {"--view-from", "--axonometric", "give one of the two"},
       {"--projection", "--axonometric", "leave --projection out"},
@@ -28,8 +37,10 @@ std::vector<Conflict> picture_conflicts() {
       {"--refraction", "--curvature-coefficient", "give one of the two"},
       {"--progress", "--no-progress", "give one of the two"},
       {"--quiet", "--progress", "give one of the two"}};
-  for (const char* option : {"--view-from", "--projection", "--oblique", "--axonometric",
-                             "--distance", "--fov", "--eye", "--look-at", "--roll"})
+  for (const char* option :
+       {"--view-from", "--projection", "--oblique", "--axonometric", "--distance", "--fov", "--eye",
+        "--eye-lonlat", "--eye-height", "--look-at", "--look-at-lonlat", "--look-azimuth",
+        "--pitch", "--roll"})
     conflicts.push_back({"--view", option, "the file holds the whole view"});
   return conflicts;
 }

@@ -2,6 +2,7 @@
 // Everything that `orograph render` is told, checked and in its own types.
 #pragma once
 
+#include "cli/given_place.hpp"
 #include "cli/view_file.hpp"
 #include "dem/read/read_options.hpp"
 #include "draw/page.hpp"
@@ -16,6 +17,9 @@
 #include <vector>
 
 namespace orograph {
+
+/// Of a standing person, above the ground.
+constexpr double kEyeHeight_m = 2;
 
 enum class Occluder { surface, profiles };
 enum class Curvature { automatic, on, off };
@@ -32,7 +36,11 @@ struct RenderSettings {
   Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);
   std::optional<Angle> field_of_view;
   std::optional<double> distance_m;
-  std::optional<Vec3> eye_map, look_at_map; ///< coordinates and height unit of the file
+  std::optional<GivenPlace> eye_map, look_at_map;       ///< in map coordinates
+  std::optional<GivenPlace> eye_lonlat, look_at_lonlat; ///< longitude and latitude, WGS 84
+  std::optional<double> eye_height_m;                   ///< none: kEyeHeight_m
+  std::optional<Angle> look_azimuth;                    ///< from true north where it is known
+  Angle pitch;
   Angle roll;
   Curvature curvature = Curvature::automatic;
   double refraction = 0.13;           ///< K: share of the earth's curvature that rays follow
@@ -56,6 +64,8 @@ struct RenderSettings {
   std::string report;      ///< path of the JSON report; empty: none
   bool quiet = false;
   std::optional<bool> progress; ///< none: where stderr is a terminal
+
+  bool has_eye() const { return eye_map || eye_lonlat; }
 };
 
 } // namespace orograph

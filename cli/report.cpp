@@ -23,6 +23,10 @@ Json json_of(Vec3 p) {
   return {p.x, p.y, p.z};
 }
 
+Json point_or_null(const std::optional<Vec3>& p) {
+  return p ? json_of(*p) : Json();
+}
+
 Json json_of(const TriangulationCounts& counts) {
   return {{"points", counts.points},
           {"merged", counts.merged},
@@ -39,9 +43,14 @@ Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
+Json name_or_null(const std::string& name) {
+  return name.empty() ? Json() : Json(name);
+}
+
 Json json_of(const InputReport& input) {
   return {{"path", input.path},
           {"crs", {{"name", input.crs_name}, {"wkt", input.crs_wkt}}},
+          {"vertical_crs", name_or_null(input.vertical_crs_name)},
           {"unit", input.unit_name},
           {"unit_m", input.unit_m},
           {"height_unit", input.height_unit_name},
@@ -81,9 +90,13 @@ Json json_of(const ViewReport& view) {
   return {{"projection", view.projection},
           {"view_from_azimuth_deg", view.view_from_azimuth_deg},
           {"look_azimuth_deg", view.look_azimuth_deg},
+          {"look_azimuth_true_deg", view.look_azimuth_true_deg},
           {"elevation_deg", view.elevation_deg},
-          {"eye", view.eye ? json_of(*view.eye) : Json()},
-          {"look_at", json_of(view.look_at)},
+          {"eye", point_or_null(view.eye)},
+          {"eye_lonlat", point_or_null(view.eye_lonlat)},
+          {"eye_height_m", view.eye_height_m},
+          {"look_at", point_or_null(view.look_at)},
+          {"look_at_lonlat", point_or_null(view.look_at_lonlat)},
           {"distance_m", view.distance_m},
           {"depth_origin", json_of(view.depth_origin)},
           {"forward", json_of(view.forward)},

@@ -22,7 +22,7 @@ constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 /// Numbers that are NaN, and optionals that hold nothing, become null unless said otherwise.
 struct InputReport {
   std::string path;
-  std::string crs_name, crs_wkt; ///< as in MapFrame
+  std::string crs_name, crs_wkt, vertical_crs_name; ///< as in MapFrame
   std::string unit_name, height_unit_name;
   double unit_m = 1, height_unit_m = 1;
   std::optional<std::uint64_t> columns, rows;                     ///< of a grid
@@ -50,10 +50,15 @@ struct ViewReport {
   double look_azimuth_deg = kNotMeasured;      ///< where the eye looks
   double elevation_deg = kNotMeasured;         ///< of the viewer above the target's horizontal
   std::optional<Vec3> eye;                     ///< none in a parallel view
-  Vec3 look_at;
-  double distance_m = kNotMeasured; ///< eye to look_at, in the exaggerated scene
-  Vec2 depth_origin;                ///< where depth is 0
-  Vec2 forward;                     ///< unit, horizontal
+  std::optional<Vec3> look_at;                 ///< none where the eye looks in a direction
+  double look_azimuth_true_deg = kNotMeasured; ///< where the eye looks, from true north; null where
+                                               ///< the CRS doesn't tell it
+  std::optional<Vec3> eye_lonlat, look_at_lonlat; ///< longitude, latitude, and height as above
+  double eye_height_m = kNotMeasured; ///< above the ground, in the exaggerated scene; null where
+                                      ///< there is no ground
+  double distance_m = kNotMeasured;   ///< eye to look_at, in the exaggerated scene
+  Vec2 depth_origin;                  ///< where depth is 0
+  Vec2 forward;                       ///< unit, horizontal
   double field_of_view_deg = kNotMeasured;
   std::optional<Vec2> oblique; ///< length and rise in degrees of lines away from the viewer
   double roll_deg = 0;

@@ -2,6 +2,7 @@
 #include "cli/scene.hpp"
 
 #include "cli/geodesy.hpp"
+#include "cli/place_eye.hpp"
 #include "cli/scene_view.hpp"
 #include "dem/height_at.hpp"
 #include "geometry/error.hpp"
@@ -23,7 +24,8 @@ namespace {
 // Pen widths between profiles that read well on real terrain (docs/how-it-works.md).
 constexpr double kPenWidthsApart = 4;
 
-ViewRequest view_request(const RenderSettings& settings, const MapFrame& map, double exaggeration) {
+ViewRequest view_request(const RenderSettings& settings, const Terrain& terrain, const Box3& box,
+                         double exaggeration) {
   ViewRequest request;
   request.projection = settings.projection;
   request.oblique = settings.oblique;
@@ -31,10 +33,9 @@ ViewRequest view_request(const RenderSettings& settings, const MapFrame& map, do
   request.from_elevation = settings.from_elevation;
   request.field_of_view = settings.field_of_view;
   request.distance_m = settings.distance_m;
-  if (settings.eye_map) request.eye_m = map.to_ground_m(*settings.eye_map);
-  if (settings.look_at_map) request.look_at_m = map.to_ground_m(*settings.look_at_map);
   request.roll = settings.roll;
   request.exaggeration = exaggeration;
+  place_eye(request, settings, terrain, box);
   return request;
 }
 
@@ -84,7 +85,7 @@ void place_on_earth(Scene& scene, const Terrain& terrain, const RenderSettings& 
     place_view_file(scene, phigs_view(*settings.view, terrain.map, exaggeration), exaggeration,
                     drop, is_cut(settings));
   } else {
-    ViewRequest request = view_request(settings, terrain.map, exaggeration);
+    ViewRequest request = view_request(settings, terrain, scene.extent.box, exaggeration);
     request.drop = drop;
     scene.view = place_view(request, shape, page_aspect(settings.page));
   }
@@ -157,7 +158,7 @@ double chosen_exaggeration(const Box3& terrain) {
 double exaggeration_of(const RenderSettings& settings, const Box3& terrain) {
   if (settings.exaggeration) return *settings.exaggeration;
   if (settings.view) return settings.view->exaggeration;
-  return settings.eye_map ? 1 : chosen_exaggeration(terrain);
+  return settings.has_eye() ? 1 : chosen_exaggeration(terrain);
 }
 
 Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {

@@ -67,7 +67,8 @@ double chosen_exaggeration(const Box3& terrain);
 /// the world as it is.
 double exaggeration_of(const RenderSettings& settings, const Box3& terrain);
 
-/// REQUIRES that the terrain outlives the scene. Throws Error as `place_view` and `plan_depths` do,
+/// REQUIRES that the terrain outlives the scene. Throws Error as `place_eye`, `place_view` and
+/// `plan_depths` do,
 /// and where the eye is under the ground.
 Scene place_scene(const Terrain& terrain, const RenderSettings& settings);
 

@@ -17,8 +17,6 @@ constexpr auto kGroup = "View";
 } // namespace
 
 void add_view_options(std::vector<Option>& options, RenderSettings& s) {
-  constexpr auto kPoint =
-      "coordinates of the terrain's CRS, height in the file's unit above its datum";
   options.push_back({.group = kGroup,
                      .name = "--view-from",
                      .value = "AZ/EL",
@@ -94,19 +92,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
        .by_default = "30"},
       {.unit = "degrees", .low = 0, .high = 180, .low_excluded = true, .high_excluded = true},
       [&s](double deg) { s.field_of_view = Angle::degrees(deg); }));
-  options.push_back({.group = kGroup,
-                     .name = "--eye",
-                     .value = "X,Y,Z",
-                     .help = "Stand at this point; perspective only",
-                     .allowed = kPoint,
-                     .take = stored(parse_point, s.eye_map)});
-  options.push_back({.group = kGroup,
-                     .name = "--look-at",
-                     .value = "X,Y,Z",
-                     .help = "Look at this point",
-                     .allowed = kPoint,
-                     .by_default = "the terrain's centre",
-                     .take = stored(parse_point, s.look_at_map)});
+  add_eye_options(options, s);
   options.push_back(with_number({.group = kGroup,
                                  .name = "--roll",
                                  .value = "DEG",
@@ -140,9 +126,11 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
       {.group = kGroup,
        .name = "--exaggeration",
        .value = "K|auto",
-       .help = "Multiply all heights, the eye's and the target's too; 1 is true, auto takes 1, 1.5 "
-               "or 2 by the terrain's relief and says which",
-       .by_default = "auto"},
+       .help =
+           "Multiply all heights, the eye's and the target's too (an eye --eye-height above the "
+           "ground stays as high above it); 1 is true, auto takes 1, 1.5 or 2 by the terrain's "
+           "relief and says which",
+       .by_default = "auto; 1 with an eye"},
       {.low = 0, .high = 1000, .low_excluded = true}, [&s](double k) { s.exaggeration = k; });
   exaggeration.allowed = "a factor, " + exaggeration.allowed + ", or auto";
   exaggeration.take = [&s, number = exaggeration.take](const std::string& text) {

@@ -26,6 +26,8 @@ struct MapFrame {
   std::string crs_wkt;      ///< empty where the file has none
   std::string crs_name;     ///< for people; "none" where the file has none
   std::optional<CurvatureRadii> radii; ///< at the terrain's middle; none where the CRS has no place
+  std::string
+      vertical_crs_name; ///< what heights are above, for people; empty: the file doesn't say
   std::string unit_name = "metre";
   std::string height_unit_name = "metre";
 

@@ -49,6 +49,17 @@ std::string name_for_people(const OGRSpatialReference& crs) {
   return text;
 }
 
+// What heights are above, as far as the CRS says it.
+std::string vertical_name(const OGRSpatialReference& crs) {
+  if (!crs.IsCompound())
+    return crs.GetAxesCount() == 3 ? fmt::format("ellipsoid of {}", crs.GetName()) : "";
+  const char* name = crs.GetAttrValue("VERT_CS");
+  const char *authority = crs.GetAuthorityName("VERT_CS"), *code = crs.GetAuthorityCode("VERT_CS");
+  std::string text = name ? name : "unnamed";
+  if (authority && code) text += fmt::format(" ({}:{})", authority, code);
+  return text;
+}
+
 std::string well_known_text(const OGRSpatialReference& crs) {
   char* text = nullptr;
   const std::array<const char*, 2> options{"FORMAT=WKT2_2018", nullptr};
@@ -104,6 +115,7 @@ void set_crs(MapFrame& map, const OGRSpatialReference& crs, const std::string& p
                 fmt::format("project it with {} first",
                             kind == FileKind::raster ? "gdalwarp" : "ogr2ogr -t_srs"));
   map.crs_name = name_for_people(crs);
+  map.vertical_crs_name = vertical_name(crs);
   map.crs_wkt = well_known_text(crs);
   map.radii = radii_at(crs, centre);
   const char* unit = nullptr;

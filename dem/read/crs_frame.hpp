@@ -26,7 +26,7 @@ bool tells_place(const OGRSpatialReference* crs);
 /// What would bring a file into a projected CRS, for the hint.
 enum class FileKind { raster, vector, other };
 
-/// Sets the CRS, its name and the unit of eastings and northings; heights stay in metres.
+/// Sets the CRS, its names and the unit of eastings and northings; heights stay in metres.
 /// `centre`, in the CRS's own coordinates, only serves to name a fitting projection. REQUIRES
 /// tells_place. Throws Error for a geographic or geocentric CRS.
 void set_crs(MapFrame& map, const OGRSpatialReference& crs, const std::string& path, FileKind kind,

@@ -105,8 +105,10 @@ Box2 picture_box(const View& view, const TerrainShape& terrain) {
 void put_eye_at_distance(View& view, double distance) {
   view.distance_m = distance;
   const Vec2 target{view.look_at_m.x, view.look_at_m.y};
-  view.depth_origin_m = target - (distance * cos(view.elevation)) * view.forward;
-  view.eye_z_m = view.look_at_m.z * view.exaggeration + distance * sin(view.elevation);
+  const double away = distance * cos(view.elevation);
+  view.depth_origin_m = target - away * view.forward;
+  view.eye_z_m =
+      view.look_at_m.z * view.exaggeration - view.drop.at(0, away) + distance * sin(view.elevation);
 }
 
 // What has to fit the field: the width of the picture of ground that is all in front of the eye;
@@ -175,10 +177,24 @@ Box2 window_of_field(Angle field, double aspect) {
   return {{-half_width, -half_height}, {half_width, half_height}};
 }
 
+void look_along(View& view, const LookDirection& look, Vec3 eye) {
+  view.forward = direction_of_azimuth(look.azimuth);
+  view.right = {view.forward.y, 0 - view.forward.x};
+  set_elevation(view, Angle() + -look.pitch); // without -0
+  view.depth_origin_m = {eye.x, eye.y};
+  view.eye_z_m = eye.z * view.exaggeration;
+  view.distance_m = 1;
+  const Vec2 ahead = cos(look.pitch) * view.forward;
+  view.look_at_m = eye + Vec3{ahead.x, ahead.y, sin(look.pitch) / view.exaggeration};
+}
+
 void look_from_eye(View& view, const ViewRequest& request) {
   const Vec3 eye = *request.eye_m;
-  const Vec3 to_target{view.look_at_m.x - eye.x, view.look_at_m.y - eye.y,
-                       view.exaggeration * (view.look_at_m.z - eye.z)};
+  const double east = view.look_at_m.x - eye.x, north = view.look_at_m.y - eye.y;
+  const double sunk = view.is_perspective() ? request.drop.per_north * north * north +
+                                                  request.drop.per_east * east * east
+                                            : 0;
+  const Vec3 to_target{east, north, view.exaggeration * (view.look_at_m.z - eye.z) - sunk};
   const double ground = std::hypot(to_target.x, to_target.y);
   if (ground == 0 && to_target.z == 0)
     throw Error("eye and look-at point coincide", "give a --look-at that lies aside");
@@ -219,7 +235,9 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
   // Also where the eye is straight above what it looks at.
   view.forward = Vec2{} - direction_of_azimuth(request.from_azimuth); // without -0
   view.right = {view.forward.y, 0 - view.forward.x};
-  if (request.eye_m)
+  if (request.eye_m && request.look)
+    look_along(view, *request.look, *request.eye_m);
+  else if (request.eye_m)
     look_from_eye(view, request);
   else
     set_elevation(view, request.from_elevation);
@@ -236,7 +254,7 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
       return view.to_picture.of(project_homogeneous(view, to_profile_frame(view, p))).z;
     };
     if (greatest(terrain.points, in_front_of_picture) <= 0)
-      throw Error("all of the terrain is behind the eye", "turn --look-at towards it");
+      throw Error("all of the terrain is behind the eye", "turn the view towards it");
   } else {
     if (view.is_perspective()) frame_perspective(view, request, terrain);
     view.window = picture_box(view, terrain);

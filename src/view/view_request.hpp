@@ -33,6 +33,12 @@ constexpr Oblique kCabinet{0.5, Angle::degrees(45)};
 /// Straight up: the plan is true, and heights are drawn upwards from it.
 constexpr Oblique kMilitary{1, Angle::degrees(90)};
 
+/// Azimuth clockwise from the ground frame's north; pitch upwards, -90 to 90 degrees, of the camera
+/// in the exaggerated scene.
+struct LookDirection {
+  Angle azimuth, pitch;
+};
+
 struct ViewRequest {
   Projection projection = Projection::perspective;
   Oblique oblique; ///< oblique only
@@ -48,7 +54,10 @@ struct ViewRequest {
   std::optional<double> distance_m; ///< eye to target in space; perspective only
   std::optional<Vec3> eye_m;        ///< ground frame, true height
   std::optional<Vec3> look_at_m;    ///< ground frame, true height; else the terrain's centre
-  Angle roll;                       ///< the picture turns clockwise by it
+  /// Goes before `look_at_m`, where `eye_m` is given; perspective only. The view's target is then
+  /// a metre ahead of the eye.
+  std::optional<LookDirection> look;
+  Angle roll; ///< the picture turns clockwise by it
   EarthDrop drop;
   double exaggeration = 1; ///< multiplies all heights, the eye's and the target's too
 };

@@ -72,6 +72,8 @@ void make_inputs(const MadeFolder& folder) {
   folder.write("degrees.prj", "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
                               "298.257223563]],PRIMEM[\"Greenwich\",0],"
                               "UNIT[\"degree\",0.0174532925199433]]");
+  folder.write("utm.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("utm.prj", kUtm32);
   folder.write("text.asc", "This is no raster.\n");
   const std::string tiff = geotiff(kSize, kSize, small_hill_m);
   folder.write("cut.tif", tiff.substr(0, tiff.size() / 2));

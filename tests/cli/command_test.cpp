@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 
 using namespace orograph;
@@ -54,6 +55,69 @@ TEST_CASE("info tells what a file holds") {
   CHECK(window.exit_code == 0);
   CHECK(holds(window.out, "10 x 20 vertices"));
   CHECK(holds(window.out, "105,105,195,295"));
+}
+
+TEST_CASE("an eye by longitude and latitude is where the report says, and looks where it is told") {
+  const MadeFolder folder;
+  folder.write("hill.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("hill.prj", kUtm32);
+  const auto view_of = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "hill.asc", "a.svg"});
+    options.insert(options.end(), {"--report", "a.json", "--overwrite"});
+    const auto result = run_orograph(options, {.folder = folder.path()});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return nlohmann::json::parse(folder.read("a.json"))["view"];
+  };
+  // But for the rounding of places in degrees.
+  const auto near = [](const nlohmann::json& one, const nlohmann::json& other) {
+    REQUIRE(one.size() == other.size());
+    for (std::size_t i = 0; i < one.size(); ++i)
+      CHECK(std::abs(one[i].get<double>() - other[i].get<double>()) <= 1e-6);
+  };
+  const auto text = [](const nlohmann::json& lonlat) {
+    return lonlat[0].dump() + "," + lonlat[1].dump();
+  };
+  const auto by_map = view_of({"--eye", "100,60", "--look-at", "205,200", "--exaggeration", "3"});
+  CHECK(std::abs(by_map["eye_height_m"].get<double>() - 2) <= 1e-9);
+  CHECK(std::abs(by_map["eye_lonlat"][0].get<double>() - 4.512) < 0.001);
+  CHECK(by_map["eye_lonlat"][2] == by_map["eye"][2]);
+  const auto by_lonlat = view_of({"--eye-lonlat", text(by_map["eye_lonlat"]), "--look-at-lonlat",
+                                  text(by_map["look_at_lonlat"]), "--exaggeration", "3"});
+  near(by_lonlat["eye"], by_map["eye"]);
+  near(by_lonlat["look_at"], by_map["look_at"]);
+  near(by_lonlat["forward"], by_map["forward"]);
+
+  const auto direction =
+      view_of({"--eye", "100,60", "--look-azimuth", "40", "--pitch", "5", "--eye-height", "30"});
+  CHECK(std::abs(direction["look_azimuth_true_deg"].get<double>() - 40) <= 1e-7);
+  // Near the equator north is nearly the map's.
+  CHECK(std::abs(direction["look_azimuth_deg"].get<double>() - 40) < 0.01);
+  CHECK(direction["look_azimuth_deg"] != direction["look_azimuth_true_deg"]);
+  CHECK(direction["elevation_deg"] == -5);
+  CHECK(std::abs(direction["eye_height_m"].get<double>() - 30) <= 1e-9);
+  CHECK(direction["look_at"].is_null());
+  CHECK(direction["look_at_lonlat"].is_null());
+  CHECK(direction["distance_m"].is_null());
+  CHECK(direction["exaggeration"] == 1);
+
+  const auto outside = view_of({"--eye", "200,-500,500"});
+  CHECK(outside["eye_height_m"].is_null());
+  const auto parallel =
+      view_of({"--projection", "orthographic", "--look-at-lonlat", text(by_map["look_at_lonlat"])});
+  CHECK(parallel["eye_lonlat"].is_null());
+  CHECK(parallel["eye_height_m"].is_null());
+  near({parallel["look_at_lonlat"][0], parallel["look_at_lonlat"][1]},
+       {by_map["look_at_lonlat"][0], by_map["look_at_lonlat"][1]});
+
+  folder.write("plain.asc", ascii_grid(kSize, kSize, small_hill_m));
+  REQUIRE(run_orograph({"render", "plain.asc", "b.svg", "--eye", "100,60", "--report", "b.json"},
+                       {.folder = folder.path()})
+              .exit_code == 0);
+  const auto plain = nlohmann::json::parse(folder.read("b.json"));
+  CHECK(plain["view"]["eye_lonlat"].is_null());
+  CHECK(plain["view"]["look_azimuth_true_deg"].is_null());
+  CHECK(plain["input"]["vertical_crs"].is_null());
 }
 
 TEST_CASE("render writes every format and a report, the same bytes each time") {

@@ -64,4 +64,7 @@ TEST_CASE("units other than metres, and turned rows, are told") {
   CHECK(text.find("42.4264 x 28.2843 m, rows run towards azimuth 135 degrees") !=
         std::string::npos);
   CHECK(text.find("(3.28084 to 16.4042 in the file's unit)") != std::string::npos);
+  CHECK(text.find("Vertical") == std::string::npos);
+  terrain.map.vertical_crs_name = "NAVD88 height (EPSG:5703)";
+  CHECK(has_line(describe(terrain), "Vertical   NAVD88 height (EPSG:5703)"));
 }

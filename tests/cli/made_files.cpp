@@ -116,6 +116,13 @@ std::string geotiff(int columns, int rows, const HeightOf& height_m) {
   return bytes;
 }
 
+const std::string_view kUtm32 =
+    "PROJCS[\"WGS 84 / UTM zone 32N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\","
+    "6378137,298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],"
+    "PROJECTION[\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],"
+    "PARAMETER[\"central_meridian\",9],PARAMETER[\"scale_factor\",0.9996],"
+    "PARAMETER[\"false_easting\",500000],PARAMETER[\"false_northing\",0],UNIT[\"metre\",1]]";
+
 double hill_m(int column, int row, int size) {
   const double x = 2.0 * column / (size - 1) - 1, y = 2.0 * row / (size - 1) - 1;
   return 100 + 200 * std::exp(-4 * (x * x + y * y)) + 7 * x + 3 * y;

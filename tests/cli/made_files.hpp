@@ -39,6 +39,9 @@ std::string ascii_grid(int columns, int rows, const HeightOf& height_m);
 /// the heights come after the tags.
 std::string geotiff(int columns, int rows, const HeightOf& height_m);
 
+/// WKT of UTM zone 32 on WGS 84, for a file of its own beside an ASCII grid.
+extern const std::string_view kUtm32;
+
 /// A hill of 200 m in the middle of a slightly sloping plain, so that no ground is level.
 double hill_m(int column, int row, int size);
 

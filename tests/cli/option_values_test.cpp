@@ -31,9 +31,11 @@ TEST_CASE("a whole number has no point and no overflow") {
 }
 
 TEST_CASE("points, boxes and directions have their number of parts") {
-  CHECK(parse_point("-120,5,3") == Vec3{-120, 5, 3});
-  for (const char* text : {"1,2", "1,2,3,4", "1,2,", ",1,2", "1;2;3", "1, 2, 3", "1,nan,3"})
-    CHECK_FALSE(parse_point(text));
+  CHECK(parse_place("-120,5,3") == Vec3{-120, 5, 3});
+  CHECK(parse_place("-120,5") == GivenPlace(-120, 5));
+  CHECK_FALSE(parse_place("1,2") == Vec3{1, 2, 0});
+  for (const char* text : {"1", "1,2,3,4", "1,2,", ",1,2", "1;2;3", "1, 2, 3", "1,nan,3", "nan,1"})
+    CHECK_FALSE(parse_place(text));
 
   const auto box = parse_box("-1,-2,3,4");
   REQUIRE(box);

@@ -110,7 +110,7 @@ TEST_CASE("view options") {
   check_refused({"--fov", "0"}, "above 0 and below 180");
   check_refused({"--fov", "180"}, "above 0 and below 180");
   check_refused({"--distance", "-5"}, "metres, above 0");
-  check_refused({"--eye", "1,2"}, "X,Y,Z");
+  check_refused({"--eye", "1"}, "X,Y[,Z]");
   check_refused({"--exaggeration", "0"}, "or auto");
   check_refused({"--projection", "panorama"}, "perspective, orthographic or oblique");
   check_refused({"--projection", "isometric"}, "perspective|orthographic|oblique");
@@ -264,6 +264,64 @@ TEST_CASE("options that exclude each other") {
     check_refused(options, option.front() + " has no meaning in a parallel view");
   }
   check_refused({"--eye", "1,2,3", "--look-at", "1,2,3"}, "the same point");
+}
+
+TEST_CASE("eye and target on the ground, by longitude and latitude, in a direction") {
+  const auto s = given({"--eye-lonlat", "-118.2,34.3", "--eye-height", "1.6", "--look-azimuth",
+                        "-30", "--pitch", "-2.5"});
+  CHECK(s.eye_lonlat == GivenPlace(-118.2, 34.3));
+  CHECK_FALSE(s.eye_map);
+  CHECK(s.has_eye());
+  CHECK(s.eye_height_m == 1.6);
+  CHECK(s.look_azimuth == Angle::degrees(-30));
+  CHECK(s.pitch == Angle::degrees(-2.5));
+  CHECK(given({"--eye", "4e5,5e6"}).eye_map == GivenPlace(4e5, 5e6));
+  CHECK(given({"--look-at-lonlat", "235.5,-90,12"}).look_at_lonlat == Vec3{235.5, -90, 12});
+  CHECK_FALSE(given({"--look-at", "1,2"}).has_eye());
+  CHECK(given({"--projection", "orthographic", "--look-at-lonlat", "1,2"}).look_at_lonlat);
+
+  for (const std::string option : {"--eye-lonlat", "--look-at-lonlat"}) {
+    check_refused({option, "34.3,-118.2"}, "-118.2 is no latitude: longitude comes first: "
+                                           "-118.2,34.3");
+    check_refused({option, "120,100"}, "100 is no latitude: latitudes are from -90 to 90");
+    check_refused({option, "-181,3"}, "LON from -180 to 360");
+    check_refused({option, "361,3,5"}, "LON from -180 to 360");
+    check_refused({option, "9"}, "LON,LAT[,H]");
+    check_refused({option, "9,nan"}, "LON,LAT[,H]");
+  }
+  check_refused({"--eye-height", "0"}, "metres, above 0");
+  check_refused({"--pitch", "91"}, "-90 to 90");
+
+  const Arguments eye{"--eye-lonlat", "1,2"};
+  const auto with_eye = [&](Arguments options) {
+    options.insert(options.begin(), eye.begin(), eye.end());
+    return options;
+  };
+  for (const Arguments& option : {Arguments{"--eye", "1,2"},
+                                  {"--view-from", "180/25"},
+                                  {"--distance", "10"},
+                                  {"--view", "a.toml"}})
+    check_refused(with_eye(option), "exclude each other");
+  for (const Arguments& option : {Arguments{"--look-azimuth", "10"}, {"--pitch", "3"}})
+    for (const std::string target : {"--look-at", "--look-at-lonlat"}) {
+      Arguments options = with_eye(option);
+      options.insert(options.end(), {target, "3,4"});
+      check_refused(options, "exclude each other");
+    }
+  check_refused({"--look-at", "1,2", "--look-at-lonlat", "3,4"}, "exclude each other");
+  check_refused(with_eye({"--look-at-lonlat", "1,2"}), "the same point");
+  CHECK(refusal(with_eye({"--look-at", "1,2"})) == "accepted"); // coordinates of something else
+  for (const Arguments& option :
+       {Arguments{"--eye-height", "3"}, {"--look-azimuth", "10"}, {"--pitch", "3"}}) {
+    check_refused(option, option.front() + " has no meaning without an eye");
+    Arguments parallel = with_eye(option);
+    parallel.insert(parallel.end(), {"--oblique", "cabinet"});
+    check_refused(parallel, " has no meaning in a parallel view");
+    check_refused({option.front(), option.back(), "--view", "a.toml"}, "exclude each other");
+  }
+  check_refused(with_eye({"--pitch", "3"}), "give --look-azimuth DEG too");
+  check_refused({"--eye", "1,2,3", "--eye-height", "4"}, "give --eye X,Y, or leave");
+  check_refused({"--eye-lonlat", "1,2,3", "--eye-height", "4"}, "give --eye-lonlat LON,LAT, or");
 }
 
 TEST_CASE("a command line that isn't one") {

@@ -98,7 +98,7 @@ TEST_CASE("and from an eye on the surface, on a vertex, a millimetre above it") 
     Random random(seed + 100000);
     put_eye(scene.settings, grid_of(scene.terrain), random);
     CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
-            scene.settings.eye_map->z);
+            *scene.settings.eye_map->z);
     try {
       sum.add(ask(scene.terrain, scene.settings, 2000));
     } catch (const Error&) {

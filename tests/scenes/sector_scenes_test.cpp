@@ -87,7 +87,7 @@ TEST_CASE("the ray walk agrees with cameras that look straight down, and nearly"
     look_down(scene.settings, scene.terrain, random);
     if (random.chance(0.3)) scene.settings.layers.push_back("edges");
     CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
-            scene.settings.eye_map->z, scene.settings.look_at_map->x,
+            *scene.settings.eye_map->z, scene.settings.look_at_map->x,
             scene.settings.look_at_map->y);
     try {
       const Scene placed = place_scene(scene.terrain, scene.settings);
@@ -193,7 +193,7 @@ TEST_CASE("what is visible doesn't depend on pitch, roll or field, to the bit") 
     Random random(seed + 500000);
     look_down(settings, scene.terrain, random);
     settings.visibility_tolerance_mm = 0;
-    const Vec3 eye = *settings.eye_map;
+    const Vec3 eye{settings.eye_map->x, settings.eye_map->y, settings.eye_map->z.value()};
     const Box3 box = extent_of(scene.terrain.surface).box;
     settings.plan = GroundSpacing{(box.high.x - box.low.x) / 15};
     const double heading = random.between(0, 6.28);

@@ -111,7 +111,7 @@ TEST_CASE("and from an eye on the surface, on a vertex, in a hole, a millimetre 
     Random random(seed + 100000);
     put_eye(scene.settings, std::get<Tin>(scene.terrain.surface), random);
     CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
-            scene.settings.eye_map->z);
+            *scene.settings.eye_map->z);
     try {
       sum.add(ask_tin(scene.terrain, scene.settings, 2000));
     } catch (const Error&) {

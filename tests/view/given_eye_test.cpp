@@ -88,6 +88,57 @@ TEST_CASE("an eye that can't see is refused") {
   CHECK(refusal(from_to(above, centre), terrain).empty());
 }
 
+TEST_CASE("an eye that looks in a direction sees as a pinhole along it") {
+  const MadeTerrain terrain = small_terrain();
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    Random random(seed);
+    ViewRequest request;
+    request.exaggeration = random.pick({1.0, 2.0});
+    request.roll = Angle::degrees(random.pick({0.0, random.between(-180, 180)}));
+    request.field_of_view = Angle::degrees(60);
+    request.look_at_m = Vec3{1, 2, 3}; // goes behind the direction
+    const double azimuth = random.pick({0.0, 90.0, random.between(-400, 400)});
+    const double pitch = random.pick({0.0, random.between(-80, 80)});
+    request.look = LookDirection{Angle::degrees(azimuth), Angle::degrees(pitch)};
+    const double a = azimuth * std::numbers::pi / 180, p = pitch * std::numbers::pi / 180;
+    const Vec3 axis{std::sin(a) * std::cos(p), std::cos(a) * std::cos(p), std::sin(p)};
+    // So that the terrain is ahead.
+    const Vec3 ahead = 2000 * axis;
+    request.eye_m =
+        terrain.extent.box.centre() - Vec3{ahead.x, ahead.y, ahead.z / request.exaggeration};
+    INFO("seed " << seed);
+    const View view = place_view(request, terrain.shape(), 0.7);
+    const Pinhole camera =
+        pinhole(exaggerated(*request.eye_m, request.exaggeration), axis, request.roll.in_degrees());
+    int compared = 0;
+    for (const Vec3& ground : terrain.vertices) {
+      const Vec3 scene = exaggerated(ground, request.exaggeration);
+      if (to_profile_frame(view, ground).v < 1 || camera.along(scene) < 1) continue;
+      const Vec2 found = picture_of(view, ground), expected = camera.picture(scene);
+      REQUIRE(largest(found - expected) <= 1e-10 * std::max(1.0, largest(expected)));
+      ++compared;
+    }
+    REQUIRE(compared > 0);
+    CHECK(largest(picture_of(view, view.look_at_m)) <= 1e-6); // a metre ahead
+    CHECK(view.distance_m == 1);
+    CHECK_FALSE(view.frames_terrain);
+  }
+}
+
+TEST_CASE("a direction straight up or down, or with all of the terrain behind") {
+  const MadeTerrain terrain = small_terrain();
+  ViewRequest request;
+  request.eye_m = terrain.extent.box.centre() + Vec3{0, 0, 1000};
+  request.look = LookDirection{Angle::degrees(90), Angle::degrees(-90)};
+  const View down = place_view(request, terrain.shape(), 0.7);
+  CHECK(down.elevation == Angle::degrees(90));
+  CHECK(down.forward == Vec2{1, 0});
+  request.look->pitch = Angle::degrees(90);
+  CHECK(says(refusal(request, terrain), "behind the eye"));
+  request.look->pitch = Angle();
+  CHECK_FALSE(std::signbit(place_view(request, terrain.shape(), 0.7).elevation.in_degrees()));
+}
+
 TEST_CASE("straight down is a plan in a parallel view, north up") {
   const MadeTerrain terrain = small_terrain();
   const Vec3 centre = terrain.extent.box.centre();

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a raster lies, and in which units.
+#include "dem/read/crs_frame.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/read/raster_file.hpp"
 #include "tests/dem/read/read_back.hpp"
 #include "tests/dem/temp_folder.hpp"
 #include "tests/support/grid_of.hpp"
+
+#include <ogr_spatialref.h>
 
 #include <cmath>
 #include <fstream>
@@ -66,6 +69,20 @@ TEST_CASE("units of height") {
   const Terrain compound = read_back(raster);
   CHECK(compound.map.height_unit_m == us_foot_m);
   CHECK(!has_note(compound, "no unit of height"));
+}
+
+TEST_CASE("what heights are above, as far as the CRS says it") {
+  RasterFile raster = counting_raster(4, 3);
+  CHECK(read_back(raster).map.vertical_crs_name.empty());
+  raster.crs = "EPSG:32632+5773";
+  CHECK(read_back(raster).map.vertical_crs_name == "EGM96 height (EPSG:5773)");
+  raster.crs = "EPSG:32610+6360";
+  CHECK(read_back(raster).map.vertical_crs_name == "NAVD88 height (ftUS) (EPSG:6360)");
+  MapFrame map;
+  const Crs solid = crs_from_text("EPSG:32632");
+  solid->PromoteTo3D(nullptr);
+  set_crs(map, *solid, "a.tif", FileKind::raster, {});
+  CHECK(map.vertical_crs_name == "ellipsoid of WGS 84 / UTM zone 32N");
 }
 
 TEST_CASE("the CRS is kept by name and text") {

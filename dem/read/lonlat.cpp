@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/read/lonlat.hpp"
+
+#include "dem/read/crs_frame.hpp"
+#include "dem/read/gdal_messages.hpp"
+
+#include <ogr_spatialref.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace orograph {
+namespace {
+
+enum class Way { to_lonlat, to_map };
+
+// A CRS as its plane alone, with its axes in the order that files have.
+Crs plane_of(const std::string& text) {
+  Crs crs = crs_from_text(text);
+  if (!crs) return nullptr;
+  crs->StripVertical();
+  crs->DemoteTo2D(nullptr);
+  crs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return crs;
+}
+
+using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
+
+Transformation transformation(const std::string& crs_wkt, Way way) {
+  if (crs_wkt.empty()) return nullptr;
+  const Crs map = plane_of(crs_wkt), earth = plane_of("EPSG:4326");
+  if (!map || !earth || map->IsLocal()) return nullptr;
+  Transformation there(OGRCreateCoordinateTransformation(map.get(), earth.get()));
+  if (way == Way::to_lonlat || !there) return there;
+  return Transformation(there->GetInverse());
+}
+
+// All of the places, or nothing.
+std::optional<std::vector<Vec2>> moved(const std::string& crs_wkt, Way way,
+                                       const std::vector<Vec2>& places) {
+  const GdalMessages unheard;
+  const Transformation transform = transformation(crs_wkt, way);
+  if (!transform) return std::nullopt;
+  std::vector<Vec2> out = places;
+  for (Vec2& p : out)
+    if (!transform->Transform(1, &p.x, &p.y) || !std::isfinite(p.x) || !std::isfinite(p.y))
+      return std::nullopt;
+  return out;
+}
+
+// Metres in a degree of longitude (x) and of latitude (y), on WGS 84: by the radii of curvature
+// across the meridian and along it.
+Vec2 metres_per_degree(double latitude_deg) {
+  constexpr double a_m = 6378137, f = 1 / 298.257223563, e2 = f * (2 - f);
+  const Angle latitude = Angle::degrees(latitude_deg);
+  const double s = sin(latitude), w2 = 1 - e2 * s * s, w = std::sqrt(w2);
+  const double per_radian = a_m / w;
+  const double radians = Angle::degrees(1).in_radians();
+  return {radians * per_radian * cos(latitude), radians * per_radian * (1 - e2) / w2};
+}
+
+double within_half_turn(double deg) {
+  return std::remainder(deg, 360);
+}
+
+// Long enough for the rounding of coordinates, short enough for the earth to be flat.
+constexpr double kStep_m = 10;
+
+} // namespace
+
+bool is_on_earth(const std::string& crs_wkt) {
+  const GdalMessages unheard;
+  return transformation(crs_wkt, Way::to_lonlat) != nullptr;
+}
+
+std::optional<Vec2> lonlat_of_map(const std::string& crs_wkt, Vec2 map) {
+  const auto places = moved(crs_wkt, Way::to_lonlat, {map});
+  if (!places) return std::nullopt;
+  return places->front();
+}
+
+std::optional<Vec2> map_of_lonlat(const std::string& crs_wkt, Vec2 lonlat_deg) {
+  const auto places = moved(crs_wkt, Way::to_map, {{within_half_turn(lonlat_deg.x), lonlat_deg.y}});
+  if (!places) return std::nullopt;
+  return places->front();
+}
+
+std::optional<Box2> lonlat_bounds(const std::string& crs_wkt, const Box2& map) {
+  constexpr int kSteps = 16;
+  std::vector<Vec2> lattice;
+  for (int i = 0; i <= kSteps; ++i)
+    for (int k = 0; k <= kSteps; ++k)
+      lattice.push_back(
+          {map.low.x + map.width() * i / kSteps, map.low.y + map.height() * k / kSteps});
+  const auto places = moved(crs_wkt, Way::to_lonlat, lattice);
+  if (!places) return std::nullopt;
+  Box2 bounds;
+  for (const Vec2 p : *places) {
+    const double first = places->front().x;
+    bounds.include({first + within_half_turn(p.x - first), p.y});
+  }
+  return bounds;
+}
+
+std::optional<Angle> map_azimuth(const std::string& crs_wkt, Vec2 map, Angle true_azimuth) {
+  const auto at = lonlat_of_map(crs_wkt, map);
+  if (!at) return std::nullopt;
+  const Vec2 along = direction_of_azimuth(true_azimuth), per_degree = metres_per_degree(at->y);
+  const Vec2 step{kStep_m * along.x / per_degree.x, kStep_m * along.y / per_degree.y};
+  const auto ends = moved(crs_wkt, Way::to_map, {*at - step, *at + step});
+  if (!ends) return std::nullopt;
+  const Vec2 on_map = ends->back() - ends->front();
+  return atan2_angle(on_map.x, on_map.y);
+}
+
+std::optional<Angle> true_azimuth(const std::string& crs_wkt, Vec2 map, Angle map_azimuth) {
+  const Vec2 step = kStep_m * direction_of_azimuth(map_azimuth);
+  const auto ends = moved(crs_wkt, Way::to_lonlat, {map - step, map, map + step});
+  if (!ends) return std::nullopt;
+  const Vec2 per_degree = metres_per_degree((*ends)[1].y), turned = ends->back() - ends->front();
+  return atan2_angle(per_degree.x * within_half_turn(turned.x), per_degree.y * turned.y);
+}
+
+} // namespace orograph
