@@ -197,6 +197,34 @@ TEST_CASE("a vertex sinks by the square of its distance, by Euler's radius in it
   }
 }
 
+TEST_CASE("what is looked at is in the picture's middle on a round earth too") {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    RandomScene scene = random_scene(seed);
+    Random random(seed + 850000);
+    shrink_the_earth(scene, random);
+    RenderSettings& settings = scene.settings;
+    settings.projection = Projection::perspective;
+    const Box3 box = extent_of(scene.terrain.surface).box;
+    const Vec3 target = box.centre();
+    settings.look_at_map = target;
+    settings.exaggeration = random.pick({1.0, 2.0});
+    settings.field_of_view = Angle::degrees(40);
+    if (random.chance(0.5))
+      settings.eye_map = target + Vec3{random.between(-1, 1) * (box.high.x - box.low.x),
+                                       box.high.y - box.low.y, box.high.z - box.low.z + 100};
+    else
+      settings.distance_m = 2 * (box.high.x - box.low.x);
+    const Scene placed = place_scene(scene.terrain, settings);
+    const View& view = placed.view;
+    const Vec3 image =
+        view.to_picture.of(project_homogeneous(view, to_profile_frame(view, target)));
+    CAPTURE(seed, image.x, image.y, image.z);
+    REQUIRE(placed.curvature.applied);
+    REQUIRE(image.z > 0);
+    CHECK(std::hypot(image.x, image.y) <= 1e-9 * image.z);
+  }
+}
+
 TEST_CASE("the ray walk agrees on a small planet, in any view") {
   Asked sum;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
