@@ -232,7 +232,8 @@ TEST_CASE("profiles go where the page shows ground, as many as fit on it") {
   };
   // 194 mm of height, each side of it once more at the most.
   CHECK(planned({0, -14000, 3000}, {0, 1000, 500}, 1) < 1000);
-  // Ground 500 m higher or lower than the plane may be on the page from 18 % nearer or farther away.
+  // Ground 500 m higher or lower than the plane may be on the page from 18 % nearer or farther
+  // away.
   CHECK(planned({0, -14000, 3000}, {0, 1000, 500}, 0.1) < 6000);
   CHECK(planned({0, 0, 5000}, {0, 500, 500}, 1) < 1000);
   CHECK(planned({0, 0, 800}, {0, 200, 600}, 108) < 1000);
