@@ -37,9 +37,11 @@ double rounding_mm(const WriteOptions& write) {
 }
 
 // What the drawing leaves out of the earth's shape.
-double geodesy_mm(const Terrain& terrain, const Scene& scene) {
-  if (terrain.map.crs_wkt.empty() && !scene.curvature.applied) return 0;
-  return scene.curvature.applied ? map_plane_mm(scene) : scene.curvature.would_move_mm;
+double geodesy_mm(const Terrain& terrain, const Scene& scene, const RenderSettings& settings) {
+  if (terrain.map.crs_wkt.empty()) return 0;
+  const bool eye_is_given = settings.eye_map || settings.eye_lonlat || settings.view;
+  const double flat_mm = scene.curvature.applied ? 0 : scene.curvature.would_move_mm;
+  return flat_mm + map_plane_mm(scene, terrain.map, eye_is_given);
 }
 
 // From the eye to the nearest ground there may be.
@@ -83,7 +85,7 @@ ErrorBudget error_budget(const Terrain& terrain, const Scene& scene,
   budget.simplification_mm = settings.simplify_mm;
   budget.visibility_tolerance_mm = settings.visibility_tolerance_mm;
   budget.arithmetic_mm = kArithmetic_mm;
-  budget.geodesy_mm = geodesy_mm(terrain, scene);
+  budget.geodesy_mm = geodesy_mm(terrain, scene, settings);
   budget.rounding_mm = rounding_mm(settings.write);
   return budget;
 }

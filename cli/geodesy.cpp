@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/geodesy.hpp"
 
+#include "dem/frame/local_frame.hpp"
+#include "dem/read/lonlat.hpp"
 #include "view/sectors.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
 
 namespace orograph {
 namespace {
@@ -27,6 +32,48 @@ double mm_per_aside(const Scene& scene, Vec3 ray) {
   const auto& m = scene.to_page.m;
   const Vec3 page = scene.to_page.of(ray);
   return std::hypot(m[0] - m[6] * page.x / page.z, m[3] - m[6] * page.y / page.z) / page.z;
+}
+
+// Of the map plane, as seen from the eye: the greatest error of direction, in radians, and between
+// which shares distances are too long.
+struct MapErrors {
+  double turn = 0, least_stretch = 0, most_stretch = 0;
+};
+MapErrors map_errors(const Scene& scene, const MapFrame& map) {
+  const auto lonlat = [&](Vec2 ground_m) -> std::optional<GeoPoint> {
+    const Vec3 at = map.to_map({ground_m.x, ground_m.y, 0});
+    const auto found = lonlat_of_map(map.crs_wkt, {at.x, at.y});
+    if (!found) return std::nullopt;
+    return GeoPoint{found->x, found->y, 0};
+  };
+  MapErrors errors;
+  const Vec2 eye_m = scene.view.depth_origin_m;
+  const auto eye = lonlat(eye_m);
+  if (!eye) return errors;
+  const Vec3 eye_map = map.to_map({eye_m.x, eye_m.y, 0});
+  const auto& [low, high] = scene.extent.box;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const double x : {low.x, 0.5 * (low.x + high.x), high.x})
+    for (const double y : {low.y, 0.5 * (low.y + high.y), high.y}) {
+      const Vec2 away = Vec2{x, y} - eye_m;
+      const auto ground = lonlat({x, y});
+      const auto towards =
+          true_azimuth(map.crs_wkt, {eye_map.x, eye_map.y}, atan2_angle(away.x, away.y));
+      if (!ground || !towards || !(length(away) > 1)) continue;
+      const auto [distance_m, azimuth] = distance_and_azimuth(*eye, *ground);
+      const double turn =
+          std::remainder(azimuth.in_radians() - towards->in_radians(), 2 * std::numbers::pi);
+      errors.turn = std::max(errors.turn, std::abs(turn));
+      const double stretch = length(away) / distance_m - 1;
+      // Up where the ground is, the earth is wider.
+      least = std::min(least, stretch - high.z / kMeanEarthRadius_m);
+      most = std::max(most, stretch - low.z / kMeanEarthRadius_m);
+    }
+  if (least <= most) {
+    errors.least_stretch = least;
+    errors.most_stretch = most;
+  }
+  return errors;
 }
 
 } // namespace
@@ -68,14 +115,20 @@ double drop_mm(const Scene& scene, const EarthDrop& drop) {
   return greatest;
 }
 
-double map_plane_mm(const Scene& scene) {
-  constexpr double kHalfZone_m = 334e3;
+double map_plane_mm(const Scene& scene, const MapFrame& map, bool eye_is_given) {
+  const MapErrors errors = map_errors(scene, map);
+  const double stretch =
+      eye_is_given ? std::max(std::abs(errors.least_stretch), std::abs(errors.most_stretch))
+                   : 0.5 * (errors.most_stretch - errors.least_stretch);
   const double farthest = distances(scene).farthest_m;
-  const double share = farthest * kHalfZone_m / (kMeanEarthRadius_m * kMeanEarthRadius_m);
   double greatest = 0;
   for (const Vec3& ray : shown_rays(scene.view)) {
-    const double reach = scene.view.is_perspective() ? std::hypot(ray.x, ray.z) : farthest;
-    greatest = std::max(greatest, mm_per_aside(scene, ray) * share * reach);
+    const bool perspective = scene.view.is_perspective();
+    // Turned, ground moves aside; stretched, it seems higher or lower against the eye's level.
+    const double aside = (perspective ? std::hypot(ray.x, ray.z) : farthest) * errors.turn;
+    const double up = (perspective ? std::abs(ray.y) : farthest) * stretch;
+    greatest = std::max(
+        greatest, std::hypot(mm_per_aside(scene, ray) * aside, mm_per_height(scene, ray) * up));
   }
   return greatest;
 }

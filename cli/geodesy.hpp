@@ -20,11 +20,12 @@ EarthDrop earth_drop(const MapFrame& map, double refraction);
 /// by too, since that only moves the picture. mm on the page.
 double drop_mm(const Scene& scene, const EarthDrop& drop);
 
-/// What remains of the map plane when the earth's curvature is drawn: directions and scale of a
-/// conformal projection, not farther from its central line than half a UTM zone is wide. Over D
-/// metres they are off by up to D x / R^2, x = 334 km (arc-to-chord and scale; Snyder 1987, Map
-/// projections: a working manual, chapter 8). mm on the page.
-double map_plane_mm(const Scene& scene);
+/// What the map plane itself moves: how far its directions and distances from the eye are off those
+/// of the geodesics to the sides, corners and middle of the terrain, and how much wider the earth
+/// is where the ground is high. What stretches all of it alike counts only from a given eye: one
+/// that was placed to frame the terrain would stand elsewhere. Where the terrain has no place on
+/// the earth it can't be told, and is 0. mm on the page.
+double map_plane_mm(const Scene& scene, const MapFrame& map, bool eye_is_given);
 
 /// Directions over the window, its corners among them, in the homogeneous coordinates of the
 /// visibility plane.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/crs_frame.hpp"
 
+#include "dem/frame/ellipsoid.hpp"
 #include "geometry/angle.hpp"
 #include "geometry/error.hpp"
 
@@ -80,11 +81,9 @@ std::optional<CurvatureRadii> radii_at(const OGRSpatialReference& crs, Vec2 plac
       OGRCreateCoordinateTransformation(projected.get(), geographic.get()));
   double longitude = place.x, latitude_deg = place.y;
   if (!to_degrees || !to_degrees->Transform(1, &longitude, &latitude_deg)) return std::nullopt;
-  const double a = geographic->GetSemiMajor(), b = geographic->GetSemiMinor();
-  const double e2 = 1 - (b / a) * (b / a), s = sin(Angle::degrees(latitude_deg));
-  const double w = std::sqrt(1 - e2 * s * s);
-  if (!(a > 0 && b > 0 && w > 0)) return std::nullopt;
-  return CurvatureRadii{a * (1 - e2) / (w * w * w), a / w};
+  const Ellipsoid ellipsoid{geographic->GetSemiMajor(), geographic->GetInvFlattening()};
+  return CurvatureRadii{euler_radius_m(ellipsoid, latitude_deg, Angle()),
+                        euler_radius_m(ellipsoid, latitude_deg, Angle::degrees(90))};
 }
 
 } // namespace

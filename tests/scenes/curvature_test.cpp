@@ -28,6 +28,14 @@ constexpr std::uint64_t kScenes = 30;
 
 constexpr double kRadius_m = 6371000;
 
+constexpr const char* kUtm32 =
+    "PROJCS[\"WGS 84 / UTM zone 32N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\","
+    "SPHEROID[\"WGS 84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],"
+    "UNIT[\"degree\",0.0174532925199433]],PROJECTION[\"Transverse_Mercator\"],"
+    "PARAMETER[\"latitude_of_origin\",0],PARAMETER[\"central_meridian\",9],"
+    "PARAMETER[\"scale_factor\",0.9996],PARAMETER[\"false_easting\",500000],"
+    "PARAMETER[\"false_northing\",0],UNIT[\"metre\",1]]";
+
 // A strip of sea to the north of (0, 0), which begins 100 m behind it, of square cells.
 Terrain sea(double length_m, double cell_m) {
   Terrain terrain;
@@ -284,4 +292,39 @@ TEST_CASE("and a grid and its TIN are the same there, to the bit") {
     compared += by_grid.parts.size();
   }
   CHECK(compared > 10000);
+}
+
+// Along a transverse Mercator, from a point E1, N1 (from the central meridian) to E2, N2: the line
+// of the map is off the geodesic by (N2 - N1) (2 E1 + E2) / 6 R^2, and scale grows by E^2 / 2 R^2
+// (Snyder 1987, Map projections: a working manual, chapter 8).
+TEST_CASE("the map plane's own errors are in the budget, where the map is distorted") {
+  for (const double east_m : {0.0, 250e3}) {
+    Terrain terrain;
+    Grid grid;
+    grid.columns = grid.rows = 51;
+    grid.first_vertex_m = {-25e3, 25e3};
+    grid.column_step_m = {1000, 0};
+    grid.row_step_m = {0, -1000};
+    grid.heights_m = std::vector<double>(grid.size(), 0.0);
+    std::get<std::vector<double>>(grid.heights_m)[1300] = 500;
+    terrain.surface = std::move(grid);
+    terrain.map.origin = {500e3 + east_m, 5200e3};
+    terrain.map.crs_wkt = kUtm32;
+    RenderSettings settings;
+    settings.eye_map = Vec3{500e3 + east_m, 5175e3, 3000};
+    settings.look_at_map = Vec3{500e3 + east_m, 5200e3, 0};
+    const Scene scene = place_scene(terrain, settings);
+    const double r2 = kRadius_m * kRadius_m;
+    const double turn = 50e3 * (3 * east_m + 25e3) / (6 * r2);
+    const double stretch = 0.0004 - (east_m + 25e3) * (east_m + 25e3) / (2 * r2); // of a given eye
+    // The page is 277 mm wide, 2 tan 15 degrees at distance 1.
+    const double per_radian = 277 / (2 * std::tan(std::numbers::pi / 12));
+    const double found = map_plane_mm(scene, terrain.map, true);
+    CAPTURE(east_m, turn, stretch, found);
+    CHECK(found >= 0.7 * per_radian * turn);
+    CHECK(found <= 1.3 * per_radian * std::hypot(turn, 0.3 * std::abs(stretch)));
+    CHECK(map_plane_mm(scene, terrain.map, false) < found);
+    terrain.map.crs_wkt.clear();
+    CHECK(map_plane_mm(scene, terrain.map, true) == 0);
+  }
 }
