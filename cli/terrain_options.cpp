@@ -54,6 +54,15 @@ void add_terrain_options(std::vector<Option>& options, std::string& input, ReadO
                                           "heights; 0 is the finest overview",
                                   .by_default = "full heights"},
                                  0, 100, [&reading](int level) { reading.overview = level; }));
+  options.push_back(
+      with_number({.group = kGroup,
+                   .name = "--fill-voids",
+                   .value = "CELLS",
+                   .help = "Fill missing heights of a raster from those around them, up to so far "
+                           "from a height (GDAL's fill)",
+                   .by_default = "gaps stay, hide nothing and are outlined"},
+                  {.unit = "cells", .low = 0, .high = 1e6, .low_excluded = true},
+                  [&reading](double cells) { reading.fill_voids = cells; }));
   constexpr auto kSurvey = "Triangles and points";
   options.push_back({.group = kSurvey,
                      .name = "--input-layer",

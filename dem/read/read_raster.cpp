@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/read_raster.hpp"
 
+#include "dem/read/fill_voids.hpp"
 #include "dem/read/gdal_messages.hpp"
 #include "dem/read/open_raster.hpp"
 #include "dem/read/raster_frame.hpp"
@@ -91,6 +92,12 @@ void note_unwritten(GDALRasterBand& band, const RasterWindow& window, const Heig
     notes.push_back("Parts of the file were never written: their heights are taken as 0.");
 }
 
+void note_filled(const FilledVoids& voids, double cells, std::vector<std::string>& notes) {
+  notes.push_back(
+      fmt::format("{} missing heights were filled from up to {} cells away; {} are left.",
+                  voids.filled, cells, voids.left));
+}
+
 Terrain read(const std::string& path, const ReadOptions& options) {
   GdalMessages messages;
   Terrain terrain;
@@ -117,6 +124,8 @@ Terrain read(const std::string& path, const ReadOptions& options) {
   Grid grid = empty_grid(order, terrain.map.unit_m);
   read_heights(band, window, order, code, path, grid);
   note_unwritten(band, window, code, terrain.notes);
+  if (options.fill_voids)
+    note_filled(fill_voids(grid, *options.fill_voids), *options.fill_voids, terrain.notes);
   if (options.bbox) cut_to(*options.bbox, lattice, order, grid);
   if (!has_height(grid))
     throw Error(fmt::format("{}{} holds no heights, nodata only", path,
