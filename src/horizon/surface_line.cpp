@@ -33,6 +33,14 @@ double nearness_at(const SurfaceLine& line, double x) {
   return height_at(nearness, x);
 }
 
+// Where between two abscissae the line's depth is the mean of that at both.
+double middle_in_depth(const SurfaceLine& line, double low, double high) {
+  const double n_low = nearness_at(line, low), n_high = nearness_at(line, high);
+  if (!line.perspective || n_low == n_high) return 0.5 * (low + high);
+  const double share = n_low / (n_low + n_high); // from the harmonic mean of the two
+  return std::clamp(low + share * (high - low), low, high);
+}
+
 // Of nearness at an X: a line that runs aslant is as far off as its X.
 double nearness_rounding_at(const SurfaceLine& line, double x) {
   const double slope =
@@ -147,9 +155,14 @@ void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t 
   if (!(low < high)) return;
   const double nearer_low = nearness_at(f, low) - nearness_at(b, low),
                nearer_high = nearness_at(f, high) - nearness_at(b, high);
-  const bool one_place =
-      std::abs(nearer_low) <= nearness_rounding_at(f, low) + nearness_rounding_at(b, low) &&
-      std::abs(nearer_high) <= nearness_rounding_at(f, high) + nearness_rounding_at(b, high);
+  const auto at_one_place = [&](double x, double nearer) {
+    return std::abs(nearer) <= nearness_rounding_at(f, x) + nearness_rounding_at(b, x);
+  };
+  // Where a line comes close to the plane beside the eye, rounding is more than all else at that
+  // end, so the middle of the line in depth is asked as well.
+  const double x = middle_in_depth(f, low, high);
+  const bool one_place = at_one_place(low, nearer_low) && at_one_place(high, nearer_high) &&
+                         at_one_place(x, nearness_at(f, x) - nearness_at(b, x));
   if (one_place && !f.covers) return;
   Stretch stretch = one_place ? Stretch{0, 1} : positive(nearer_low, nearer_high);
   const bool one_line = !one_place && f.drawn && tolerance.mm > 0 &&

@@ -9,8 +9,8 @@
 namespace orograph {
 
 /// What keeps to the plane between two sectors is taken to lie so many near planes ahead, in the
-/// first sector; else neither would have it. The ground before it is cut away but for a hundredth.
-constexpr double kNearPlanesAhead = 100;
+/// first sector; else neither would have it. The ground before it is there but for a twentieth.
+constexpr double kNearPlanesAhead = 20;
 
 /// The ray of a point of the picture plane, from the eye, in the homogeneous coordinates of the
 /// visibility plane: to_picture takes it to (x, y, 1), so in perspective its last coordinate, the

@@ -97,7 +97,7 @@ inline FrameDrop drop_in_frame(const EarthDrop& drop, Vec2 forward) {
 /// cell there is nothing but the triangle under the eye, and 1/v would only cost digits.
 constexpr double kNearShareOfCell = 0.01;
 /// Where the page shows rays beside the eye, the ground between the near planes of the two sectors
-/// must not show: from a hundredth of a cell above the ground it is 1e-6 of that height wide.
-constexpr double kNearShareBetweenSectors = 1e-8;
+/// must not show: from a hundredth of a cell above the ground it is 2e-5 of that height wide.
+constexpr double kNearShareBetweenSectors = 1e-7;
 
 } // namespace orograph
