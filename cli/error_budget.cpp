@@ -36,28 +36,34 @@ double rounding_mm(const WriteOptions& write) {
   return page_step;
 }
 
-// What the drawing leaves out of the earth's shape.
-double geodesy_mm(const Terrain& terrain, const Scene& scene, const RenderSettings& settings) {
-  if (terrain.map.crs_wkt.empty()) return 0;
-  const bool eye_is_given = settings.eye_map || settings.eye_lonlat || settings.view;
-  const double flat_mm = scene.curvature.applied ? 0 : scene.curvature.would_move_mm;
-  return flat_mm + map_plane_mm(scene, terrain.map, eye_is_given);
+double longest_edge_m(const Surface& surface) {
+  if (const Grid* grid = std::get_if<Grid>(&surface))
+    return std::max({length(grid->column_step_m), length(grid->row_step_m),
+                     length(grid->column_step_m + grid->row_step_m)});
+  const Tin& tin = std::get<Tin>(surface);
+  double longest = 0;
+  for (const auto& corners : tin.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 side = tin.vertices_m[corners[i]] - tin.vertices_m[corners[(i + 1) % 3]];
+      longest = std::max(longest, std::hypot(side.x, side.y));
+    }
+  return longest;
 }
 
-// From the eye to the nearest ground there may be.
-double least_distance_m(const Scene& scene) {
-  const View& view = scene.view;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Box3& box : scene.extent.blocks.boxes) {
-    const auto aside = [](double at, double low, double high) {
-      return std::max({low - at, at - high, 0.0});
-    };
-    const double k = view.exaggeration;
-    least = std::min(least, std::hypot(aside(view.depth_origin_m.x, box.low.x, box.high.x),
-                                       aside(view.depth_origin_m.y, box.low.y, box.high.y),
-                                       aside(view.eye_z_m, k * box.low.z, k * box.high.z)));
-  }
-  return std::max(least, view.near_m);
+// What the drawing leaves out of the earth's shape. Without a CRS there is no earth; with one that
+// doesn't tell where on it, only its roundness.
+std::optional<double> geodesy_mm(const Terrain& terrain, const Scene& scene,
+                                 const RenderSettings& settings) {
+  if (terrain.map.crs_wkt.empty() && !scene.curvature.applied) return 0;
+  const EarthDrop drop = earth_drop(terrain.map, scene.curvature.refraction);
+  const double round_mm = scene.curvature.applied
+                              ? parabola_mm(scene, drop, longest_edge_m(terrain.surface))
+                              : scene.curvature.would_move_mm;
+  if (!terrain.map.radii) return round_mm;
+  const bool eye_is_given = settings.eye_map || settings.eye_lonlat || settings.view;
+  const auto plane_mm = map_plane_mm(scene, terrain.map, eye_is_given);
+  if (!plane_mm) return std::nullopt;
+  return round_mm + *plane_mm;
 }
 
 // How far points of the surface are from where those that it stands for would be drawn. (Where two

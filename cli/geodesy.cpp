@@ -39,7 +39,7 @@ double mm_per_aside(const Scene& scene, Vec3 ray) {
 struct MapErrors {
   double turn = 0, least_stretch = 0, most_stretch = 0;
 };
-MapErrors map_errors(const Scene& scene, const MapFrame& map) {
+std::optional<MapErrors> map_errors(const Scene& scene, const MapFrame& map) {
   const auto lonlat = [&](Vec2 ground_m) -> std::optional<GeoPoint> {
     const Vec3 at = map.to_map({ground_m.x, ground_m.y, 0});
     const auto found = lonlat_of_map(map.crs_wkt, {at.x, at.y});
@@ -49,7 +49,7 @@ MapErrors map_errors(const Scene& scene, const MapFrame& map) {
   MapErrors errors;
   const Vec2 eye_m = scene.view.depth_origin_m;
   const auto eye = lonlat(eye_m);
-  if (!eye) return errors;
+  if (!eye) return std::nullopt;
   const Vec3 eye_map = map.to_map({eye_m.x, eye_m.y, 0});
   const auto& [low, high] = scene.extent.box;
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -59,7 +59,8 @@ MapErrors map_errors(const Scene& scene, const MapFrame& map) {
       const auto ground = lonlat({x, y});
       const auto towards =
           true_azimuth(map.crs_wkt, {eye_map.x, eye_map.y}, atan2_angle(away.x, away.y));
-      if (!ground || !towards || !(length(away) > 1)) continue;
+      if (!ground || !towards) return std::nullopt;
+      if (!(length(away) > 1)) continue;
       const auto [distance_m, azimuth] = distance_and_azimuth(*eye, *ground);
       const double turn =
           std::remainder(azimuth.in_radians() - towards->in_radians(), 2 * std::numbers::pi);
@@ -115,8 +116,10 @@ double drop_mm(const Scene& scene, const EarthDrop& drop) {
   return greatest;
 }
 
-double map_plane_mm(const Scene& scene, const MapFrame& map, bool eye_is_given) {
-  const MapErrors errors = map_errors(scene, map);
+std::optional<double> map_plane_mm(const Scene& scene, const MapFrame& map, bool eye_is_given) {
+  const auto found = map_errors(scene, map);
+  if (!found) return std::nullopt;
+  const MapErrors& errors = *found;
   const double stretch =
       eye_is_given ? std::max(std::abs(errors.least_stretch), std::abs(errors.most_stretch))
                    : 0.5 * (errors.most_stretch - errors.least_stretch);
@@ -129,6 +132,37 @@ double map_plane_mm(const Scene& scene, const MapFrame& map, bool eye_is_given) 
     const double up = (perspective ? std::abs(ray.y) : farthest) * stretch;
     greatest = std::max(
         greatest, std::hypot(mm_per_aside(scene, ray) * aside, mm_per_height(scene, ray) * up));
+  }
+  return greatest;
+}
+
+double least_distance_m(const Scene& scene) {
+  const View& view = scene.view;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Box3& box : scene.extent.blocks.boxes) {
+    const auto aside = [](double at, double low, double high) {
+      return std::max({low - at, at - high, 0.0});
+    };
+    const double k = view.exaggeration;
+    least = std::min(least, std::hypot(aside(view.depth_origin_m.x, box.low.x, box.high.x),
+                                       aside(view.depth_origin_m.y, box.low.y, box.high.y),
+                                       aside(view.eye_z_m, k * box.low.z, k * box.high.z)));
+  }
+  return std::max(least, view.near_m);
+}
+
+double parabola_mm(const Scene& scene, const EarthDrop& drop, double longest_edge_m) {
+  const double per_m2 = std::max(std::abs(drop.per_north), std::abs(drop.per_east));
+  const double sag_m = per_m2 * longest_edge_m * longest_edge_m / 4;
+  const double d = distances(scene).farthest_m / kMeanEarthRadius_m;
+  const double nearest_m = scene.view.is_perspective() ? least_distance_m(scene) : 1;
+  double greatest = 0;
+  for (const Vec3& ray : shown_rays(scene.view)) {
+    const bool perspective = scene.view.is_perspective();
+    const double level = perspective ? std::hypot(ray.x, ray.z) : d * kMeanEarthRadius_m;
+    const double up = level * d * d * d / 8 + (perspective ? std::abs(ray.y) : 0) * d * d / 6;
+    const double sag = perspective ? length(ray) / nearest_m * sag_m : sag_m;
+    greatest = std::max(greatest, mm_per_height(scene, ray) * (up + sag));
   }
   return greatest;
 }

@@ -6,6 +6,9 @@
 #include "cli/scene.hpp"
 #include "dem/terrain.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace orograph {
 
 /// Mean radius (IUGG), where the terrain has no CRS to tell of its ellipsoid.
@@ -21,11 +24,20 @@ EarthDrop earth_drop(const MapFrame& map, double refraction);
 double drop_mm(const Scene& scene, const EarthDrop& drop);
 
 /// What the map plane itself moves: how far its directions and distances from the eye are off those
-/// of the geodesics to the sides, corners and middle of the terrain, and how much wider the earth
-/// is where the ground is high. What stretches all of it alike counts only from a given eye: one
-/// that was placed to frame the terrain would stand elsewhere. Where the terrain has no place on
-/// the earth it can't be told, and is 0. mm on the page.
-double map_plane_mm(const Scene& scene, const MapFrame& map, bool eye_is_given);
+/// of the geodesics to the sides, corners and middle of the terrain, and how much wider the earth is
+/// where the ground is high. What stretches all of it alike counts only from a given eye: one that
+/// was placed to frame the terrain would stand elsewhere. None where eye or terrain are at no place
+/// on the earth. mm on the page.
+std::optional<double> map_plane_mm(const Scene& scene, const MapFrame& map, bool eye_is_given);
+
+/// From the eye to the nearest ground there may be, no less than the near plane. REQUIRES a
+/// perspective view.
+double least_distance_m(const Scene& scene);
+
+/// What is left of the earth's curvature when it is drawn: a sphere sinks more than the parabola
+/// far away, by (1 - K) d^4 / 8 R^3, and is shorter on the level by d^2 / 6 R^2; and between
+/// vertices, which alone sink, edges of `longest_edge_m` stay straight. mm on the page.
+double parabola_mm(const Scene& scene, const EarthDrop& drop, double longest_edge_m);
 
 /// Directions over the window, its corners among them, in the homogeneous coordinates of the
 /// visibility plane.

@@ -144,17 +144,24 @@ Json json_of(const SecondsReport& seconds) {
           {"total", seconds.total}};
 }
 
+Json or_unknown(const std::optional<double>& mm) {
+  return mm ? Json(*mm) : Json("unknown");
+}
+
 Json json_of(const ErrorBudget& budget) {
-  const double known_mm = budget.simplification_mm + budget.visibility_tolerance_mm +
-                          budget.arithmetic_mm + budget.geodesy_mm + budget.rounding_mm;
   const auto& detail_mm = budget.level_of_detail_mm;
-  return {{"level_of_detail", detail_mm ? Json(*detail_mm) : Json("unknown")},
+  const auto& geodesy_mm = budget.geodesy_mm;
+  std::optional<double> total_mm;
+  if (detail_mm && geodesy_mm)
+    total_mm = budget.simplification_mm + budget.visibility_tolerance_mm + budget.arithmetic_mm +
+               *geodesy_mm + budget.rounding_mm + *detail_mm;
+  return {{"level_of_detail", or_unknown(detail_mm)},
           {"simplification", budget.simplification_mm},
           {"visibility_tolerance", budget.visibility_tolerance_mm},
           {"arithmetic", budget.arithmetic_mm},
-          {"geodesy", budget.geodesy_mm},
+          {"geodesy", or_unknown(geodesy_mm)},
           {"rounding", budget.rounding_mm},
-          {"total", detail_mm ? Json(known_mm + *detail_mm) : Json("unknown")}};
+          {"total", or_unknown(total_mm)}};
 }
 
 } // namespace

@@ -106,9 +106,9 @@ struct SecondsReport {
 /// Largest displacement on paper by cause, in mm. The report adds their sum as "total", the
 /// drawing's bound.
 struct ErrorBudget {
-  std::optional<double> level_of_detail_mm = 0; ///< none: "unknown", and so is the total
-  double simplification_mm = 0, visibility_tolerance_mm = 0, arithmetic_mm = 0, geodesy_mm = 0,
-         rounding_mm = 0;
+  // None: "unknown", and so is the total.
+  std::optional<double> level_of_detail_mm = 0, geodesy_mm = 0;
+  double simplification_mm = 0, visibility_tolerance_mm = 0, arithmetic_mm = 0, rounding_mm = 0;
 };
 
 struct DrawingReport {

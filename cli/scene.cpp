@@ -17,6 +17,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -50,7 +55,9 @@ void check_eye(const View& view, const Terrain& terrain) {
   if (!view.is_perspective()) return;
   const double eye_m = view.eye_z_m / view.exaggeration;
   const auto ground = height_at(terrain.surface, view.depth_origin_m);
-  if (!ground || eye_m >= *ground) return;
+  // On the ground itself, but for rounding, is not under it.
+  constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+  if (!ground || eye_m >= *ground - kRounding * std::abs(*ground)) return;
   const double unit = terrain.map.height_unit_m;
   throw Error(
       fmt::format("the eye, at height {:.6g}, is under the ground, which is at {:.6g} there",
@@ -109,6 +116,26 @@ void keep_off_the_ground(Scene& scene, const Surface& surface) {
   const double least_m = 1e-6 * scene.cell_m;
   if (ground && view.eye_z_m < view.exaggeration * *ground + least_m)
     view.near_m = kNearShareOfCell * scene.cell_m;
+}
+
+// Of a page that shows nothing but what lies at the eye's feet, no more than three cells away: the
+// ground's height under the eye, and what it may rise or fall there, at 45 degrees, both
+// exaggerated. The terrain's mean height, hundreds of metres below, says nothing of it.
+std::optional<std::pair<double, double>> ground_at_feet(const Scene& scene,
+                                                        const Surface& surface) {
+  const View& view = scene.view;
+  if (view.frames_terrain || !view.is_perspective()) return std::nullopt;
+  const auto height = height_at(surface, view.depth_origin_m);
+  if (!height) return std::nullopt;
+  const double under_eye = *height * view.exaggeration;
+  double farthest_m = 0;
+  for (const Vec3& ray : corner_rays(view)) {
+    if (!(ray.y < 0)) return std::nullopt;
+    farthest_m =
+        std::max(farthest_m, (view.eye_z_m - under_eye) * std::hypot(ray.x, ray.z) / -ray.y);
+  }
+  if (!(farthest_m > 0 && farthest_m <= 3 * scene.cell_m)) return std::nullopt;
+  return std::pair{under_eye, farthest_m};
 }
 
 // Where it would show, unless told otherwise. A parallel view is a picture of the map plane, and so
@@ -196,11 +223,11 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
   scene.farthest_m = cutter.farthest_m();
   const Box3& box = scene.extent.box;
   scene.plan = settings.plan.value_or(PageSpacing{kPenWidthsApart * settings.pen_width_mm});
-  scene.depths_m =
-      plan_depths(scene.plan,
-                  {scene.nearest_m, scene.farthest_m, scene.extent.mean_height_m * exaggeration,
-                   (box.high.z - box.low.z) * exaggeration},
-                  scene.view, scene.to_page);
+  PlanGround ground{scene.nearest_m, scene.farthest_m, scene.extent.mean_height_m * exaggeration,
+                    (box.high.z - box.low.z) * exaggeration};
+  if (const auto near_ground = ground_at_feet(scene, surface))
+    std::tie(ground.mean_z_m, ground.relief_m) = *near_ground;
+  scene.depths_m = plan_depths(scene.plan, ground, scene.view, scene.to_page);
   scene.sectors = sectors_of(surface, scene);
   return scene;
 }

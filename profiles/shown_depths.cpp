@@ -21,7 +21,11 @@ DepthRange in_parallel(const PlanGround& ground, const View& view) {
   }
   const double middle = ground.mean_z_m * view.y_per_z, relief = ground.relief_m * view.y_per_z;
   if (!(view.y_per_v > 0)) return {-kInfinity, kInfinity}; // Y tells nothing of depth
-  return {(low - middle - relief) / view.y_per_v, (high - middle + relief) / view.y_per_v};
+  // Far off, ground has sunk, or risen, by the earth's curvature.
+  const double farthest_m = std::max(std::abs(ground.nearest_m), std::abs(ground.farthest_m));
+  const double sunk = std::abs(view.drop.at(0, farthest_m)) * view.y_per_z;
+  return {(low - middle - relief - sunk) / view.y_per_v,
+          (high - middle + relief + sunk) / view.y_per_v};
 }
 
 DepthRange in_perspective(const PlanGround& ground, const View& view) {
