@@ -104,6 +104,25 @@ TEST_CASE("the ray walk agrees with cameras that look straight down, and nearly"
   CHECK(sum.ties < sum.asked / 10);
 }
 
+TEST_CASE("who looks down at their own feet sees ground, whatever the terrain's relief") {
+  Terrain terrain = gentle(41, 41);
+  auto& heights = std::get<std::vector<double>>(grid_of(terrain).heights_m);
+  heights[3] = -2000; // far off, a gorge
+  for (const double pitch : {-90.0, -60.0, -30.0}) {
+    RenderSettings settings;
+    settings.eye_map = GivenPlace(3, 4); // at a man's height
+    settings.look_azimuth = Angle::degrees(40);
+    settings.pitch = Angle::degrees(pitch);
+    settings.exaggeration = 1;
+    const Scene scene = place_scene(terrain, settings);
+    const DrawnScene drawn = draw_scene(terrain, scene, settings, [](double) {});
+    CAPTURE(pitch, scene.depths_m.size());
+    // 0.6 mm apart on A4, on what of the page shows ground.
+    CHECK(layer_named(drawn.drawing, "profiles").strokes.size() > 60);
+    CHECK(scene.depths_m.size() < 5000);
+  }
+}
+
 TEST_CASE("from straight above nothing of a gentle hill is missing, and no line has a seam") {
   for (const auto& [columns, rows] : {std::pair{21, 15}, {20, 14}, {21, 14}}) {
     const Terrain terrain = gentle(columns, rows);
