@@ -24,10 +24,10 @@ EarthDrop earth_drop(const MapFrame& map, double refraction);
 double drop_mm(const Scene& scene, const EarthDrop& drop);
 
 /// What the map plane itself moves: how far its directions and distances from the eye are off those
-/// of the geodesics to the sides, corners and middle of the terrain, and how much wider the earth is
-/// where the ground is high. What stretches all of it alike counts only from a given eye: one that
-/// was placed to frame the terrain would stand elsewhere. None where eye or terrain are at no place
-/// on the earth. mm on the page.
+/// of the geodesics to the sides, corners and middle of the terrain, and how much wider the earth
+/// is where the ground is high. What stretches all of it alike counts only from a given eye: one
+/// that was placed to frame the terrain would stand elsewhere. None where eye or terrain are at no
+/// place on the earth. mm on the page.
 std::optional<double> map_plane_mm(const Scene& scene, const MapFrame& map, bool eye_is_given);
 
 /// From the eye to the nearest ground there may be, no less than the near plane. REQUIRES a
