@@ -27,13 +27,6 @@ Distances distances(const Scene& scene) {
           std::hypot(std::max(at.x - low.x, high.x - at.x), std::max(at.y - low.y, high.y - at.y))};
 }
 
-// The same as `mm_per_height` of a step to the side.
-double mm_per_aside(const Scene& scene, Vec3 ray) {
-  const auto& m = scene.to_page.m;
-  const Vec3 page = scene.to_page.of(ray);
-  return std::hypot(m[0] - m[6] * page.x / page.z, m[3] - m[6] * page.y / page.z) / page.z;
-}
-
 // Of the map plane, as seen from the eye: the greatest error of direction, in radians, and between
 // which shares distances are too long.
 struct MapErrors {
@@ -86,9 +79,7 @@ EarthDrop earth_drop(const MapFrame& map, double refraction) {
 }
 
 double mm_per_height(const Scene& scene, Vec3 ray) {
-  const auto& m = scene.to_page.m;
-  const Vec3 page = scene.to_page.of(ray);
-  return std::hypot(m[1] - m[7] * page.x / page.z, m[4] - m[7] * page.y / page.z) / page.z *
+  return scene.to_page.mm_per_step(ray, {0, 1, 0}) *
          (scene.view.is_perspective() ? 1 : scene.view.y_per_z);
 }
 
@@ -130,8 +121,8 @@ std::optional<double> map_plane_mm(const Scene& scene, const MapFrame& map, bool
     // Turned, ground moves aside; stretched, it seems higher or lower against the eye's level.
     const double aside = (perspective ? std::hypot(ray.x, ray.z) : farthest) * errors.turn;
     const double up = (perspective ? std::abs(ray.y) : farthest) * stretch;
-    greatest = std::max(
-        greatest, std::hypot(mm_per_aside(scene, ray) * aside, mm_per_height(scene, ray) * up));
+    greatest = std::max(greatest, std::hypot(scene.to_page.mm_per_step(ray, {1, 0, 0}) * aside,
+                                             mm_per_height(scene, ray) * up));
   }
   return greatest;
 }

@@ -89,17 +89,13 @@ public:
   bool is_as_if_level() const { return as_if_level_; }
 
 private:
-  Vec2 on_page(Vec2 picture) const {
-    const Vec3 image = to_page_.of(ray_of_picture(view_, picture));
-    return {image.x / image.z, image.y / image.z};
-  }
+  Vec2 on_page(Vec2 picture) const { return to_page_.at(ray_of_picture(view_, picture)); }
   Vec2 page_at(double depth, double above_plane = 0) const {
     if (as_if_level_) return {0, mm_per_tangent_ * (drop_ - above_plane) / depth};
     if (!view_.is_perspective())
       return to_page_(
           {0, depth * std::max(view_.y_per_v, kLeastSine) + above_plane * view_.y_per_z});
-    const Vec3 image = to_page_.of({depth * u_per_depth_, above_plane - drop_, depth});
-    return {image.x / image.z, image.y / image.z};
+    return to_page_.at({depth * u_per_depth_, above_plane - drop_, depth});
   }
   double page_mm(double from, double to) const { return length(page_at(to) - page_at(from)); }
 
@@ -143,8 +139,8 @@ private:
     const Rays middle = middle_rays();
     if (middle.at.z > 0) u_per_depth_ = middle.at.x / middle.at.z;
     // Down the picture from its middle to the page's end, and up.
-    const Vec3 centre = view_.to_picture.of(middle.at), above = view_.to_picture.of(middle.above);
-    const Vec2 start{centre.x / centre.z, centre.y / centre.z};
+    const Vec3 above = view_.to_picture.of(middle.above);
+    const Vec2 start = view_.to_picture.at(middle.at);
     const Vec2 down{start.x * above.z - above.x, start.y * above.z - above.y};
     const auto way_along = [&](Vec2 step) {
       const Box2& window = view_.window;
@@ -161,10 +157,7 @@ private:
     as_if_level_ = !(lowest.y < 0 && -lowest.y * farthest_m > drop_ * lowest.z);
     double enters = drop_ * lowest.z / -lowest.y, leaves = farthest_;
     if (as_if_level_) {
-      const Vec3 page = to_page_.of(middle.at), page_above = to_page_.of(middle.above);
-      mm_per_tangent_ = std::hypot(page_above.x - page.x / page.z * page_above.z,
-                                   page_above.y - page.y / page.z * page_above.z) /
-                        page.z;
+      mm_per_tangent_ = to_page_.mm_per_step(middle.at, middle.above);
       enters = drop_ / way;
     } else if (highest.y < 0) {
       leaves = drop_ * highest.z / -highest.y;

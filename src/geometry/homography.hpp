@@ -25,12 +25,21 @@ struct Homography {
     const double scale = 1 / w(p);
     return {(m[0] * p.x + m[1] * p.y + m[2]) * scale, (m[3] * p.x + m[4] * p.y + m[5]) * scale};
   }
-  /// Length on the page, in mm, of a unit step of Y at p. REQUIRES w(p) > 0.
-  double mm_per_y(Vec2 p) const {
-    const double at = w(p);
-    const Vec2 page = (*this)(p);
-    return std::hypot(m[1] - m[7] * page.x, m[4] - m[7] * page.y) / at;
+  /// Likewise, over its last coordinate. REQUIRES that this is above 0.
+  Vec2 at(Vec3 p) const {
+    const Vec3 image = of(p);
+    return {image.x / image.z, image.y / image.z};
   }
+  /// Length on the page, in mm, of a small step from p, both in homogeneous coordinates, over the
+  /// step's. REQUIRES that the image of p has its last coordinate above 0.
+  double mm_per_step(Vec3 p, Vec3 step) const {
+    const Vec3 image = of(p), moved = of(step);
+    return std::hypot(moved.x - image.x / image.z * moved.z,
+                      moved.y - image.y / image.z * moved.z) /
+           image.z;
+  }
+  /// The same of a unit step of Y at p.
+  double mm_per_y(Vec2 p) const { return mm_per_step({p.x, p.y, 1}, {0, 1, 0}); }
 };
 
 /// The matrix product: first `inner`, then `outer`.
