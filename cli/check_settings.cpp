@@ -166,8 +166,7 @@ void check_picture_settings(RenderSettings& settings, const GivenOptions& given)
   check_view(settings, given);
   check_page(settings);
   if (!settings.view_file.empty()) settings.view = read_view_file(settings.view_file);
-  if (settings.curvature == Curvature::on && settings.view &&
-      (settings.view->front_m || settings.view->back_m))
+  if (settings.curvature == Curvature::on && settings.view && settings.view->cuts())
     throw UsageError("--curvature on bends the terrain away from the view's front and back plane",
                      "leave it out, or leave the planes out of " + settings.view_file);
 }

@@ -12,7 +12,7 @@
 namespace orograph {
 
 void cut_by_view(Terrain& terrain, const RenderSettings& settings) {
-  if (!settings.view || !(settings.view->front_m || settings.view->back_m)) return;
+  if (!settings.view || !settings.view->cuts()) return;
   // Of a view in a file nothing is chosen by the terrain.
   const double exaggeration = exaggeration_of(settings, {});
   Tin kept =

@@ -116,8 +116,7 @@ ViewReport describe_view(const Scene& scene, const Terrain& terrain,
   out.exaggeration = view.exaggeration;
   out.exaggeration_auto = scene.exaggeration_chosen;
   out.homography = scene.to_page;
-  out.phigs = given.value_or(ViewFile{});
-  if (!given) out.phigs = view_file_of(view, map);
+  out.phigs = given ? *given : view_file_of(view, map);
   out.phigs.exaggeration = view.exaggeration;
   return out;
 }

@@ -20,8 +20,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
-#include <utility>
 
 namespace orograph {
 namespace {
@@ -51,17 +49,21 @@ double page_aspect(PageRequest request) {
   return inner.height() / inner.width();
 }
 
-void check_eye(const View& view, const Terrain& terrain) {
-  if (!view.is_perspective()) return;
-  const double eye_m = view.eye_z_m / view.exaggeration;
-  const auto ground = height_at(terrain.surface, view.depth_origin_m);
+// Of the ground under a perspective view's eye, exaggerated.
+std::optional<double> ground_under_eye(const View& view, const Surface& surface) {
+  if (!view.is_perspective()) return std::nullopt;
+  const auto height = height_at(surface, view.depth_origin_m);
+  return height ? std::optional(*height * view.exaggeration) : std::nullopt;
+}
+
+void check_eye(const View& view, double ground_z_m, const MapFrame& map) {
   // On the ground itself, but for rounding, is not under it.
   constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
-  if (!ground || eye_m >= *ground - kRounding * std::abs(*ground)) return;
-  const double unit = terrain.map.height_unit_m;
+  if (view.eye_z_m >= ground_z_m - kRounding * std::abs(ground_z_m)) return;
+  const double unit = map.height_unit_m * view.exaggeration;
   throw Error(
       fmt::format("the eye, at height {:.6g}, is under the ground, which is at {:.6g} there",
-                  eye_m / unit, *ground / unit),
+                  view.eye_z_m / unit, ground_z_m / unit),
       "raise the eye, or move it");
 }
 
@@ -72,15 +74,11 @@ std::vector<BorderEdge> border_of(const Tin& tin, const SurfaceExtent&) {
   return border_edges(tin);
 }
 
-// Whether the settings' view has a front or back plane.
-bool is_cut(const RenderSettings& settings) {
-  return settings.view && (settings.view->front_m || settings.view->back_m);
-}
-
-void place_view_file(Scene& scene, const PhigsView& phigs, double exaggeration,
-                     const EarthDrop& drop, bool cut) {
+void place_view_file(Scene& scene, const ViewFile& file, const MapFrame& map, double exaggeration,
+                     const EarthDrop& drop) {
+  const PhigsView phigs = phigs_view(file, map, exaggeration);
   scene.view = place_phigs_view(phigs, exaggeration, scene.cell_m, drop);
-  if (!cut) return;
+  if (!file.cuts()) return;
   const auto [per_u, per_v, per_z, at_origin] = volume_depth(phigs, frame_of(phigs));
   scene.depth = VolumeDepth{per_u, per_v, per_z, at_origin};
 }
@@ -89,8 +87,7 @@ void place_view_file(Scene& scene, const PhigsView& phigs, double exaggeration,
 void place_on_earth(Scene& scene, const Terrain& terrain, const RenderSettings& settings,
                     const TerrainShape& shape, double exaggeration, const EarthDrop& drop) {
   if (settings.view) {
-    place_view_file(scene, phigs_view(*settings.view, terrain.map, exaggeration), exaggeration,
-                    drop, is_cut(settings));
+    place_view_file(scene, *settings.view, terrain.map, exaggeration, drop);
   } else {
     ViewRequest request = view_request(settings, terrain, scene.extent.box, exaggeration);
     request.drop = drop;
@@ -109,61 +106,62 @@ void place_on_earth(Scene& scene, const Terrain& terrain, const RenderSettings& 
 
 // With the eye on the ground itself there is no seam to be seen between two sectors: all ground
 // under it is seen edge-on. The narrow strip's near cut would be a matter of rounding.
-void keep_off_the_ground(Scene& scene, const Surface& surface) {
-  View& view = scene.view;
-  if (!shows_beside(view)) return;
-  const auto ground = height_at(surface, view.depth_origin_m);
-  const double least_m = 1e-6 * scene.cell_m;
-  if (ground && view.eye_z_m < view.exaggeration * *ground + least_m)
-    view.near_m = kNearShareOfCell * scene.cell_m;
+void keep_off_the_ground(View& view, double ground_z_m, double cell_m) {
+  if (shows_beside(view) && view.eye_z_m < ground_z_m + 1e-6 * cell_m)
+    view.near_m = kNearShareOfCell * cell_m;
 }
 
-// Of a page that shows nothing but what lies at the eye's feet, no more than three cells away: the
-// ground's height under the eye, and what it may rise or fall there, at 45 degrees, both
-// exaggerated. The terrain's mean height, hundreds of metres below, says nothing of it.
-std::optional<std::pair<double, double>> ground_at_feet(const Scene& scene,
-                                                        const Surface& surface) {
+// What the page shows: of a page with nothing but what lies at the eye's feet, no more than three
+// cells away, the ground's height there, and what it may rise or fall so far, at 45 degrees. The
+// terrain's mean height, hundreds of metres below, says nothing of it.
+PlanGround plan_ground(const Scene& scene, std::optional<double> under_eye_m) {
   const View& view = scene.view;
-  if (view.frames_terrain || !view.is_perspective()) return std::nullopt;
-  const auto height = height_at(surface, view.depth_origin_m);
-  if (!height) return std::nullopt;
-  const double under_eye = *height * view.exaggeration;
+  const Box3& box = scene.extent.box;
+  PlanGround ground{scene.nearest_m, scene.farthest_m,
+                    scene.extent.mean_height_m * view.exaggeration,
+                    (box.high.z - box.low.z) * view.exaggeration};
+  if (view.frames_terrain || !under_eye_m) return ground;
   double farthest_m = 0;
   for (const Vec3& ray : corner_rays(view)) {
-    if (!(ray.y < 0)) return std::nullopt;
+    if (!(ray.y < 0)) return ground;
     farthest_m =
-        std::max(farthest_m, (view.eye_z_m - under_eye) * std::hypot(ray.x, ray.z) / -ray.y);
+        std::max(farthest_m, (view.eye_z_m - *under_eye_m) * std::hypot(ray.x, ray.z) / -ray.y);
   }
-  if (!(farthest_m > 0 && farthest_m <= 3 * scene.cell_m)) return std::nullopt;
-  return std::pair{under_eye, farthest_m};
+  if (farthest_m > 0 && farthest_m <= 3 * scene.cell_m) {
+    ground.mean_z_m = *under_eye_m;
+    ground.relief_m = farthest_m;
+  }
+  return ground;
 }
 
 // Where it would show, unless told otherwise. A parallel view is a picture of the map plane, and so
 // are planes that cut the terrain.
 bool draws_curvature(const Terrain& terrain, const Scene& scene, const RenderSettings& settings) {
   if (settings.curvature != Curvature::automatic) return settings.curvature == Curvature::on;
-  return scene.view.is_perspective() && terrain.map.radii && !is_cut(settings) &&
+  const bool cut = settings.view && settings.view->cuts();
+  return scene.view.is_perspective() && terrain.map.radii && !cut &&
          scene.curvature.would_move_mm > settings.simplify_mm + kPageStep_mm;
 }
 
 // Those of the two sides of the eye on which there is terrain.
-std::vector<Sector> sectors_of(const Surface& surface, const Scene& scene) {
+std::vector<Sector> sectors_of(const Scene& scene) {
   Sector ahead;
   ahead.view = scene.view;
   ahead.to_page = scene.to_page;
+  ahead.nearest_m = scene.nearest_m;
+  ahead.farthest_m = scene.farthest_m;
   std::vector<Sector> sectors{ahead};
   if (shows_beside(scene.view) && scene.nearest_m < -scene.view.near_m) {
     Sector behind;
     behind.behind = true;
     behind.view = sector_behind(scene.view);
     behind.to_page = homography_behind(scene.to_page);
+    behind.nearest_m = -scene.farthest_m;
+    behind.farthest_m = -scene.nearest_m;
     sectors.push_back(behind);
     sectors.front().keeps_strip = scene.view.near_m < kNearShareOfCell * scene.cell_m;
   }
   for (Sector& sector : sectors) {
-    const SurfaceCutter cutter(surface, sector.view, scene.level.triangles);
-    sector.nearest_m = cutter.nearest_m();
-    sector.farthest_m = cutter.farthest_m();
     for (std::size_t i = 0; i < scene.depths_m.size(); ++i) {
       const double depth = sector.behind ? -scene.depths_m[i] : scene.depths_m[i];
       if (sectors.size() == 1 || depth > 0)
@@ -215,20 +213,19 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
   curvature.would_move_mm = drop_mm(scene, drop);
   curvature.applied = draws_curvature(terrain, scene, settings);
   if (curvature.applied) place(drop);
-  check_eye(scene.view, terrain);
-  keep_off_the_ground(scene, surface);
+  const std::optional<double> under_eye_m = ground_under_eye(scene.view, surface);
+  if (under_eye_m) {
+    check_eye(scene.view, *under_eye_m, terrain.map);
+    keep_off_the_ground(scene.view, *under_eye_m, scene.cell_m);
+  }
 
   const SurfaceCutter cutter(surface, scene.view, scene.level.triangles);
   scene.nearest_m = cutter.nearest_m();
   scene.farthest_m = cutter.farthest_m();
-  const Box3& box = scene.extent.box;
   scene.plan = settings.plan.value_or(PageSpacing{kPenWidthsApart * settings.pen_width_mm});
-  PlanGround ground{scene.nearest_m, scene.farthest_m, scene.extent.mean_height_m * exaggeration,
-                    (box.high.z - box.low.z) * exaggeration};
-  if (const auto near_ground = ground_at_feet(scene, surface))
-    std::tie(ground.mean_z_m, ground.relief_m) = *near_ground;
-  scene.depths_m = plan_depths(scene.plan, ground, scene.view, scene.to_page);
-  scene.sectors = sectors_of(surface, scene);
+  scene.depths_m =
+      plan_depths(scene.plan, plan_ground(scene, under_eye_m), scene.view, scene.to_page);
+  scene.sectors = sectors_of(scene);
   return scene;
 }
 

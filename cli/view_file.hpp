@@ -21,6 +21,8 @@ struct ViewFile {
   Box2 window_m{{-1, -1}, {1, 1}};       ///< umin, vmin, umax, vmax
   std::optional<double> front_m, back_m; ///< n of the planes; none: nothing is cut there
   double exaggeration = 1; ///< all heights are multiplied by it first, that of vrp too
+
+  bool cuts() const { return front_m || back_m; }
 };
 
 /// TOML with the keys projection, vrp, vpn, vup (default [0, 0, 1]), prp, window, front, back and
