@@ -36,7 +36,7 @@ void accuracy(const AccuracySettings& settings) {
                     svg = settings.prefix + ".svg";
   for (const std::string& path : {csv, json, svg}) check_writable(path, render.write);
 
-  Terrain terrain = read_terrain(render.input, render.reading);
+  Terrain terrain = read_terrain(render.inputs, render.reading);
   cut_by_view(terrain, render);
   std::vector<AccuracyRow> rows = accuracy_rows(settings);
   ProgressBar bar(shows_progress(render.quiet, render.progress));
@@ -53,7 +53,7 @@ void accuracy(const AccuracySettings& settings) {
   OutputFile curve(svg, render.write.overwrite);
   const std::string name = !render.title.empty()
                                ? render.title
-                               : std::filesystem::path(render.input).filename().string();
+                               : std::filesystem::path(terrain.source).filename().string();
   plot_accuracy(rows, name, curve.temporary_path());
   curve.commit();
   check_promises(rows);

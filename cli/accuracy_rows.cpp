@@ -14,7 +14,7 @@ int overview_count(const RenderSettings& settings) {
   for (int level = 0;; ++level) {
     options.overview = level;
     try {
-      read_raster(settings.input, options);
+      read_rasters(settings.inputs, options);
     } catch (const Error&) {
       return level;
     }

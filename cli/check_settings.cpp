@@ -46,9 +46,11 @@ std::vector<std::string> file_names_in(const std::string& input) {
 void check_no_input(const RenderSettings& settings, const std::string& path,
                     const std::string& option) {
   const ReadOptions& reading = settings.reading;
-  for (const auto& [input, name] :
-       {std::pair{settings.input, "INPUT"}, std::pair{reading.breaklines, "--breaklines"},
-        std::pair{reading.boundary, "--boundary"}, std::pair{settings.view_file, "--view"}})
+  std::vector<std::pair<std::string, const char*>> inputs{{reading.breaklines, "--breaklines"},
+                                                          {reading.boundary, "--boundary"},
+                                                          {settings.view_file, "--view"}};
+  for (const std::string& input : settings.inputs) inputs.emplace_back(input, "INPUT");
+  for (const auto& [input, name] : inputs)
     if (!input.empty() && replaces_input(input, path))
       throw UsageError(
           fmt::format("{} '{}' is the {}", option, path, name),

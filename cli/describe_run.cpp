@@ -124,7 +124,7 @@ ViewReport describe_view(const Scene& scene, const Terrain& terrain,
 InputReport describe_input(const Terrain& terrain) {
   const MapFrame& map = terrain.map;
   InputReport out;
-  out.path = terrain.source;
+  out.paths = terrain.paths;
   out.crs_name = map.crs_name;
   out.crs_wkt = map.crs_wkt;
   out.vertical_crs_name = map.vertical_crs_name;

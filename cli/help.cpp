@@ -44,7 +44,7 @@ std::string explanation(const Option& option) {
 std::string how_to_call(const Command& command) {
   std::string line = "orograph " + command.name + " [options]";
   for (const auto& option : command.options)
-    if (option.is_positional()) line += " " + option.name;
+    if (option.is_positional()) line += " " + option.name + (option.repeatable ? "..." : "");
   return line;
 }
 

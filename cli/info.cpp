@@ -140,7 +140,7 @@ std::string describe(const Terrain& terrain) {
   const Box2 bounds = std::visit([&](const auto& s) { return map_bounds(s, map); }, surface);
 
   std::string text;
-  add_line(text, "File", terrain.source);
+  for (const std::string& path : terrain.paths) add_line(text, "File", path);
   std::visit([&](const auto& s) { add_size(text, s); }, surface);
   if (terrain.triangulation) add_triangulation(text, *terrain.triangulation);
   if (terrain.surface_error_m > 0)
@@ -166,7 +166,7 @@ std::string describe(const Terrain& terrain) {
 }
 
 void info(const InfoSettings& settings) {
-  const std::string text = describe(read_terrain(settings.input, settings.reading));
+  const std::string text = describe(read_terrain(settings.inputs, settings.reading));
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 

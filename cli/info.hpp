@@ -6,15 +6,16 @@
 #include "dem/terrain.hpp"
 
 #include <string>
+#include <vector>
 
 namespace orograph {
 
 struct InfoSettings {
-  std::string input;
+  std::vector<std::string> inputs; ///< as in RenderSettings
   ReadOptions reading;
 };
 
-/// Aligned lines of "word   value": file, size, cells or triangles, CRS (and what heights are
+/// Aligned lines of "word   value": files, size, cells or triangles, CRS (and what heights are
 /// above, where the file says it), units, bounds of the vertices in map coordinates, heights,
 /// missing heights, memory, and the reader's notes. A few passes over the surface.
 std::string describe(const Terrain& terrain);

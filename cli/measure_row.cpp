@@ -87,7 +87,7 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
   const RenderSettings render = settings_of(row, settings.render, full);
   std::optional<Terrain> overview;
   if (row.settings.overview) {
-    overview = read_raster(render.input, render.reading);
+    overview = read_rasters(render.inputs, render.reading);
     cut_by_view(*overview, render);
   }
   const Terrain& terrain = overview ? *overview : full;

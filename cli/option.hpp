@@ -18,7 +18,7 @@ struct Option {
   std::string help = {};       ///< a sentence without a full stop
   std::string allowed = {};    ///< which values are right, with their unit; also used in errors
   std::string by_default = {}; ///< empty where the help says all
-  bool repeatable = false;
+  bool repeatable = false;     ///< of positional arguments one at most may be
   /// Stores one value; false where it isn't one of those allowed. Switches get an empty text.
   std::function<bool(const std::string& text)> take = {};
 

@@ -13,8 +13,12 @@
 
 namespace orograph {
 
+/// Of the options for the terrain.
+std::vector<Conflict> terrain_conflicts();
+
 /// Each appends a group; what its options store into must outlive them.
-void add_terrain_options(std::vector<Option>& options, std::string& input, ReadOptions& reading);
+void add_terrain_options(std::vector<Option>& options, std::vector<std::string>& inputs,
+                         ReadOptions& reading);
 void add_view_options(std::vector<Option>& options, RenderSettings& settings);
 /// A part of the view's: where the eye is, and where it looks.
 void add_eye_options(std::vector<Option>& options, RenderSettings& settings);

@@ -59,6 +59,17 @@ std::optional<Box2> parse_box(std::string_view text) {
   return Box2{{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
 }
 
+std::optional<Box2> parse_lonlat_box(std::string_view text) {
+  const auto n = parse_numbers(text, ',', 4);
+  if (!n) return std::nullopt;
+  Box2 box{{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
+  if (std::abs(box.low.x) > 360 || std::abs(box.high.x) > 360) return std::nullopt;
+  if (box.low.y < -90 || box.high.y > 90 || !(box.low.y < box.high.y)) return std::nullopt;
+  if (box.high.x < box.low.x) box.high.x += 360;
+  if (!(box.width() > 0 && box.width() <= 360)) return std::nullopt;
+  return box;
+}
+
 std::optional<ViewFrom> parse_view_from(std::string_view text) {
   const auto n = parse_numbers(text, '/', 2);
   if (!n || (*n)[1] < 0 || (*n)[1] > 90) return std::nullopt;

@@ -27,6 +27,10 @@ std::optional<GivenPlace> parse_place(std::string_view text);
 /// "XMIN,YMIN,XMAX,YMAX" with XMIN < XMAX and YMIN < YMAX.
 std::optional<Box2> parse_box(std::string_view text);
 
+/// "W,S,E,N" in degrees, longitudes from -360 to 360 and less than a turn apart or just one,
+/// latitudes S < N. W above E goes across 180 degrees: the box's high x is beyond then.
+std::optional<Box2> parse_lonlat_box(std::string_view text);
+
 struct ViewFrom {
   Angle azimuth, elevation;
 };

@@ -15,7 +15,7 @@
 namespace orograph {
 namespace {
 
-// Of the options for view, page and messages.
+// Of the options for terrain, view, page and messages.
 std::vector<Conflict> picture_conflicts() {
   std::vector<Conflict> conflicts{
       {"--view-from", "--eye",
@@ -42,6 +42,7 @@ std::vector<Conflict> picture_conflicts() {
         "--eye-lonlat", "--eye-height", "--look-at", "--look-at-lonlat", "--look-azimuth",
         "--pitch", "--roll"})
     conflicts.push_back({"--view", option, "the file holds the whole view"});
+  for (const Conflict& conflict : terrain_conflicts()) conflicts.push_back(conflict);
   return conflicts;
 }
 
@@ -53,13 +54,15 @@ Command render_command(RenderSettings& settings) {
       .summary = "Draw a perspective map of a terrain as vectors, hidden lines gone",
       .options = {},
       .conflicts = picture_conflicts(),
-      .examples = {{"orograph render dem.tif map.svg", "A map with the defaults, on A4."},
-                   {"orograph render dem.tif map.pdf --view-from 225/15 --page a2",
-                    "Seen from the south-west, low, on A2."},
-                   {"orograph render dem.tif map.png --eye 250800,4071000,900 --fov 60",
-                    "Seen from a point of the terrain's own coordinates."}}};
+      .examples = {
+          {"orograph render dem.tif map.svg", "A map with the defaults, on A4."},
+          {"orograph render N46E007.hgt N46E008.hgt map.svg", "Neighbouring tiles as one terrain."},
+          {"orograph render dem.tif map.pdf --view-from 225/15 --page a2",
+           "Seen from the south-west, low, on A2."},
+          {"orograph render dem.tif map.png --eye 250800,4071000,900 --fov 60",
+           "Seen from a point of the terrain's own coordinates."}}};
   command.conflicts.push_back({"--profiles", "--spacing", "give one of the two"});
-  add_terrain_options(command.options, settings.input, settings.reading);
+  add_terrain_options(command.options, settings.inputs, settings.reading);
   command.options.insert(
       command.options.begin() + 1,
       {.name = "OUTPUT",
@@ -85,7 +88,7 @@ Command accuracy_command(AccuracySettings& settings) {
                                 "The table, and accuracy.csv, .json and .svg (the curve)."},
                                {"orograph accuracy dem.tif --view-from 225/10 --profiles 100,200",
                                 "Seen from the south-west, low, with two numbers of profiles."}}};
-  add_terrain_options(command.options, render.input, render.reading);
+  add_terrain_options(command.options, render.inputs, render.reading);
   // Overviews are among the settings that are measured.
   std::erase_if(command.options, [](const Option& o) { return o.name == "--overview"; });
   add_view_options(command.options, render);
@@ -100,9 +103,9 @@ Command info_command(InfoSettings& settings) {
       .name = "info",
       .summary = "Tell what a terrain is: size, cells, CRS, bounds, heights",
       .options = {},
-      .conflicts = {},
+      .conflicts = terrain_conflicts(),
       .examples = {{"orograph info dem.tif", "What the file holds, as render reads it."}}};
-  add_terrain_options(command.options, settings.input, settings.reading);
+  add_terrain_options(command.options, settings.inputs, settings.reading);
   command.options.push_back(help_option());
   return command;
 }
@@ -112,12 +115,12 @@ Command tin_command(TinSettings& settings) {
                   .summary =
                       "Write a terrain as a TIN: points triangulated, a raster with few vertices",
                   .options = {},
-                  .conflicts = {},
+                  .conflicts = terrain_conflicts(),
                   .examples = {{"orograph tin survey.csv survey.gpkg --breaklines edges.gpkg",
                                 "Points and breaklines as triangles."},
                                {"orograph tin dem.tif dem.ply --max-error 2m",
                                 "A DEM with the vertices that keep it within 2 m in height."}}};
-  add_terrain_options(command.options, settings.input, settings.reading);
+  add_terrain_options(command.options, settings.inputs, settings.reading);
   command.options.insert(command.options.begin() + 1,
                          {.name = "OUTPUT",
                           .help = "the TIN: a file whose extension names the format (gpkg, off, "
@@ -154,8 +157,10 @@ std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments) 
   TinSettings settings;
   const auto given = parse_arguments(tin_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
-  for (const std::string& input :
-       {settings.input, settings.reading.breaklines, settings.reading.boundary})
+  std::vector<std::string> inputs = settings.inputs;
+  inputs.push_back(settings.reading.breaklines);
+  inputs.push_back(settings.reading.boundary);
+  for (const std::string& input : inputs)
     if (!input.empty() && replaces_input(input, settings.output))
       throw UsageError(fmt::format("OUTPUT '{}' is an input", settings.output),
                        "give OUTPUT another name");

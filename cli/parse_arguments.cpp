@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <string_view>
 
 namespace orograph {
@@ -108,17 +109,34 @@ void refuse_leftovers(const Command& command, std::vector<std::string> leftovers
   // CLI11 counts the mark after which all are names among what it couldn't use.
   std::erase(leftovers, "--");
   if (leftovers.empty()) return;
-  // An unknown option's value has pushed the others on: the option is what to speak of.
   const auto unknown = std::find_if(leftovers.begin(), leftovers.end(), [](const auto& argument) {
     return argument.size() > 1 && argument[0] == '-';
   });
-  if (unknown != leftovers.end()) refuse_unknown(command, *unknown);
-  std::string wanted;
+  refuse_unknown(command, unknown != leftovers.end() ? *unknown : leftovers.back());
+}
+
+// Which positional arguments go to which option: each takes one, and the repeatable one what the
+// others leave. Too few are left to be spoken of as missing, in their order.
+std::map<std::string, std::vector<std::string>> places_of(const Command& command,
+                                                          std::vector<std::string> arguments) {
+  std::vector<const Option*> wanted;
   for (const auto& option : command.options)
-    if (option.is_positional()) wanted += " " + option.name;
-  throw UsageError(fmt::format("one argument too many, '{}'", leftovers.back()),
+    if (option.is_positional()) wanted.push_back(&option);
+  std::map<std::string, std::vector<std::string>> places;
+  std::size_t next = 0;
+  for (const Option* option : wanted) {
+    if (next == arguments.size()) break;
+    std::size_t count = 1;
+    if (option->repeatable && arguments.size() > wanted.size())
+      count += arguments.size() - wanted.size();
+    for (; count > 0; --count) places[option->name].push_back(std::move(arguments[next++]));
+  }
+  if (next == arguments.size()) return places;
+  std::string names;
+  for (const Option* option : wanted) names += " " + option->name;
+  throw UsageError(fmt::format("one argument too many, '{}'", arguments.back()),
                    fmt::format("orograph {} takes{} and options (quote names with spaces)",
-                               command.name, wanted));
+                               command.name, names));
 }
 
 void take_values(const Option& option, const std::vector<std::string>& values) {
@@ -145,6 +163,7 @@ GivenOptions parse_arguments(const Command& command, const std::vector<std::stri
   app.allow_extras();
   std::vector<std::pair<const Option*, CLI::Option*>> table;
   for (const auto& option : command.options) {
+    if (option.is_positional()) continue;
     const std::string names =
         option.letter != 0 ? fmt::format("-{},{}", option.letter, option.name) : option.name;
     CLI::Option* parsed = nullptr;
@@ -152,10 +171,13 @@ GivenOptions parse_arguments(const Command& command, const std::vector<std::stri
       parsed = app.add_flag(names);
     else
       parsed = app.add_option(names, [](const CLI::results_t&) { return true; });
-    if (!option.is_switch() && !option.is_positional()) parsed->expected(1);
+    if (!option.is_switch()) parsed->expected(1);
     parsed->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     table.emplace_back(&option, parsed);
   }
+  CLI::Option* positional = app.add_option("FILES", [](const CLI::results_t&) { return true; });
+  positional->allow_extra_args(); // any number of them
+  positional->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
   auto tied = tie_values(command, arguments);
   std::reverse(tied.begin(), tied.end()); // as CLI11 wants its vectors
@@ -171,9 +193,15 @@ GivenOptions parse_arguments(const Command& command, const std::vector<std::stri
   if (given.contains("--help")) return given;
 
   refuse_leftovers(command, app.remaining());
-  for (const auto& [option, parsed] : table)
-    if (option->is_positional() && parsed->count() == 0)
-      throw UsageError("no " + option->name + " is given", how_to_give(*option));
+  const auto places = places_of(command, positional->results());
+  for (const auto& option : command.options) {
+    if (!option.is_positional()) continue;
+    const auto given_here = places.find(option.name);
+    if (given_here == places.end())
+      throw UsageError("no " + option.name + " is given", how_to_give(option));
+    given.insert(option.name);
+    take_values(option, given_here->second);
+  }
   for (const auto& [option, parsed] : table)
     if (parsed->count() > 0) take_values(*option, parsed->results());
   for (const auto& [one, other, right] : command.conflicts)

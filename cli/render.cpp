@@ -50,7 +50,7 @@ void render(const RenderSettings& settings) {
   SecondsReport& seconds = report.seconds;
 
   Terrain terrain =
-      timed(seconds.read, [&] { return read_terrain(settings.input, settings.reading); });
+      timed(seconds.read, [&] { return read_terrain(settings.inputs, settings.reading); });
   const Scene scene = timed(seconds.place, [&] {
     cut_by_view(terrain, settings);
     return place_scene(terrain, settings);

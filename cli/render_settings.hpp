@@ -26,7 +26,8 @@ enum class Curvature { automatic, on, off };
 enum class FlatGround { shore, draw };
 
 struct RenderSettings {
-  std::string input, output;
+  std::vector<std::string> inputs; ///< one at least; several are joined
+  std::string output;
   ReadOptions reading;
 
   std::string view_file;        ///< its path; empty: the view is as the following say
@@ -57,7 +58,7 @@ struct RenderSettings {
 
   PageRequest page;
   double pen_width_mm = 0.15;
-  std::string title; ///< empty: the input's file name
+  std::string title; ///< empty: the input's file name, or the first's and how many more
 
   WriteOptions write;
   std::uint64_t check = 0; ///< points to ask of the ray walk

@@ -48,7 +48,7 @@ Json name_or_null(const std::string& name) {
 }
 
 Json json_of(const InputReport& input) {
-  return {{"path", input.path},
+  return {{"paths", input.paths},
           {"crs", {{"name", input.crs_name}, {"wkt", input.crs_wkt}}},
           {"vertical_crs", name_or_null(input.vertical_crs_name)},
           {"unit", input.unit_name},

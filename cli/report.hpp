@@ -21,7 +21,7 @@ constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 /// Numbers that are NaN, and optionals that hold nothing, become null unless said otherwise.
 struct InputReport {
-  std::string path;
+  std::vector<std::string> paths;                   ///< as given
   std::string crs_name, crs_wkt, vertical_crs_name; ///< as in MapFrame
   std::string unit_name, height_unit_name;
   double unit_m = 1, height_unit_m = 1;

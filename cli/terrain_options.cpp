@@ -13,13 +13,23 @@ constexpr auto kGroup = "Terrain";
 
 } // namespace
 
-void add_terrain_options(std::vector<Option>& options, std::string& input, ReadOptions& reading) {
+std::vector<Conflict> terrain_conflicts() {
+  return {{"--bbox", "--bbox-lonlat", "give one of the two"}};
+}
+
+void add_terrain_options(std::vector<Option>& options, std::vector<std::string>& inputs,
+                         ReadOptions& reading) {
   options.push_back({.name = "INPUT",
                      .help = "the terrain, in a projected CRS or none: any raster of heights that "
                              "GDAL opens (/vsizip/ and other /vsi paths too); triangles in OFF, "
                              "PLY, OBJ, STL, LandXML or a vector file; points in text with named "
-                             "columns or a vector file",
-                     .take = stored_name(input)});
+                             "columns or a vector file. Several rasters whose cells are on one "
+                             "lattice are joined",
+                     .repeatable = true,
+                     .take = [&inputs](const std::string& text) {
+                       inputs.push_back(text);
+                       return !text.empty();
+                     }});
   options.push_back(with_integer({.group = kGroup,
                                   .name = "--band",
                                   .letter = 'b',
@@ -47,6 +57,13 @@ void add_terrain_options(std::vector<Option>& options, std::string& input, ReadO
        .allowed = "coordinates of the terrain's CRS, XMIN below XMAX, YMIN below YMAX",
        .by_default = "all of it",
        .take = stored(parse_box, reading.bbox)});
+  options.push_back({.group = kGroup,
+                     .name = "--bbox-lonlat",
+                     .value = "W,S,E,N",
+                     .help = "The same by longitude and latitude (WGS 84), in any CRS; W above E "
+                             "goes across 180 degrees",
+                     .allowed = "degrees, S below N",
+                     .take = stored(parse_lonlat_box, reading.bbox_lonlat)});
   options.push_back(with_integer({.group = kGroup,
                                   .name = "--overview",
                                   .value = "LEVEL",

@@ -25,7 +25,7 @@ TinFormat format_of(const TinSettings& settings) {
 void approximate_surface(Terrain& terrain, const TinSettings& settings) {
   const Grid& grid = std::get<Grid>(terrain.surface);
   if (!settings.max_error_m)
-    throw UsageError(settings.input + " is a grid",
+    throw UsageError(terrain.source + " is a grid",
                      "say how far from it the TIN may be, as in --max-error 2m; 0m keeps every "
                      "triangle");
   ApproximatedGrid approximated = approximate(grid, *settings.max_error_m);
@@ -63,11 +63,11 @@ std::string told(const TriangulationCounts& counts) {
 void tin(const TinSettings& settings) {
   const TinFormat format = format_of(settings);
   check_writable(settings.output, {.overwrite = settings.overwrite});
-  Terrain terrain = read_terrain(settings.input, settings.reading);
+  Terrain terrain = read_terrain(settings.inputs, settings.reading);
   if (std::holds_alternative<Grid>(terrain.surface))
     approximate_surface(terrain, settings);
   else if (settings.max_error_m)
-    throw UsageError("--max-error is for rasters, and " + settings.input + " is none",
+    throw UsageError("--max-error is for rasters, and " + terrain.source + " is none",
                      "leave it out");
   OutputFile place(settings.output, settings.overwrite);
   write_tin(terrain, place.temporary_path(), format, settings.output);

@@ -7,11 +7,13 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace orograph {
 
 struct TinSettings {
-  std::string input, output;
+  std::vector<std::string> inputs; ///< as in RenderSettings
+  std::string output;
   ReadOptions reading;
   std::optional<double> max_error_m; ///< how far from a grid the TIN may be; for rasters
   std::optional<TinFormat> format;   ///< none: by the output's extension

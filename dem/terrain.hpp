@@ -43,7 +43,8 @@ struct MapFrame {
 struct Terrain {
   Surface surface;
   MapFrame map;
-  std::string source;             ///< the path it was read from, as given
+  std::string source;             ///< what it was read from, in brief
+  std::vector<std::string> paths; ///< the files it was read from, as given
   std::vector<std::string> notes; ///< what the reader assumed, a sentence each, for the report
   std::optional<TriangulationCounts> triangulation; ///< where it was made of points
   /// How far the surface may be, in height, from what it was made to stand for; 0 where it stands

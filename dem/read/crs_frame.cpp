@@ -142,6 +142,19 @@ bool same_place(const std::string& wkt, const std::string& other_wkt) {
   return one->IsSame(other.get(), options);
 }
 
+std::optional<double> whole_turn(const std::string& wkt) {
+  const Crs crs = wkt.empty() ? nullptr : crs_from_text(wkt);
+  if (!crs || !crs->IsGeographic()) return std::nullopt;
+  const double turn = 2 * M_PI / crs->GetAngularUnits();
+  const double whole = std::round(turn); // units are written with 15 digits
+  return std::abs(turn - whole) < 1e-9 * turn ? whole : turn;
+}
+
+std::optional<CurvatureRadii> radii_at(const std::string& wkt, Vec2 place) {
+  const Crs crs = wkt.empty() ? nullptr : crs_from_text(wkt);
+  return crs ? radii_at(*crs, place) : std::nullopt;
+}
+
 std::string crs_for_command(const std::string& wkt) {
   const Crs crs = crs_from_text(wkt);
   if (!crs) return "CRS";

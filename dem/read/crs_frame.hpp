@@ -38,6 +38,14 @@ bool set_height_unit(MapFrame& map, const OGRSpatialReference& crs);
 /// Whether two CRSs (WKT) have the same eastings and northings, whatever their heights.
 bool same_place(const std::string& wkt, const std::string& other_wkt);
 
+/// A whole turn of longitude in the units of a CRS that counts longitudes, 360 for degrees; none
+/// for all others.
+std::optional<double> whole_turn(const std::string& wkt);
+
+/// The radii of the CRS's ellipsoid at a place in its own coordinates; none where there is no such
+/// place.
+std::optional<CurvatureRadii> radii_at(const std::string& wkt, Vec2 place);
+
 /// "EPSG:32632", or the name if it has no code: as a command line takes it.
 std::string crs_for_command(const std::string& wkt);
 

@@ -6,6 +6,7 @@
 
 #include <ogr_spatialref.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -99,6 +100,29 @@ std::optional<Box2> lonlat_bounds(const std::string& crs_wkt, const Box2& map) {
   for (const Vec2 p : *places) {
     const double first = places->front().x;
     bounds.include({first + within_half_turn(p.x - first), p.y});
+  }
+  return bounds;
+}
+
+std::optional<Box2> map_bounds_of_lonlat(const std::string& crs_wkt, const Box2& lonlat_deg,
+                                         std::optional<double> turn) {
+  constexpr int kSteps = 1000;
+  const Vec2 low = lonlat_deg.low, high = lonlat_deg.high;
+  const std::array<Vec2, 5> corners{low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}, low};
+  std::vector<Vec2> sides;
+  for (std::size_t side = 0; side < 4; ++side)
+    for (int i = 0; i < kSteps; ++i) {
+      const Vec2 p = corners[side] + i / double{kSteps} * (corners[side + 1] - corners[side]);
+      sides.push_back({within_half_turn(p.x), p.y});
+    }
+  auto places = moved(crs_wkt, Way::to_map, sides);
+  if (!places) return std::nullopt;
+  Box2 bounds;
+  Vec2 before = places->front();
+  for (Vec2 p : *places) {
+    if (turn) p.x = before.x + std::remainder(p.x - before.x, *turn);
+    bounds.include(p);
+    before = p;
   }
   return bounds;
 }

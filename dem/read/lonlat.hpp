@@ -29,6 +29,14 @@ std::optional<Vec2> map_of_lonlat(const std::string& crs_wkt, Vec2 lonlat_deg);
 /// Where it lies across 180 degrees, longitudes go on beyond.
 std::optional<Box2> lonlat_bounds(const std::string& crs_wkt, const Box2& map);
 
+/// The smallest box on the map that holds all places between two longitudes and two latitudes, from
+/// points all along its sides: a thousand a side, between which a parallel of latitude bends by
+/// less than 2 cm where the box is ten degrees wide, and by 2 m where it is a hundred. Where the
+/// map counts longitudes, and they go over its seam, they go on beyond; `turn` is a whole turn of
+/// them.
+std::optional<Box2> map_bounds_of_lonlat(const std::string& crs_wkt, const Box2& lonlat_deg,
+                                         std::optional<double> turn);
+
 // Of a direction at a place: `map_azimuth` clockwise from the map's upwards, `true_azimuth`
 // clockwise from the meridian's north, which differ by the convergence of meridians, and by the
 // map's distortion of angles where it has any. Within 1e-7 degrees. REQUIRES a projected CRS.

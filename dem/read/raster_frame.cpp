@@ -48,11 +48,17 @@ void set_vertical(MapFrame& map, const OGRSpatialReference* crs, const std::stri
 
 } // namespace
 
+bool has_georeference(GDALDataset& dataset) {
+  std::array<double, 6> gt{};
+  const std::array<double, 6> unset{0, 1, 0, 0, 0, 1};
+  return dataset.GetGeoTransform(gt.data()) == CE_None && gt != unset;
+}
+
 RasterLattice raster_lattice(GDALDataset& dataset, const std::string& path,
                              std::vector<std::string>& notes) {
   std::array<double, 6> gt{};
-  const std::array<double, 6> unset{0, 1, 0, 0, 0, 1};
-  if (dataset.GetGeoTransform(gt.data()) != CE_None || gt == unset) {
+  dataset.GetGeoTransform(gt.data());
+  if (!has_georeference(dataset)) {
     if (dataset.GetGCPCount() > 0) refuse_place(path, "ground control points", "-tps ");
     if (dataset.GetMetadata("RPC")) refuse_place(path, "rational polynomials (RPC)", "-rpc ");
     if (dataset.GetMetadata("GEOLOCATION")) refuse_place(path, "geolocation arrays", "-geoloc ");

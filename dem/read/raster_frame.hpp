@@ -13,6 +13,9 @@ class GDALRasterBand;
 
 namespace orograph {
 
+/// Whether there is a geotransform, and not the one that stands for none.
+bool has_georeference(GDALDataset& dataset);
+
 /// From the geotransform: vertices at cell centres, in map coordinates. Without one, cells of size
 /// 1 with line 0 in the north, and a note. Throws Error where the place is told by control points,
 /// RPCs or geolocation arrays only, or the geotransform doesn't span a plane.

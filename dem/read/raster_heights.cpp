@@ -82,6 +82,28 @@ void put(const std::vector<Value>& tile, const RasterWindow& at, const GridOrder
   }
 }
 
+// Where there is a height already it stays.
+template <class Value>
+void put_beside(const std::vector<Value>& tile, const RasterWindow& at, const GridOrder& order,
+                std::vector<Value>& heights, HeightDifferences& differences) {
+  for (int line = 0; line < at.lines; ++line) {
+    const Value* from = tile.data() + std::ptrdiff_t{line} * at.pixels;
+    Value* to = heights.data() + order.start + at.pixel * order.per_pixel +
+                (at.line + line) * order.per_line;
+    for (int pixel = 0; pixel < at.pixels; ++pixel) {
+      Value& there = to[pixel * order.per_pixel];
+      if (std::isnan(there)) {
+        there = from[pixel];
+      } else if (!std::isnan(from[pixel]) && from[pixel] != there) {
+        ++differences.count;
+        const double apart_m =
+            std::abs(static_cast<double>(from[pixel]) - static_cast<double>(there));
+        differences.greatest_m = std::max(differences.greatest_m, apart_m);
+      }
+    }
+  }
+}
+
 // A mask of its own beside or instead of a nodata value: an internal mask or an alpha band.
 GDALRasterBand* mask_of(GDALRasterBand& band) {
   const int flags = band.GetMaskFlags();
@@ -94,7 +116,8 @@ public:
       : band_(band), mask_(mask_of(band)), window_(window), path_(path) {}
 
   template <class Value>
-  void read(const GridOrder& order, const HeightCode& code, std::vector<Value>& heights) {
+  void read(const GridOrder& order, const HeightCode& code, std::vector<Value>& heights,
+            HeightDifferences* differences) {
     const TileSize size = tile_size(band_);
     std::vector<Value> tile;
     // Tiles are counted from the raster's corner, not the window's, to hold whole blocks.
@@ -113,7 +136,10 @@ public:
         read_tile(at, tile, count, code);
         at.pixel -= window_.pixel;
         at.line -= window_.line;
-        put(tile, at, order, heights);
+        if (differences)
+          put_beside(tile, at, order, heights, *differences);
+        else
+          put(tile, at, order, heights);
       }
   }
 
@@ -146,11 +172,6 @@ private:
   std::vector<unsigned char> mask_tile_;
 };
 
-// Float holds integers of 16 bits and its own values exactly.
-bool fits_float(GDALDataType type) {
-  return type == GDT_Float32 || GDALGetDataTypeSizeBits(type) <= 16;
-}
-
 } // namespace
 
 HeightCode height_code(GDALRasterBand& band, double unit_m) {
@@ -167,15 +188,18 @@ HeightCode height_code(GDALRasterBand& band, double unit_m) {
   return code;
 }
 
+// Float holds integers of 16 bits and its own values exactly.
+bool fits_float(GDALRasterBand& band) {
+  const GDALDataType type = band.GetRasterDataType();
+  return type == GDT_Float32 || GDALGetDataTypeSizeBits(type) <= 16;
+}
+
 void read_heights(GDALRasterBand& band, const RasterWindow& window, const GridOrder& order,
-                  const HeightCode& code, const std::string& path, Grid& grid) {
-  if (!fits_float(band.GetRasterDataType())) grid.heights_m = std::vector<double>();
+                  const HeightCode& code, const std::string& path, Heights& heights,
+                  HeightDifferences* differences) {
   std::visit(
-      [&](auto& heights) {
-        heights.resize(grid.size());
-        Reader(band, window, path).read(order, code, heights);
-      },
-      grid.heights_m);
+      [&](auto& values) { Reader(band, window, path).read(order, code, values, differences); },
+      heights);
 }
 
 } // namespace orograph

@@ -23,10 +23,24 @@ struct HeightCode {
 /// Of the band at full resolution: overviews of some formats don't tell it.
 HeightCode height_code(GDALRasterBand& band, double unit_m);
 
-/// Reads the window, each of the file's blocks once, into heights in the given order. A mask that
-/// the file holds makes NaN as nodata does. Throws Error if a read fails, as it does in a
-/// truncated file.
+using Heights = decltype(Grid::heights_m);
+
+/// Whether float holds all values of the band: it does unless the band is Float64 or integers of 32
+/// bits and more.
+bool fits_float(GDALRasterBand& band);
+
+/// Where heights are read at places that have one already.
+struct HeightDifferences {
+  std::size_t count = 0; ///< of heights that differ from the one that was there
+  double greatest_m = 0;
+};
+
+/// Reads the window, each of the file's blocks once, to the places in `heights` that the order
+/// names. A mask that the file holds makes NaN as nodata does. With `differences` only places that
+/// are NaN take a height, else all do. Throws Error if a read fails, as it does in a truncated
+/// file.
 void read_heights(GDALRasterBand& band, const RasterWindow& window, const GridOrder& order,
-                  const HeightCode& code, const std::string& path, Grid& grid);
+                  const HeightCode& code, const std::string& path, Heights& heights,
+                  HeightDifferences* differences);
 
 } // namespace orograph

@@ -58,6 +58,18 @@ struct Range {
   int first = 0, count = 0;
 };
 
+// With its vertex (0, 0) at (column, row) in rows of `width`.
+void set_indices(GridOrder& order, std::ptrdiff_t width, std::ptrdiff_t column,
+                 std::ptrdiff_t row) {
+  const std::ptrdiff_t per_column = order.columns_reversed ? -1 : 1;
+  const std::ptrdiff_t per_row = order.rows_reversed ? -width : width;
+  order.per_pixel = order.transposed ? per_row : per_column;
+  order.per_line = order.transposed ? per_column : per_row;
+  if (order.columns_reversed) column += order.columns - 1;
+  if (order.rows_reversed) row += order.rows - 1;
+  order.start = row * width + column;
+}
+
 Range whole_numbers(double low, double high, int count) {
   const double last = count - 1;
   const double from = std::max(0., std::ceil(low - border_cells));
@@ -85,19 +97,36 @@ GridOrder grid_order(const RasterLattice& lattice) {
   order.row_step = row_step(lattice, turn) + Vec2{0, 0};
 
   // A reversed axis begins at the raster's last.
-  const bool columns_reversed = turn.column_sign < 0, rows_reversed = turn.row_sign < 0;
-  const bool from_last_pixel = turn.transposed ? rows_reversed : columns_reversed;
-  const bool from_last_line = turn.transposed ? columns_reversed : rows_reversed;
+  order.transposed = turn.transposed;
+  order.columns_reversed = turn.column_sign < 0;
+  order.rows_reversed = turn.row_sign < 0;
+  const bool from_last_pixel = order.transposed ? order.rows_reversed : order.columns_reversed;
+  const bool from_last_line = order.transposed ? order.columns_reversed : order.rows_reversed;
   order.first = lattice.position(from_last_pixel ? lattice.pixels - 1 : 0,
                                  from_last_line ? lattice.lines - 1 : 0);
-
-  const std::ptrdiff_t per_column = columns_reversed ? -1 : 1;
-  const std::ptrdiff_t per_row = rows_reversed ? -order.columns : order.columns;
-  order.per_pixel = turn.transposed ? per_row : per_column;
-  order.per_line = turn.transposed ? per_column : per_row;
-  if (from_last_pixel) order.start -= (lattice.pixels - 1) * order.per_pixel;
-  if (from_last_line) order.start -= (lattice.lines - 1) * order.per_line;
+  set_indices(order, order.columns, 0, 0);
   return order;
+}
+
+RasterLattice in_grid_order(const GridOrder& order) {
+  return {order.columns, order.rows, order.first, order.column_step, order.row_step};
+}
+
+RasterWindow raster_window(const GridOrder& order, const RasterWindow& part) {
+  RasterWindow window = part;
+  if (order.columns_reversed) window.pixel = order.columns - part.pixel - part.pixels;
+  if (order.rows_reversed) window.line = order.rows - part.line - part.lines;
+  if (!order.transposed) return window;
+  return {window.line, window.pixel, window.lines, window.pixels};
+}
+
+GridOrder order_within(const GridOrder& order, const RasterWindow& part, int width, int column,
+                       int row) {
+  GridOrder within = order;
+  within.columns = part.pixels;
+  within.rows = part.lines;
+  set_indices(within, width, column, row);
+  return within;
 }
 
 bool in_box(const RasterLattice& lattice, Vec2 position, const Box2& box) {

@@ -25,7 +25,9 @@ struct RasterLattice {
 /// The same vertices as a Grid counts them, and where each pixel goes in its heights.
 struct GridOrder {
   int columns = 0, rows = 0;
-  Vec2 first, column_step, row_step;          ///< map coordinates
+  Vec2 first, column_step, row_step; ///< map coordinates
+  bool transposed = false;           ///< the raster's lines are columns
+  bool columns_reversed = false, rows_reversed = false;
   std::ptrdiff_t start = 0;                   ///< index of the height of pixel 0 in line 0
   std::ptrdiff_t per_pixel = 0, per_line = 0; ///< what a step in the raster adds to the index
 };
@@ -42,7 +44,21 @@ GridOrder grid_order(const RasterLattice& lattice);
 /// A window of a raster: `pixels` by `lines` from (pixel, line).
 struct RasterWindow {
   int pixel = 0, line = 0, pixels = 0, lines = 0;
+
+  bool empty() const { return pixels <= 0 || lines <= 0; }
 };
+
+/// The vertices as a raster would have them that stores them in the order of a Grid: its pixels
+/// are columns, its lines rows.
+RasterLattice in_grid_order(const GridOrder& order);
+
+/// Which window of the raster holds `part`, a window of `in_grid_order(order)`.
+RasterWindow raster_window(const GridOrder& order, const RasterWindow& part);
+
+/// The order of that window's pixels in an array of rows of `width` heights in which the part's
+/// first vertex is at (column, row). Only its counts and indices have a meaning.
+GridOrder order_within(const GridOrder& order, const RasterWindow& part, int width, int column,
+                       int row);
 
 /// True within the box, its border included, whatever rounding did to either: a millionth of a
 /// cell outside still counts.

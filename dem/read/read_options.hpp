@@ -13,6 +13,9 @@ namespace orograph {
 
 struct ReadOptions {
   std::optional<Box2> bbox; ///< in map coordinates; keeps the vertices inside it
+  /// Instead of `bbox`: in degrees on WGS 84; where it lies across 180 degrees, longitudes go on
+  /// beyond.
+  std::optional<Box2> bbox_lonlat;
 
   // Rasters.
   int band = 1;                          ///< counted from 1

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/read_raster.hpp"
 
+#include "dem/read/crs_frame.hpp"
 #include "dem/read/fill_voids.hpp"
-#include "dem/read/gdal_messages.hpp"
-#include "dem/read/open_raster.hpp"
-#include "dem/read/raster_frame.hpp"
-#include "dem/read/raster_heights.hpp"
-#include "dem/read/raster_order.hpp"
+#include "dem/read/in_brief.hpp"
+#include "dem/read/join_tiles.hpp"
+#include "dem/read/lonlat.hpp"
+#include "dem/read/raster_source.hpp"
+#include "dem/read/same_terrain.hpp"
+#include "dem/read/whole_turns.hpp"
 #include "dem/read/window_words.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
-#include <gdal_priv.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,31 +23,22 @@
 namespace orograph {
 namespace {
 
-// The same ground with the overview's fewer, larger cells. Their ratio is seldom a whole number.
-RasterLattice coarser(const RasterLattice& full, int pixels, int lines) {
-  const double across = static_cast<double>(full.pixels) / pixels;
-  const double down = static_cast<double>(full.lines) / lines;
-  RasterLattice lattice{pixels, lines, full.position((across - 1) / 2, (down - 1) / 2),
-                        across * full.pixel_step, down * full.line_step};
-  return lattice;
-}
-
-RasterWindow wanted_window(const RasterLattice& lattice, const std::optional<Box2>& bbox,
-                           const std::string& path) {
-  if (lattice.pixels < 2 || lattice.lines < 2)
-    throw Error(fmt::format("{} has {} x {} cells", path, lattice.pixels, lattice.lines),
-                "a terrain needs at least 2 x 2");
-  if (!bbox) return {0, 0, lattice.pixels, lattice.lines};
+// The window's vertices in the lattice; `lonlat` is as it was asked for, if it was so.
+RasterWindow vertices_in(const Box2& window, const RasterLattice& lattice, const MapFrame& map,
+                         const std::optional<Box2>& lonlat, const std::string& name) {
   const Box2 extent = box_of(lattice);
-  check_window(*bbox, extent);
-  const RasterWindow window = window_of(lattice, *bbox);
-  if (window.pixels == 0 || window.lines == 0) refuse_window(*bbox, extent, path);
-  if (window.pixels < 2 || window.lines < 2)
+  check_window(window, extent);
+  const RasterWindow vertices = window_of(lattice, window);
+  if (vertices.empty()) {
+    const auto bounds = lonlat ? lonlat_bounds(map.crs_wkt, extent) : std::nullopt;
+    refuse_window(bounds ? *lonlat : window, bounds.value_or(extent), name);
+  }
+  if (vertices.pixels < 2 || vertices.lines < 2)
     throw Error(
-        fmt::format("the window {} holds {} x {} vertices of {}", in_words(*bbox), window.pixels,
-                    window.lines, path),
+        fmt::format("the window {} holds {} x {} vertices of {}", in_words(window), vertices.pixels,
+                    vertices.lines, name),
         fmt::format("it needs at least 2 x 2; the terrain reaches from {}", in_words(extent)));
-  return window;
+  return vertices;
 }
 
 // Of a rotated or sheared raster the window holds more than the box does.
@@ -82,14 +74,71 @@ Grid empty_grid(const GridOrder& order, double unit_m) {
   return grid;
 }
 
-// Blocks that were never written read as nodata, or as 0 where the file has none: perhaps a sea,
-// perhaps a writer that was killed.
-void note_unwritten(GDALRasterBand& band, const RasterWindow& window, const HeightCode& code,
-                    std::vector<std::string>& notes) {
-  const int status = band.GetDataCoverageStatus(window.pixel, window.line, window.pixels,
-                                                window.lines, 0, nullptr);
-  if (!code.nodata && (status & GDAL_DATA_COVERAGE_STATUS_EMPTY))
-    notes.push_back("Parts of the file were never written: their heights are taken as 0.");
+template <class Value>
+std::vector<Value> no_heights(std::size_t count) {
+  return std::vector<Value>(count, std::numeric_limits<Value>::quiet_NaN());
+}
+
+RasterWindow common(const RasterWindow& a, const RasterWindow& b) {
+  const int pixel = std::max(a.pixel, b.pixel), line = std::max(a.line, b.line);
+  return {pixel, line, std::min(a.pixel + a.pixels, b.pixel + b.pixels) - pixel,
+          std::min(a.line + a.lines, b.line + b.lines) - line};
+}
+
+// The joined lattice's window, from the parts of the files that lie in it.
+HeightDifferences read_joined(std::vector<RasterSource>& sources, const JoinedTiles& joined,
+                              const RasterWindow& window, const ReadOptions& options, Grid& grid) {
+  const bool in_float = std::all_of(sources.begin(), sources.end(),
+                                    [](const RasterSource& source) { return source.in_float; });
+  if (in_float)
+    grid.heights_m = no_heights<float>(grid.size());
+  else
+    grid.heights_m = no_heights<double>(grid.size());
+  HeightDifferences differences;
+  for (const TilePlace& place : joined.places) {
+    RasterWindow part = common(place.at, window);
+    if (part.empty()) continue;
+    RasterSource& source = sources[place.tile];
+    const bool was_open = source.full != nullptr;
+    if (!was_open) open_again(source, options);
+    const int column = part.pixel - window.pixel, row = part.line - window.line;
+    part.pixel -= place.at.pixel;
+    part.line -= place.at.line;
+    read_part(source, options, part, grid.columns, column, row, grid.heights_m,
+              joined.places.size() > 1 ? &differences : nullptr);
+    if (!was_open) close(source);
+  }
+  return differences;
+}
+
+JoinedTiles join(const std::vector<RasterSource>& sources, std::optional<int> overview) {
+  std::vector<Tile> tiles;
+  for (const RasterSource& source : sources)
+    tiles.push_back({source.path, in_grid_order(source.order)});
+  JoinedTiles joined = join_tiles(tiles, whole_turn(sources.front().map.crs_wkt), overview);
+  const RasterLattice& lattice = joined.lattice;
+  if (lattice.pixels < 2 || lattice.lines < 2)
+    throw Error(
+        fmt::format("{} has {} x {} cells", sources.front().path, lattice.pixels, lattice.lines),
+        "a terrain needs at least 2 x 2");
+  return joined;
+}
+
+// A window in longitude and latitude is the same whole turns on: it goes where the files are, and
+// over their end to their beginning.
+void turn_onto(JoinedTiles& joined, Box2& window, double turn) {
+  const Box2 extent = box_of(joined.lattice);
+  const double width = window.width();
+  window.low.x = turned_onto(window.low.x, width, extent.low.x, extent.high.x, turn);
+  window.high.x = window.low.x + width;
+  continue_around(joined, turn, window);
+}
+
+void note_differences(const HeightDifferences& differences, std::vector<std::string>& notes) {
+  if (differences.count > 0)
+    notes.push_back(fmt::format("Where files overlap {} heights differ, by up to {:.4g} m: those "
+                                "of the file given first are taken.",
+                                differences.count, differences.greatest_m));
 }
 
 void note_filled(const FilledVoids& voids, double cells, std::vector<std::string>& notes) {
@@ -98,38 +147,40 @@ void note_filled(const FilledVoids& voids, double cells, std::vector<std::string
                   voids.filled, cells, voids.left));
 }
 
-Terrain read(const std::string& path, const ReadOptions& options) {
-  GdalMessages messages;
-  Terrain terrain;
-  terrain.source = path;
-
-  const Dataset full = open_raster(path, options.open_options, messages);
-  for (const std::string& warning : messages.warnings())
-    terrain.notes.push_back("GDAL warns: " + warning + ".");
-  GDALRasterBand& full_band = height_band(*full, path, options.band);
-  RasterLattice lattice = raster_lattice(*full, path, terrain.notes);
-  terrain.map = raster_map_frame(*full, full_band, path, box_of(lattice).centre(), terrain.notes);
-  const HeightCode code = height_code(full_band, terrain.map.height_unit_m);
-
-  Dataset overview;
-  if (options.overview) {
-    overview = open_overview(path, options.open_options, full_band, *options.overview, messages);
-    lattice = coarser(lattice, overview->GetRasterXSize(), overview->GetRasterYSize());
+Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) {
+  std::vector<RasterSource> sources;
+  for (const std::string& path : paths) {
+    sources.push_back(open_source(path, options));
+    if (paths.size() > 1) close(sources.back());
   }
-  GDALRasterBand& band = overview ? *overview->GetRasterBand(options.band) : full_band;
+  check_same_terrain(sources);
+  JoinedTiles joined = join(sources, options.overview);
+  Terrain terrain;
+  terrain.source = in_brief(paths);
+  terrain.paths = paths;
+  terrain.map = sources.front().map;
+  if (sources.size() > 1)
+    terrain.map.radii = radii_at(terrain.map.crs_wkt, box_of(joined.lattice).centre());
 
-  const RasterWindow window = wanted_window(lattice, options.bbox, path);
+  std::optional<Box2> box = wanted_window(options, terrain.map, terrain.source);
+  const auto turn = whole_turn(terrain.map.crs_wkt);
+  if (options.bbox_lonlat && turn) turn_onto(joined, *box, *turn);
+  const RasterLattice& lattice = joined.lattice;
+  const RasterWindow window =
+      box ? vertices_in(*box, lattice, terrain.map, options.bbox_lonlat, terrain.source)
+          : RasterWindow{0, 0, lattice.pixels, lattice.lines};
   const GridOrder order = grid_order(part_of(lattice, window));
   terrain.map.origin = order.first;
   Grid grid = empty_grid(order, terrain.map.unit_m);
-  read_heights(band, window, order, code, path, grid);
-  note_unwritten(band, window, code, terrain.notes);
+  const HeightDifferences differences = read_joined(sources, joined, window, options, grid);
+  terrain.notes = notes_of(sources);
+  note_differences(differences, terrain.notes);
   if (options.fill_voids)
     note_filled(fill_voids(grid, *options.fill_voids), *options.fill_voids, terrain.notes);
-  if (options.bbox) cut_to(*options.bbox, lattice, order, grid);
+  if (box) cut_to(*box, lattice, order, grid);
   if (!has_height(grid))
-    throw Error(fmt::format("{}{} holds no heights, nodata only", path,
-                            options.bbox ? " in the window" : ""),
+    throw Error(fmt::format("{}{} holds no heights, nodata only", terrain.source,
+                            box ? " in the window" : ""),
                 "see 'gdalinfo -stats' for its values and nodata value");
   terrain.surface = std::move(grid);
   return terrain;
@@ -137,14 +188,22 @@ Terrain read(const std::string& path, const ReadOptions& options) {
 
 } // namespace
 
-Terrain read_raster(const std::string& path, const ReadOptions& options) {
+Terrain read_rasters(const std::vector<std::string>& paths, const ReadOptions& options) {
+  const auto too_large = [&] {
+    return Error(fmt::format("{} doesn't fit into memory", in_brief(paths)),
+                 "use --overview or --bbox");
+  };
   try {
-    return read(path, options);
+    return read(paths, options);
   } catch (const std::bad_alloc&) {
-    throw Error(fmt::format("{} doesn't fit into memory", path), "use --overview or --bbox");
+    throw too_large();
   } catch (const std::length_error&) {
-    throw Error(fmt::format("{} doesn't fit into memory", path), "use --overview or --bbox");
+    throw too_large();
   }
+}
+
+Terrain read_raster(const std::string& path, const ReadOptions& options) {
+  return read_rasters({path}, options);
 }
 
 } // namespace orograph

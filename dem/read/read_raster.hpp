@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading a DEM through GDAL; the only place that knows GDAL's raster side.
+// Reading a DEM, of one file or of many, through GDAL; the only place that knows GDAL's raster
+// side.
 #pragma once
 
 #include "dem/read/read_options.hpp"
 #include "dem/terrain.hpp"
 
 #include <string>
+#include <vector>
 
 namespace orograph {
 
@@ -21,5 +23,16 @@ namespace orograph {
 /// geographic (degrees) or geocentric; the image is colours (Terrain-RGB, RGBA bytes, a palette),
 /// complex, or has ground control points only.
 Terrain read_raster(const std::string& path, const ReadOptions& options = {});
+
+/// The same of several files as one terrain (dem/read/join_tiles.hpp): bit for bit what one file of
+/// all of them gives. Where files overlap the first that has a height there is taken, and a note
+/// tells of heights that differ; where there is no file there is no height. Every file's place,
+/// units and CRS are read before any heights; then one file at a time is open, and only the parts
+/// inside the window are read. Heights are double if one of the files' are. Memory: the joined
+/// heights, and a strip of one file's rows.
+///
+/// Throws Error also where files differ in CRS, in what heights are above or in their lattice,
+/// don't touch, or have no georeference. REQUIRES at least one.
+Terrain read_rasters(const std::vector<std::string>& paths, const ReadOptions& options = {});
 
 } // namespace orograph

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/read_terrain.hpp"
 
+#include "dem/read/in_brief.hpp"
 #include "dem/read/read_landxml.hpp"
 #include "dem/read/read_mesh.hpp"
 #include "dem/read/read_points.hpp"
@@ -81,9 +82,9 @@ Terrain from_points(MapShapes shapes, const ReadOptions& options) {
   return terrain_from_points(std::move(shapes), std::move(lines), std::move(boundary), options);
 }
 
-Terrain from_raster(const std::string& path, const ReadOptions& options) {
-  Terrain terrain = read_raster(path, options);
-  refuse_survey_options(options, fmt::format("{} is a raster", path));
+Terrain from_rasters(const std::vector<std::string>& paths, const ReadOptions& options) {
+  Terrain terrain = read_rasters(paths, options);
+  refuse_survey_options(options, fmt::format("{} is a raster", paths.front()));
   return terrain;
 }
 
@@ -93,37 +94,70 @@ Terrain from_vector(const std::string& path, const ReadOptions& options) {
                                   : from_triangles(std::move(shapes), options);
 }
 
-Terrain read(const std::string& path, const ReadOptions& options) {
+enum class Kind { mesh, landxml, text_points, vector, raster };
+
+Kind kind_of(const std::string& path, const ReadOptions& options) {
   const std::string extension = extension_of(path), begin = first_bytes(path);
   const bool is_file = std::filesystem::is_regular_file(path); // GDAL has names of its own
   if (is_one_of(extension, ".las", ".laz") || begin.starts_with("LASF")) refuse_lidar(path);
-  const auto format = mesh_format(path, begin);
-  if (is_file && format) return from_triangles(read_mesh(path, *format), options);
-  if (is_file && is_landxml(extension, begin))
-    return from_triangles(read_landxml(path, options.layer), options);
-  if (is_file && is_one_of(extension, ".csv", ".tsv"))
-    return from_points(read_points(path, options.columns), options);
+  if (is_file && mesh_format(path, begin)) return Kind::mesh;
+  if (is_file && is_landxml(extension, begin)) return Kind::landxml;
+  if (is_file && is_one_of(extension, ".csv", ".tsv")) return Kind::text_points;
   // Other text that GDAL takes for a grid is one: Arc/Info ASCII, or x, y, z in regular rows.
   if (is_file && is_one_of(extension, ".txt", ".xyz", ".dat", ".pts") &&
       !is_raster_file(path, options))
-    return from_points(read_points(path, options.columns), options);
+    return Kind::text_points;
   const bool is_vector =
       is_vector_file(path, options) ||
       (is_file && is_one_of(extension, ".gpkg", ".shp", ".geojson", ".json", ".dxf", ".fgb") &&
        !is_raster_file(path, options));
-  return is_vector ? from_vector(path, options) : from_raster(path, options);
+  return is_vector ? Kind::vector : Kind::raster;
+}
+
+Terrain read(const std::string& path, const ReadOptions& options) {
+  switch (kind_of(path, options)) {
+  case Kind::mesh:
+    return from_triangles(read_mesh(path, *mesh_format(path, first_bytes(path))), options);
+  case Kind::landxml:
+    return from_triangles(read_landxml(path, options.layer), options);
+  case Kind::text_points:
+    return from_points(read_points(path, options.columns), options);
+  case Kind::vector:
+    return from_vector(path, options);
+  case Kind::raster:
+    break;
+  }
+  return from_rasters({path}, options);
+}
+
+Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) {
+  for (const std::string& path : paths)
+    if (kind_of(path, options) != Kind::raster)
+      throw Error(fmt::format("{} isn't a raster, and of several files all must be", path),
+                  "give it alone, or rasters only");
+  return from_rasters(paths, options);
 }
 
 } // namespace
 
-Terrain read_terrain(const std::string& path, const ReadOptions& options) {
+Terrain read_terrain(const std::vector<std::string>& paths, const ReadOptions& options) {
+  const auto too_large = [&] {
+    return Error(fmt::format("{} doesn't fit into memory", in_brief(paths)),
+                 "cut it into parts first");
+  };
   try {
-    return read(path, options);
+    Terrain terrain = paths.size() == 1 ? read(paths.front(), options) : read(paths, options);
+    terrain.paths = paths;
+    return terrain;
   } catch (const std::bad_alloc&) {
-    throw Error(fmt::format("{} doesn't fit into memory", path), "cut it into parts first");
+    throw too_large();
   } catch (const std::length_error&) {
-    throw Error(fmt::format("{} doesn't fit into memory", path), "cut it into parts first");
+    throw too_large();
   }
+}
+
+Terrain read_terrain(const std::string& path, const ReadOptions& options) {
+  return read_terrain(std::vector<std::string>{path}, options);
 }
 
 } // namespace orograph

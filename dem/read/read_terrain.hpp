@@ -6,6 +6,7 @@
 #include "dem/terrain.hpp"
 
 #include <string>
+#include <vector>
 
 namespace orograph {
 
@@ -17,5 +18,9 @@ namespace orograph {
 ///    Tin of their triangulation, with the breaklines and the boundary that the options name.
 /// Throws Error in one clear line.
 Terrain read_terrain(const std::string& path, const ReadOptions& options = {});
+
+/// Of several files, which must be rasters then: they are joined (`read_rasters`).
+/// REQUIRES at least one.
+Terrain read_terrain(const std::vector<std::string>& paths, const ReadOptions& options = {});
 
 } // namespace orograph

@@ -192,7 +192,8 @@ void append(std::vector<std::vector<Vec3>>& to, std::vector<std::vector<Vec3>>& 
 Terrain terrain_from_triangles(MapShapes shapes, const ReadOptions& options) {
   keep_used_points(shapes);
   check_places(shapes);
-  if (options.bbox) cut_triangles(shapes, *options.bbox);
+  if (const auto window = wanted_window(options, shapes.map, shapes.path))
+    cut_triangles(shapes, *window);
   Terrain terrain;
   terrain.map = shapes.map;
   terrain.source = shapes.path;
@@ -219,7 +220,8 @@ Terrain terrain_from_points(MapShapes shapes, std::optional<MapShapes> lines,
     append(shapes.rings, boundary->rings);
   }
   check_places(shapes);
-  if (options.bbox) cut_survey(shapes, *options.bbox, box_of_survey(shapes));
+  if (const auto window = wanted_window(options, shapes.map, shapes.path))
+    cut_survey(shapes, *window, box_of_survey(shapes));
   Terrain terrain;
   terrain.map = shapes.map;
   terrain.source = shapes.path;

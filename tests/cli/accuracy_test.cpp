@@ -23,7 +23,7 @@ const std::string kVolcano = OROGRAPH_SOURCE_DIR "/data_samples/volcano.tif";
 
 AccuracySettings small_settings() {
   AccuracySettings settings;
-  settings.render.input = kVolcano;
+  settings.render.inputs = {kVolcano};
   settings.profiles = {25};
   settings.probes = 2000;
   settings.repeats = 1;
@@ -31,7 +31,7 @@ AccuracySettings small_settings() {
 }
 
 std::vector<AccuracyRow> measured(const AccuracySettings& settings) {
-  const Terrain terrain = read_raster(settings.render.input, settings.render.reading);
+  const Terrain terrain = read_rasters(settings.render.inputs, settings.render.reading);
   std::vector<AccuracyRow> rows = accuracy_rows(settings);
   for (AccuracyRow& row : rows) measure_row(row, settings, terrain);
   return rows;

@@ -13,6 +13,7 @@ namespace {
 Terrain three_by_two() {
   Terrain terrain;
   terrain.source = "a.tif";
+  terrain.paths = {"a.tif"};
   grid_of(terrain) = {
       .columns = 3,
       .rows = 2,

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 TEST_CASE("a report's words and values") {
   RunReport report;
-  report.input.path = "a.tif";
+  report.input.paths = {"a.tif", "b.tif"};
   report.view.projection = "perspective";
   report.view.eye = Vec3{1, 2, 3};
   report.view.homography.m = {1, 2, 3, 4, 5, 6, 7, 8, 9};
@@ -26,6 +26,7 @@ TEST_CASE("a report's words and values") {
   report.error_budget.rounding_mm = 0.001;
   const Json json = Json::parse(report_text(report));
   CHECK(json["schema"] == 1);
+  CHECK(json["input"]["paths"] == Json{"a.tif", "b.tif"});
   CHECK(json["program"]["name"] == "orograph");
   CHECK(json["program"].contains("commit"));
   CHECK(json["view"]["eye"] == Json({1, 2, 3}));
@@ -54,7 +55,7 @@ TEST_CASE("what isn't known is null, or unknown, and never 0") {
 
 TEST_CASE("a path that isn't UTF-8 still gives JSON") {
   RunReport report;
-  report.input.path = "caf\xe9.tif";
+  report.input.paths = {"caf\xe9.tif"};
   CHECK(Json::accept(report_text(report)));
 }
 

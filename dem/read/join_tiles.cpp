@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notation: an index is a place counted in a lattice's columns (x) and rows (y), not rounded.
+#include "dem/read/join_tiles.hpp"
+
+#include "dem/read/in_brief.hpp"
+#include "dem/read/tile_errors.hpp"
+#include "dem/read/whole_turns.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace orograph {
+namespace {
+
+// Coordinates and steps are written with 15 digits, as those of SRTM and Copernicus tiles are. That
+// leaves an error of 5e-13 degrees in a longitude beyond 100, 2e-8 of a cell of 0.1 arc seconds,
+// and of 5e-7 of a cell after a thousand million columns. This is far above both, and far below
+// what a page shows of a cell.
+constexpr double kSameVertex = 1e-5;
+
+// Vertices of a tile on the first tile's lattice.
+struct Window {
+  std::int64_t column, row, columns, rows;
+};
+
+bool is_whole(Vec2 index) {
+  return std::abs(index.x - std::round(index.x)) <= kSameVertex &&
+         std::abs(index.y - std::round(index.y)) <= kSameVertex;
+}
+
+// A step of rows or columns, in the base's: over the whole tile it must lead to the same vertices.
+bool same_step(const RasterLattice& base, Vec2 base_step, Vec2 step, int count) {
+  const Vec2 apart = index_in(base, base.first + std::max(1, count - 1) * (step - base_step));
+  return std::abs(apart.x) <= kSameVertex && std::abs(apart.y) <= kSameVertex;
+}
+
+Window window_on(const Tile& base, const Tile& tile, std::optional<int> overview) {
+  const RasterLattice &b = base.lattice, &t = tile.lattice;
+  const bool same_steps = same_step(b, b.pixel_step, t.pixel_step, t.pixels) &&
+                          same_step(b, b.line_step, t.line_step, t.lines);
+  const Vec2 first = index_in(b, t.first);
+  const Vec2 last = index_in(b, t.position(t.pixels - 1, t.lines - 1));
+  if (!same_steps || !is_whole(first) || !is_whole(last))
+    refuse_lattices(base, tile, same_steps, overview);
+  return {std::llround(first.x), std::llround(first.y), t.pixels, t.lines};
+}
+
+bool touch(const Window& a, const Window& b) {
+  return a.column <= b.column + b.columns && b.column <= a.column + a.columns &&
+         a.row <= b.row + b.rows && b.row <= a.row + a.rows;
+}
+
+// Which tiles hang together with the first, over others.
+std::vector<bool> connected_with(const std::vector<Window>& windows, std::size_t first) {
+  std::vector<bool> reached(windows.size(), false);
+  std::vector<std::size_t> open{first};
+  reached[first] = true;
+  while (!open.empty()) {
+    const std::size_t at = open.back();
+    open.pop_back();
+    for (std::size_t i = 0; i < windows.size(); ++i)
+      if (!reached[i] && touch(windows[at], windows[i])) {
+        reached[i] = true;
+        open.push_back(i);
+      }
+  }
+  return reached;
+}
+
+// The largest part that hangs together is the terrain; what isn't in it is apart.
+void check_touching(const std::vector<Tile>& tiles, const std::vector<Window>& windows) {
+  std::vector<bool> seen(tiles.size(), false), largest;
+  std::size_t largest_count = 0;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    if (seen[i]) continue;
+    const std::vector<bool> part = connected_with(windows, i);
+    const auto count = static_cast<std::size_t>(std::count(part.begin(), part.end(), true));
+    for (std::size_t k = 0; k < tiles.size(); ++k) seen[k] = seen[k] || part[k];
+    if (count <= largest_count) continue;
+    largest_count = count;
+    largest = part;
+  }
+  if (largest_count < tiles.size()) refuse_apart(tiles, largest);
+}
+
+int as_int(std::int64_t count) {
+  if (count > std::numeric_limits<int>::max()) throw std::length_error("too many vertices");
+  return static_cast<int>(count);
+}
+
+// The lattice that holds all windows, its steps and place from the tile nearest to its first
+// vertex: where that is the tile's own, it is so to the last bit.
+JoinedTiles joined(const std::vector<Tile>& tiles, const std::vector<Window>& windows) {
+  Window all = windows.front();
+  for (const Window& w : windows) {
+    const std::int64_t column = std::min(all.column, w.column), row = std::min(all.row, w.row);
+    all.columns = std::max(all.column + all.columns, w.column + w.columns) - column;
+    all.rows = std::max(all.row + all.rows, w.row + w.rows) - row;
+    all.column = column;
+    all.row = row;
+  }
+  const auto nearness = [&](const Window& w) {
+    return std::pair{w.column - all.column + w.row - all.row, w.row};
+  };
+  const auto nearest =
+      std::min_element(windows.begin(), windows.end(),
+                       [&](const Window& a, const Window& b) { return nearness(a) < nearness(b); });
+  const RasterLattice& anchor = tiles[static_cast<std::size_t>(nearest - windows.begin())].lattice;
+  JoinedTiles out;
+  out.lattice = anchor;
+  out.lattice.first = anchor.position(static_cast<double>(all.column - nearest->column),
+                                      static_cast<double>(all.row - nearest->row));
+  out.lattice.pixels = as_int(all.columns);
+  out.lattice.lines = as_int(all.rows);
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const Window& w = windows[i];
+    out.places.push_back(
+        {i,
+         {static_cast<int>(w.column - all.column), static_cast<int>(w.row - all.row),
+          static_cast<int>(w.columns), static_cast<int>(w.rows)}});
+  }
+  return out;
+}
+
+void check_once_around(const JoinedTiles& tiles, double turn) {
+  const double width = box_of(tiles.lattice).width();
+  const double step = length(tiles.lattice.pixel_step);
+  if (tiles.places.size() > 1 && width > turn + step / 2)
+    throw Error(
+        fmt::format("the files reach over {:.10g} of longitude, and a whole turn is {:.10g}", width,
+                    turn),
+        "leave out what another file holds");
+}
+
+} // namespace
+
+JoinedTiles join_tiles(std::vector<Tile> tiles, std::optional<double> turn,
+                       std::optional<int> overview) {
+  if (turn) bring_together(tiles, *turn);
+  std::vector<Window> windows;
+  for (const Tile& tile : tiles) windows.push_back(window_on(tiles.front(), tile, overview));
+  check_touching(tiles, windows);
+  JoinedTiles out = joined(tiles, windows);
+  if (turn) check_once_around(out, *turn);
+  return out;
+}
+
+void continue_around(JoinedTiles& joined, double turn, const Box2& window) {
+  RasterLattice& lattice = joined.lattice;
+  const Vec2 around = index_in(lattice, lattice.first + Vec2{turn, 0});
+  if (!is_whole(around) || std::round(around.y) != 0) return;
+  const int columns = as_int(std::llround(around.x));
+  const std::size_t count = joined.places.size();
+  int first = 0, end = lattice.pixels;
+  for (std::size_t i = 0; i < count; ++i)
+    for (const int side : {-1, 1}) {
+      TilePlace place = joined.places[i];
+      place.at.pixel += side * columns;
+      if (window_of(part_of(lattice, place.at), window).empty()) continue;
+      first = std::min(first, place.at.pixel);
+      end = std::max(end, place.at.pixel + place.at.pixels);
+      joined.places.push_back(place);
+    }
+  lattice.first = lattice.position(first, 0);
+  lattice.pixels = end - first;
+  for (TilePlace& place : joined.places) place.at.pixel -= first;
+}
+
+} // namespace orograph

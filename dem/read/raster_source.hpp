@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One raster among those of a terrain: what it tells before its heights are read.
+#pragma once
+
+#include "dem/read/gdal_dataset.hpp"
+#include "dem/read/raster_heights.hpp"
+#include "dem/read/raster_order.hpp"
+#include "dem/read/read_options.hpp"
+#include "dem/terrain.hpp"
+
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+struct RasterSource {
+  std::string path;
+  Dataset full, overview; ///< `overview` is null where full heights are read; both while closed
+  RasterLattice lattice;  ///< of what is read, as the file counts
+  GridOrder order;        ///< of the whole of it
+  MapFrame map;           ///< without its origin
+  HeightCode code;
+  bool in_float = true;   ///< float holds all its heights
+  bool has_place = false; ///< its georeference is told
+  std::vector<std::string> notes;
+};
+
+/// Opens a raster. Throws Error as `read_raster` does, before any height is read.
+RasterSource open_source(const std::string& path, const ReadOptions& options);
+
+/// Files are closed while others are read: there may be more of them than may be open at once.
+void close(RasterSource& source);
+void open_again(RasterSource& source, const ReadOptions& options);
+
+/// Reads `part`, a window of `in_grid_order(source.order)`, into rows of `width` heights, its first
+/// vertex at (column, row). `differences` as in `read_heights`. REQUIRES that it is open.
+void read_part(RasterSource& source, const ReadOptions& options, const RasterWindow& part,
+               int width, int column, int row, Heights& heights, HeightDifferences* differences);
+
+} // namespace orograph
