@@ -44,6 +44,16 @@ TEST_CASE("points, boxes and directions have their number of parts") {
   for (const char* text : {"3,-2,-1,4", "0,0,0,1", "0,1,1,0", "0,0,1", "0,0,1,inf"})
     CHECK_FALSE(parse_box(text));
 
+  const auto lonlat = parse_lonlat_box("-1,-2,3,4");
+  REQUIRE(lonlat);
+  CHECK(lonlat->low == Vec2{-1, -2});
+  CHECK(lonlat->high == Vec2{3, 4});
+  CHECK(parse_lonlat_box("170,-2,-170,4")->high == Vec2{190, 4});
+  CHECK(parse_lonlat_box("0,-90,360,90")->high == Vec2{360, 90});
+  for (const char* text :
+       {"3,4,3,5", "0,1,1,0", "0,0,1,91", "0,-91,1,0", "-180,0,200,1", "0,0,1", "361,0,362,1"})
+    CHECK_FALSE(parse_lonlat_box(text));
+
   const auto from = parse_view_from("-225.5/15");
   REQUIRE(from);
   CHECK(from->azimuth == Angle::degrees(-225.5));

@@ -14,13 +14,18 @@
 namespace orograph {
 
 /// What `read_terrain` throws; "" if nothing.
-inline std::string message_of(const std::string& path, const ReadOptions& options = {}) {
+inline std::string message_of_all(const std::vector<std::string>& paths,
+                                  const ReadOptions& options = {}) {
   try {
-    read_terrain(path, options);
+    read_terrain(paths, options);
   } catch (const Error& error) {
     return error.what();
   }
   return "";
+}
+
+inline std::string message_of(const std::string& path, const ReadOptions& options = {}) {
+  return message_of_all({path}, options);
 }
 
 /// One line that holds all of the words.
