@@ -112,7 +112,7 @@ void check_same(const Terrain& joined, const Terrain& whole) {
 
 TEST_CASE("tiles cut at random are the raster that they were cut from") {
   Random random(1);
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const TempFolder folder;
     RasterFile whole = random_raster(random);
     std::vector<RasterFile> tiles = random_tiles(random, whole);
@@ -145,7 +145,7 @@ TEST_CASE("tiles cut at random are the raster that they were cut from") {
 
 TEST_CASE("where no tile is there is no height; the first file that has one is taken") {
   Random random(2);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 30; ++i) {
     const TempFolder folder;
     const int columns = random.whole(3, 12), rows = random.whole(3, 12);
     RasterFile ground = counting_raster(columns, rows);
