@@ -12,11 +12,9 @@ struct Span {
   double west, width;
 };
 
-// How far eastward from one longitude to another, from 0 to less than a turn; what is within a
-// rounding of a whole turn is 0.
-double eastward(double from, double to, double turn, double rounding) {
-  const double around = (to - from) - turn * std::floor((to - from) / turn);
-  return around >= turn - rounding ? around - turn : around;
+// How far eastward from one longitude to another, from 0 to a turn.
+double eastward(double from, double to, double turn) {
+  return (to - from) - turn * std::floor((to - from) / turn);
 }
 
 } // namespace
@@ -33,7 +31,7 @@ void bring_together(std::vector<Tile>& tiles, double turn) {
   for (std::size_t i = 0; i < spans.size(); ++i) {
     double reach = 0;
     for (const Span& s : spans)
-      reach = std::max(reach, eastward(spans[i].west, s.west, turn, rounding) + s.width);
+      reach = std::max(reach, eastward(spans[i].west, s.west, turn) + s.width);
     const double gap = turn - reach;
     const bool tied = start && std::abs(gap - widest) <= rounding;
     if (start && !(tied ? spans[i].west < spans[*start].west : gap > widest)) continue;
@@ -42,7 +40,7 @@ void bring_together(std::vector<Tile>& tiles, double turn) {
   }
   const double west = spans[*start].west;
   for (std::size_t i = 0; i < tiles.size(); ++i) {
-    const double there = west + eastward(west, spans[i].west, turn, rounding);
+    const double there = west + eastward(west, spans[i].west, turn);
     tiles[i].lattice.first.x += turn * std::round((there - spans[i].west) / turn);
   }
 }

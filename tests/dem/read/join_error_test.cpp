@@ -65,12 +65,18 @@ TEST_CASE(
   const Pair pair(west_half(), fine);
   const std::string message = pair.refusal();
   check_message(message, {"a.tif", "b.tif", "cells of 7 x 7", "10 x 10", "gdalwarp", "-tr 10 10"});
-  const Terrain joined =
-      read_terrain(std::vector<std::string>{pair.paths[0], warped_as_told(message, pair)});
-  CHECK(grid_of(joined).columns == 15); // 91 m hold the centres of nine cells
-  CHECK(grid_of(joined).rows == 6);     // 63 m those of six
-  for (int column = 6; column < 15; ++column)
-    for (int row = 0; row < 6; ++row) CHECK(grid_of(joined).height_m(column, row) == 50);
+  // It has no cell but those that it has heights for: given first, it takes nothing from the other.
+  const std::string warped = warped_as_told(message, pair);
+  for (const bool first : {true, false}) {
+    const Terrain joined =
+        first ? read_terrain({warped, pair.paths[0]}) : read_terrain({pair.paths[0], warped});
+    const Grid& grid = grid_of(joined);
+    CHECK(grid.columns == 15); // 91 m hold the centres of nine cells
+    CHECK(grid.rows == 6);     // 63 m those of six
+    for (int column = 0; column < 15; ++column)
+      for (int row = 0; row < 6; ++row)
+        CHECK(grid.height_m(column, row) == (column < 6 ? 12 * row + column : 50));
+  }
 }
 
 TEST_CASE("tiles beside the lattice are refused, and the command brings them in") {
@@ -98,7 +104,7 @@ TEST_CASE("what rounding does to a geotransform is no shift") {
 TEST_CASE("steps that differ by little must lead to the same vertices over the whole tile") {
   RasterFile stretched = east_half();
   (*stretched.geotransform)[1] *= 1 + 3e-6; // 1.5e-5 of a cell after five steps
-  check_message(Pair(west_half(), stretched).refusal(), {"a.tif", "b.tif", "gdalwarp"});
+  check_message(Pair(west_half(), stretched).refusal(), {"b.tif has cells of 10.00003 x 10"});
 }
 
 TEST_CASE("tiles that don't touch are refused, by the name of the one that is apart") {

@@ -73,6 +73,15 @@ TEST_CASE("tiles that count longitudes otherwise go to where the others are") {
   CHECK(within.places[1].at.pixel == 288);
 }
 
+TEST_CASE("tiles above each other may begin a rounding apart, and at other counts of turns") {
+  for (const double off : {1e-11, -1e-11}) {
+    const JoinedTiles all = joined({tile_at(7, 20, 1), tile_at(7 + off, 20, 1, 7),
+                                    tile_at(367, 20, 1, 4), tile_at(-353 + off, 20, 1, 13)});
+    CHECK(all.lattice.pixels == 20);
+    CHECK(all.lattice.lines == 12);
+  }
+}
+
 TEST_CASE("tiles of a part of the earth come together wherever it is") {
   Random random(3);
   for (int run = 0; run < 300; ++run) {
