@@ -27,8 +27,9 @@ bool tells_place(const OGRSpatialReference* crs);
 enum class FileKind { raster, vector, other };
 
 /// Sets the CRS, its names and the unit of eastings and northings; heights stay in metres.
-/// `centre`, in the CRS's own coordinates, only serves to name a fitting projection. REQUIRES
-/// tells_place. Throws Error for a geographic or geocentric CRS.
+/// `centre`, in the CRS's own coordinates, is where a raster in degrees has the origin of its
+/// ground frame, and otherwise only serves to name a fitting projection. REQUIRES tells_place.
+/// Throws Error for a geocentric CRS and, except for rasters, for a geographic one.
 void set_crs(MapFrame& map, const OGRSpatialReference& crs, const std::string& path, FileKind kind,
              Vec2 centre);
 

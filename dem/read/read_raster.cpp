@@ -71,14 +71,36 @@ bool has_height(const Grid& grid) {
       grid.heights_m);
 }
 
-// Origin at vertex (0, 0): then positions are whole multiples of the steps, the same numbers
-// however the file stores them.
-Grid empty_grid(const GridOrder& order, double unit_m) {
+DegreeLattice degree_lattice(const GridOrder& order, double unit_deg, const std::string& path) {
+  if (order.column_step.y != 0 || order.row_step.x != 0)
+    throw Error(fmt::format("{} is turned against meridians and parallels", path),
+                fmt::format("bring it to their order first: gdalwarp {} degrees.tif", path));
+  const DegreeLattice lattice{
+      order.first.x * unit_deg, order.column_step.x * unit_deg, order.columns,
+      order.first.y * unit_deg, order.row_step.y * unit_deg,    order.rows};
+  const double south_deg = lattice.lat_deg(order.rows - 1);
+  // A row at a pole itself may be off it by rounding, and is no surface.
+  if (!(lattice.first_lat_deg < 90 && south_deg > -90))
+    throw Error(
+        fmt::format("{} reaches from latitude {:.10g} to {:.10g} degrees", path, south_deg,
+                    lattice.first_lat_deg),
+        "latitudes are within -90 to 90, the poles themselves left out; --bbox keeps a part");
+  if (std::abs(lattice.lon_step_deg) * (order.columns - 1) > 360)
+    throw Error(fmt::format("{} goes round the earth more than once", path),
+                "--bbox keeps a part of it");
+  return lattice;
+}
+
+// On a map plane the origin is at vertex (0, 0): then positions are whole multiples of the steps,
+// the same numbers however the file stores them.
+Grid empty_grid(const GridOrder& order, const MapFrame& map, const std::string& path) {
   Grid grid;
   grid.columns = order.columns;
   grid.rows = order.rows;
-  grid.column_step_m = unit_m * order.column_step;
-  grid.row_step_m = unit_m * order.row_step;
+  if (map.earth)
+    grid.lattice = EarthLattice(degree_lattice(order, map.earth->unit_deg, path), map.earth->local);
+  else
+    grid.lattice = PlaneLattice{{}, map.unit_m * order.column_step, map.unit_m * order.row_step};
   return grid;
 }
 
@@ -108,7 +130,8 @@ Terrain read(const std::string& path, const ReadOptions& options) {
     terrain.notes.push_back("GDAL warns: " + warning + ".");
   GDALRasterBand& full_band = height_band(*full, path, options.band);
   RasterLattice lattice = raster_lattice(*full, path, terrain.notes);
-  terrain.map = raster_map_frame(*full, full_band, path, box_of(lattice).centre(), terrain.notes);
+  const Vec2 centre = (options.bbox ? *options.bbox : box_of(lattice)).centre();
+  terrain.map = raster_map_frame(*full, full_band, path, centre, terrain.notes);
   const HeightCode code = height_code(full_band, terrain.map.height_unit_m);
 
   Dataset overview;
@@ -121,7 +144,7 @@ Terrain read(const std::string& path, const ReadOptions& options) {
   const RasterWindow window = wanted_window(lattice, options.bbox, path);
   const GridOrder order = grid_order(part_of(lattice, window));
   terrain.map.origin = order.first;
-  Grid grid = empty_grid(order, terrain.map.unit_m);
+  Grid grid = empty_grid(order, terrain.map, path);
   read_heights(band, window, order, code, path, grid);
   note_unwritten(band, window, code, terrain.notes);
   if (options.fill_voids)
