@@ -14,8 +14,8 @@ namespace orograph {
 namespace {
 
 constexpr auto kGroup = "Profiles and lines";
-const std::array<std::string, 6> kLayerNames{"profiles", "edges",       "shores",
-                                             "border",   "silhouettes", "skyline"};
+const std::array<std::string, 7> kLayerNames{"profiles", "edges",       "shores", "border",
+                                             "voids",    "silhouettes", "skyline"};
 
 } // namespace
 
@@ -79,6 +79,11 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
        .help = "Level ground such as sea and lakes: only its shores, or its profiles too",
        .by_default = "shore"},
       {{"shore", FlatGround::shore}, {"draw", FlatGround::draw}}, s.flat));
+  options.push_back({.group = kGroup,
+                     .name = "--void-edges",
+                     .help = "Draw the outlines of voids, gaps that terrain encloses, as well; the "
+                             "layer voids",
+                     .take = set_to(s.void_edges, true)});
   options.push_back({.group = kGroup,
                      .name = "--layers",
                      .value = "LIST",
