@@ -89,7 +89,7 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                      .value = "LIST",
                      .help = "Layers to draw, with commas between; edges are those of the "
                              "terrain's triangles",
-                     .allowed = fmt::format("each once of {}", fmt::join(kLayerNames, ",")),
+                     .allowed = fmt::format("each once of {}", fmt::join(kLayerNames, ", ")),
                      .by_default = fmt::format("{}", fmt::join(s.layers, ",")),
                      .take = [&s](const std::string& text) {
                        s.layers = split(text, ',');
