@@ -4,7 +4,7 @@
 // the origin; one thread, the least of several rounds.
 //
 //   frame_cost [VERTICES [ROUNDS]]     3601 a side and 5 unless told otherwise
-#include "dem/frame/lattice_frame.hpp"
+#include "dem/frame/earth_lattice.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -42,14 +42,14 @@ RowOf<Height> hilly_row(int columns) {
 }
 
 template <class Height>
-double row_ns(const LatticeFrame& places, int rounds) {
-  const DegreeLattice& lattice = places.lattice();
+double row_ns(const EarthLattice& places, int rounds) {
+  const DegreeLattice& lattice = places.degrees();
   RowOf<Height> row = hilly_row<Height>(lattice.columns);
   double least_s = std::numeric_limits<double>::infinity(), sum = 0;
   for (int round = 0; round < rounds; ++round)
     least_s = std::min(least_s, seconds([&] {
                          for (int r = 0; r < lattice.rows; ++r) {
-                           places.row_positions_m(r, row.heights_m, 1.5, row.x_m, row.y_m, row.z_m);
+                           places.row_vertices_m(r, row.heights_m, row.x_m, row.y_m, row.z_m);
                            sum += row.x_m.front() + row.y_m.back() + row.z_m.back();
                          }
                        }));
@@ -73,15 +73,15 @@ double vertex_ns(const LocalFrame& frame, const DegreeLattice& lattice, int roun
   return 1e9 * least_s / lattice.columns / lattice.rows;
 }
 
-double greatest_distance_m(const LatticeFrame& places, const LocalFrame& frame) {
-  const DegreeLattice& lattice = places.lattice();
+double greatest_distance_m(const EarthLattice& places, const LocalFrame& frame) {
+  const DegreeLattice& lattice = places.degrees();
   const RowOf<double> row = hilly_row<double>(lattice.columns);
   double greatest_m = 0;
   for (int r = 0; r < lattice.rows; r += 7)
     for (int c = 0; c < lattice.columns; c += 3) {
       const double h_m = row.heights_m[static_cast<std::size_t>(c)];
       const Vec3 exact = frame.to_frame(lattice.lon_deg(c), lattice.lat_deg(r), h_m);
-      greatest_m = std::max(greatest_m, length(places.position_m(c, r, h_m) - exact));
+      greatest_m = std::max(greatest_m, length(places.vertex_m(c, r, h_m) - exact));
     }
   return greatest_m;
 }
@@ -95,8 +95,8 @@ int main(int argc, char** argv) {
     const double step_deg = 1. / (vertices - 1);
     const DegreeLattice lattice{-72, step_deg, vertices, north_deg, -step_deg, vertices};
     const LocalFrame frame(-70.7, north_deg - 2.2);
-    const double tables_s = seconds([&] { LatticeFrame(lattice, frame); });
-    const LatticeFrame places(lattice, frame);
+    const double tables_s = seconds([&] { EarthLattice(lattice, frame); });
+    const EarthLattice places(lattice, frame);
     std::printf("%d x %d to latitude %g: tables %.2f ms; a vertex in ns: rows of float %.2f, of "
                 "double %.2f; LocalCartesian %.1f; greatest distance %.1e m\n",
                 vertices, vertices, north_deg, 1e3 * tables_s, row_ns<float>(places, rounds),

@@ -5,6 +5,7 @@
 #include "cli/cut_by_view.hpp"
 #include "cli/plot_accuracy.hpp"
 #include "cli/progress.hpp"
+#include "cli/stand_on_earth.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "draw/output_file.hpp"
 #include "geometry/error.hpp"
@@ -37,6 +38,7 @@ void accuracy(const AccuracySettings& settings) {
   for (const std::string& path : {csv, json, svg}) check_writable(path, render.write);
 
   Terrain terrain = read_terrain(render.inputs, render.reading);
+  stand_on_earth(terrain, render);
   cut_by_view(terrain, render);
   std::vector<AccuracyRow> rows = accuracy_rows(settings);
   ProgressBar bar(shows_progress(render.quiet, render.progress));

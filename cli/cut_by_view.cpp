@@ -14,7 +14,7 @@ namespace orograph {
 void cut_by_view(Terrain& terrain, const RenderSettings& settings) {
   if (!settings.view || !settings.view->cuts()) return;
   // Of a view in a file nothing is chosen by the terrain.
-  const double exaggeration = exaggeration_of(settings, {});
+  const double exaggeration = terrain.map.earth ? 1 : exaggeration_of(settings, {});
   Tin kept =
       keep_within(terrain.surface, between_planes(*settings.view, terrain.map, exaggeration));
   if (kept.triangles.empty())

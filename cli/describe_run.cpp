@@ -3,6 +3,8 @@
 
 #include "cli/error_budget.hpp"
 #include "cli/scene_view.hpp"
+#include "dem/extent.hpp"
+#include "dem/frame/local_frame.hpp"
 #include "dem/height_at.hpp"
 #include "dem/read/lonlat.hpp"
 #include "draw/library_versions.hpp"
@@ -51,6 +53,7 @@ CurvatureReport describe_curvature(const Scene& scene, Curvature setting) {
   CurvatureReport out;
   out.setting = setting == Curvature::automatic ? "auto" : setting == Curvature::on ? "on" : "off";
   out.applied = curvature.applied;
+  out.on_ellipsoid = curvature.on_ellipsoid;
   out.would_move_mm = curvature.would_move_mm;
   out.refraction = curvature.refraction;
   out.curvature_coefficient = 1 - curvature.refraction;
@@ -70,9 +73,19 @@ std::optional<Vec3> lonlat_of(const MapFrame& map, const std::optional<Vec3>& pl
 
 // Clockwise from true north, at the eye or in a parallel view at the point looked at.
 double true_azimuth_deg(const View& view, const MapFrame& map) {
-  const Vec3 at = map.to_map({view.depth_origin_m.x, view.depth_origin_m.y, 0});
-  const auto azimuth =
-      true_azimuth(map.crs_wkt, {at.x, at.y}, atan2_angle(view.forward.x, view.forward.y));
+  const Vec2 origin = view.depth_origin_m;
+  const Vec3 at = map.to_map({origin.x, origin.y, 0});
+  std::optional<Angle> azimuth;
+  if (map.earth) {
+    constexpr double kStep_m = 100; // positions are within nanometres
+    const Vec2 ahead = origin + kStep_m * view.forward;
+    const LocalFrame& frame = map.earth->local;
+    azimuth = distance_and_azimuth(frame.to_geodetic({origin.x, origin.y, 0}),
+                                   frame.to_geodetic({ahead.x, ahead.y, 0}), frame.ellipsoid())
+                  .azimuth;
+  } else {
+    azimuth = true_azimuth(map.crs_wkt, {at.x, at.y}, atan2_angle(view.forward.x, view.forward.y));
+  }
   if (!azimuth) return kNotMeasured;
   const double deg = azimuth->in_degrees();
   return deg < 0 ? deg + 360 : deg;
@@ -103,21 +116,29 @@ ViewReport describe_view(const Scene& scene, const Terrain& terrain,
     out.eye_lonlat = lonlat_of(map, out.eye);
     out.eye_height_m = eye_height_m(view, terrain.surface);
     if (out.look_at) out.distance_m = view.distance_m;
+    if (out.eye_lonlat && out.look_at_lonlat) {
+      const auto [distance_m, azimuth] =
+          distance_and_azimuth({out.eye_lonlat->x, out.eye_lonlat->y, 0},
+                               {out.look_at_lonlat->x, out.look_at_lonlat->y, 0});
+      out.geodesic = GeodesicReport{distance_m, azimuth.in_degrees()};
+    }
     out.field_of_view_deg = atan2_angle(view.window.high.x, 1).in_degrees() -
                             atan2_angle(view.window.low.x, 1).in_degrees();
   }
-  const Vec3 origin = map.to_map({view.depth_origin_m.x, view.depth_origin_m.y, 0});
+  // On the ellipsoid what is under the eye along the frame's upright depends on its height.
+  const Vec3 origin =
+      out.eye ? *out.eye : map.to_map({view.depth_origin_m.x, view.depth_origin_m.y, 0});
   out.depth_origin = {origin.x, origin.y};
   out.forward = view.forward;
   if (view.projection == Projection::oblique)
     out.oblique = Vec2{std::hypot(view.x_per_v, view.y_per_v),
                        atan2_angle(view.y_per_v, view.x_per_v).in_degrees()};
   out.roll_deg = view.roll.in_degrees();
-  out.exaggeration = view.exaggeration;
+  out.exaggeration = scene.exaggeration;
   out.exaggeration_auto = scene.exaggeration_chosen;
   out.homography = scene.to_page;
   out.phigs = given ? *given : view_file_of(view, map);
-  out.phigs.exaggeration = view.exaggeration;
+  out.phigs.exaggeration = scene.exaggeration;
   return out;
 }
 
@@ -130,13 +151,17 @@ InputReport describe_input(const Terrain& terrain) {
   out.vertical_crs_name = map.vertical_crs_name;
   out.unit_name = map.unit_name;
   out.height_unit_name = map.height_unit_name;
-  out.unit_m = map.unit_m;
+  if (map.earth)
+    out.unit_deg = map.earth->unit_deg;
+  else
+    out.unit_m = map.unit_m;
   out.height_unit_m = map.height_unit_m;
   if (const Grid* grid = std::get_if<Grid>(&terrain.surface)) {
     out.columns = static_cast<std::uint64_t>(grid->columns);
     out.rows = static_cast<std::uint64_t>(grid->rows);
-    out.column_step_m = length(grid->column_step_m);
-    out.row_step_m = length(grid->row_step_m);
+    const GridSteps steps = steps_of(*grid);
+    out.column_step_m = length(steps.column_m);
+    out.row_step_m = length(steps.row_m);
   } else {
     const Tin& tin = std::get<Tin>(terrain.surface);
     out.vertices = tin.vertices_m.size();
@@ -162,11 +187,11 @@ void entitle(Drawing& drawing, const Terrain& terrain, const Scene& scene,
   drawing.title = !settings.title.empty()
                       ? settings.title
                       : std::filesystem::path(terrain.source).filename().string();
-  drawing.description = fmt::format("{} view from azimuth {:.6g}, elevation {:.6g} degrees; "
-                                    "exaggeration {:.6g}; {} profiles; CRS {}",
-                                    projection_name(view.projection),
-                                    azimuth_deg(-1.0 * view.forward), view.elevation.in_degrees(),
-                                    view.exaggeration, scene.depths_m.size(), terrain.map.crs_name);
+  drawing.description = fmt::format(
+      "{} view from azimuth {:.6g}, elevation {:.6g} degrees; "
+      "exaggeration {:.6g}; {} profiles; CRS {}",
+      projection_name(view.projection), azimuth_deg(-1.0 * view.forward),
+      view.elevation.in_degrees(), scene.exaggeration, scene.depths_m.size(), terrain.map.crs_name);
 }
 
 void describe_run(RunReport& report, const Terrain& terrain, const Scene& scene,

@@ -13,7 +13,7 @@
 namespace orograph {
 namespace {
 
-// Beside the profiles' pen: ridges and shores a little heavier, the border lighter.
+// Beside the profiles' pen: ridges and shores a little heavier, border and voids lighter.
 constexpr double kSilhouetteWeight = 1.6, kSkylineWeight = 2, kShoreWeight = 1.2;
 constexpr double kBorderWeight = 0.8, kBorderGrey = 0.45;
 constexpr double kEdgeWeight = 0.6, kEdgeGrey = 0.45;
@@ -115,6 +115,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   add_lines(of_kind(lines, visible, LineKind::edge), "edges", kEdgeWeight, kEdgeGrey);
   add_lines(of_kind(lines, visible, LineKind::shore), "shores", kShoreWeight, 0);
   add_lines(of_kind(lines, visible, LineKind::border), "border", kBorderWeight, kBorderGrey);
+  add_lines(of_kind(lines, visible, LineKind::void_edge), "voids", kBorderWeight, kBorderGrey);
   add_lines(of_kind(lines, visible, LineKind::silhouette), "silhouettes", kSilhouetteWeight, 0);
   add_lines(of_all_sectors(&SectorLines::skyline), "skyline", kSkylineWeight, 0);
   for (Layer& layer : drawing.layers) {

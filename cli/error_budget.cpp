@@ -2,6 +2,7 @@
 #include "cli/error_budget.hpp"
 
 #include "cli/geodesy.hpp"
+#include "dem/extent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +38,13 @@ double rounding_mm(const WriteOptions& write) {
 }
 
 double longest_edge_m(const Surface& surface) {
-  if (const Grid* grid = std::get_if<Grid>(&surface))
-    return std::max({length(grid->column_step_m), length(grid->row_step_m),
-                     length(grid->column_step_m + grid->row_step_m)});
+  if (const Grid* grid = std::get_if<Grid>(&surface)) {
+    const auto& [column_m, row_m] = steps_of(*grid);
+    // Of degrees columns are farther apart towards the equator: in no terrain below 80 degrees more
+    // than twice as far as in its middle.
+    const double more = grid->is_on_earth() ? 2 : 1;
+    return std::max({more * length(column_m), length(row_m), more * length(column_m + row_m)});
+  }
   const Tin& tin = std::get<Tin>(surface);
   double longest = 0;
   for (const auto& corners : tin.triangles)
@@ -56,9 +61,11 @@ std::optional<double> geodesy_mm(const Terrain& terrain, const Scene& scene,
                                  const RenderSettings& settings) {
   if (terrain.map.crs_wkt.empty() && !scene.curvature.applied) return 0;
   const EarthDrop drop = earth_drop(terrain.map, scene.curvature.refraction);
-  const double round_mm = scene.curvature.applied
-                              ? parabola_mm(scene, drop, longest_edge_m(terrain.surface))
-                              : scene.curvature.would_move_mm;
+  const double sag = sag_mm(scene, drop, longest_edge_m(terrain.surface));
+  if (terrain.map.earth) // the ellipsoid itself; refraction where it is drawn
+    return scene.curvature.refraction != 0 ? sag : scene.curvature.would_move_mm;
+  const double round_mm =
+      scene.curvature.applied ? parabola_mm(scene) + sag : scene.curvature.would_move_mm;
   if (!terrain.map.radii) return round_mm;
   const bool eye_is_given = settings.eye_map || settings.eye_lonlat || settings.view;
   const auto plane_mm = map_plane_mm(scene, terrain.map, eye_is_given);

@@ -19,7 +19,7 @@ DrawnScene draw_exactly(const Terrain& terrain, const Scene& scene, LineObserver
   SecondsReport& seconds = out.seconds;
   seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.layout = 0;
   for (const Sector& sector : scene.sectors) {
-    const SurfaceCutter cutter(terrain.surface, sector.view, scene.level.triangles);
+    const SurfaceCutter cutter(terrain.surface, sector.view, scene.level.triangles, scene.border);
     std::vector<Profile> profiles(sector.profiles.size());
     std::vector<std::vector<Segment>> segments(sector.profiles.size());
     std::vector<Segment> uprights; // of walls: the exact clip compares what has an extent in X

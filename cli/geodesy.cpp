@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/geodesy.hpp"
 
+#include "dem/frame/ellipsoid.hpp"
 #include "dem/frame/local_frame.hpp"
 #include "dem/read/lonlat.hpp"
 #include "view/sectors.hpp"
@@ -73,6 +74,11 @@ std::optional<MapErrors> map_errors(const Scene& scene, const MapFrame& map) {
 } // namespace
 
 EarthDrop earth_drop(const MapFrame& map, double refraction) {
+  if (map.earth) {
+    const LocalFrame& frame = map.earth->local;
+    const double lift = refraction / (2 * mean_radius_m(frame.ellipsoid(), frame.origin_lat_deg()));
+    return {-lift, -lift};
+  }
   const auto [meridian_m, prime_vertical_m] =
       map.radii.value_or(CurvatureRadii{kMeanEarthRadius_m, kMeanEarthRadius_m});
   return {(1 - refraction) / (2 * meridian_m), (1 - refraction) / (2 * prime_vertical_m)};
@@ -142,18 +148,26 @@ double least_distance_m(const Scene& scene) {
   return std::max(least, view.near_m);
 }
 
-double parabola_mm(const Scene& scene, const EarthDrop& drop, double longest_edge_m) {
+double sag_mm(const Scene& scene, const EarthDrop& drop, double longest_edge_m) {
   const double per_m2 = std::max(std::abs(drop.per_north), std::abs(drop.per_east));
   const double sag_m = per_m2 * longest_edge_m * longest_edge_m / 4;
+  const bool perspective = scene.view.is_perspective();
+  const double nearest_m = perspective ? least_distance_m(scene) : 1;
+  double greatest = 0;
+  for (const Vec3& ray : shown_rays(scene.view))
+    greatest = std::max(greatest, mm_per_height(scene, ray) *
+                                      (perspective ? length(ray) / nearest_m * sag_m : sag_m));
+  return greatest;
+}
+
+double parabola_mm(const Scene& scene) {
   const double d = distances(scene).farthest_m / kMeanEarthRadius_m;
-  const double nearest_m = scene.view.is_perspective() ? least_distance_m(scene) : 1;
   double greatest = 0;
   for (const Vec3& ray : shown_rays(scene.view)) {
     const bool perspective = scene.view.is_perspective();
     const double level = perspective ? std::hypot(ray.x, ray.z) : d * kMeanEarthRadius_m;
     const double up = level * d * d * d / 8 + (perspective ? std::abs(ray.y) : 0) * d * d / 6;
-    const double sag = perspective ? length(ray) / nearest_m * sag_m : sag_m;
-    greatest = std::max(greatest, mm_per_height(scene, ray) * (up + sag));
+    greatest = std::max(greatest, mm_per_height(scene, ray) * up);
   }
   return greatest;
 }

@@ -16,7 +16,11 @@ constexpr double kMeanEarthRadius_m = 6371008.8;
 
 /// Drops of (1 - K) d^2 / (2 R), with Euler's radius R in the azimuth: 1 / R is cos^2 / M + sin^2 /
 /// N, so along north and east it is M and N. K is the refraction coefficient; grid north is taken
-/// for north, which R hardly depends on.
+/// for north, which R hardly depends on. Of a terrain in degrees the ellipsoid has curved away
+/// already, and the drop is the lift of refraction, -K d^2 / (2 R), with the mean radius at the
+/// frame's origin. There d is the horizontal distance in the frame of the eye: of a place at
+/// elevation b the straight one is longer by 1 / cos b, a hundredth of the lift at 6 degrees, and K
+/// isn't known to a tenth.
 EarthDrop earth_drop(const MapFrame& map, double refraction);
 
 /// The most that a drop moves what the page shows: the farthest ground, less what the nearest moves
@@ -34,10 +38,11 @@ std::optional<double> map_plane_mm(const Scene& scene, const MapFrame& map, bool
 /// perspective view.
 double least_distance_m(const Scene& scene);
 
-/// What is left of the earth's curvature when it is drawn: a sphere sinks more than the parabola
-/// far away, by (1 - K) d^4 / 8 R^3, and is shorter on the level by d^2 / 6 R^2; and between
-/// vertices, which alone sink, edges of `longest_edge_m` stay straight. mm on the page.
-double parabola_mm(const Scene& scene, const EarthDrop& drop, double longest_edge_m);
+/// What is left of the earth's curvature when a drop is drawn: a sphere sinks more than the
+/// parabola far away, by d^4 / 8 R^3, and is shorter on the level by d^2 / 6 R^2. mm on the page.
+double parabola_mm(const Scene& scene);
+/// Between vertices, which alone sink, edges of `longest_edge_m` stay straight. mm on the page.
+double sag_mm(const Scene& scene, const EarthDrop& drop, double longest_edge_m);
 
 /// Directions over the window, its corners among them, in the homogeneous coordinates of the
 /// visibility plane.

@@ -2,7 +2,9 @@
 // `orograph info`.
 #include "cli/info.hpp"
 
+#include "cli/map_bounds.hpp"
 #include "dem/extent.hpp"
+#include "dem/height_range.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "profiles/tin_edges.hpp"
 
@@ -32,40 +34,31 @@ double azimuth_deg(Vec2 direction) {
 }
 
 std::string describe_cell(const Grid& grid) {
-  std::string text =
-      fmt::format("{:.6g} x {:.6g} m", length(grid.column_step_m), length(grid.row_step_m));
-  if (grid.column_step_m.y != 0 || grid.row_step_m.x != 0)
-    text +=
-        fmt::format(", rows run towards azimuth {:.4g} degrees", azimuth_deg(grid.column_step_m));
+  const auto [column_m, row_m] = steps_of(grid);
+  std::string text = fmt::format("{:.6g} x {:.6g} m", length(column_m), length(row_m));
+  if (grid.is_on_earth()) {
+    const DegreeLattice& lattice = grid.earth().degrees();
+    return fmt::format("{:.6g} x {:.6g} degrees, {} in the middle", lattice.lon_step_deg,
+                       -lattice.lat_step_deg, text);
+  }
+  if (column_m.y != 0 || row_m.x != 0)
+    text += fmt::format(", rows run towards azimuth {:.4g} degrees", azimuth_deg(column_m));
   return text;
+}
+
+HeightRange heights_of(const Surface& surface, const SurfaceExtent& extent) {
+  if (const Grid* grid = std::get_if<Grid>(&surface)) return height_range(*grid);
+  return {extent.box.low.z, extent.box.high.z, extent.mean_height_m};
 }
 
 std::string describe_units(const MapFrame& map) {
   std::string text = map.unit_name;
+  if (map.earth && map.earth->unit_deg != 1)
+    text += fmt::format(" ({:.10g} degrees)", map.earth->unit_deg);
   if (map.unit_m != 1) text += fmt::format(" ({:.10g} m)", map.unit_m);
   text += ", heights in " + map.height_unit_name;
   if (map.height_unit_m != 1) text += fmt::format(" ({:.10g} m)", map.height_unit_m);
   return text;
-}
-
-Box2 map_bounds(const Grid& grid, const MapFrame& map) {
-  Box2 bounds;
-  for (const int column : {0, grid.columns - 1})
-    for (const int row : {0, grid.rows - 1}) {
-      const Vec2 ground = grid.position_m(column, row);
-      const Vec3 corner = map.to_map({ground.x, ground.y, 0});
-      bounds.include({corner.x, corner.y});
-    }
-  return bounds;
-}
-
-Box2 map_bounds(const Tin& tin, const MapFrame& map) {
-  Box2 bounds;
-  for (const Vec3& vertex : tin.vertices_m) {
-    const Vec3 at = map.to_map(vertex);
-    bounds.include({at.x, at.y});
-  }
-  return bounds;
 }
 
 void add_size(std::string& text, const Grid& grid) {
@@ -137,7 +130,7 @@ std::string describe(const Terrain& terrain) {
   const Surface& surface = terrain.surface;
   const MapFrame& map = terrain.map;
   const SurfaceExtent extent = extent_of(surface);
-  const Box2 bounds = std::visit([&](const auto& s) { return map_bounds(s, map); }, surface);
+  const Box2 bounds = map_bounds(terrain);
 
   std::string text;
   for (const std::string& path : terrain.paths) add_line(text, "File", path);
@@ -153,12 +146,11 @@ std::string describe(const Terrain& terrain) {
            fmt::format("{},{},{},{} (xmin,ymin,xmax,ymax of the vertices)",
                        coordinate(bounds.low.x), coordinate(bounds.low.y),
                        coordinate(bounds.high.x), coordinate(bounds.high.y)));
-  std::string heights = fmt::format("{:.6g} to {:.6g} m, mean {:.6g} m", extent.box.low.z,
-                                    extent.box.high.z, extent.mean_height_m);
+  const auto [low_m, high_m, mean_m] = heights_of(surface, extent);
+  std::string heights = fmt::format("{:.6g} to {:.6g} m, mean {:.6g} m", low_m, high_m, mean_m);
   if (map.height_unit_m != 1)
-    heights +=
-        fmt::format(" ({:.6g} to {:.6g} in the file's unit)", extent.box.low.z / map.height_unit_m,
-                    extent.box.high.z / map.height_unit_m);
+    heights += fmt::format(" ({:.6g} to {:.6g} in the file's unit)", low_m / map.height_unit_m,
+                           high_m / map.height_unit_m);
   add_line(text, "Heights", heights);
   std::visit([&](const auto& s) { add_memory(text, s, extent); }, surface);
   for (const auto& note : terrain.notes) add_line(text, "Note", note);

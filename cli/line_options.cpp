@@ -14,8 +14,8 @@ namespace orograph {
 namespace {
 
 constexpr auto kGroup = "Profiles and lines";
-const std::array<std::string, 6> kLayerNames{"profiles", "edges",       "shores",
-                                             "border",   "silhouettes", "skyline"};
+const std::array<std::string, 7> kLayerNames{"profiles", "edges",       "shores", "border",
+                                             "voids",    "silhouettes", "skyline"};
 
 } // namespace
 
@@ -80,11 +80,16 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
        .by_default = "shore"},
       {{"shore", FlatGround::shore}, {"draw", FlatGround::draw}}, s.flat));
   options.push_back({.group = kGroup,
+                     .name = "--void-edges",
+                     .help = "Draw the outlines of voids, gaps that terrain encloses, as well; the "
+                             "layer voids",
+                     .take = set_to(s.void_edges, true)});
+  options.push_back({.group = kGroup,
                      .name = "--layers",
                      .value = "LIST",
                      .help = "Layers to draw, with commas between; edges are those of the "
                              "terrain's triangles",
-                     .allowed = fmt::format("each once of {}", fmt::join(kLayerNames, ",")),
+                     .allowed = fmt::format("each once of {}", fmt::join(kLayerNames, ", ")),
                      .by_default = fmt::format("{}", fmt::join(s.layers, ",")),
                      .take = [&s](const std::string& text) {
                        s.layers = split(text, ',');

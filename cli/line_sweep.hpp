@@ -14,7 +14,7 @@
 namespace orograph {
 
 /// Which layer a line is drawn in, if it is drawn.
-enum class LineKind : std::uint8_t { silhouette, shore, border, edge };
+enum class LineKind : std::uint8_t { silhouette, shore, border, void_edge, edge };
 
 struct SweptLine {
   SurfaceEdge edge;

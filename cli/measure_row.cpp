@@ -7,6 +7,7 @@
 #include "cli/exact_run.hpp"
 #include "cli/visible_record.hpp"
 #include "dem/read/read_raster.hpp"
+#include "dem/reframe.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +89,9 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
   std::optional<Terrain> overview;
   if (row.settings.overview) {
     overview = read_rasters(render.inputs, render.reading);
+    if (const auto& earth = full.map.earth)
+      reframe(*overview, earth->local.origin_lon_deg(), earth->local.origin_lat_deg(),
+              earth->exaggeration);
     cut_by_view(*overview, render);
   }
   const Terrain& terrain = overview ? *overview : full;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/place_eye.hpp"
 
+#include "cli/map_bounds.hpp"
 #include "dem/height_at.hpp"
 #include "dem/read/lonlat.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace orograph {
 namespace {
@@ -32,11 +35,6 @@ bool holds(const Box2& box, Vec2 p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
 
-Box2 map_bounds(const MapFrame& map, const Box3& box) {
-  const Vec3 low = map.to_map(box.low), high = map.to_map(box.high);
-  return {{low.x, low.y}, {high.x, high.y}};
-}
-
 // Whether longitude and latitude stand for each other: so far aside that no eye stands there, while
 // the other way round the place is in the terrain.
 void refuse_swapped(const Named& at, const Box2& bounds) {
@@ -48,8 +46,14 @@ void refuse_swapped(const Named& at, const Box2& bounds) {
               fmt::format("longitude comes first, then latitude: {} {},{}", at.option, y, x));
 }
 
-Vec2 place_on_map(const Named& at, const MapFrame& map, const Box3& box) {
-  if (!at.lonlat) return {at.place.x, at.place.y};
+// A longitude of the terrain's own turn, whichever turn it was given in.
+Vec2 in_turn_of(const Terrain& terrain, Vec2 place) {
+  const double turn = 360 / terrain.map.earth->unit_deg, middle = map_bounds(terrain).centre().x;
+  return {place.x - turn * std::round((place.x - middle) / turn), place.y};
+}
+
+Vec2 lonlat_on_map(const Named& at, const Terrain& terrain) {
+  const MapFrame& map = terrain.map;
   const std::string in_map = at.option.substr(0, at.option.rfind('-')) + " X,Y";
   if (map.crs_wkt.empty())
     throw Error(fmt::format("{}: the terrain has no CRS, so longitudes and latitudes aren't known",
@@ -59,13 +63,23 @@ Vec2 place_on_map(const Named& at, const MapFrame& map, const Box3& box) {
     throw Error(fmt::format("{}: the terrain's CRS, {}, doesn't tell where on the earth it is",
                             at.option, map.crs_name),
                 fmt::format("give {} in its own coordinates", in_map));
-  if (const auto bounds = lonlat_bounds(map.crs_wkt, map_bounds(map, box)))
+  if (const auto bounds = lonlat_bounds(map.crs_wkt, map_bounds(terrain)))
     refuse_swapped(at, *bounds);
   const auto place = map_of_lonlat(map.crs_wkt, {at.place.x, at.place.y});
   if (!place)
     throw Error(fmt::format("{} has no place in the terrain's CRS, {}", at.text(), map.crs_name),
                 "longitude comes first, then latitude; the place must be near the terrain");
   return *place;
+}
+
+Vec2 place_on_map(const Named& at, const Terrain& terrain) {
+  const Vec2 place = at.lonlat ? lonlat_on_map(at, terrain) : Vec2{at.place.x, at.place.y};
+  if (!terrain.map.earth) return place;
+  if (!at.lonlat) refuse_swapped(at, map_bounds(terrain));
+  if (!(std::abs(place.y * terrain.map.earth->unit_deg) < 90))
+    throw Error(fmt::format("{} is no place: its latitude is beyond a pole", at.text()),
+                "longitude comes first, then latitude");
+  return in_turn_of(terrain, place);
 }
 
 std::string where_terrain_is(const Named& at, const MapFrame& map, const Box2& on_map) {
@@ -78,10 +92,27 @@ std::string where_terrain_is(const Named& at, const MapFrame& map, const Box2& o
                      on_map.low.y, on_map.high.x, on_map.high.y);
 }
 
-double ground_m(const Named& at, Vec2 place, const Terrain& terrain, const Box3& box) {
-  const Vec3 ground = terrain.map.to_ground_m({place.x, place.y, 0});
-  if (const auto height = height_at(terrain.surface, {ground.x, ground.y})) return *height;
-  const Box2 bounds = map_bounds(terrain.map, box);
+// The ground at a place on the map. On the ellipsoid uprights lean away from the origin's, so that
+// height and place in the frame are found together.
+std::optional<Vec3> on_ground(Vec2 place, const Terrain& terrain) {
+  Vec3 at = terrain.map.to_ground_m({place.x, place.y, 0});
+  if (!terrain.map.earth) {
+    const auto height = height_at(terrain.surface, {at.x, at.y});
+    return height ? std::optional(Vec3{at.x, at.y, *height}) : std::nullopt;
+  }
+  constexpr int kSteps = 8; // each is nearer by what the upright leans, a fiftieth 100 km away
+  for (int i = 0; i < kSteps; ++i) {
+    const auto z = height_at(terrain.surface, {at.x, at.y});
+    if (!z) return std::nullopt;
+    const double height = terrain.map.to_map({at.x, at.y, *z}).z;
+    at = terrain.map.to_ground_m({place.x, place.y, height});
+  }
+  return at;
+}
+
+Vec3 ground_m(const Named& at, Vec2 place, const Terrain& terrain) {
+  if (const auto ground = on_ground(place, terrain)) return *ground;
+  const Box2 bounds = map_bounds(terrain);
   if (holds(bounds, place))
     throw Error(fmt::format("{}: the terrain has a gap there, so the ground's height isn't known",
                             at.text()),
@@ -92,15 +123,22 @@ double ground_m(const Named& at, Vec2 place, const Terrain& terrain, const Box3&
                   at.with_height()));
 }
 
-Vec3 place_in_ground_frame(const Named& at, const Terrain& terrain, const Box3& box,
-                           double above_ground_m) {
-  const Vec2 place = place_on_map(at, terrain.map, box);
-  Vec3 out = terrain.map.to_ground_m({place.x, place.y, at.place.z.value_or(0)});
-  if (!at.place.z) out.z = ground_m(at, place, terrain, box) + above_ground_m;
-  return out;
+Vec3 place_in_ground_frame(const Named& at, const Terrain& terrain, double above_ground_m) {
+  const Vec2 place = place_on_map(at, terrain);
+  const MapFrame& map = terrain.map;
+  if (at.place.z) return map.to_ground_m({place.x, place.y, *at.place.z});
+  return ground_m(at, place, terrain) + Vec3{0, 0, above_ground_m};
+}
+
+std::optional<Named> eye_of(const RenderSettings& settings) {
+  return named("--eye", settings.eye_map, settings.eye_lonlat);
+}
+std::optional<Named> target_of(const RenderSettings& settings) {
+  return named("--look-at", settings.look_at_map, settings.look_at_lonlat);
 }
 
 LookDirection direction(const RenderSettings& settings, const MapFrame& map, Vec3 eye_m) {
+  if (map.earth) return {*settings.look_azimuth, settings.pitch}; // the frame's north is true
   const Vec3 eye = map.to_map(eye_m);
   const auto azimuth = map_azimuth(map.crs_wkt, {eye.x, eye.y}, *settings.look_azimuth);
   return {azimuth.value_or(*settings.look_azimuth), settings.pitch};
@@ -108,15 +146,20 @@ LookDirection direction(const RenderSettings& settings, const MapFrame& map, Vec
 
 } // namespace
 
-void place_eye(ViewRequest& request, const RenderSettings& settings, const Terrain& terrain,
-               const Box3& box) {
-  if (const auto eye = named("--eye", settings.eye_map, settings.eye_lonlat)) {
+void place_eye(ViewRequest& request, const RenderSettings& settings, const Terrain& terrain) {
+  if (const auto eye = eye_of(settings)) {
     const double above_m = settings.eye_height_m.value_or(kEyeHeight_m) / request.exaggeration;
-    request.eye_m = place_in_ground_frame(*eye, terrain, box, above_m);
+    request.eye_m = place_in_ground_frame(*eye, terrain, above_m);
     if (settings.look_azimuth) request.look = direction(settings, terrain.map, *request.eye_m);
   }
-  if (const auto target = named("--look-at", settings.look_at_map, settings.look_at_lonlat))
-    request.look_at_m = place_in_ground_frame(*target, terrain, box, 0);
+  if (const auto target = target_of(settings))
+    request.look_at_m = place_in_ground_frame(*target, terrain, 0);
+}
+
+std::optional<Vec2> given_place(const RenderSettings& settings, const Terrain& terrain) {
+  if (const auto eye = eye_of(settings)) return place_on_map(*eye, terrain);
+  if (const auto target = target_of(settings)) return place_on_map(*target, terrain);
+  return std::nullopt;
 }
 
 } // namespace orograph

@@ -6,6 +6,7 @@
 #include "cli/draw_scene.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene.hpp"
+#include "cli/stand_on_earth.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
 
@@ -52,12 +53,13 @@ void render(const RenderSettings& settings) {
   Terrain terrain =
       timed(seconds.read, [&] { return read_terrain(settings.inputs, settings.reading); });
   const Scene scene = timed(seconds.place, [&] {
+    stand_on_earth(terrain, settings);
     cut_by_view(terrain, settings);
     return place_scene(terrain, settings);
   });
-  if (scene.exaggeration_chosen && scene.view.exaggeration != 1)
+  if (scene.exaggeration_chosen && scene.exaggeration != 1)
     say(settings, fmt::format("heights are exaggerated {} times (--exaggeration 1 draws them true)",
-                              scene.view.exaggeration));
+                              scene.exaggeration));
 
   ProgressBar bar(shows_progress(settings.quiet, settings.progress));
   DrawnScene drawn =

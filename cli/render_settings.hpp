@@ -55,6 +55,7 @@ struct RenderSettings {
   double min_stroke_mm = 0;
   FlatGround flat = FlatGround::shore;
   std::vector<std::string> layers{"profiles", "shores", "border", "silhouettes", "skyline"};
+  bool void_edges = false; ///< the layer `voids` as well
 
   PageRequest page;
   double pen_width_mm = 0.15;

@@ -24,7 +24,8 @@ struct InputReport {
   std::vector<std::string> paths;                   ///< as given
   std::string crs_name, crs_wkt, vertical_crs_name; ///< as in MapFrame
   std::string unit_name, height_unit_name;
-  double unit_m = 1, height_unit_m = 1;
+  double unit_m = kNotMeasured, unit_deg = kNotMeasured; ///< the one that there is
+  double height_unit_m = 1;
   std::optional<std::uint64_t> columns, rows;                     ///< of a grid
   double column_step_m = kNotMeasured, row_step_m = kNotMeasured; ///< lengths; of a grid
   std::optional<std::uint64_t> vertices, triangles;               ///< of a TIN
@@ -34,13 +35,20 @@ struct InputReport {
 };
 
 struct CurvatureReport {
-  std::string setting;                      ///< as asked for: "auto", "on" or "off"
-  bool applied = false;                     ///< drawn or left out
-  double would_move_mm = 0;                 ///< on the page, at most
-  double refraction = 0;                    ///< K
-  double curvature_coefficient = 1;         ///< 1 - K, GDAL's notation
+  std::string setting;              ///< as asked for: "auto", "on" or "off"
+  bool applied = false;             ///< drawn or left out
+  bool on_ellipsoid = false;        ///< drawn by the places of vertices themselves, of
+                                    ///< degrees; then would_move_mm is what refraction moves
+  double would_move_mm = 0;         ///< on the page, at most
+  double refraction = 0;            ///< K
+  double curvature_coefficient = 1; ///< 1 - K, GDAL's notation
   double effective_radius_m = kNotMeasured; ///< R / (1 - K), surveyors' notation; of Euler's radius
                                             ///< along the view; NaN where K is 1
+};
+
+/// Along the ellipsoid, from the eye to the point looked at.
+struct GeodesicReport {
+  double distance_m, azimuth_deg; ///< at the eye, from true north
 };
 
 /// Points are in map coordinates with true heights, whatever the exaggeration.
@@ -57,8 +65,9 @@ struct ViewReport {
   double eye_height_m = kNotMeasured; ///< above the ground, in the exaggerated scene; null where
                                       ///< there is no ground
   double distance_m = kNotMeasured;   ///< eye to look_at, in the exaggerated scene
-  Vec2 depth_origin;                  ///< where depth is 0
-  Vec2 forward;                       ///< unit, horizontal
+  std::optional<GeodesicReport> geodesic; ///< where both are at a place of the earth
+  Vec2 depth_origin;                      ///< where depth is 0
+  Vec2 forward;                           ///< unit, horizontal
   double field_of_view_deg = kNotMeasured;
   std::optional<Vec2> oblique; ///< length and rise in degrees of lines away from the viewer
   double roll_deg = 0;

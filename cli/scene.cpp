@@ -27,7 +27,7 @@ namespace {
 // Pen widths between profiles that read well on real terrain (docs/how-it-works.md).
 constexpr double kPenWidthsApart = 4;
 
-ViewRequest view_request(const RenderSettings& settings, const Terrain& terrain, const Box3& box,
+ViewRequest view_request(const RenderSettings& settings, const Terrain& terrain,
                          double exaggeration) {
   ViewRequest request;
   request.projection = settings.projection;
@@ -38,7 +38,7 @@ ViewRequest view_request(const RenderSettings& settings, const Terrain& terrain,
   request.distance_m = settings.distance_m;
   request.roll = settings.roll;
   request.exaggeration = exaggeration;
-  place_eye(request, settings, terrain, box);
+  place_eye(request, settings, terrain);
   return request;
 }
 
@@ -60,10 +60,13 @@ void check_eye(const View& view, double ground_z_m, const MapFrame& map) {
   // On the ground itself, but for rounding, is not under it.
   constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
   if (view.eye_z_m >= ground_z_m - kRounding * std::abs(ground_z_m)) return;
-  const double unit = map.height_unit_m * view.exaggeration;
+  const auto height = [&](double z_m) {
+    const Vec2 at = view.depth_origin_m;
+    return map.to_map({at.x, at.y, z_m / view.exaggeration}).z;
+  };
   throw Error(
       fmt::format("the eye, at height {:.6g}, is under the ground, which is at {:.6g} there",
-                  view.eye_z_m / unit, ground_z_m / unit),
+                  height(view.eye_z_m), height(ground_z_m)),
       "raise the eye, or move it");
 }
 
@@ -89,7 +92,7 @@ void place_on_earth(Scene& scene, const Terrain& terrain, const RenderSettings& 
   if (settings.view) {
     place_view_file(scene, *settings.view, terrain.map, exaggeration, drop);
   } else {
-    ViewRequest request = view_request(settings, terrain, scene.extent.box, exaggeration);
+    ViewRequest request = view_request(settings, terrain, exaggeration);
     request.drop = drop;
     scene.view = place_view(request, shape, page_aspect(settings.page));
   }
@@ -135,11 +138,13 @@ PlanGround plan_ground(const Scene& scene, std::optional<double> under_eye_m) {
 }
 
 // Where it would show, unless told otherwise. A parallel view is a picture of the map plane, and so
-// are planes that cut the terrain.
-bool draws_curvature(const Terrain& terrain, const Scene& scene, const RenderSettings& settings) {
-  if (settings.curvature != Curvature::automatic) return settings.curvature == Curvature::on;
+// are planes that cut the terrain. On the ellipsoid there is refraction left to draw.
+bool draws_drop(const Terrain& terrain, const Scene& scene, const RenderSettings& settings) {
+  const bool is_left = !terrain.map.earth || scene.curvature.refraction != 0;
+  if (settings.curvature != Curvature::automatic)
+    return settings.curvature == Curvature::on && is_left;
   const bool cut = settings.view && settings.view->cuts();
-  return scene.view.is_perspective() && terrain.map.radii && !cut &&
+  return is_left && scene.view.is_perspective() && terrain.map.radii && !cut &&
          scene.curvature.would_move_mm > settings.simplify_mm + kPageStep_mm;
 }
 
@@ -196,7 +201,10 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
     scene.level = std::visit([](const auto& s) { return find_water(s); }, surface);
 
   scene.exaggeration_chosen = !settings.exaggeration && !settings.view;
-  const double exaggeration = exaggeration_of(settings, scene.extent.box);
+  const std::optional<EarthFrame>& earth = terrain.map.earth;
+  scene.exaggeration = earth ? earth->exaggeration : exaggeration_of(settings, scene.extent.box);
+  // On the ellipsoid heights went to their place exaggerated.
+  const double exaggeration = earth ? 1 : scene.exaggeration;
   const std::vector<OutlineEdge> outline =
       std::visit([&](const auto& s) { return outline_of(s, scene.border); }, surface);
   const TerrainShape shape{scene.extent.blocks, outline, scene.extent.box,
@@ -211,15 +219,18 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
       terrain.map.radii.value_or(CurvatureRadii{kMeanEarthRadius_m, kMeanEarthRadius_m});
   const EarthDrop drop = earth_drop(terrain.map, curvature.refraction);
   curvature.would_move_mm = drop_mm(scene, drop);
-  curvature.applied = draws_curvature(terrain, scene, settings);
-  if (curvature.applied) place(drop);
+  const bool has_drop = draws_drop(terrain, scene, settings);
+  if (has_drop) place(drop);
+  curvature.on_ellipsoid = earth.has_value();
+  curvature.applied = earth || has_drop;
+  if (earth && !has_drop) curvature.refraction = 0;
   const std::optional<double> under_eye_m = ground_under_eye(scene.view, surface);
   if (under_eye_m) {
     check_eye(scene.view, *under_eye_m, terrain.map);
     keep_off_the_ground(scene.view, *under_eye_m, scene.cell_m);
   }
 
-  const SurfaceCutter cutter(surface, scene.view, scene.level.triangles);
+  const SurfaceCutter cutter(surface, scene.view, scene.level.triangles, scene.border);
   scene.nearest_m = cutter.nearest_m();
   scene.farthest_m = cutter.farthest_m();
   scene.plan = settings.plan.value_or(PageSpacing{kPenWidthsApart * settings.pen_width_mm});

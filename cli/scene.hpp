@@ -35,8 +35,9 @@ struct Sector {
 /// The earth's curvature: whether it is drawn, and what it moves.
 struct SceneCurvature {
   bool applied = false;
-  double would_move_mm = 0; ///< on the page, at most; less refraction
-  double refraction = 0;    ///< K; 0 in a parallel view, which has no eye
+  bool on_ellipsoid = false; ///< of a terrain in degrees; what else might be moved is refraction
+  double would_move_mm = 0;  ///< on the page, at most; less refraction
+  double refraction = 0;     ///< K; 0 in a parallel view, which has no eye
   CurvatureRadii radii;
 };
 
@@ -55,7 +56,8 @@ struct Scene {
   double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
   std::vector<Sector> sectors;          ///< ahead, then behind; at least one
   double cell_m = 0;                    ///< the terrain's finest ground detail
-  bool exaggeration_chosen = false;     ///< by us, not by the user
+  double exaggeration = 1; ///< of all heights; `view` still has to do it except on the ellipsoid
+  bool exaggeration_chosen = false; ///< by us, not by the user
 };
 
 /// 1, 1.5 or 2, so that most terrains read well from 25 degrees: by highest less lowest height over

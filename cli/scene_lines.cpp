@@ -4,6 +4,7 @@
 #include "profiles/ground_behind.hpp"
 #include "profiles/silhouettes.hpp"
 #include "profiles/surface_edges.hpp"
+#include "profiles/voids.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -11,6 +12,7 @@
 namespace orograph {
 
 bool asks_for(const RenderSettings& settings, std::string_view layer) {
+  if (layer == "voids" && settings.void_edges) return true;
   return std::find(settings.layers.begin(), settings.layers.end(), layer) != settings.layers.end();
 }
 
@@ -19,7 +21,7 @@ std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
   // With the seed's occluders only what is drawn of the profiles hides.
   const bool surface = settings.occluder == Occluder::surface;
   const bool silhouettes = asks_for(settings, "silhouettes") || asks_for(settings, "skyline");
-  const bool border = asks_for(settings, "border");
+  const bool border = asks_for(settings, "border"), voids = asks_for(settings, "voids");
   std::vector<SweptLine> lines;
   std::vector<SurfaceEdge> drawn; // in order: an edge of several kinds is drawn as the first
   const auto add_drawn = [&](const std::vector<SurfaceEdge>& edges, LineKind kind) {
@@ -46,8 +48,14 @@ std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
   if (surface || silhouettes)
     for (const SurfaceEdge& edge : silhouette_edges(terrain.surface, scene.view))
       add_hiding(edge, LineKind::silhouette, silhouettes);
-  if (surface || border)
-    for (const BorderEdge& edge : scene.border) add_hiding(edge.edge, LineKind::border, border);
+  if (surface || border || voids) {
+    const std::vector<bool> of_void = border || voids ? around_voids(terrain.surface, scene.border)
+                                                      : std::vector<bool>(scene.border.size());
+    for (std::size_t i = 0; i < scene.border.size(); ++i) {
+      const LineKind kind = of_void[i] ? LineKind::void_edge : LineKind::border;
+      add_hiding(scene.border[i].edge, kind, of_void[i] ? voids : border);
+    }
+  }
   // The foot of a wall that the eye sees hides nothing, but what may hang there beneath it.
   if (surface) {
     std::vector<SurfaceEdge> feet;

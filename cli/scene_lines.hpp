@@ -12,7 +12,7 @@ namespace orograph {
 
 bool asks_for(const RenderSettings& settings, std::string_view layer);
 
-/// All lines that hide or are drawn: silhouettes, the border, shores.
+/// All lines that hide or are drawn: silhouettes, the border and that of voids, shores.
 std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
                                 const RenderSettings& settings);
 

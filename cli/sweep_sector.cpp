@@ -50,7 +50,7 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
   const bool surface = settings.occluder == Occluder::surface;
   const double from_m =
       view.is_perspective() ? view.near_m : -std::numeric_limits<double>::infinity();
-  const SurfaceCutter cutter(terrain.surface, view, scene.level.triangles);
+  const SurfaceCutter cutter(terrain.surface, view, scene.level.triangles, scene.border);
   const TieTolerance tolerance = tie_tolerance(sector, settings.visibility_tolerance_mm);
   LineSweep sweep(terrain.surface, sector, lines, from_m, tolerance);
   watch.mark(seconds.facing);

@@ -77,7 +77,7 @@ void add_terrain_options(std::vector<Option>& options, std::vector<std::string>&
                    .value = "CELLS",
                    .help = "Fill missing heights of a raster from those around them, up to so far "
                            "from a height (GDAL's fill)",
-                   .by_default = "gaps stay, hide nothing and are outlined"},
+                   .by_default = "gaps stay, and hide nothing"},
                   {.unit = "cells", .low = 0, .high = 1e6, .low_excluded = true},
                   [&reading](double cells) { reading.fill_voids = cells; }));
   constexpr auto kSurvey = "Triangles and points";

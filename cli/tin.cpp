@@ -24,6 +24,10 @@ TinFormat format_of(const TinSettings& settings) {
 // The grid's approximation in its place; tells how many vertices it had.
 void approximate_surface(Terrain& terrain, const TinSettings& settings) {
   const Grid& grid = std::get<Grid>(terrain.surface);
+  if (grid.is_on_earth())
+    throw Error(terrain.source + " is in degrees, in which triangles aren't written",
+                fmt::format("project it first: gdalwarp -t_srs CRS -r cubic {} projected.tif",
+                            terrain.source));
   if (!settings.max_error_m)
     throw UsageError(terrain.source + " is a grid",
                      "say how far from it the TIN may be, as in --max-error 2m; 0m keeps every "

@@ -22,7 +22,7 @@ bool write(const Grid& grid, const std::string& path) {
   std::FILE* const file = std::fopen(path.c_str(), "w");
   if (!file) return false;
   // Cells are named by their corners: half a step before the south-west vertex.
-  const double step = grid.column_step_m.x;
+  const double step = grid.plane().column_step_m.x;
   std::fprintf(file, "ncols %d\nnrows %d\nxllcorner %.17g\nyllcorner %.17g\ncellsize %.17g\n",
                grid.columns, grid.rows, corner.x - step / 2, corner.y - step / 2, step);
   for (int row = 0; row < grid.rows; ++row)

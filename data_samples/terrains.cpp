@@ -163,14 +163,14 @@ Grid make_terrain(MadeTerrain terrain, int vertices) {
   const double side = side_m(terrain), step = side / (vertices - 1);
   Grid grid;
   grid.columns = grid.rows = vertices;
-  grid.first_vertex_m = {0, side};
-  grid.column_step_m = {step, 0};
-  grid.row_step_m = {0, -step};
+  grid.plane().first_vertex_m = {0, side};
+  grid.plane().column_step_m = {step, 0};
+  grid.plane().row_step_m = {0, -step};
   std::vector<float> heights(grid.size());
   for (int row = 0; row < vertices; ++row)
     for (int column = 0; column < vertices; ++column)
       heights[grid.index(column, row)] =
-          static_cast<float>(made_height_m(terrain, grid.position_m(column, row)));
+          static_cast<float>(made_height_m(terrain, grid.plane().position_m(column, row)));
   grid.heights_m = std::move(heights);
   return grid;
 }

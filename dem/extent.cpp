@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -60,17 +62,19 @@ Heights<Value> heights_in(const Grid& grid, const std::vector<Value>& heights, c
 template <class Value>
 Box2 ground_box(const Grid& grid, const std::vector<Value>& heights, const Block& block,
                 bool all_valid) {
+  const PlaneLattice& lattice = grid.plane();
   Box2 box;
   const int last_column = block.column + block.columns - 1, last_row = block.row + block.rows - 1;
   if (all_valid) {
     for (const int row : {block.row, last_row})
       for (const int column : {block.column, last_column})
-        box.include(grid.position_m(column, row));
+        box.include(lattice.position_m(column, row));
     return box;
   }
   for (int row = block.row; row <= last_row; ++row)
     for (int column = block.column; column <= last_column; ++column)
-      if (!std::isnan(heights[grid.index(column, row)])) box.include(grid.position_m(column, row));
+      if (!std::isnan(heights[grid.index(column, row)]))
+        box.include(lattice.position_m(column, row));
   return box;
 }
 
@@ -86,50 +90,167 @@ std::vector<Block> blocks_of(const Grid& grid) {
 std::vector<Vec3> points_in(const Grid& grid, const Block& block, std::vector<Vec3> points) {
   points.clear();
   std::visit(
-      [&](const auto& heights) {
+      [&](const auto& lattice, const auto& heights) {
         for (int row = block.row; row < block.row + block.rows; ++row)
           for (int column = block.column; column < block.column + block.columns; ++column) {
             const double height = heights[grid.index(column, row)];
-            if (std::isnan(height)) continue;
-            const Vec2 at = grid.position_m(column, row);
-            points.push_back({at.x, at.y, height});
+            if (!std::isnan(height)) points.push_back(lattice.vertex_m(column, row, height));
           }
       },
-      grid.heights_m);
+      grid.lattice, grid.heights_m);
   return points;
+}
+
+// What blocks a pass has found, and the sum of their heights.
+struct Found {
+  SurfaceExtent extent;
+  std::vector<Block> occupied;
+  double sum = 0;
+
+  void add(const Block& block, const Box3& box, double block_sum, std::size_t count) {
+    occupied.push_back(block);
+    extent.blocks.boxes.push_back(box);
+    extent.box.include(box.low);
+    extent.box.include(box.high);
+    sum += block_sum;
+    extent.valid += count;
+  }
+};
+
+template <class Value>
+void find_on_plane(const Grid& grid, const std::vector<Value>& heights, Found& out) {
+  for (const Block& block : blocks_of(grid)) {
+    const auto found = heights_in(grid, heights, block);
+    if (found.count == 0) continue;
+    const bool all_valid = found.count == static_cast<std::size_t>(block.columns) * block.rows;
+    const Box2 ground = ground_box(grid, heights, block, all_valid);
+    out.add(block,
+            {{ground.low.x, ground.low.y, found.low}, {ground.high.x, ground.high.y, found.high}},
+            found.sum, found.count);
+  }
+}
+
+// One row of vertices on the ellipsoid.
+struct EarthRow {
+  std::vector<double> x, y, z;
+  explicit EarthRow(int columns) : x(static_cast<std::size_t>(columns)), y(x.size()), z(x.size()) {}
+};
+
+// A coordinate's bounds, a lane a column.
+struct Lanes {
+  std::array<double, side> low, high;
+  Lanes() {
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+  }
+  void take(const double* values, int count) {
+    for (int i = 0; i < count; ++i) {
+      low[i] = values[i] < low[i] ? values[i] : low[i];
+      high[i] = values[i] > high[i] ? values[i] : high[i];
+    }
+  }
+  double lowest() const { return *std::min_element(low.begin(), low.end()); }
+  double highest() const { return *std::max_element(high.begin(), high.end()); }
+};
+
+struct EarthBlock {
+  Lanes x, y, z;
+  std::array<double, side> sum{};
+  std::array<int, side> count{};
+
+  void take(const EarthRow& row, int first, int columns) {
+    x.take(&row.x[first], columns);
+    y.take(&row.y[first], columns);
+    z.take(&row.z[first], columns);
+    for (int i = 0; i < columns; ++i) {
+      const double height = row.z[first + i];
+      const bool valid = !std::isnan(height);
+      sum[i] += valid ? height : 0;
+      count[i] += valid;
+    }
+  }
+};
+
+// Triangles between two rows of vertices that run clockwise in plan. Comparisons with NaN are
+// false.
+std::size_t turned_over(const EarthRow& north, const EarthRow& south) {
+  std::size_t count = 0;
+  for (std::size_t c = 0; c + 1 < north.x.size(); ++c) {
+    const double across_x = south.x[c + 1] - north.x[c], across_y = south.y[c + 1] - north.y[c];
+    const double lower =
+        (south.x[c] - north.x[c]) * across_y - (south.y[c] - north.y[c]) * across_x;
+    const double upper =
+        across_x * (north.y[c + 1] - north.y[c]) - across_y * (north.x[c + 1] - north.x[c]);
+    count += static_cast<std::size_t>((lower < 0) + (upper < 0));
+  }
+  return count;
+}
+
+template <class Value>
+void find_on_earth(const Grid& grid, const std::vector<Value>& heights, Found& out) {
+  const EarthLattice& earth = grid.earth();
+  EarthRow row(grid.columns), north(grid.columns);
+  std::vector<EarthBlock> blocks;
+  for (const Block& block : blocks_of(grid)) {
+    if (block.column == 0) {
+      blocks.assign(static_cast<std::size_t>((grid.columns + side - 1) / side), {});
+      for (int r = block.row; r < block.row + block.rows; ++r) {
+        std::swap(north, row);
+        earth.row_vertices_m(r, {&heights[grid.index(0, r)], row.x.size()}, row.x, row.y, row.z);
+        for (std::size_t b = 0; b < blocks.size(); ++b) {
+          const int first = static_cast<int>(b) * side;
+          blocks[b].take(row, first, std::min(side, grid.columns - first));
+        }
+        if (r > 0) out.extent.turned_over += turned_over(north, row);
+      }
+    }
+    const EarthBlock& found = blocks[static_cast<std::size_t>(block.column / side)];
+    const auto count =
+        static_cast<std::size_t>(std::accumulate(found.count.begin(), found.count.end(), 0));
+    if (count == 0) continue;
+    out.add(block,
+            {{found.x.lowest(), found.y.lowest(), found.z.lowest()},
+             {found.x.highest(), found.y.highest(), found.z.highest()}},
+            std::accumulate(found.sum.begin(), found.sum.end(), 0.0), count);
+  }
 }
 
 } // namespace
 
 SurfaceExtent extent_of(const Grid& grid) {
-  SurfaceExtent extent;
-  std::vector<Block> occupied;
-  double sum = 0;
+  Found found;
   std::visit(
       [&](const auto& heights) {
-        for (const Block& block : blocks_of(grid)) {
-          const auto found = heights_in(grid, heights, block);
-          if (found.count == 0) continue;
-          const bool all_valid =
-              found.count == static_cast<std::size_t>(block.columns) * block.rows;
-          const Box2 ground = ground_box(grid, heights, block, all_valid);
-          occupied.push_back(block);
-          extent.blocks.boxes.push_back({{ground.low.x, ground.low.y, found.low},
-                                         {ground.high.x, ground.high.y, found.high}});
-          extent.box.include(extent.blocks.boxes.back().low);
-          extent.box.include(extent.blocks.boxes.back().high);
-          sum += found.sum;
-          extent.valid += found.count;
-        }
+        if (grid.is_on_earth())
+          find_on_earth(grid, heights, found);
+        else
+          find_on_plane(grid, heights, found);
       },
       grid.heights_m);
-  extent.mean_height_m = sum / static_cast<double>(extent.valid);
-  extent.blocks.points = [&grid, occupied = std::move(occupied),
+  SurfaceExtent& extent = found.extent;
+  extent.mean_height_m = found.sum / static_cast<double>(extent.valid);
+  extent.blocks.points = [&grid, occupied = std::move(found.occupied),
                           buffer = std::vector<Vec3>()](std::size_t i) mutable {
     buffer = points_in(grid, occupied[i], std::move(buffer));
     return std::span<const Vec3>(buffer);
   };
-  return extent;
+  return std::move(extent);
+}
+
+GridSteps steps_of(const Grid& grid) {
+  const int column = std::clamp(grid.columns / 2, 1, grid.columns - 1),
+            row = std::clamp(grid.rows / 2, 1, grid.rows - 1);
+  if (!grid.is_on_earth()) return {grid.plane().column_step_m, grid.plane().row_step_m};
+  const auto at = [&](int c, int r) {
+    const Vec3 vertex = grid.earth().vertex_m(c, r, 0);
+    return Vec2{vertex.x, vertex.y};
+  };
+  return {at(column, row) - at(column - 1, row), at(column, row) - at(column, row - 1)};
+}
+
+double cell_size_m(const Grid& grid) {
+  const GridSteps steps = steps_of(grid);
+  return std::min(length(steps.column_m), length(steps.row_m));
 }
 
 } // namespace orograph

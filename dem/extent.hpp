@@ -12,12 +12,14 @@ struct SurfaceExtent {
   BlockedPoints
       blocks; ///< valid vertices (ground position and height, metres); refers to the surface
   Box3 box;   ///< of all valid vertices
-  double mean_height_m = 0; ///< of all valid vertices; of a TIN, of its ground
-  std::size_t valid = 0;    ///< vertices that have a height
+  double mean_height_m = 0;    ///< of all valid vertices; of a TIN, of its ground
+  std::size_t valid = 0;       ///< vertices that have a height
+  std::size_t turned_over = 0; ///< triangles that the ellipsoid turns over in plan: cliffs far
+                               ///< away, which lean beyond upright
 };
 
-/// REQUIRES at least one valid vertex. One pass, at the speed of memory. Blocks are 32 x 32
-/// vertices, so about a thousandth of the heights' memory.
+/// REQUIRES at least one valid vertex. One pass, at the speed of memory; on the ellipsoid some
+/// nanoseconds a vertex. Blocks are 32 x 32 vertices, so about a thousandth of the heights' memory.
 SurfaceExtent extent_of(const Grid& grid);
 /// REQUIRES a triangle. The mean height is that of the ground, each triangle counting by its area
 /// seen from above. Blocks are 1024 vertices on end, which lie close together if the TIN's order is
@@ -25,8 +27,16 @@ SurfaceExtent extent_of(const Grid& grid);
 SurfaceExtent extent_of(const Tin& tin);
 SurfaceExtent extent_of(const Surface& surface);
 
+/// From the vertex in a grid's middle, at height 0, to the next along its row and its column: the
+/// steps everywhere on a map plane, those of the middle on the ellipsoid.
+struct GridSteps {
+  Vec2 column_m, row_m;
+};
+GridSteps steps_of(const Grid& grid);
+
 /// The finest ground detail that a surface holds, in metres: a grid's smaller step; for a TIN the
 /// step of a square grid with as many triangles on as much ground.
+double cell_size_m(const Grid& grid);
 double cell_size_m(const Tin& tin);
 double cell_size_m(const Surface& surface);
 

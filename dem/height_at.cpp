@@ -2,6 +2,7 @@
 #include "dem/height_at.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace orograph {
@@ -22,19 +23,66 @@ int last_cell(double number, int cells) {
   return std::min(static_cast<int>(std::floor(number)), cells - 1);
 }
 
+// On a triangle that holds the point, its edges included; a point that is off an edge by the
+// rounding of coordinates is on it. A triangle that runs clockwise holds none, nor does a wall.
+std::optional<double> height_in(const std::array<Vec3, 3>& corners, Vec2 ground_m) {
+  constexpr double kRounding = 1e-12;
+  const auto from_point = [&](std::size_t i) {
+    return Vec2{corners[i].x - ground_m.x, corners[i].y - ground_m.y};
+  };
+  const Vec2 p = from_point(0), q = from_point(1), r = from_point(2);
+  const double at_p = cross(q, r), at_q = cross(r, p), at_r = cross(p, q);
+  const double twice_area = at_p + at_q + at_r;
+  if (!(twice_area > 0)) return std::nullopt;
+  const double slack = kRounding * twice_area;
+  if (at_p < -slack || at_q < -slack || at_r < -slack) return std::nullopt;
+  return (at_p * corners[0].z + at_q * corners[1].z + at_r * corners[2].z) / twice_area;
+}
+
+// On the ellipsoid vertices lean: what is above a point lies in another cell than the point itself,
+// by a height over the earth's radius for each metre from the origin.
+std::optional<double> height_on_earth(const Grid& grid, Vec2 ground_m) {
+  const EarthLattice& earth = grid.earth();
+  const auto in_cell = [&](int column, int row) -> std::optional<double> {
+    if (column < 0 || row < 0 || column + 1 >= grid.columns || row + 1 >= grid.rows)
+      return std::nullopt;
+    const Vec3 corner = grid.vertex_m(column, row), opposite = grid.vertex_m(column + 1, row + 1);
+    const auto lower = height_in({corner, grid.vertex_m(column, row + 1), opposite}, ground_m);
+    return lower ? lower : height_in({corner, opposite, grid.vertex_m(column + 1, row)}, ground_m);
+  };
+  double height_m = 0;
+  constexpr int kTries = 4; // each is some hundred times nearer
+  for (int i = 0; i < kTries; ++i) {
+    const Vec2 at = earth.column_row_at({ground_m.x, ground_m.y, height_m});
+    if (!(at.x >= -4 && at.y >= -4 && at.x <= grid.columns + 3 && at.y <= grid.rows + 3))
+      return std::nullopt;
+    const int column = static_cast<int>(std::floor(at.x)), row = static_cast<int>(std::floor(at.y));
+    for (const int reach : {0, 1, 3})
+      for (int r = row - reach; r <= row + reach; ++r)
+        for (int c = column - reach; c <= column + reach; ++c)
+          if (const auto found = in_cell(c, r)) return found;
+    const double nearest =
+        grid.height_m(std::clamp(column, 0, grid.columns - 1), std::clamp(row, 0, grid.rows - 1));
+    if (!std::isnan(nearest)) height_m = nearest * earth.exaggeration();
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m) {
+  if (grid.is_on_earth()) return height_on_earth(grid, ground_m);
   return height_at(grid, ground_m, [&](int column, int row) { return grid.height_m(column, row); });
 }
 
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m,
                                 const std::function<double(int, int)>& height_m) {
   // Solve ground = first + c * column_step + r * row_step.
-  const Vec2 from_first = ground_m - grid.first_vertex_m;
-  const double area = cross(grid.column_step_m, grid.row_step_m);
-  const double c = on_line_if_close(cross(from_first, grid.row_step_m) / area);
-  const double r = on_line_if_close(cross(grid.column_step_m, from_first) / area);
+  const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
+  const Vec2 from_first = ground_m - first_vertex_m;
+  const double area = cross(column_step_m, row_step_m);
+  const double c = on_line_if_close(cross(from_first, row_step_m) / area);
+  const double r = on_line_if_close(cross(column_step_m, from_first) / area);
   if (!(c >= 0 && r >= 0 && c <= grid.columns - 1 && r <= grid.rows - 1)) return std::nullopt;
 
   for (int row = first_cell(r); row <= last_cell(r, grid.rows - 1); ++row)
@@ -54,23 +102,11 @@ std::optional<double> height_at(const Grid& grid, Vec2 ground_m,
 }
 
 std::optional<double> height_at(const Tin& tin, Vec2 ground_m) {
-  // A point that is off an edge by the rounding of coordinates is on it.
-  constexpr double kRounding = 1e-12;
   std::optional<double> highest;
   for (const auto& [a, b, c] : tin.triangles) {
-    const Vec3 corners[] = {tin.vertices_m[a], tin.vertices_m[b], tin.vertices_m[c]};
-    const auto from_point = [&](int i) {
-      return Vec2{corners[i].x - ground_m.x, corners[i].y - ground_m.y};
-    };
-    const Vec2 p = from_point(0), q = from_point(1), r = from_point(2);
-    const double at_p = cross(q, r), at_q = cross(r, p), at_r = cross(p, q);
-    const double twice_area = at_p + at_q + at_r;
-    if (!(twice_area > 0)) continue; // a wall
-    const double slack = kRounding * twice_area;
-    if (at_p < -slack || at_q < -slack || at_r < -slack) continue;
-    const double height =
-        (at_p * corners[0].z + at_q * corners[1].z + at_r * corners[2].z) / twice_area;
-    if (!highest || height > *highest) highest = height;
+    const auto height =
+        height_in({tin.vertices_m[a], tin.vertices_m[b], tin.vertices_m[c]}, ground_m);
+    if (height && (!highest || *height > *highest)) highest = height;
   }
   return highest;
 }

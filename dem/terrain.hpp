@@ -2,6 +2,7 @@
 // What a reader brings: a surface, and how its metres are tied to the file's coordinates.
 #pragma once
 
+#include "dem/frame/local_frame.hpp"
 #include "dem/surface.hpp"
 #include "dem/triangulate/triangulate.hpp"
 #include "geometry/vec.hpp"
@@ -17,14 +18,22 @@ struct CurvatureRadii {
   double meridian_m, prime_vertical_m;
 };
 
+/// The ground frame of a terrain in degrees.
+struct EarthFrame {
+  LocalFrame local; ///< counts longitudes from the CRS's own prime meridian
+  double unit_deg = 1;
+  double exaggeration = 1; ///< of heights, before they go to their place
+};
+
 /// Between ground metres and the terrain's own coordinates (its CRS's axes and units, heights in
 /// the file's unit).
 struct MapFrame {
-  Vec2 origin;              ///< map coordinates of the ground frame's origin, in CRS units
-  double unit_m = 1;        ///< metres in one CRS unit
-  double height_unit_m = 1; ///< metres in one unit of the file's heights
-  std::string crs_wkt;      ///< empty where the file has none
-  std::string crs_name;     ///< for people; "none" where the file has none
+  Vec2 origin;                     ///< map coordinates of the ground frame's origin, in CRS units
+  double unit_m = 1;               ///< metres in one CRS unit; of no use where `earth` is
+  std::optional<EarthFrame> earth; ///< where the CRS counts in degrees, or other angles
+  double height_unit_m = 1;        ///< metres in one unit of the file's heights
+  std::string crs_wkt;             ///< empty where the file has none
+  std::string crs_name;            ///< for people; "none" where the file has none
   std::optional<CurvatureRadii> radii; ///< at the terrain's middle; none where the CRS has no place
   std::string
       vertical_crs_name; ///< what heights are above, for people; empty: the file doesn't say
@@ -32,10 +41,18 @@ struct MapFrame {
   std::string height_unit_name = "metre";
 
   Vec3 to_map(Vec3 ground_m) const {
+    if (earth) {
+      const GeoPoint at = earth->local.to_geodetic(ground_m);
+      return {at.lon_deg / earth->unit_deg, at.lat_deg / earth->unit_deg,
+              at.h_m / earth->exaggeration / height_unit_m};
+    }
     return {origin.x + ground_m.x / unit_m, origin.y + ground_m.y / unit_m,
             ground_m.z / height_unit_m};
   }
   Vec3 to_ground_m(Vec3 map) const {
+    if (earth)
+      return earth->local.to_frame(map.x * earth->unit_deg, map.y * earth->unit_deg,
+                                   map.z * height_unit_m * earth->exaggeration);
     return {(map.x - origin.x) * unit_m, (map.y - origin.y) * unit_m, map.z * height_unit_m};
   }
 };

@@ -47,12 +47,25 @@ SurfaceExtent extent_of(const Tin& tin) {
   return extent;
 }
 
+namespace {
+
+// At height 0: a missing vertex has a place as well.
+Vec2 place(const Grid& grid, int column, int row) {
+  const Vec3 at =
+      std::visit([&](const auto& l) { return l.vertex_m(column, row, 0); }, grid.lattice);
+  return {at.x, at.y};
+}
+
+} // namespace
+
 double reach_m(const Surface& surface) {
   double reach = 0;
   if (const Grid* grid = std::get_if<Grid>(&surface)) {
+    // On the ellipsoid a parallel bulges over its chord, and a mountain leans outwards.
+    const double more = grid->is_on_earth() ? 1.25 : 1;
     for (const int row : {0, grid->rows - 1})
       for (const int column : {0, grid->columns - 1})
-        reach = std::max(reach, length(grid->position_m(column, row)));
+        reach = std::max(reach, more * length(place(*grid, column, row)));
   } else {
     for (const Vec3& vertex : std::get<Tin>(surface).vertices_m)
       reach = std::max(reach, std::hypot(vertex.x, vertex.y));

@@ -21,6 +21,7 @@ struct Vertex {
 template <class Height>
 struct Walk {
   const Grid& grid;
+  const PlaneLattice& lattice;
   const std::vector<Height>& heights;
   const View& view;
   const TriangleSet& level;
@@ -32,9 +33,8 @@ struct Walk {
     return column >= 0 && row >= 0 && column < grid.columns && row < grid.rows;
   }
   Vertex vertex(int column, int row) const {
-    const Vec2 at = grid.position_m(column, row);
-    const ProfilePoint p =
-        to_profile_frame(view, {at.x, at.y, static_cast<double>(heights[grid.index(column, row)])});
+    const double height = heights[grid.index(column, row)];
+    const ProfilePoint p = to_profile_frame(view, lattice.vertex_m(column, row, height));
     return {column, row, p.u, p.v, p.z};
   }
   bool is_far(const Vertex& p) const { return far_at_plane ? p.v >= depth : p.v > depth; }
@@ -167,15 +167,16 @@ void walk_all(Walk<Height>& walk, bool monotone) {
 GridCutter::GridCutter(const Grid& grid, const View& view, const TriangleSet& level)
     : grid_(grid), view_(view), level_(level), nearest_m_(std::numeric_limits<double>::infinity()),
       farthest_m_(-nearest_m_) {
+  const PlaneLattice& lattice = grid.plane();
   double greatest = 0;
   for (const int column : {0, grid.columns - 1})
     for (const int row : {0, grid.rows - 1}) {
-      const Vec2 at = grid.position_m(column, row) - view.depth_origin_m;
+      const Vec2 at = lattice.position_m(column, row) - view.depth_origin_m;
       const double v = dot(at, view.forward);
       nearest_m_ = std::min(nearest_m_, v);
       farthest_m_ = std::max(farthest_m_, v);
       greatest = std::max({greatest, std::abs(at.x), std::abs(at.y),
-                           length(grid.position_m(column, row)), std::abs(v)});
+                           length(lattice.position_m(column, row)), std::abs(v)});
     }
   // Depth is reckoned by some eight roundings of numbers up to `greatest`: steps that are either
   // exactly zero by construction (axis-parallel) or well above that rise or fall strictly.
@@ -185,7 +186,7 @@ GridCutter::GridCutter(const Grid& grid, const View& view, const TriangleSet& le
     const bool parallel = step.x * view.forward.x == 0 && step.y * view.forward.y == 0;
     return parallel || std::abs(v) > rounding;
   };
-  depth_monotone_ = monotone(grid.column_step_m) && monotone(grid.row_step_m);
+  depth_monotone_ = monotone(lattice.column_step_m) && monotone(lattice.row_step_m);
 }
 
 void GridCutter::cut(double depth_m, Profile& out) const {
@@ -196,7 +197,8 @@ void GridCutter::cut(double depth_m, Profile& out) const {
       [&]<class Height>(const std::vector<Height>& heights) {
         // Vertices in the plane count as far, except where the grid only touches the plane from
         // behind: then nothing would be near.
-        Walk<Height> walk{grid_, heights, view_, level_, depth_m, depth_m > nearest_m_, out};
+        Walk<Height> walk{grid_,   grid_.plane(),        heights, view_, level_,
+                          depth_m, depth_m > nearest_m_, out};
         walk_all(walk, depth_monotone_);
       },
       grid_.heights_m);

@@ -19,7 +19,8 @@ namespace orograph {
 /// Cost a plane: O(columns + rows), and no allocation once `out` is warm.
 class GridCutter {
 public:
-  /// REQUIRES that `grid` and `level` (the triangles whose spans are marked level; may be empty)
+  /// REQUIRES a grid on a map plane (profiles/cut_tin.hpp cuts those on the ellipsoid), and that
+  /// `grid` and `level` (the triangles whose spans are marked level; may be empty)
   /// outlive the cutter.
   GridCutter(const Grid& grid, const View& view, const TriangleSet& level);
 

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cut of either kind of surface.
+// The cut of any kind of surface.
 #pragma once
 
 #include "dem/surface.hpp"
+#include "profiles/cut_earth_grid.hpp"
 #include "profiles/cut_grid.hpp"
 #include "profiles/cut_tin.hpp"
 
 #include <variant>
+#include <vector>
 
 namespace orograph {
 
-/// A `GridCutter` or a `TinCutter`, with the promises of both.
+/// The cutter of the surface's kind, with the promises of all.
 class SurfaceCutter {
 public:
+  /// `border` is that of `border_edges`; only a grid on the ellipsoid needs it.
   /// REQUIRES that `surface` and `level` outlive the cutter.
-  SurfaceCutter(const Surface& surface, const View& view, const TriangleSet& level)
-      : cutter_(std::holds_alternative<Grid>(surface)
-                    ? Cutter(std::in_place_type<GridCutter>, std::get<Grid>(surface), view, level)
-                    : Cutter(std::in_place_type<TinCutter>, std::get<Tin>(surface), view, level)) {}
+  SurfaceCutter(const Surface& surface, const View& view, const TriangleSet& level,
+                const std::vector<BorderEdge>& border)
+      : cutter_(cutter_of(surface, view, level, border)) {}
 
   void cut(double depth_m, Profile& out) const {
     std::visit([&](const auto& cutter) { cutter.cut(depth_m, out); }, cutter_);
@@ -32,7 +34,16 @@ public:
   }
 
 private:
-  using Cutter = std::variant<GridCutter, TinCutter>;
+  using Cutter = std::variant<GridCutter, EarthGridCutter, TinCutter>;
+
+  static Cutter cutter_of(const Surface& surface, const View& view, const TriangleSet& level,
+                          const std::vector<BorderEdge>& border) {
+    if (const Tin* tin = std::get_if<Tin>(&surface)) return TinCutter(*tin, view, level);
+    const Grid& grid = std::get<Grid>(surface);
+    if (grid.is_on_earth()) return EarthGridCutter(grid, view, level, border);
+    return GridCutter(grid, view, level);
+  }
+
   Cutter cutter_;
 };
 

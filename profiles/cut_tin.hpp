@@ -3,14 +3,20 @@
 #pragma once
 
 #include "dem/tin.hpp"
+#include "profiles/border_sides.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace orograph {
+
+/// The side of a triangle opposite to its vertex k.
+struct TinSide {
+  std::uint32_t triangle;
+  std::uint8_t k;
+};
 
 /// Cuts one TIN for one view, plane after plane, in any order; the profile is that of `GridCutter`,
 /// but that there are no vertices where there is no terrain.
@@ -24,7 +30,6 @@ namespace orograph {
 ///      A wall that lies in the plane isn't crossed: the profile keeps to its foot or its top,
 ///      whichever the ground in front of it has.
 /// Cost a plane: O(segments + border edges of about its depth).
-/// Memory: 8 bytes and more for a border edge.
 class TinCutter {
 public:
   /// REQUIRES that `tin` and `level` (the triangles whose spans are marked level; may be empty)
@@ -38,21 +43,12 @@ public:
   double farthest_m() const { return farthest_m_; }
 
 private:
-  struct BorderSide {
-    std::uint32_t triangle;
-    std::uint8_t k; ///< the side opposite to this vertex
-  };
-
-  std::size_t bucket_of(double depth_m) const;
-
   const Tin& tin_;
   View view_;
   const TriangleSet& level_;
   double nearest_m_, farthest_m_;
-  double buckets_per_m_ = 0;
-  std::vector<std::uint32_t> bucket_begin_; ///< of bucket i in `sides_`; one more at the end
-  std::vector<BorderSide> sides_;           ///< by the buckets of depth that they reach into
   TriangleSet walls_, turned_walls_;
+  BorderSides<TinSide> border_;
 };
 
 } // namespace orograph

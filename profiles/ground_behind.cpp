@@ -37,7 +37,7 @@ public:
                        : d.row == 0                ? (down ? Place{0, -1} : Place{0, 1})
                                                    : (down ? Place{1, 1} : Place{-1, -1});
     ahead_ = {left_.column + turn.column, left_.row + turn.row};
-    if (cross(grid_.column_step_m, grid_.row_step_m) > 0) // rows run the other way
+    if (!grid_.is_on_earth() && grid_.plane().is_mirrored()) // rows run the other way
       ahead_ = {left_.column + right_.column - ahead_.column, left_.row + right_.row - ahead_.row};
   }
   std::optional<Corner> ahead() const {
@@ -45,10 +45,9 @@ public:
       if (p.column < 0 || p.row < 0 || p.column >= grid_.columns || p.row >= grid_.rows ||
           std::isnan(heights_[grid_.index(p.column, p.row)]))
         return std::nullopt;
-    const Vec2 at = grid_.position_m(ahead_.column, ahead_.row);
     const std::size_t index = grid_.index(ahead_.column, ahead_.row);
     return Corner{static_cast<std::uint32_t>(index),
-                  to_profile_frame(view_, {at.x, at.y, static_cast<double>(heights_[index])})};
+                  to_profile_frame(view_, grid_.vertex_m(ahead_.column, ahead_.row))};
   }
   void leave_on_left() { leave(right_); }
   void leave_on_right() { leave(left_); }

@@ -62,13 +62,6 @@ std::vector<BorderEdge> edges_with_one_side(const Grid& grid, const std::vector<
   return edges;
 }
 
-Vec3 vertex_at(const Grid& grid, std::uint32_t index) {
-  const auto columns = static_cast<std::uint32_t>(grid.columns);
-  const int column = static_cast<int>(index % columns), row = static_cast<int>(index / columns);
-  const Vec2 at = grid.position_m(column, row);
-  return {at.x, at.y, grid.height_m(column, row)};
-}
-
 template <class VertexAt>
 std::vector<OutlineEdge> outline_of_border(const std::vector<BorderEdge>& border,
                                            const VertexAt& at) {
@@ -107,7 +100,7 @@ std::vector<BorderEdge> border_edges(const Tin& tin) {
 }
 
 std::vector<OutlineEdge> outline_of(const Grid& grid, const std::vector<BorderEdge>& border) {
-  return outline_of_border(border, [&](std::uint32_t i) { return vertex_at(grid, i); });
+  return outline_of_border(border, [&](std::uint32_t i) { return grid.vertex_m(i); });
 }
 
 std::vector<OutlineEdge> outline_of(const Tin& tin, const std::vector<BorderEdge>& border) {

@@ -10,7 +10,7 @@
 
 namespace orograph {
 
-/// The edges that have a triangle on one side only: the data's border and the borders of holes, in
+/// The edges that have a triangle on one side only: the data's border and the borders of voids, in
 /// order. `left` tells that the triangle is to the left of from -> to, seen from above. Cost: one
 /// pass over the triangles; over a grid without missing heights (`all_valid`) O(columns + rows).
 struct BorderEdge {

@@ -9,13 +9,8 @@
 namespace orograph {
 
 ProfileLine line_of(const Grid& grid, const View& view, SurfaceEdge edge) {
-  const auto columns = static_cast<std::uint32_t>(grid.columns);
-  const auto end = [&](std::uint32_t index) {
-    const int column = static_cast<int>(index % columns), row = static_cast<int>(index / columns);
-    const Vec2 at = grid.position_m(column, row);
-    return to_profile_frame(view, {at.x, at.y, grid.height_m(column, row)});
-  };
-  return {end(edge.from), end(edge.to)};
+  return {to_profile_frame(view, grid.vertex_m(edge.from)),
+          to_profile_frame(view, grid.vertex_m(edge.to))};
 }
 
 ProfileLine line_of(const Tin& tin, const View& view, SurfaceEdge edge) {

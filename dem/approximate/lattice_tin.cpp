@@ -59,14 +59,13 @@ LatticeTin lattice_tin(const Grid& grid, const LatticeTriangulation& triangulati
   Numbers number_of(triangulation.points().size(), 0);
   for (const std::uint32_t v : used_vertices(triangulation, wanted)) {
     const LatticePoint at = triangulation.points()[v];
-    const Vec2 ground_m = grid.position_m(at.column, at.row);
     number_of[v] = static_cast<std::uint32_t>(result.at.size());
     result.at.push_back(at);
-    result.tin.vertices_m.push_back({ground_m.x, ground_m.y, grid.height_m(at.column, at.row)});
+    result.tin.vertices_m.push_back(grid.vertex_m(at.column, at.row));
   }
 
   // Columns and rows run counterclockwise with y up; on the ground rows usually go south.
-  const bool turned = cross(grid.column_step_m, grid.row_step_m) < 0;
+  const bool turned = grid.is_on_earth() || !grid.plane().is_mirrored();
   std::vector<NumberedTriangle> triangles;
   for (std::uint32_t t = 0; t < wanted.size(); ++t) {
     if (!wanted[t]) continue;

@@ -49,8 +49,9 @@ void add_vertices(const Grid& grid, const std::vector<Value>& heights, int row,
     const auto i = static_cast<std::size_t>(c);
     if (triangles_around(i, north, south) == 0) continue;
     numbers[i] = static_cast<std::uint32_t>(tin.vertices_m.size());
-    const Vec2 at = grid.position_m(c, row);
-    tin.vertices_m.push_back({at.x, at.y, static_cast<double>(heights[grid.index(c, row)])});
+    const double height = heights[grid.index(c, row)];
+    tin.vertices_m.push_back(
+        std::visit([&](const auto& l) { return l.vertex_m(c, row, height); }, grid.lattice));
   }
 }
 
@@ -124,7 +125,8 @@ Tin tin_of(const Grid& grid, const LeaveOut& leave_out) {
         tin.vertices_m.reserve(std::min(grid.size(), 3 * count));
         CellRow before(grid.columns), cells(grid.columns);
         Numbers north(static_cast<std::size_t>(grid.columns)), south = north;
-        TriangleRows triangles(tin, grid.columns, cross(grid.column_step_m, grid.row_step_m) > 0);
+        const bool turned = !grid.is_on_earth() && grid.plane().is_mirrored();
+        TriangleRows triangles(tin, grid.columns, turned);
         for (int row = 0; row < grid.rows; ++row) {
           find_left(grid, heights, row, leave_out, cells);
           add_vertices(grid, heights, row, before, cells, tin, south);

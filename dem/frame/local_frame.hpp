@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // East, north and up in metres about an origin on the ellipsoid, point by point; distances and
-// azimuths along it. Whole lattices: dem/frame/lattice_frame.hpp.
+// azimuths along it. Whole lattices: dem/frame/earth_lattice.hpp.
 #pragma once
 
 #include "dem/frame/ellipsoid.hpp"

@@ -51,14 +51,14 @@ private:
     found_row = row;
     beyond.resize(static_cast<std::size_t>(grid_.columns));
     std::visit(
-        [&](const auto& heights) {
+        [&](const auto& lattice, const auto& heights) {
           for (int c = 0; c < grid_.columns; ++c) {
-            const Vec2 at = grid_.position_m(c, row);
-            const Vec3 vertex{at.x, at.y, static_cast<double>(heights[grid_.index(c, row)])};
-            beyond[static_cast<std::size_t>(c)] = find_beyond(spaces_, vertex);
+            const double height = heights[grid_.index(c, row)];
+            beyond[static_cast<std::size_t>(c)] =
+                find_beyond(spaces_, lattice.vertex_m(c, row, height));
           }
         },
-        grid_.heights_m);
+        grid_.lattice, grid_.heights_m);
   }
 
   const Grid& grid_;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 namespace orograph {
@@ -30,16 +31,13 @@ int projected_epsg(double longitude_deg, double latitude_deg) {
                                  FileKind kind, Vec2 centre) {
   const double to_deg = crs.GetAngularUnits() * 180 / M_PI;
   const int epsg = projected_epsg(centre.x * to_deg, centre.y * to_deg);
-  std::string hint;
-  if (kind == FileKind::raster)
-    hint = fmt::format("project it first: gdalwarp -t_srs EPSG:{} -r cubic {} projected.tif", epsg,
-                       path);
-  else if (kind == FileKind::vector)
-    hint = fmt::format("project it first: ogr2ogr -t_srs EPSG:{} projected.gpkg {}", epsg, path);
-  else
-    hint = fmt::format("give eastings and northings, in EPSG:{} for example", epsg);
-  throw Error(fmt::format("{} is in degrees ({}), which isn't supported yet", path, crs.GetName()),
-              hint);
+  const std::string hint =
+      kind == FileKind::vector
+          ? fmt::format("project it first: ogr2ogr -t_srs EPSG:{} projected.gpkg {}", epsg, path)
+          : fmt::format("give eastings and northings, in EPSG:{} for example", epsg);
+  throw Error(
+      fmt::format("{} is in degrees ({}), in which rasters only are read", path, crs.GetName()),
+      hint);
 }
 
 std::string name_for_people(const OGRSpatialReference& crs) {
@@ -81,6 +79,7 @@ std::optional<CurvatureRadii> radii_at(const OGRSpatialReference& crs, Vec2 plac
       OGRCreateCoordinateTransformation(projected.get(), geographic.get()));
   double longitude = place.x, latitude_deg = place.y;
   if (!to_degrees || !to_degrees->Transform(1, &longitude, &latitude_deg)) return std::nullopt;
+  latitude_deg *= geographic->GetAngularUnits() * 180 / std::numbers::pi;
   const Ellipsoid ellipsoid{geographic->GetSemiMajor(), geographic->GetInvFlattening()};
   return CurvatureRadii{euler_radius_m(ellipsoid, latitude_deg, Angle()),
                         euler_radius_m(ellipsoid, latitude_deg, Angle::degrees(90))};
@@ -108,7 +107,13 @@ bool tells_place(const OGRSpatialReference* crs) {
 
 void set_crs(MapFrame& map, const OGRSpatialReference& crs, const std::string& path, FileKind kind,
              Vec2 centre) {
-  if (crs.IsGeographic()) refuse_degrees(crs, path, kind, centre);
+  if (crs.IsDerivedGeographic())
+    throw Error(
+        fmt::format("{} counts longitudes about a pole of its own ({})", path, crs.GetName()),
+        fmt::format("bring it to one of the earth's first: gdalwarp -t_srs EPSG:4326 {} "
+                    "degrees.tif",
+                    path));
+  if (crs.IsGeographic() && kind != FileKind::raster) refuse_degrees(crs, path, kind, centre);
   if (crs.IsGeocentric())
     throw Error(fmt::format("{} is in a geocentric CRS", path),
                 fmt::format("project it with {} first",
@@ -118,6 +123,15 @@ void set_crs(MapFrame& map, const OGRSpatialReference& crs, const std::string& p
   map.crs_wkt = well_known_text(crs);
   map.radii = radii_at(crs, centre);
   const char* unit = nullptr;
+  if (crs.IsGeographic()) {
+    const double unit_deg = crs.GetAngularUnits(&unit) * 180 / std::numbers::pi;
+    map.earth = EarthFrame{LocalFrame(centre.x * unit_deg, centre.y * unit_deg,
+                                      {crs.GetSemiMajor(), crs.GetInvFlattening()}),
+                           // of degrees themselves, without the rounding of their radians
+                           std::abs(unit_deg - 1) < 1e-12 ? 1 : unit_deg, 1};
+    map.unit_name = unit && *unit ? unit : "degree";
+    return;
+  }
   map.unit_m = crs.GetLinearUnits(&unit);
   if (map.unit_m != 1 && unit) map.unit_name = unit;
 }
@@ -150,9 +164,13 @@ std::optional<double> whole_turn(const std::string& wkt) {
   return std::abs(turn - whole) < 1e-9 * turn ? whole : turn;
 }
 
-std::optional<CurvatureRadii> radii_at(const std::string& wkt, Vec2 place) {
-  const Crs crs = wkt.empty() ? nullptr : crs_from_text(wkt);
-  return crs ? radii_at(*crs, place) : std::nullopt;
+void set_centre(MapFrame& map, Vec2 centre) {
+  const Crs crs = map.crs_wkt.empty() ? nullptr : crs_from_text(map.crs_wkt);
+  if (crs) map.radii = radii_at(*crs, centre);
+  if (!map.earth) return;
+  LocalFrame& local = map.earth->local;
+  local =
+      LocalFrame(centre.x * map.earth->unit_deg, centre.y * map.earth->unit_deg, local.ellipsoid());
 }
 
 std::string crs_for_command(const std::string& wkt) {

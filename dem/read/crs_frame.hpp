@@ -27,8 +27,9 @@ bool tells_place(const OGRSpatialReference* crs);
 enum class FileKind { raster, vector, other };
 
 /// Sets the CRS, its names and the unit of eastings and northings; heights stay in metres.
-/// `centre`, in the CRS's own coordinates, only serves to name a fitting projection. REQUIRES
-/// tells_place. Throws Error for a geographic or geocentric CRS.
+/// `centre`, in the CRS's own coordinates, is where a raster in degrees has the origin of its
+/// ground frame, and otherwise only serves to name a fitting projection. REQUIRES tells_place.
+/// Throws Error for a geocentric CRS and, except for rasters, for a geographic one.
 void set_crs(MapFrame& map, const OGRSpatialReference& crs, const std::string& path, FileKind kind,
              Vec2 centre);
 
@@ -42,9 +43,9 @@ bool same_place(const std::string& wkt, const std::string& other_wkt);
 /// for all others.
 std::optional<double> whole_turn(const std::string& wkt);
 
-/// The radii of the CRS's ellipsoid at a place in its own coordinates; none where there is no such
-/// place.
-std::optional<CurvatureRadii> radii_at(const std::string& wkt, Vec2 place);
+/// Puts the terrain's middle, of which the radii and the origin of a frame on the earth are, to
+/// `centre`, in the CRS's own coordinates.
+void set_centre(MapFrame& map, Vec2 centre);
 
 /// "EPSG:32632", or the name if it has no code: as a command line takes it.
 std::string crs_for_command(const std::string& wkt);

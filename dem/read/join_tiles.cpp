@@ -129,16 +129,6 @@ JoinedTiles joined(const std::vector<Tile>& tiles, const std::vector<Window>& wi
   return out;
 }
 
-void check_once_around(const JoinedTiles& tiles, double turn) {
-  const double width = box_of(tiles.lattice).width();
-  const double step = length(tiles.lattice.pixel_step);
-  if (tiles.places.size() > 1 && width > turn + step / 2)
-    throw Error(
-        fmt::format("the files reach over {:.10g} of longitude, and a whole turn is {:.10g}", width,
-                    turn),
-        "leave out what another file holds");
-}
-
 } // namespace
 
 JoinedTiles join_tiles(std::vector<Tile> tiles, std::optional<double> turn,
@@ -147,9 +137,7 @@ JoinedTiles join_tiles(std::vector<Tile> tiles, std::optional<double> turn,
   std::vector<Window> windows;
   for (const Tile& tile : tiles) windows.push_back(window_on(tiles.front(), tile, overview));
   check_touching(tiles, windows);
-  JoinedTiles out = joined(tiles, windows);
-  if (turn) check_once_around(out, *turn);
-  return out;
+  return joined(tiles, windows);
 }
 
 void continue_around(JoinedTiles& joined, double turn, const Box2& window) {

@@ -34,10 +34,10 @@ struct JoinedTiles {
 /// `turn` is what a whole turn is in map coordinates where they count longitudes: tiles go around
 /// the earth to the side at which they meet, the westmost keeping its own counting.
 ///
-/// Throws Error where vertices aren't on one lattice within 1e-5 of a step anywhere, where a tile
-/// touches none of the others (nearest vertices more than a step apart, in rows or columns), or
-/// where the tiles go more than once around the earth. `overview` is the level they are, if any,
-/// for the message. REQUIRES at least one tile; what a single one is, is never refused.
+/// Throws Error where vertices aren't on one lattice within 1e-5 of a step anywhere, and where a
+/// tile touches none of the others (nearest vertices more than a step apart, in rows or columns).
+/// `overview` is the level they are, if any, for the message. REQUIRES at least one tile; what a
+/// single one is, is never refused.
 JoinedTiles join_tiles(std::vector<Tile> tiles, std::optional<double> turn,
                        std::optional<int> overview);
 

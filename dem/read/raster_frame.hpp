@@ -23,7 +23,7 @@ RasterLattice raster_lattice(GDALDataset& dataset, const std::string& path,
                              std::vector<std::string>& notes);
 
 /// CRS and units of `band`; the origin stays to be set. `centre` is in map coordinates.
-/// Throws Error for a geographic or geocentric CRS and for an unknown height unit.
+/// Throws Error for a geocentric CRS and for an unknown height unit.
 MapFrame raster_map_frame(GDALDataset& dataset, GDALRasterBand& band, const std::string& path,
                           Vec2 centre, std::vector<std::string>& notes);
 

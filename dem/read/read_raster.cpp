@@ -63,14 +63,36 @@ bool has_height(const Grid& grid) {
       grid.heights_m);
 }
 
-// Origin at vertex (0, 0): then positions are whole multiples of the steps, the same numbers
-// however the file stores them.
-Grid empty_grid(const GridOrder& order, double unit_m) {
+DegreeLattice degree_lattice(const GridOrder& order, double unit_deg, const std::string& path) {
+  if (order.column_step.y != 0 || order.row_step.x != 0)
+    throw Error(fmt::format("{} is turned against meridians and parallels", path),
+                fmt::format("bring it to their order first: gdalwarp {} degrees.tif", path));
+  const DegreeLattice lattice{
+      order.first.x * unit_deg, order.column_step.x * unit_deg, order.columns,
+      order.first.y * unit_deg, order.row_step.y * unit_deg,    order.rows};
+  const double south_deg = lattice.lat_deg(order.rows - 1);
+  // A row at a pole itself may be off it by rounding, and is no surface.
+  if (!(lattice.first_lat_deg < 90 && south_deg > -90))
+    throw Error(
+        fmt::format("{} reaches from latitude {:.10g} to {:.10g} degrees", path, south_deg,
+                    lattice.first_lat_deg),
+        "latitudes are within -90 to 90, the poles themselves left out; --bbox keeps a part");
+  if (std::abs(lattice.lon_step_deg) * (order.columns - 1) > 360)
+    throw Error(fmt::format("{} goes round the earth more than once", path),
+                "--bbox keeps a part of it");
+  return lattice;
+}
+
+// On a map plane the origin is at vertex (0, 0): then positions are whole multiples of the steps,
+// the same numbers however the file stores them.
+Grid empty_grid(const GridOrder& order, const MapFrame& map, const std::string& path) {
   Grid grid;
   grid.columns = order.columns;
   grid.rows = order.rows;
-  grid.column_step_m = unit_m * order.column_step;
-  grid.row_step_m = unit_m * order.row_step;
+  if (map.earth)
+    grid.lattice = EarthLattice(degree_lattice(order, map.earth->unit_deg, path), map.earth->local);
+  else
+    grid.lattice = PlaneLattice{{}, map.unit_m * order.column_step, map.unit_m * order.row_step};
   return grid;
 }
 
@@ -159,8 +181,6 @@ Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) 
   terrain.source = in_brief(paths);
   terrain.paths = paths;
   terrain.map = sources.front().map;
-  if (sources.size() > 1)
-    terrain.map.radii = radii_at(terrain.map.crs_wkt, box_of(joined.lattice).centre());
 
   std::optional<Box2> box = wanted_window(options, terrain.map, terrain.source);
   const auto turn = whole_turn(terrain.map.crs_wkt);
@@ -171,7 +191,8 @@ Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) 
           : RasterWindow{0, 0, lattice.pixels, lattice.lines};
   const GridOrder order = grid_order(part_of(lattice, window));
   terrain.map.origin = order.first;
-  Grid grid = empty_grid(order, terrain.map.unit_m);
+  if (sources.size() > 1 || box) set_centre(terrain.map, box_of(part_of(lattice, window)).centre());
+  Grid grid = empty_grid(order, terrain.map, terrain.source);
   const HeightDifferences differences = read_joined(sources, joined, window, options, grid);
   terrain.notes = notes_of(sources);
   note_differences(differences, terrain.notes);

@@ -96,12 +96,13 @@ struct Walk {
 } // namespace
 
 GridRayWalk::GridRayWalk(const Grid& grid, const View& view) : grid_(grid), view_(view) {
-  const double area = cross(grid.column_step_m, grid.row_step_m);
-  per_column_ = (1 / area) * Vec2{grid.row_step_m.y, -grid.row_step_m.x};
-  per_row_ = (1 / area) * Vec2{-grid.column_step_m.y, grid.column_step_m.x};
+  const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
+  const double area = cross(column_step_m, row_step_m);
+  per_column_ = (1 / area) * Vec2{row_step_m.y, -row_step_m.x};
+  per_row_ = (1 / area) * Vec2{-column_step_m.y, column_step_m.x};
   for (int r = 0; r < grid.rows; r += grid.rows - 1)
     for (int c = 0; c < grid.columns; c += grid.columns - 1)
-      reach_m_ = std::max(reach_m_, length(grid.position_m(c, r)));
+      reach_m_ = std::max(reach_m_, length(grid.plane().position_m(c, r)));
   for (int r = 0; r < grid.rows; ++r)
     for (int c = 0; c < grid.columns; ++c) {
       const double here = grid.height_m(c, r);
@@ -115,7 +116,7 @@ GridRayWalk::GridRayWalk(const Grid& grid, const View& view) : grid_(grid), view
 
 InFront GridRayWalk::in_front(ProfilePoint p) const {
   const Vec2 ground = view_.depth_origin_m + p.u * view_.right + p.v * view_.forward;
-  const Vec2 from_first = ground - grid_.first_vertex_m;
+  const Vec2 from_first = ground - grid_.plane().first_vertex_m;
   const Vec2 per_m = u_along_ray(view_, p) * view_.right + view_.forward;
   // Sums of products of these lengths, from the ground to the profile frame and back.
   const double rounding_m =
@@ -135,10 +136,8 @@ InFront GridRayWalk::in_front(ProfilePoint p) const {
         const auto z_m = [&](int c, int r) {
           if (c < 0 || r < 0 || c >= grid_.columns || r >= grid_.rows)
             return std::numeric_limits<double>::quiet_NaN();
-          const Vec2 at = grid_.position_m(c, r);
-          return to_profile_frame(view_,
-                                  {at.x, at.y, static_cast<double>(heights[grid_.index(c, r)])})
-              .z;
+          const double height = heights[grid_.index(c, r)];
+          return to_profile_frame(view_, grid_.plane().vertex_m(c, r, height)).z;
         };
         const double begin_m =
             view_.is_perspective() ? view_.near_m : -std::numeric_limits<double>::infinity();

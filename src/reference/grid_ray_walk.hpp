@@ -10,6 +10,7 @@
 namespace orograph {
 
 /// A `RayWalk` (reference/ray_walk.hpp) whose points cost O(columns + rows), without allocation.
+/// REQUIRES a grid on a map plane.
 class GridRayWalk {
 public:
   GridRayWalk(const Grid& grid, const View& view);

@@ -75,10 +75,10 @@ void read_line(Case& scene, const std::string& word, std::istringstream& words) 
   }
   std::vector<double> n = numbers_in(words);
   if (word == "cell") {
-    grid.column_step_m = {n.at(0), 0};
-    grid.row_step_m = {0, -n.back()};
+    grid.plane().column_step_m = {n.at(0), 0};
+    grid.plane().row_step_m = {0, -n.back()};
   } else if (word == "origin") {
-    grid.first_vertex_m = {n.at(0), n.at(1)};
+    grid.plane().first_vertex_m = {n.at(0), n.at(1)};
   } else if (word == "row") {
     add_rows(grid, 1, n);
   } else if (word == "rows") {
@@ -103,7 +103,7 @@ void read_line(Case& scene, const std::string& word, std::istringstream& words) 
 
 Case read_case(const std::filesystem::path& path) {
   Case scene;
-  grid_of(scene.terrain) = {0, 0, {}, {1, 0}, {0, -1}, std::vector<double>()};
+  grid_of(scene.terrain) = {0, 0, PlaneLattice{{}, {1, 0}, {0, -1}}, std::vector<double>()};
   scene.settings.exaggeration = 1;
   scene.settings.flat = FlatGround::draw;
   scene.settings.simplify_mm = 0;

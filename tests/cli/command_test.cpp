@@ -144,6 +144,39 @@ TEST_CASE("render writes every format and a report, the same bytes each time") {
   }
 }
 
+TEST_CASE("voids are gaps, outlined if asked for") {
+  const MadeFolder folder;
+  folder.write("void.asc", ascii_grid(kSize, kSize, [](int column, int row) {
+                 const bool in_void = column > 14 && column < 25 && row > 14 && row < 25;
+                 return in_void ? -9999 : small_hill_m(column, row);
+               }));
+  const auto drawn = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "void.asc", "-", "--of", "svg"});
+    const auto result = run_orograph(options, {.folder = folder.path()});
+    INFO(result.err);
+    CHECK(result.exit_code == 0);
+    return result.out;
+  };
+  const auto layer = [](const std::string& svg, const std::string& name) {
+    const std::size_t label = svg.find(" " + name + "\"");
+    if (label == std::string::npos) return std::string();
+    const std::size_t begin = svg.find('\n', label);
+    return svg.substr(begin, svg.find("</g>", begin) - begin);
+  };
+  const std::string plain = drawn({}), outlined = drawn({"--void-edges"}),
+                    alone = drawn({"--layers", "voids"});
+  CHECK(layer(plain, "voids").empty());
+  CHECK(holds(layer(outlined, "voids"), "<path"));
+  for (const char* name : {"profiles", "border", "silhouettes", "skyline"}) {
+    CHECK(holds(layer(plain, name), "<path"));
+    CHECK(layer(plain, name) == layer(outlined, name));
+  }
+  CHECK(layer(alone, "voids") == layer(outlined, "voids"));
+  CHECK(layer(alone, "profiles").empty());
+  CHECK(drawn({"--layers", "profiles", "--void-edges"}) == drawn({"--layers", "profiles,voids"}));
+  CHECK(layer(drawn({"--fill-voids", "20", "--void-edges"}), "voids") == "\n");
+}
+
 TEST_CASE("OUTPUT - is standard output, alone") {
   const MadeFolder folder;
   folder.write("hill.asc", ascii_grid(kSize, kSize, small_hill_m));

@@ -17,9 +17,7 @@ Terrain three_by_two() {
   grid_of(terrain) = {
       .columns = 3,
       .rows = 2,
-      .first_vertex_m = {0, 0},
-      .column_step_m = {30, 0},
-      .row_step_m = {0, -20},
+      .lattice = PlaneLattice{{0, 0}, {30, 0}, {0, -20}},
       .heights_m = std::vector<float>{1, 2, 3, 4, 5, std::numeric_limits<float>::quiet_NaN()}};
   terrain.map.origin = {500000, 4000000};
   terrain.map.crs_name = "WGS 84 / UTM zone 17N";
@@ -56,8 +54,8 @@ TEST_CASE("units other than metres, and turned rows, are told") {
   terrain.map.unit_m = 1200.0 / 3937;
   terrain.map.height_unit_name = "foot";
   terrain.map.height_unit_m = 0.3048;
-  grid_of(terrain).column_step_m = {30, -30};
-  grid_of(terrain).row_step_m = {-20, -20};
+  grid_of(terrain).plane().column_step_m = {30, -30};
+  grid_of(terrain).plane().row_step_m = {-20, -20};
   const std::string text = describe(terrain);
   INFO(text);
   CHECK(text.find("US survey foot (0.3048006096 m), heights in foot (0.3048 m)") !=

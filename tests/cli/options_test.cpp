@@ -200,6 +200,9 @@ TEST_CASE("options of lines and page") {
   CHECK(s.simplify_mm == 0);
   CHECK(s.flat == FlatGround::draw);
   CHECK(s.layers == Arguments{"border", "profiles"});
+  CHECK_FALSE(s.void_edges);
+  CHECK(given({"--void-edges"}).void_edges);
+  CHECK(given({"--layers", "voids,border"}).layers == Arguments{"voids", "border"});
   CHECK(s.page.width_mm == 297);
   CHECK(s.page.height_mm == 420);
   CHECK(s.page.orientation == Orientation::landscape);
@@ -217,7 +220,8 @@ TEST_CASE("options of lines and page") {
   check_refused({"--simplify", "-0.1"}, "mm, 0 to 10");
   check_refused({"--visibility-tolerance", "-1"}, "mm, 0 to 10");
   check_refused({"--flat", "no"}, "shore|draw");
-  check_refused({"--layers", "profiles,profiles"}, "each once of profiles,edges,shores,border");
+  check_refused({"--layers", "profiles,profiles"},
+                "each once of profiles, edges, shores, border, voids");
   check_refused({"--layers", "contours"}, "each once of");
   check_refused({"--layers", ""}, "each once of");
   check_refused({"--page", "a99"}, "a4");

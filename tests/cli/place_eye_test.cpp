@@ -31,7 +31,7 @@ Terrain plane_in(const std::string& crs, Vec2 origin) {
     for (int column = 0; column < 21; ++column)
       heights.push_back(row == 10 && column == 10 ? std::numeric_limits<double>::quiet_NaN()
                                                   : plane_m({20.0 * column, -20.0 * row}));
-  terrain.surface = Grid{21, 21, {0, 0}, {20, 0}, {0, -20}, std::move(heights)};
+  terrain.surface = Grid{21, 21, PlaneLattice{{0, 0}, {20, 0}, {0, -20}}, std::move(heights)};
   terrain.map.origin = origin;
   terrain.map.crs_wkt = crs;
   terrain.map.crs_name = crs.empty() ? "none" : crs;
@@ -42,7 +42,7 @@ ViewRequest placed(const Terrain& terrain, const RenderSettings& settings,
                    double exaggeration = 1) {
   ViewRequest request;
   request.exaggeration = exaggeration;
-  place_eye(request, settings, terrain, extent_of(terrain.surface).box);
+  place_eye(request, settings, terrain);
   return request;
 }
 

@@ -16,9 +16,9 @@ Grid scattered_grid(int columns, int rows, double gaps) {
   Grid grid;
   grid.columns = columns;
   grid.rows = rows;
-  grid.first_vertex_m = {-3.7, 12.9};
-  grid.column_step_m = {0.3, 0.1};
-  grid.row_step_m = {0.07, -0.4};
+  grid.plane().first_vertex_m = {-3.7, 12.9};
+  grid.plane().column_step_m = {0.3, 0.1};
+  grid.plane().row_step_m = {0.07, -0.4};
   std::vector<Value> heights(grid.size());
   std::uint32_t state = 1;
   const auto next = [&state] {
@@ -47,7 +47,7 @@ Brute brute_force(const Grid& grid, int first_column, int first_row, int columns
          ++column) {
       const double height = grid.height_m(column, row);
       if (std::isnan(height)) continue;
-      const Vec2 at = grid.position_m(column, row);
+      const Vec2 at = grid.plane().position_m(column, row);
       all.box.include({at.x, at.y, height});
       all.sum += height;
       ++all.valid;

@@ -47,9 +47,9 @@ TEST_CASE("the height at a point is that of the triangle that holds it") {
     const double rounding = 1e-14 + offset * 1e-15;
 
     for (int i = 0; i < 50; ++i) {
-      const Vec2 p = grid.first_vertex_m +
-                     random.between(-0.5, grid.columns - 0.5) * grid.column_step_m +
-                     random.between(-0.5, grid.rows - 0.5) * grid.row_step_m;
+      const Vec2 p = grid.plane().first_vertex_m +
+                     random.between(-0.5, grid.columns - 0.5) * grid.plane().column_step_m +
+                     random.between(-0.5, grid.rows - 0.5) * grid.plane().row_step_m;
       const auto found = height_at(grid, p);
       const GridTriangle* holder = nullptr;
       bool on_edge = false;

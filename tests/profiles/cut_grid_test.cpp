@@ -48,7 +48,7 @@ double tolerance_of(const Grid& grid, const View& view) {
   double reach = 1;
   for (const int column : {0, grid.columns - 1})
     for (const int row : {0, grid.rows - 1}) {
-      const Vec2 at = grid.position_m(column, row);
+      const Vec2 at = grid.plane().position_m(column, row);
       reach = std::max({reach, length(at), length(at - view.depth_origin_m)});
     }
   return 16 * std::numeric_limits<double>::epsilon() * reach;

@@ -101,7 +101,7 @@ TEST_CASE("level ground and its shores are what a flood fill finds") {
 
 TEST_CASE("water has at least 500 triangles and a five-thousandth of the grid") {
   const auto regions = [](int side, int level_cells) {
-    Grid grid{side, side, {}, {1, 0}, {0, -1}, std::vector<float>()};
+    Grid grid{side, side, PlaneLattice{{}, {1, 0}, {0, -1}}, std::vector<float>()};
     std::vector<float> heights(grid.size());
     for (int row = 0; row < side; ++row)
       for (int column = 0; column < side; ++column)

@@ -159,7 +159,8 @@ Vec3 random_eye(const Grid& grid, Random& random) {
   double c = random.between(-1, grid.columns), r = random.between(-1, grid.rows);
   if (random.chance(0.5)) c = std::floor(c);
   if (random.chance(0.5)) r = std::floor(r);
-  const Vec2 at = grid.first_vertex_m + c * grid.column_step_m + r * grid.row_step_m;
+  const Vec2 at =
+      grid.plane().first_vertex_m + c * grid.plane().column_step_m + r * grid.plane().row_step_m;
   const double height = random.pick({-10.0, 0.0, 40.0, 100.0, 1000.0});
   if (random.chance(0.3)) return {at.x + 3000, at.y - 7000, height};
   return {at.x, at.y, height};
@@ -234,7 +235,7 @@ TEST_CASE("seen from far away, only rounding is in doubt: the list is the defini
 TEST_CASE("a face exactly edge-on counts as turned away, and as seen") {
   // A ramp through the eye, between ground that is seen and ground that is turned away.
   // Rows from the north; the eye is in the south, at height 10.
-  Grid grid{2, 4, {0, 0}, {10, 0}, {0, -10}, std::vector<float>()};
+  Grid grid{2, 4, PlaneLattice{{0, 0}, {10, 0}, {0, -10}}, std::vector<float>()};
   const View view = eye_view({5, -130, 10}, 0);
   SECTION("turned away behind it") {
     grid.heights_m = std::vector<float>{0, 0, 10, 10, 10, 10, 5, 5};
@@ -250,7 +251,7 @@ TEST_CASE("a face exactly edge-on counts as turned away, and as seen") {
 
 TEST_CASE("water at the eye's height has an edge before it in any case") {
   // A basin: a shore all around that rises from the water, seen from a place on the water.
-  Grid grid{7, 7, {0, 0}, {10, 0}, {0, -10}, std::vector<float>()};
+  Grid grid{7, 7, PlaneLattice{{0, 0}, {10, 0}, {0, -10}}, std::vector<float>()};
   std::vector<double> heights(grid.size(), 5);
   for (int r = 0; r < 7; ++r)
     for (int c = 0; c < 7; ++c)

@@ -73,7 +73,7 @@ Grid random_grid(Random& random) {
                         {random.between(-50, 0), random.pick({1.0, 3.0, random.between(0, 100)}),
                          random.pick({0.0, 0.1, 0.4}), random.chance(0.4), random.chance(0.5)});
   if (random.chance(0.2)) // the rows run the other way
-    grid.row_step_m = -1.0 * grid.row_step_m;
+    grid.plane().row_step_m = -1.0 * grid.plane().row_step_m;
   return grid;
 }
 
@@ -86,7 +86,8 @@ View random_view(const Grid& grid, Random& random, double height_unit = 1) {
   double c = random.between(-1, grid.columns), r = random.between(-1, grid.rows);
   if (random.chance(0.5)) c = std::floor(c);
   if (random.chance(0.5)) r = std::floor(r);
-  const Vec2 at = grid.first_vertex_m + c * grid.column_step_m + r * grid.row_step_m;
+  const Vec2 at =
+      grid.plane().first_vertex_m + c * grid.plane().column_step_m + r * grid.plane().row_step_m;
   const double height = random.pick({-10.0, 0.0, 1.0, 40.0, 1000.0}) * height_unit;
   return eye_view({at.x, at.y, height}, azimuth, exaggeration);
 }
@@ -107,10 +108,12 @@ void compare(const Grid& grid, const View& view, Compared& sum) {
   for (std::size_t i = 0; i < of_tin.size(); ++i) {
     REQUIRE(of_tin[i].edge == renumbered(of_grid[i].edge));
     // To the left seen from above: a mirrored grid's own order is the other way round.
-    REQUIRE((of_tin[i].left == of_grid[i].left || cross(grid.column_step_m, grid.row_step_m) > 0));
+    REQUIRE((of_tin[i].left == of_grid[i].left ||
+             cross(grid.plane().column_step_m, grid.plane().row_step_m) > 0));
   }
   for (const std::size_t smallest : {std::size_t{1}, std::size_t{5}}) {
-    const double triangle_m2 = 0.5 * std::abs(cross(grid.column_step_m, grid.row_step_m));
+    const double triangle_m2 =
+        0.5 * std::abs(cross(grid.plane().column_step_m, grid.plane().row_step_m));
     const LevelGround grid_level = find_level_ground(grid, smallest),
                       tin_level = find_level_ground(tin, (static_cast<double>(smallest) - 0.5) *
                                                              triangle_m2);

@@ -37,12 +37,13 @@ View looking(Projection projection, double azimuth_deg, double descent_deg, Vec2
 // Vertices 1 m apart, (0, 0) in the south-west, heights by column and row as listed from the north.
 Grid square_grid(int columns, std::vector<double> heights) {
   const int rows = static_cast<int>(heights.size()) / columns;
-  return {columns, rows, {0, rows - 1.0}, {1, 0}, {0, -1}, std::move(heights)};
+  return {columns, rows, PlaneLattice{{0, rows - 1.0}, {1, 0}, {0, -1}}, std::move(heights)};
 }
 
 Grid heights_by(const GridLattice& lattice, const std::function<double(int, int)>& height) {
-  Grid grid{lattice.columns,       lattice.rows,       lattice.first_vertex_m,
-            lattice.column_step_m, lattice.row_step_m, std::vector<double>()};
+  Grid grid{lattice.columns, lattice.rows,
+            PlaneLattice{lattice.first_vertex_m, lattice.column_step_m, lattice.row_step_m},
+            std::vector<double>()};
   auto& heights = std::get<std::vector<double>>(grid.heights_m);
   for (int r = 0; r < grid.rows; ++r)
     for (int c = 0; c < grid.columns; ++c) heights.push_back(height(c, r));
@@ -115,7 +116,8 @@ void check(const Grid& grid, const View& view, Vec2 ground_m, Sums& sums) {
 View random_view(Random& random, const Grid& grid) {
   const auto projection = random.chance(0.5) ? Projection::perspective : Projection::orthographic;
   const double azimuth = random.chance(0.6) ? 45.0 * random.whole(0, 7) : random.between(0, 360);
-  Vec2 eye = grid.position_m(random.whole(-3, grid.columns + 2), random.whole(-3, grid.rows + 2));
+  Vec2 eye =
+      grid.plane().position_m(random.whole(-3, grid.columns + 2), random.whole(-3, grid.rows + 2));
   if (random.chance(0.3)) eye = eye + Vec2{random.between(-1, 1), random.between(-1, 1)};
   View view = looking(projection, azimuth, random.pick({0.0, 10.0, 37.5, 80.0, 90.0}), eye,
                       random.between(-5, 40));
@@ -131,19 +133,19 @@ View random_view(Random& random, const Grid& grid) {
 // Vertices, places on columns, rows and diagonals, and anywhere.
 Vec2 random_place(Random& random, const Grid& grid) {
   const int c = random.whole(0, grid.columns - 1), r = random.whole(0, grid.rows - 1);
-  const Vec2 at = grid.position_m(c, r);
+  const Vec2 at = grid.plane().position_m(c, r);
   const double s = random.share(), t = random.share();
   switch (random.whole(0, 4)) {
   case 0:
     return at;
   case 1:
-    return at + t * grid.row_step_m;
+    return at + t * grid.plane().row_step_m;
   case 2:
-    return at + t * grid.column_step_m;
+    return at + t * grid.plane().column_step_m;
   case 3:
-    return at + t * (grid.column_step_m + grid.row_step_m);
+    return at + t * (grid.plane().column_step_m + grid.plane().row_step_m);
   default:
-    return at + s * grid.column_step_m + t * grid.row_step_m;
+    return at + s * grid.plane().column_step_m + t * grid.plane().row_step_m;
   }
 }
 

@@ -21,12 +21,14 @@ struct Asked {
   }
 };
 
-/// Draws with every fold and nothing simplified; checks that nothing drawn is hidden and nothing
-/// visible is missing, and that the drawing has no fault. Throws what place_scene throws.
+/// Draws with every fold and the outlines of voids, and nothing simplified; checks that nothing
+/// drawn is hidden and nothing visible is missing, and that the drawing has no fault. Throws what
+/// place_scene throws.
 inline CheckReport ask(const Terrain& terrain, RenderSettings settings, std::uint64_t probes) {
   settings.occluder = Occluder::surface;
   settings.simplify_mm = 0;
   settings.silhouette_jump = 0;
+  settings.void_edges = true;
   settings.check = probes;
   const Scene scene = place_scene(terrain, settings);
   const DrawnScene drawn = draw_scene(terrain, scene, settings, [](double) {});

@@ -42,9 +42,9 @@ Terrain sea(double length_m, double cell_m) {
   Grid grid;
   grid.columns = 9;
   grid.rows = static_cast<int>(std::ceil((length_m + 100) / cell_m)) + 1;
-  grid.first_vertex_m = {-4 * cell_m, (grid.rows - 1) * cell_m - 100};
-  grid.column_step_m = {cell_m, 0};
-  grid.row_step_m = {0, -cell_m};
+  grid.plane().first_vertex_m = {-4 * cell_m, (grid.rows - 1) * cell_m - 100};
+  grid.plane().column_step_m = {cell_m, 0};
+  grid.plane().row_step_m = {0, -cell_m};
   grid.heights_m = std::vector<double>(grid.size(), 0.0);
   terrain.surface = std::move(grid);
   terrain.map.radii = CurvatureRadii{kRadius_m, kRadius_m};
@@ -131,7 +131,7 @@ TEST_CASE("a mountain beyond the horizon shows from its limiting height on") {
       for (const double times : {0.97, 1.03}) {
         Terrain terrain = sea(1.1 * away, cell);
         Grid& grid = grid_of(terrain);
-        const int row = static_cast<int>(std::round((grid.first_vertex_m.y - away) / cell));
+        const int row = static_cast<int>(std::round((grid.plane().first_vertex_m.y - away) / cell));
         auto& heights = std::get<std::vector<double>>(grid.heights_m);
         heights[grid.index(4, row)] = times * limit;
         RenderSettings settings = northwards(eye, refraction);
@@ -302,9 +302,9 @@ TEST_CASE("the map plane's own errors are in the budget, where the map is distor
     Terrain terrain;
     Grid grid;
     grid.columns = grid.rows = 51;
-    grid.first_vertex_m = {-25e3, 25e3};
-    grid.column_step_m = {1000, 0};
-    grid.row_step_m = {0, -1000};
+    grid.plane().first_vertex_m = {-25e3, 25e3};
+    grid.plane().column_step_m = {1000, 0};
+    grid.plane().row_step_m = {0, -1000};
     grid.heights_m = std::vector<double>(grid.size(), 0.0);
     std::get<std::vector<double>>(grid.heights_m)[1300] = 500;
     terrain.surface = std::move(grid);

@@ -140,12 +140,13 @@ TEST_CASE("turning terrain and view together changes nothing") {
     const double turn = degrees * std::acos(-1.0) / 180;
     Grid& grid = grid_of(other.terrain);
     // About the middle, which the view is placed by.
-    grid.first_vertex_m = turned(grid.first_vertex_m, turn);
-    grid.column_step_m = turned(grid.column_step_m, turn);
-    grid.row_step_m = turned(grid.row_step_m, turn);
+    grid.plane().first_vertex_m = turned(grid.plane().first_vertex_m, turn);
+    grid.plane().column_step_m = turned(grid.plane().column_step_m, turn);
+    grid.plane().row_step_m = turned(grid.plane().row_step_m, turn);
     // A view looks at the middle of the bounding box, which doesn't turn along: name the target.
     const Vec2 target =
         grid_of(one.terrain)
+            .plane()
             .position_m(grid_of(one.terrain).columns / 2, grid_of(one.terrain).rows / 2);
     Picture first = one;
     first.settings.look_at_map = Vec3{target.x, target.y, 100};
@@ -163,9 +164,9 @@ TEST_CASE("scaling everything changes nothing; by a power of two, not a bit") {
     for (const double scale : {1024.0, 0.3}) {
       Picture other = one;
       Grid& grid = grid_of(other.terrain);
-      grid.first_vertex_m = scale * grid.first_vertex_m;
-      grid.column_step_m = scale * grid.column_step_m;
-      grid.row_step_m = scale * grid.row_step_m;
+      grid.plane().first_vertex_m = scale * grid.plane().first_vertex_m;
+      grid.plane().column_step_m = scale * grid.plane().column_step_m;
+      grid.plane().row_step_m = scale * grid.plane().row_step_m;
       for (double& h : heights_of(other)) h *= scale;
       check_same(one, other, kNear, kShare);
     }
@@ -177,7 +178,8 @@ TEST_CASE("a shift by 1e7 changes nothing") {
     CAPTURE(seed);
     const Picture one = picture_of(seed);
     Picture other = one;
-    grid_of(other.terrain).first_vertex_m = grid_of(other.terrain).first_vertex_m + Vec2{1e7, -1e7};
+    grid_of(other.terrain).plane().first_vertex_m =
+        grid_of(other.terrain).plane().first_vertex_m + Vec2{1e7, -1e7};
     check_same(one, other, kNear, kShare);
   }
 }
@@ -192,8 +194,8 @@ TEST_CASE("doubling every vertex changes nothing") {
     Grid& fine = grid_of(other.terrain);
     fine.columns = 2 * coarse.columns - 1;
     fine.rows = 2 * coarse.rows - 1;
-    fine.column_step_m = 0.5 * coarse.column_step_m;
-    fine.row_step_m = 0.5 * coarse.row_step_m;
+    fine.plane().column_step_m = 0.5 * coarse.plane().column_step_m;
+    fine.plane().row_step_m = 0.5 * coarse.plane().row_step_m;
     std::vector<double> heights(fine.size());
     // The new vertices lie on edges; the one in a cell's middle on its diagonal.
     for (int r = 0; r < fine.rows; ++r)
@@ -219,9 +221,9 @@ TEST_CASE("a half turn, which keeps the diagonals, changes nothing") {
     Picture other = one;
     Grid& grid = grid_of(other.terrain);
     // The same ground, told from its other end.
-    grid.first_vertex_m = grid.position_m(grid.columns - 1, grid.rows - 1);
-    grid.column_step_m = -1.0 * grid.column_step_m;
-    grid.row_step_m = -1.0 * grid.row_step_m;
+    grid.plane().first_vertex_m = grid.plane().position_m(grid.columns - 1, grid.rows - 1);
+    grid.plane().column_step_m = -1.0 * grid.plane().column_step_m;
+    grid.plane().row_step_m = -1.0 * grid.plane().row_step_m;
     std::reverse(heights_of(other).begin(), heights_of(other).end());
     check_same(one, other, kNear, kShare);
   }
@@ -241,9 +243,9 @@ TEST_CASE("a mirror image of ground whose diagonals don't matter is the mirrored
       for (int c = 0; c < grid.columns; ++c)
         heights_of(one)[grid.index(c, r)] =
             by_column[static_cast<std::size_t>(c)] + by_row[static_cast<std::size_t>(r)];
-    grid.first_vertex_m = {0, 0};
-    grid.column_step_m = {100, 0};
-    grid.row_step_m = {0, -100};
+    grid.plane().first_vertex_m = {0, 0};
+    grid.plane().column_step_m = {100, 0};
+    grid.plane().row_step_m = {0, -100};
     one.settings.from_azimuth = Angle::degrees(random.between(0, 360));
     Picture other = one;
     for (int r = 0; r < grid.rows; ++r) {

@@ -191,7 +191,8 @@ TEST_CASE("terrain of any size comes back through a view file") {
     for (const char* projection : {"perspective", "orthographic", "oblique"}) {
       RandomScene scene = random_scene(3);
       Grid& grid = grid_of(scene.terrain);
-      for (Vec2* step : {&grid.column_step_m, &grid.row_step_m, &grid.first_vertex_m})
+      for (Vec2* step :
+           {&grid.plane().column_step_m, &grid.plane().row_step_m, &grid.plane().first_vertex_m})
         *step = size * *step;
       std::visit(
           [&](auto& heights) {

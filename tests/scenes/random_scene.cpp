@@ -21,15 +21,15 @@ Grid window_of(MadeTerrain made, Random& random) {
   const double step = side_m(made) / random.between(20, 80);
   const double turn = random.chance(0.3) ? random.between(-0.7, 0.7) : 0;
   const double row_step = random.chance(0.5) ? step : step * random.between(0.5, 2);
-  grid.first_vertex_m = {random.between(-1000, 1000), random.between(-1000, 1000)};
-  grid.column_step_m = {step * std::cos(turn), step * std::sin(turn)};
-  grid.row_step_m = {row_step * std::sin(turn), -row_step * std::cos(turn)};
+  grid.plane().first_vertex_m = {random.between(-1000, 1000), random.between(-1000, 1000)};
+  grid.plane().column_step_m = {step * std::cos(turn), step * std::sin(turn)};
+  grid.plane().row_step_m = {row_step * std::sin(turn), -row_step * std::cos(turn)};
   const Vec2 corner{random.between(0.2, 0.5) * side_m(made),
                     random.between(0.5, 0.8) * side_m(made)};
   std::vector<float> heights(grid.size());
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
-      const Vec2 at = grid.position_m(column, row) - grid.first_vertex_m;
+      const Vec2 at = grid.plane().position_m(column, row) - grid.plane().first_vertex_m;
       heights[grid.index(column, row)] = static_cast<float>(made_height_m(made, corner + at));
     }
   grid.heights_m = std::move(heights);

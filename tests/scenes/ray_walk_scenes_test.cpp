@@ -30,10 +30,10 @@ void put_eye(RenderSettings& settings, const Grid& grid, Random& random) {
     for (;;) {
       const double column = random.between(1, grid.columns - 2.001);
       const double row = random.between(1, grid.rows - 2.001);
-      Vec2 at = grid.position_m(static_cast<int>(column), static_cast<int>(row));
+      Vec2 at = grid.plane().position_m(static_cast<int>(column), static_cast<int>(row));
       if (!at_vertex)
-        at = at + (column - std::floor(column)) * grid.column_step_m +
-             (row - std::floor(row)) * grid.row_step_m;
+        at = at + (column - std::floor(column)) * grid.plane().column_step_m +
+             (row - std::floor(row)) * grid.plane().row_step_m;
       if (const auto height = height_at(grid, at)) return {at.x, at.y, *height};
     }
   };
@@ -70,12 +70,13 @@ TEST_CASE("and with profiles along rows, columns and diagonals, through their ve
     Grid& grid = grid_of(scene.terrain);
     Random random(seed + 200000);
     const bool diagonal = random.chance(0.3);
-    if (diagonal) grid.row_step_m = {grid.column_step_m.y, -grid.column_step_m.x};
-    const Angle turn = atan2_angle(grid.column_step_m.y, grid.column_step_m.x);
+    if (diagonal)
+      grid.plane().row_step_m = {grid.plane().column_step_m.y, -grid.plane().column_step_m.x};
+    const Angle turn = atan2_angle(grid.plane().column_step_m.y, grid.plane().column_step_m.x);
     const int quarter = random.whole(0, 3);
     scene.settings.from_azimuth =
         Angle::degrees(90.0 * quarter + (diagonal ? 45 : 0) - turn.in_degrees());
-    const double row_m = length(quarter % 2 ? grid.column_step_m : grid.row_step_m);
+    const double row_m = length(quarter % 2 ? grid.plane().column_step_m : grid.plane().row_step_m);
     // The first profile is half of the spacing behind the nearest vertex.
     scene.settings.plan = GroundSpacing{(diagonal ? std::sqrt(2.0) : 2.0) * row_m};
     scene.settings.projection =

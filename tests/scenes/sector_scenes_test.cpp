@@ -36,7 +36,8 @@ void look_down(RenderSettings& settings, const Terrain& terrain, Random& random)
   // Exactly over a vertex, a row or a column, as users' coordinates are.
   const Grid& grid = grid_of(terrain);
   if (random.chance(0.4))
-    eye = grid.position_m(random.whole(0, grid.columns - 1), random.whole(0, grid.rows - 1));
+    eye =
+        grid.plane().position_m(random.whole(0, grid.columns - 1), random.whole(0, grid.rows - 1));
   const double height = box.high.z + random.pick({0.01, 0.2, 1.0}) * size;
   const Vec2 target = random.chance(0.4) ? eye : within(-0.3);
   settings.projection = Projection::perspective;
@@ -57,9 +58,9 @@ Terrain gentle(int columns, int rows) {
   Grid grid;
   grid.columns = columns;
   grid.rows = rows;
-  grid.first_vertex_m = {-10.0 * (columns - 1) / 2, 10.0 * (rows - 1) / 2};
-  grid.column_step_m = {10, 0};
-  grid.row_step_m = {0, -10};
+  grid.plane().first_vertex_m = {-10.0 * (columns - 1) / 2, 10.0 * (rows - 1) / 2};
+  grid.plane().column_step_m = {10, 0};
+  grid.plane().row_step_m = {0, -10};
   std::vector<double> heights;
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c)
@@ -168,7 +169,7 @@ TEST_CASE("from straight above nothing of a gentle hill is missing, and no line 
         }
       }
       const auto page = [&](int column, int row) {
-        const Vec2 at = grid.position_m(column, row);
+        const Vec2 at = grid.plane().position_m(column, row);
         const Vec3 p = scene.to_page.of(project_homogeneous(
             scene.view, to_profile_frame(scene.view, {at.x, at.y, grid.height_m(column, row)})));
         return Vec2{p.x / p.z, p.y / p.z};

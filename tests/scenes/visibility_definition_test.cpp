@@ -15,7 +15,7 @@ using namespace orograph;
 namespace {
 
 FlatScene cut_all(const Terrain& terrain, const Scene& scene) {
-  const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles);
+  const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles, scene.border);
   FlatScene flat;
   Profile profile;
   std::vector<Segment> uprights;

@@ -28,8 +28,9 @@ struct GridHeights {
 };
 
 inline Grid made_grid(Random& random, const GridLattice& lattice, const GridHeights& wanted) {
-  Grid grid{lattice.columns,       lattice.rows,       lattice.first_vertex_m,
-            lattice.column_step_m, lattice.row_step_m, std::vector<float>()};
+  Grid grid{lattice.columns, lattice.rows,
+            PlaneLattice{lattice.first_vertex_m, lattice.column_step_m, lattice.row_step_m},
+            std::vector<float>()};
   std::vector<double> heights(grid.size());
   for (double& height : heights) {
     height = random.between(wanted.low, wanted.high);
@@ -89,8 +90,11 @@ inline Vec3 vertex_m(const Grid& grid, std::uint32_t index) {
   const int row = static_cast<int>(index) / grid.columns;
   const double height =
       std::visit([&](const auto& h) { return static_cast<double>(h[index]); }, grid.heights_m);
-  return {grid.first_vertex_m.x + column * grid.column_step_m.x + row * grid.row_step_m.x,
-          grid.first_vertex_m.y + column * grid.column_step_m.y + row * grid.row_step_m.y, height};
+  return {grid.plane().first_vertex_m.x + column * grid.plane().column_step_m.x +
+              row * grid.plane().row_step_m.x,
+          grid.plane().first_vertex_m.y + column * grid.plane().column_step_m.y +
+              row * grid.plane().row_step_m.y,
+          height};
 }
 
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;

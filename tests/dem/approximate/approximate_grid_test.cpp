@@ -206,7 +206,8 @@ TEST_CASE("an approximated grid covers the grid's ground, within the bound every
 TEST_CASE("a plane needs two triangles, however the grid lies") {
   for (const double turn : {0.0, 0.3, 2.0}) {
     const GridLattice lattice = turned_lattice(30, 20, {10, 10}, turn);
-    Grid grid{30, 20, {}, lattice.column_step_m, lattice.row_step_m, std::vector<double>()};
+    Grid grid{30, 20, PlaneLattice{{}, lattice.column_step_m, lattice.row_step_m},
+              std::vector<double>()};
     auto& heights = std::get<std::vector<double>>(grid.heights_m);
     for (int row = 0; row < 20; ++row)
       for (int column = 0; column < 30; ++column) heights.push_back(100 + 3 * column - 0.5 * row);
@@ -233,11 +234,13 @@ TEST_CASE("a grid without a triangle can't be approximated") {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (const double bound : {0.0, 1.0}) {
     CHECK_THROWS_AS(approximate(Grid{}, bound), Error);
-    CHECK_THROWS_AS(
-        approximate({2, 2, {}, {1, 0}, {0, -1}, std::vector<double>{none, 1, 1, none}}, bound),
-        Error);
-    CHECK_THROWS_AS(approximate({3, 1, {}, {1, 0}, {0, -1}, std::vector<double>{1, 2, 3}}, bound),
+    CHECK_THROWS_AS(approximate({2, 2, PlaneLattice{{}, {1, 0}, {0, -1}},
+                                 std::vector<double>{none, 1, 1, none}},
+                                bound),
                     Error);
+    CHECK_THROWS_AS(
+        approximate({3, 1, PlaneLattice{{}, {1, 0}, {0, -1}}, std::vector<double>{1, 2, 3}}, bound),
+        Error);
   }
 }
 

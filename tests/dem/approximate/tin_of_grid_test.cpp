@@ -16,7 +16,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Grid small_grid(int columns, int rows, std::vector<double> heights) {
-  return {columns, rows, {}, {1, 0}, {0, -1}, std::move(heights)};
+  return {columns, rows, PlaneLattice{{}, {1, 0}, {0, -1}}, std::move(heights)};
 }
 
 } // namespace
@@ -41,7 +41,7 @@ TEST_CASE("the Tin of a grid has its triangles, in their order, and its vertices
     REQUIRE(tin.vertices_m == vertices);
 
     REQUIRE(tin.triangles.size() == expected.size());
-    const bool southward = cross(grid.column_step_m, grid.row_step_m) < 0;
+    const bool southward = cross(grid.plane().column_step_m, grid.plane().row_step_m) < 0;
     for (std::size_t t = 0; t < expected.size(); ++t) {
       auto triangle = tin.triangles[t];
       for (std::uint32_t& vertex : triangle) vertex = index_in_grid[vertex];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dip of the sea horizon: brute force over places of a lattice against closed forms.
-#include "dem/frame/lattice_frame.hpp"
+#include "dem/frame/earth_lattice.hpp"
 #include "dem/frame/refraction.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
@@ -37,10 +37,10 @@ std::vector<Vec3> line_of_sea(const LocalFrame& frame, bool along_meridian, doub
     line.first_lon_deg += reach_deg / 10;
     line.columns = count;
   }
-  const LatticeFrame places(line, frame);
+  const EarthLattice places(line, frame);
   std::vector<Vec3> sea;
   for (int k = 0; k < count; ++k)
-    sea.push_back(along_meridian ? places.position_m(0, k, 0) : places.position_m(k, 0, 0));
+    sea.push_back(along_meridian ? places.vertex_m(0, k, 0) : places.vertex_m(k, 0, 0));
   return sea;
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("on the ellipsoid no sea rises above the tangent of its azimuth, and s
       const double reach_deg = degrees(2 * std::sqrt(2 * height_m / 6371000));
       const double wide_deg = reach_deg / cos(Angle::degrees(std::abs(lat_deg) + reach_deg));
       const int count = 151;
-      const LatticeFrame places({-71.3 - wide_deg, 2 * wide_deg / (count - 1), count,
+      const EarthLattice places({-71.3 - wide_deg, 2 * wide_deg / (count - 1), count,
                                  lat_deg + reach_deg, -2 * reach_deg / (count - 1), count},
                                 frame);
       const double dip = std::sqrt(2 * height_m / 6371000);
@@ -118,7 +118,7 @@ TEST_CASE("on the ellipsoid no sea rises above the tangent of its azimuth, and s
       for (int row = 0; row < count; ++row)
         for (int column = 0; column < count; ++column) {
           if (row == count / 2 && column == count / 2) continue; // under the eye
-          const Vec3 at = places.position_m(column, row, 0);
+          const Vec3 at = places.vertex_m(column, row, 0);
           const double level_m = std::hypot(at.x, at.y);
           const double below = (tangent_slope(frame, {at.x / level_m, at.y / level_m}, height_m) -
                                 (at.z - height_m) / level_m) /

@@ -138,7 +138,8 @@ TEST_CASE("walls are cut, and so is what stands over them or ends beside them") 
 
 TEST_CASE("small cases, reckoned by hand") {
   // Four cells of 1 m in two rows; heights are columns.
-  const Grid grid{3, 3, {0, 2}, {1, 0}, {0, -1}, std::vector<double>{0, 1, 2, 0, 1, 2, 0, 1, 2}};
+  const Grid grid{3, 3, PlaneLattice{{0, 2}, {1, 0}, {0, -1}},
+                  std::vector<double>{0, 1, 2, 0, 1, 2, 0, 1, 2}};
   const auto keep = [&](std::vector<HalfSpace> spaces) { return keep_within(grid, spaces); };
   SECTION("a plane far off leaves everything as it is, or nothing") {
     CHECK(keep({{{1, 0, 0}, 9}}) == tin_of(grid));

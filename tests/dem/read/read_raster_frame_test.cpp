@@ -27,7 +27,7 @@ TEST_CASE("the vertex is the cell's centre in both pixel conventions") {
   const Terrain point = read_back(raster);
   CHECK(area.map.origin == Vec2{500005, 4999995});
   CHECK(point.map.origin == area.map.origin);
-  CHECK(grid_of(point).column_step_m == grid_of(area).column_step_m);
+  CHECK(grid_of(point).plane().column_step_m == grid_of(area).plane().column_step_m);
 }
 
 TEST_CASE("US survey feet across and feet up come to metres and back") {
@@ -41,9 +41,9 @@ TEST_CASE("US survey feet across and feet up come to metres and back") {
   CHECK(terrain.map.unit_name == "US survey foot");
   CHECK(terrain.map.height_unit_m == foot_m);
   CHECK(terrain.map.height_unit_name == "foot");
-  CHECK(grid_of(terrain).column_step_m == Vec2{100 * terrain.map.unit_m, 0});
+  CHECK(grid_of(terrain).plane().column_step_m == Vec2{100 * terrain.map.unit_m, 0});
   CHECK(std::abs(grid_of(terrain).height_m(3, 2) - 11 * foot_m) <= 1e-6);
-  const Vec2 last = grid_of(terrain).position_m(3, 2);
+  const Vec2 last = grid_of(terrain).plane().position_m(3, 2);
   const Vec3 map = terrain.map.to_map({last.x, last.y, grid_of(terrain).height_m(3, 2)});
   CHECK(std::abs(map.x - 6457350) <= 1e-8);
   CHECK(std::abs(map.y - 1970750) <= 1e-8);
@@ -103,8 +103,8 @@ TEST_CASE("without georeference cells are 1 m and the first row is in the north"
   raster.geotransform.reset();
   raster.crs = "";
   const Terrain terrain = read_back(raster);
-  CHECK(grid_of(terrain).column_step_m == Vec2{1, 0});
-  CHECK(grid_of(terrain).row_step_m == Vec2{0, -1});
+  CHECK(grid_of(terrain).plane().column_step_m == Vec2{1, 0});
+  CHECK(grid_of(terrain).plane().row_step_m == Vec2{0, -1});
   CHECK(grid_of(terrain).height_m(1, 0) == 1);
   CHECK(grid_of(terrain).height_m(0, 1) == 4);
   CHECK(has_note(terrain, "no georeference"));

@@ -24,7 +24,7 @@ void check_surface(const Terrain& terrain, const StoredSurface& surface,
   REQUIRE(grid_of(terrain).rows == surface.rows);
   for (int row = 0; row < surface.rows; ++row)
     for (int column = 0; column < surface.columns; ++column) {
-      const Vec2 ground = grid_of(terrain).position_m(column, row);
+      const Vec2 ground = grid_of(terrain).plane().position_m(column, row);
       const Vec3 map = terrain.map.to_map({ground.x, ground.y, 0});
       CHECK(length(Vec2{map.x, map.y} - surface.position(column, row)) <= 1e-8);
       const double height = grid_of(terrain).height_m(column, row);
@@ -114,7 +114,7 @@ TEST_CASE("positions along a row of an upright grid are whole steps, exactly") {
     const Terrain terrain = read_back(stored(StoredSurface{}, how));
     for (int row = 0; row < grid_of(terrain).rows; ++row)
       for (int column = 0; column < grid_of(terrain).columns; ++column)
-        CHECK(grid_of(terrain).position_m(column, row) == Vec2{10. * column, -8. * row});
+        CHECK(grid_of(terrain).plane().position_m(column, row) == Vec2{10. * column, -8. * row});
     CHECK(terrain.map.origin == Vec2{500005, 4999995});
   }
 }

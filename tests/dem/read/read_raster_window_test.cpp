@@ -36,7 +36,7 @@ TEST_CASE("a window of a rotated raster has no heights outside the box") {
     int kept = 0, expected = 0;
     for (int row = 0; row < grid_of(terrain).rows; ++row)
       for (int column = 0; column < grid_of(terrain).columns; ++column) {
-        const Vec2 ground = grid_of(terrain).position_m(column, row);
+        const Vec2 ground = grid_of(terrain).plane().position_m(column, row);
         const Vec3 map = terrain.map.to_map({ground.x, ground.y, 0});
         const bool inside =
             map.x >= box.low.x && map.x <= box.high.x && map.y >= box.low.y && map.y <= box.high.y;
@@ -69,8 +69,8 @@ TEST_CASE("an overview covers the same ground with larger cells") {
     REQUIRE(grid_of(terrain).columns == columns);
     REQUIRE(grid_of(terrain).rows == rows);
     const double across = 1010. / columns, down = 670. / rows;
-    CHECK(std::abs(grid_of(terrain).column_step_m.x - across) <= 1e-12);
-    CHECK(std::abs(grid_of(terrain).row_step_m.y + down) <= 1e-12);
+    CHECK(std::abs(grid_of(terrain).plane().column_step_m.x - across) <= 1e-12);
+    CHECK(std::abs(grid_of(terrain).plane().row_step_m.y + down) <= 1e-12);
     CHECK(std::abs(terrain.map.origin.x - (500000 + across / 2)) <= 1e-8);
     CHECK(std::abs(terrain.map.origin.y - (5000000 - down / 2)) <= 1e-8);
     // Scale, offset and unit stay those of the full heights; the first cell's value is 0, or a

@@ -4,7 +4,10 @@
 #include "tests/dem/read/tin_of_file.hpp"
 #include "tests/dem/read/vector_file.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <tuple>
 
 using namespace orograph;
 
@@ -254,7 +257,21 @@ TEST_CASE("the unit of a vector file's heights") {
 TEST_CASE("degrees are refused, and what GeoJSON only takes for degrees isn't") {
   VectorFile file = of({"POLYGON Z ((6 46 1,7 46 2,7 47 3.5,6 46 1))"});
   file.crs = "EPSG:4326";
-  refused(file, {"degrees", "ogr2ogr -t_srs EPSG:32632"});
+  refused(file, {"degrees", "rasters only", "ogr2ogr -t_srs EPSG:32632"});
+  const auto triangle_at = [](double lon, double lat) {
+    return of({fmt::format("POLYGON Z (({0} {1} 1,{2} {1} 2,{2} {3} 3,{0} {1} 1))", lon, lat,
+                           lon + 0.1, lat + 0.1)});
+  };
+  const std::tuple<double, double, const char*> zones[] = {{18.3, -33.9, "EPSG:32734"},
+                                                           {235, 48, "EPSG:32610"},
+                                                           {-179.9, -10, "EPSG:32701"},
+                                                           {179.7, 10, "EPSG:32660"},
+                                                           {10, 86, "EPSG:32661"}};
+  for (const auto& [lon, lat, fitting] : zones) {
+    VectorFile there = triangle_at(lon, lat);
+    there.crs = "EPSG:4326";
+    refused(there, {fitting});
+  }
   const TempFolder folder;
   const auto geojson = [&](const std::string& coordinates) {
     write_text(folder.file("a.geojson"),

@@ -69,7 +69,7 @@ TEST_CASE("made samples are what the program makes today") {
             std::max(largest, std::abs(kept.height_m(column, row) - made.height_m(column, row)));
     // Rounded to decimetres, and to float at 4000 m.
     CHECK(largest <= 0.0505);
-    CHECK(std::abs(kept.column_step_m.x - made.column_step_m.x) <= 1e-9);
+    CHECK(std::abs(kept.plane().column_step_m.x - made.plane().column_step_m.x) <= 1e-9);
   }
 }
 

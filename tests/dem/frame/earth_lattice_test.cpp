@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The places of a lattice against GeographicLib's, and against the ellipsoid's definition in
 // extended precision.
-#include "dem/frame/lattice_frame.hpp"
+#include "dem/frame/earth_lattice.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
@@ -100,7 +100,7 @@ TEST_CASE("10,000 vertices within nanometres of LocalCartesian, nearer still to 
     const double lat = lattice.first_lat_deg + row * lattice.lat_step_deg;
     CAPTURE(lon, lat, h_m, frame.origin_lon_deg(), lat0_deg, ellipsoid.inverse_flattening);
 
-    const Vec3 ours = LatticeFrame(lattice, frame).position_m(column, row, h_m);
+    const Vec3 ours = EarthLattice(lattice, frame).vertex_m(column, row, h_m);
     const Vec3 theirs = of_geographiclib(frame, lon, lat, h_m);
     const Vec3 truth = by_definition(frame, lon, lat, h_m);
     REQUIRE(length(ours - theirs) <= 1e-8);
@@ -122,7 +122,7 @@ TEST_CASE("a whole row is bit for bit the vertices one by one") {
   Random random(2);
   for (const int columns : {1, 2, 7, 500}) {
     const DegreeLattice lattice{-71.5, 1. / 3600, columns, 44.6, -1. / 3600, 3};
-    const LatticeFrame places(lattice, LocalFrame(-71.3, 44.27));
+    const LocalFrame frame(-71.3, 44.27);
     const auto count = static_cast<std::size_t>(columns);
     std::vector<float> floats(count);
     std::vector<double> doubles(count), x(count), y(count), z(count);
@@ -133,14 +133,15 @@ TEST_CASE("a whole row is bit for bit the vertices one by one") {
     for (int row = 0; row < lattice.rows; ++row)
       for (const double exaggeration : {1.0, 1.5, -0.3})
         for (const bool in_float : {false, true}) {
+          const EarthLattice places(lattice, frame, exaggeration);
           if (in_float)
-            places.row_positions_m(row, floats, exaggeration, x, y, z);
+            places.row_vertices_m(row, floats, x, y, z);
           else
-            places.row_positions_m(row, doubles, exaggeration, x, y, z);
+            places.row_vertices_m(row, doubles, x, y, z);
           for (int column = 0; column < columns; ++column) {
             const auto c = static_cast<std::size_t>(column);
             const double height = in_float ? static_cast<double>(floats[c]) : doubles[c];
-            const Vec3 at = places.position_m(column, row, exaggeration * height);
+            const Vec3 at = places.vertex_m(column, row, height);
             CAPTURE(columns, column, row, exaggeration, in_float, height);
             if (std::isnan(height)) {
               REQUIRE((std::isnan(x[c]) && std::isnan(y[c]) && std::isnan(z[c])));
@@ -155,11 +156,11 @@ TEST_CASE("a whole row is bit for bit the vertices one by one") {
 TEST_CASE("exaggeration lifts along the upright and leaves the sea where it is") {
   const DegreeLattice lattice{7.1, 0.5, 1, 46.2, -1, 1};
   const LocalFrame frame(8.5, 45);
-  const LatticeFrame places(lattice, frame);
+  const EarthLattice places(lattice, frame, 5);
   const float heights[] = {0, 1000};
   Vec3 at[2];
   for (int k = 0; k < 2; ++k)
-    places.row_positions_m(0, {heights + k, 1}, 5, {&at[k].x, 1}, {&at[k].y, 1}, {&at[k].z, 1});
+    places.row_vertices_m(0, {heights + k, 1}, {&at[k].x, 1}, {&at[k].y, 1}, {&at[k].z, 1});
   CHECK(length(at[0] - frame.to_frame(7.1, 46.2, 0)) <= 1e-8);
   CHECK(length(at[1] - frame.to_frame(7.1, 46.2, 5000)) <= 1e-8);
 }
@@ -170,22 +171,21 @@ TEST_CASE("nothing happens at the antimeridian, at 0 and at 360 degrees") {
   for (const double origin_deg : {180.25, -179.75, 540.25}) {
     const LocalFrame frame(origin_deg, -16.5);
     const DegreeLattice crossing{179, step, 129, -16, -step, 3};
-    const LatticeFrame places(crossing, frame);
+    const EarthLattice places(crossing, frame);
     for (const double turn : {-360., 360., 720.}) {
       DegreeLattice turned = crossing;
       turned.first_lon_deg += turn;
-      const LatticeFrame same(turned, frame);
+      const EarthLattice same(turned, frame);
       for (int column = 0; column < crossing.columns; ++column)
-        REQUIRE(same.position_m(column, 1, 300) == places.position_m(column, 1, 300));
+        REQUIRE(same.vertex_m(column, 1, 300) == places.vertex_m(column, 1, 300));
     }
     // Two tiles that meet at the antimeridian have one edge.
-    const LatticeFrame west({179, step, 65, -16, -step, 3}, frame);
-    const LatticeFrame east({-180, step, 65, -16, -step, 3}, frame);
-    for (int row = 0; row < 3; ++row)
-      CHECK(west.position_m(64, row, 7) == east.position_m(0, row, 7));
+    const EarthLattice west({179, step, 65, -16, -step, 3}, frame);
+    const EarthLattice east({-180, step, 65, -16, -step, 3}, frame);
+    for (int row = 0; row < 3; ++row) CHECK(west.vertex_m(64, row, 7) == east.vertex_m(0, row, 7));
     // Columns follow each other at one distance.
     const auto apart_m = [&](int column) {
-      return length(places.position_m(column, 1, 0) - places.position_m(column - 1, 1, 0));
+      return length(places.vertex_m(column, 1, 0) - places.vertex_m(column - 1, 1, 0));
     };
     CHECK(apart_m(1) == Approx(1672.28).epsilon(1e-5));
     for (int column = 2; column < crossing.columns; ++column)
@@ -193,30 +193,30 @@ TEST_CASE("nothing happens at the antimeridian, at 0 and at 360 degrees") {
   }
   // The same at Greenwich in a grid from 0 to 360.
   const LocalFrame frame(0.25, 51);
-  const LatticeFrame here({-1, step, 129, 51, -step, 1}, frame);
-  const LatticeFrame there({359, step, 129, 51, -step, 1}, frame);
+  const EarthLattice here({-1, step, 129, 51, -step, 1}, frame);
+  const EarthLattice there({359, step, 129, 51, -step, 1}, frame);
   for (int column = 0; column < 129; ++column)
-    REQUIRE(here.position_m(column, 0, 10) == there.position_m(column, 0, 10));
+    REQUIRE(here.vertex_m(column, 0, 10) == there.vertex_m(column, 0, 10));
 }
 
 TEST_CASE("right up to the poles and on the far side; nothing beyond") {
   for (const double pole_deg : {-90., 90.}) {
     const LocalFrame frame(30, pole_deg - std::copysign(0.5, pole_deg));
-    const LatticeFrame places({-180, 36, 11, pole_deg, -std::copysign(0.25, pole_deg), 9}, frame);
+    const EarthLattice places({-180, 36, 11, pole_deg, -std::copysign(0.25, pole_deg), 9}, frame);
     for (int column = 0; column < 11; ++column) {
-      CHECK(length(places.position_m(column, 0, 50) - places.position_m(0, 0, 50)) <= 1e-9);
+      CHECK(length(places.vertex_m(column, 0, 50) - places.vertex_m(0, 0, 50)) <= 1e-9);
       for (int row = 0; row < 9; ++row) {
         const double lat_deg = pole_deg - std::copysign(0.25, pole_deg) * row;
-        REQUIRE(length(places.position_m(column, row, 50) -
+        REQUIRE(length(places.vertex_m(column, row, 50) -
                        by_definition(frame, -180 + 36 * column, lat_deg, 50)) <= 1e-9);
       }
     }
   }
   const LocalFrame frame(0, 0);
-  const LatticeFrame antipodes({179, 1, 3, 1, -1, 3}, frame);
-  CHECK(antipodes.position_m(1, 1, 0).z == Approx(-2 * 6378137.).epsilon(1e-12));
-  CHECK_THROWS_WITH(LatticeFrame({0, 1, 2, 90.5, -1, 3}, frame),
+  const EarthLattice antipodes({179, 1, 3, 1, -1, 3}, frame);
+  CHECK(antipodes.vertex_m(1, 1, 0).z == Approx(-2 * 6378137.).epsilon(1e-12));
+  CHECK_THROWS_WITH(EarthLattice({0, 1, 2, 90.5, -1, 3}, frame),
                     "latitude 90.5 degrees in row 0: latitudes are within -90 to 90");
-  CHECK_THROWS_AS(LatticeFrame({0, 1, 2, -89, -1, 3}, frame), Error);
-  CHECK_THROWS_AS(LatticeFrame({0, 1, 2, std::nan(""), -1, 3}, frame), Error);
+  CHECK_THROWS_AS(EarthLattice({0, 1, 2, -89, -1, 3}, frame), Error);
+  CHECK_THROWS_AS(EarthLattice({0, 1, 2, std::nan(""), -1, 3}, frame), Error);
 }

@@ -24,32 +24,39 @@ struct DegreeLattice {
   double lat_deg(int row) const { return first_lat_deg + row * lat_step_deg; }
 };
 
-/// The place of each vertex of a lattice at a height: that of LocalFrame::to_frame, and closer to
-/// the true one, within 6e-16 of the distance from the origin (measured on the earth up to
-/// 300 km away: 2e-10 m). Heights are metres, exaggerated beforehand by a factor where one is
-/// asked for, so that the earth's curvature never is; a NaN height gives a NaN place.
+/// The place of each vertex of a lattice at its exaggerated height: that of LocalFrame::to_frame,
+/// and closer to the true one, within 6e-16 of the distance from the origin (measured on the earth
+/// up to 300 km away: 2e-10 m). Heights are exaggerated before they go to their place, so that the
+/// earth's curvature never is; a NaN height gives a NaN place.
 ///
 /// Tables a column and a row, from the coordinates about the earth's axis, in which longitude and
 /// latitude come apart: a vertex is (N + h) cos(lat) from the axis and (N (1 - e^2) + h) sin(lat)
 /// along it, N the radius of curvature in the prime vertical.
-class LatticeFrame {
+class EarthLattice {
 public:
   /// Throws Error where a row is beyond a pole.
-  LatticeFrame(const DegreeLattice& lattice, const LocalFrame& frame);
+  EarthLattice(const DegreeLattice& lattice, const LocalFrame& frame, double exaggeration = 1);
 
-  const DegreeLattice& lattice() const { return lattice_; }
+  const DegreeLattice& degrees() const { return degrees_; }
+  const LocalFrame& frame() const { return frame_; }
+  double exaggeration() const { return exaggeration_; }
 
-  Vec3 position_m(int column, int row, double h_m) const {
+  Vec3 vertex_m(int column, int row, double height_m) const {
     const auto c = static_cast<std::size_t>(column);
-    return place(rows_[static_cast<std::size_t>(row)], sine_[c], versine_[c], h_m);
+    return place(rows_[static_cast<std::size_t>(row)], sine_[c], versine_[c],
+                 exaggeration_ * height_m);
   }
 
-  /// The places of one whole row of heights, bit for bit those of position_m with
-  /// exaggeration * height. The four spans have one value a column and don't overlap.
-  void row_positions_m(int row, std::span<const float> heights_m, double exaggeration,
-                       std::span<double> x_m, std::span<double> y_m, std::span<double> z_m) const;
-  void row_positions_m(int row, std::span<const double> heights_m, double exaggeration,
-                       std::span<double> x_m, std::span<double> y_m, std::span<double> z_m) const;
+  /// The places of one whole row of heights, bit for bit those of vertex_m. The four spans have one
+  /// value a column and don't overlap.
+  void row_vertices_m(int row, std::span<const float> heights_m, std::span<double> x_m,
+                      std::span<double> y_m, std::span<double> z_m) const;
+  void row_vertices_m(int row, std::span<const double> heights_m, std::span<double> x_m,
+                      std::span<double> y_m, std::span<double> z_m) const;
+
+  /// Column and row, whole at a vertex, of the place below a point of the ground frame, in the
+  /// lattice's own turn of longitudes as far as it can be told.
+  Vec2 column_row_at(Vec3 ground_m) const;
 
 private:
   /// Of a vertex on the origin's meridian, in this row: its distance from the earth's axis, and
@@ -72,10 +79,12 @@ private:
   }
 
   template <class Height>
-  void place_row(const Row& row, const Height* heights_m, double exaggeration, double* x_m,
-                 double* y_m, double* z_m) const;
+  void place_row(const Row& row, const Height* heights_m, double* x_m, double* y_m,
+                 double* z_m) const;
 
-  DegreeLattice lattice_;
+  DegreeLattice degrees_;
+  LocalFrame frame_;
+  double exaggeration_;
   double origin_sine_, origin_cosine_; ///< of the origin's latitude
   std::vector<double> sine_, versine_; ///< sin(d), 1 - cos(d) of longitudes from the origin's
   std::vector<Row> rows_;

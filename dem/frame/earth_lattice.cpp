@@ -3,7 +3,7 @@
 // distance from the origin and not of the earth's radius:
 //   1 - cos(d) is 2 sin^2(d / 2), of latitudes as of longitudes;
 //   N - N0 comes from w0^2 - w^2 = e^2 sin(lat - lat0) sin(lat + lat0), where N = a / w.
-#include "dem/frame/lattice_frame.hpp"
+#include "dem/frame/earth_lattice.hpp"
 
 #include "geometry/error.hpp"
 
@@ -34,7 +34,7 @@ double degrees_east(double lon_deg, double origin_lon_deg) {
 
 } // namespace
 
-LatticeFrame::Row LatticeFrame::row_at(double lat_deg, double origin_lat_deg,
+EarthLattice::Row EarthLattice::row_at(double lat_deg, double origin_lat_deg,
                                        const Ellipsoid& ellipsoid) {
   const double a = ellipsoid.semi_major_axis_m, e2 = ellipsoid.eccentricity_squared();
   const double s = sine(lat_deg), s0 = sine(origin_lat_deg), c0 = cosine(origin_lat_deg);
@@ -53,9 +53,10 @@ LatticeFrame::Row LatticeFrame::row_at(double lat_deg, double origin_lat_deg,
           cosine(north)};
 }
 
-LatticeFrame::LatticeFrame(const DegreeLattice& lattice, const LocalFrame& frame)
-    : lattice_(lattice), origin_sine_(sine(frame.origin_lat_deg())),
-      origin_cosine_(cosine(frame.origin_lat_deg())) {
+EarthLattice::EarthLattice(const DegreeLattice& lattice, const LocalFrame& frame,
+                           double exaggeration)
+    : degrees_(lattice), frame_(frame), exaggeration_(exaggeration),
+      origin_sine_(sine(frame.origin_lat_deg())), origin_cosine_(cosine(frame.origin_lat_deg())) {
   for (int column = 0; column < lattice.columns; ++column) {
     const double east = degrees_east(lattice.lon_deg(column), frame.origin_lon_deg());
     sine_.push_back(sine(east));
@@ -71,32 +72,38 @@ LatticeFrame::LatticeFrame(const DegreeLattice& lattice, const LocalFrame& frame
 }
 
 template <class Height>
-void LatticeFrame::place_row(const Row& row, const Height* __restrict heights_m,
-                             double exaggeration, double* __restrict x_m, double* __restrict y_m,
+void EarthLattice::place_row(const Row& row, const Height* __restrict heights_m,
+                             double* __restrict x_m, double* __restrict y_m,
                              double* __restrict z_m) const {
   const double* __restrict sines = sine_.data();
   const double* __restrict versines = versine_.data();
   const std::size_t columns = sine_.size();
   for (std::size_t c = 0; c < columns; ++c) {
-    const Vec3 at = place(row, sines[c], versines[c], exaggeration * heights_m[c]);
+    const Vec3 at = place(row, sines[c], versines[c], exaggeration_ * heights_m[c]);
     x_m[c] = at.x;
     y_m[c] = at.y;
     z_m[c] = at.z;
   }
 }
 
-void LatticeFrame::row_positions_m(int row, std::span<const float> heights_m, double exaggeration,
-                                   std::span<double> x_m, std::span<double> y_m,
-                                   std::span<double> z_m) const {
-  place_row(rows_[static_cast<std::size_t>(row)], heights_m.data(), exaggeration, x_m.data(),
-            y_m.data(), z_m.data());
+void EarthLattice::row_vertices_m(int row, std::span<const float> heights_m, std::span<double> x_m,
+                                  std::span<double> y_m, std::span<double> z_m) const {
+  place_row(rows_[static_cast<std::size_t>(row)], heights_m.data(), x_m.data(), y_m.data(),
+            z_m.data());
 }
 
-void LatticeFrame::row_positions_m(int row, std::span<const double> heights_m, double exaggeration,
-                                   std::span<double> x_m, std::span<double> y_m,
-                                   std::span<double> z_m) const {
-  place_row(rows_[static_cast<std::size_t>(row)], heights_m.data(), exaggeration, x_m.data(),
-            y_m.data(), z_m.data());
+void EarthLattice::row_vertices_m(int row, std::span<const double> heights_m, std::span<double> x_m,
+                                  std::span<double> y_m, std::span<double> z_m) const {
+  place_row(rows_[static_cast<std::size_t>(row)], heights_m.data(), x_m.data(), y_m.data(),
+            z_m.data());
+}
+
+Vec2 EarthLattice::column_row_at(Vec3 ground_m) const {
+  const GeoPoint at = frame_.to_geodetic(ground_m);
+  const double middle_deg = degrees_.lon_deg(degrees_.columns / 2);
+  const double east_deg = middle_deg + std::remainder(at.lon_deg - middle_deg, 360);
+  return {(east_deg - degrees_.first_lon_deg) / degrees_.lon_step_deg,
+          (at.lat_deg - degrees_.first_lat_deg) / degrees_.lat_step_deg};
 }
 
 } // namespace orograph
