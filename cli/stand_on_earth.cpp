@@ -7,6 +7,7 @@
 #include "cli/scene_view.hpp"
 #include "dem/extent.hpp"
 #include "dem/height_range.hpp"
+#include "dem/read/in_brief.hpp"
 #include "dem/reframe.hpp"
 #include "geometry/error.hpp"
 #include "view/profile_frame.hpp"
@@ -47,7 +48,7 @@ void stand_on_earth(Terrain& terrain, const RenderSettings& settings) {
   if (settings.curvature == Curvature::off)
     throw Error("--curvature off: " + terrain.source + " is in degrees, on the earth's curvature",
                 "for a flat picture bring it to a map plane first: gdalwarp -t_srs CRS -r cubic " +
-                    terrain.source + " projected.tif");
+                    in_command(terrain.paths) + " projected.tif");
   const double exaggeration = exaggeration_of(settings, true_box(std::get<Grid>(terrain.surface)));
   if (settings.view)
     stand_below_eye(terrain, *settings.view, exaggeration);

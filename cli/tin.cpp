@@ -2,6 +2,7 @@
 #include "cli/tin.hpp"
 
 #include "dem/approximate/approximate_grid.hpp"
+#include "dem/read/in_brief.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "draw/output_file.hpp"
 #include "draw/write_drawing.hpp"
@@ -27,7 +28,7 @@ void approximate_surface(Terrain& terrain, const TinSettings& settings) {
   if (grid.is_on_earth())
     throw Error(terrain.source + " is in degrees, in which triangles aren't written",
                 fmt::format("project it first: gdalwarp -t_srs CRS -r cubic {} projected.tif",
-                            terrain.source));
+                            in_command(terrain.paths)));
   if (!settings.max_error_m)
     throw UsageError(terrain.source + " is a grid",
                      "say how far from it the TIN may be, as in --max-error 2m; 0m keeps every "

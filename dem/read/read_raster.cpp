@@ -63,10 +63,13 @@ bool has_height(const Grid& grid) {
       grid.heights_m);
 }
 
-DegreeLattice degree_lattice(const GridOrder& order, double unit_deg, const std::string& path) {
+DegreeLattice degree_lattice(const GridOrder& order, double unit_deg,
+                             const std::vector<std::string>& paths) {
+  const std::string path = in_brief(paths);
   if (order.column_step.y != 0 || order.row_step.x != 0)
-    throw Error(fmt::format("{} is turned against meridians and parallels", path),
-                fmt::format("bring it to their order first: gdalwarp {} degrees.tif", path));
+    throw Error(
+        fmt::format("{} is turned against meridians and parallels", path),
+        fmt::format("bring it to their order first: gdalwarp {} degrees.tif", in_command(paths)));
   const DegreeLattice lattice{
       order.first.x * unit_deg, order.column_step.x * unit_deg, order.columns,
       order.first.y * unit_deg, order.row_step.y * unit_deg,    order.rows};
@@ -85,12 +88,14 @@ DegreeLattice degree_lattice(const GridOrder& order, double unit_deg, const std:
 
 // On a map plane the origin is at vertex (0, 0): then positions are whole multiples of the steps,
 // the same numbers however the file stores them.
-Grid empty_grid(const GridOrder& order, const MapFrame& map, const std::string& path) {
+Grid empty_grid(const GridOrder& order, const MapFrame& map,
+                const std::vector<std::string>& paths) {
   Grid grid;
   grid.columns = order.columns;
   grid.rows = order.rows;
   if (map.earth)
-    grid.lattice = EarthLattice(degree_lattice(order, map.earth->unit_deg, path), map.earth->local);
+    grid.lattice =
+        EarthLattice(degree_lattice(order, map.earth->unit_deg, paths), map.earth->local);
   else
     grid.lattice = PlaneLattice{{}, map.unit_m * order.column_step, map.unit_m * order.row_step};
   return grid;
@@ -192,7 +197,7 @@ Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) 
   const GridOrder order = grid_order(part_of(lattice, window));
   terrain.map.origin = order.first;
   if (sources.size() > 1 || box) set_centre(terrain.map, box_of(part_of(lattice, window)).centre());
-  Grid grid = empty_grid(order, terrain.map, terrain.source);
+  Grid grid = empty_grid(order, terrain.map, paths);
   const HeightDifferences differences = read_joined(sources, joined, window, options, grid);
   terrain.notes = notes_of(sources);
   note_differences(differences, terrain.notes);

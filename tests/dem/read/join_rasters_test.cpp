@@ -99,7 +99,7 @@ void check_same(const Terrain& joined, const Terrain& whole) {
   }
   for (const int column : {0, 1, a.columns - 1})
     for (const int row : {0, 1, a.rows - 1})
-      CHECK(a.position_m(column, row) == b.position_m(column, row));
+      CHECK(a.plane().position_m(column, row) == b.plane().position_m(column, row));
   REQUIRE(a.heights_m.index() == b.heights_m.index());
   CHECK(std::visit(
       [&](const auto& heights) {

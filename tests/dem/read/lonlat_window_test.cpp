@@ -118,7 +118,7 @@ TEST_CASE("a raster's window by longitude and latitude, over the seam of two fil
     }
   for (int column = 0; column < 40; ++column)
     for (int row = 0; row < 20; ++row) {
-      const Vec2 ground = grid_of(all).position_m(column, row);
+      const Vec2 ground = grid_of(all).plane().position_m(column, row);
       const Vec3 at = all.map.to_map({ground.x, ground.y, 0});
       if (at.x < box.low.x || at.x > box.high.x || at.y < box.low.y || at.y > box.high.y) continue;
       low_column = std::min(low_column, column);
