@@ -52,6 +52,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   SecondsReport& seconds = drawn.seconds;
   seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.check = seconds.layout =
       0;
+  counts.turned_over = scene.extent.turned_over;
   const View& view = scene.view;
   const MapFrame& map = terrain.map;
   Stopwatch watch;

@@ -37,14 +37,26 @@ double rounding_mm(const WriteOptions& write) {
   return page_step;
 }
 
-double longest_edge_m(const Surface& surface) {
-  if (const Grid* grid = std::get_if<Grid>(&surface)) {
-    const auto& [column_m, row_m] = steps_of(*grid);
-    // Of degrees columns are farther apart towards the equator: in no terrain below 80 degrees more
-    // than twice as far as in its middle.
-    const double more = grid->is_on_earth() ? 2 : 1;
-    return std::max({more * length(column_m), length(row_m), more * length(column_m + row_m)});
+// A diagonal, in metres; on the ellipsoid of the cells nearest to the equator.
+double longest_edge_m(const Grid& grid) {
+  if (!grid.is_on_earth()) {
+    const PlaneLattice& lattice = grid.plane();
+    return std::max({length(lattice.column_step_m), length(lattice.row_step_m),
+                     length(lattice.column_step_m + lattice.row_step_m)});
   }
+  const EarthLattice& earth = grid.earth();
+  const DegreeLattice& lattice = earth.degrees();
+  const double equator = -lattice.first_lat_deg / lattice.lat_step_deg;
+  const int row = static_cast<int>(std::clamp(equator, 0.0, grid.rows - 2.0));
+  double longest = 0;
+  for (const int r : {row, std::max(row - 1, 0)})
+    longest = std::max({longest, length(earth.vertex_m(1, r + 1, 0) - earth.vertex_m(0, r, 0)),
+                        length(earth.vertex_m(1, r, 0) - earth.vertex_m(0, r + 1, 0))});
+  return longest;
+}
+
+double longest_edge_m(const Surface& surface) {
+  if (const Grid* grid = std::get_if<Grid>(&surface)) return longest_edge_m(*grid);
   const Tin& tin = std::get<Tin>(surface);
   double longest = 0;
   for (const auto& corners : tin.triangles)

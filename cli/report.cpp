@@ -132,7 +132,8 @@ Json json_of(const CountsReport& counts) {
           {"strokes", counts.strokes},
           {"points", counts.points},
           {"ties", counts.ties},
-          {"dropped_strokes", counts.dropped_strokes}};
+          {"dropped_strokes", counts.dropped_strokes},
+          {"turned_over", counts.turned_over}};
 }
 
 Json json_of(const CheckReport& check) {

@@ -11,6 +11,16 @@ namespace {
 // Farther than any terrain; 14 digits are left for what is a metre.
 constexpr double kOutOfTheWay_m = 1e8;
 
+// A direction of one frame in another. What is a megametre long loses nothing that counts.
+Vec3 in_frame(const LocalFrame& from, const LocalFrame& to, Vec3 direction) {
+  constexpr double kLength_m = 1e6;
+  const auto moved = [&](Vec3 place_m) {
+    const GeoPoint at = from.to_geodetic(place_m);
+    return to.to_frame(at.lon_deg, at.lat_deg, at.h_m);
+  };
+  return (1 / kLength_m) * (moved(kLength_m * direction) - moved({}));
+}
+
 } // namespace
 
 PhigsView phigs_view(const ViewFile& file, const MapFrame& map, double exaggeration) {
@@ -49,6 +59,14 @@ ViewFile view_file_of(const View& view, const MapFrame& map) {
   ViewFile file{phigs.projection, {}, phigs.vpn, phigs.vup,        phigs.prp_m,
                 phigs.window_m,   {}, {},        view.exaggeration};
   file.vrp_map = map.to_map({phigs.vrp_m.x, phigs.vrp_m.y, phigs.vrp_m.z / view.exaggeration});
+  if (map.earth && view.is_perspective()) {
+    const LocalFrame& frame = map.earth->local;
+    const GeoPoint eye =
+        frame.to_geodetic({view.depth_origin_m.x, view.depth_origin_m.y, view.eye_z_m});
+    const LocalFrame below(eye.lon_deg, eye.lat_deg, frame.ellipsoid());
+    file.vpn = in_frame(frame, below, file.vpn);
+    file.vup = in_frame(frame, below, file.vup);
+  }
   return file;
 }
 

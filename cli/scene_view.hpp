@@ -22,6 +22,8 @@ std::vector<HalfSpace> between_planes(const ViewFile& file, const MapFrame& map,
                                       double exaggeration);
 
 /// Any view, as a file would give it.
+/// Of a perspective view of a terrain in degrees its directions are those of the frame below the
+/// eye, wherever the terrain's own frame is.
 ViewFile view_file_of(const View& view, const MapFrame& map);
 
 } // namespace orograph

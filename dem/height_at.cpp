@@ -39,6 +39,20 @@ std::optional<double> height_in(const std::array<Vec3, 3>& corners, Vec2 ground_
   return (at_p * corners[0].z + at_q * corners[1].z + at_r * corners[2].z) / twice_area;
 }
 
+// Of some vertex about a cell, which may lie outside of the grid.
+std::optional<double> height_near(const Grid& grid, int column, int row) {
+  for (const int reach : {0, 3, 12}) {
+    const int step = std::max(reach / 3, 1);
+    for (int r = row - reach; r <= row + reach; r += step)
+      for (int c = column - reach; c <= column + reach; c += step) {
+        const double z_m =
+            grid.vertex_m(std::clamp(c, 0, grid.columns - 1), std::clamp(r, 0, grid.rows - 1)).z;
+        if (!std::isnan(z_m)) return z_m;
+      }
+  }
+  return std::nullopt;
+}
+
 // On the ellipsoid vertices lean: what is above a point lies in another cell than the point itself,
 // by a height over the earth's radius for each metre from the origin.
 std::optional<double> height_on_earth(const Grid& grid, Vec2 ground_m) {
@@ -50,20 +64,20 @@ std::optional<double> height_on_earth(const Grid& grid, Vec2 ground_m) {
     const auto lower = height_in({corner, grid.vertex_m(column, row + 1), opposite}, ground_m);
     return lower ? lower : height_in({corner, opposite, grid.vertex_m(column + 1, row)}, ground_m);
   };
-  double height_m = 0;
-  constexpr int kTries = 4; // each is some hundred times nearer
+  // Where the ellipsoid is there, to a parabola; then where the terrain was found.
+  double z_m = -dot(ground_m, ground_m) / (2 * earth.frame().ellipsoid().semi_major_axis_m);
+  constexpr int kTries = 5; // each is some thirty times nearer, or more
   for (int i = 0; i < kTries; ++i) {
-    const Vec2 at = earth.column_row_at({ground_m.x, ground_m.y, height_m});
-    if (!(at.x >= -4 && at.y >= -4 && at.x <= grid.columns + 3 && at.y <= grid.rows + 3))
-      return std::nullopt;
-    const int column = static_cast<int>(std::floor(at.x)), row = static_cast<int>(std::floor(at.y));
+    const Vec2 at = earth.column_row_at({ground_m.x, ground_m.y, z_m});
+    const int column = static_cast<int>(std::floor(std::clamp(at.x, -9.0, grid.columns + 9.0))),
+              row = static_cast<int>(std::floor(std::clamp(at.y, -9.0, grid.rows + 9.0)));
     for (const int reach : {0, 1, 3})
       for (int r = row - reach; r <= row + reach; ++r)
         for (int c = column - reach; c <= column + reach; ++c)
           if (const auto found = in_cell(c, r)) return found;
-    const double nearest =
-        grid.height_m(std::clamp(column, 0, grid.columns - 1), std::clamp(row, 0, grid.rows - 1));
-    if (!std::isnan(nearest)) height_m = nearest * earth.exaggeration();
+    const auto near_m = height_near(grid, column, row);
+    if (!near_m || *near_m == z_m) break;
+    z_m = *near_m;
   }
   return std::nullopt;
 }
