@@ -3,6 +3,7 @@
 #include "cli/option_groups.hpp"
 #include "cli/option_kinds.hpp"
 #include "cli/option_values.hpp"
+#include "dem/read/length_units.hpp"
 
 #include <limits>
 
@@ -80,6 +81,17 @@ void add_terrain_options(std::vector<Option>& options, std::vector<std::string>&
                    .by_default = "gaps stay, and hide nothing"},
                   {.unit = "cells", .low = 0, .high = 1e6, .low_excluded = true},
                   [&reading](double cells) { reading.fill_voids = cells; }));
+  options.push_back(
+      {.group = kGroup,
+       .name = "--height-unit",
+       .value = "UNIT",
+       .help = "Unit of a raster's heights, where the file doesn't say it or is wrong",
+       .allowed = "m, ft, us-ft, km, dm, cm or mm",
+       .by_default = "the file's",
+       .take = [&reading](const std::string& text) {
+         reading.height_unit = text;
+         return length_unit(text).has_value();
+       }});
   constexpr auto kSurvey = "Triangles and points";
   options.push_back({.group = kSurvey,
                      .name = "--input-layer",

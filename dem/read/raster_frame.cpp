@@ -25,13 +25,25 @@ void set_horizontal(MapFrame& map, const OGRSpatialReference* crs, const std::st
   set_crs(map, *crs, path, FileKind::raster, centre);
 }
 
-void set_vertical(MapFrame& map, const OGRSpatialReference* crs, const std::string& written,
-                  const std::string& path, std::vector<std::string>& notes) {
+// What is given goes before what the file says. Where eastings are in feet, heights of no unit may
+// be either: a guess would be wrong by a factor of three.
+void set_vertical(MapFrame& map, const OGRSpatialReference* crs, const std::string& given,
+                  const std::string& in_file, const std::string& path,
+                  std::vector<std::string>& notes) {
+  const std::string& written = given.empty() ? in_file : given;
   if (written.empty() && crs && set_height_unit(map, *crs)) return;
   if (written.empty()) {
+    if (map.unit_m != 1)
+      throw Error(fmt::format("{} names no unit of height, and its coordinates are in units of "
+                              "{:.6g} m ({})",
+                              path, map.unit_m, map.unit_name),
+                  "say which: --height-unit m, ft or us-ft");
     notes.push_back("The file names no unit of height: metres are taken.");
     return;
   }
+  if (!given.empty() && !in_file.empty() && given != in_file)
+    notes.push_back(
+        fmt::format("Heights are taken as {}, though the file says {}.", given, in_file));
   const auto unit = length_unit(written);
   if (!unit)
     throw Error(
@@ -79,11 +91,12 @@ RasterLattice raster_lattice(GDALDataset& dataset, const std::string& path,
 }
 
 MapFrame raster_map_frame(GDALDataset& dataset, GDALRasterBand& band, const std::string& path,
-                          Vec2 centre, std::vector<std::string>& notes) {
+                          Vec2 centre, const std::string& height_unit,
+                          std::vector<std::string>& notes) {
   const OGRSpatialReference* crs = dataset.GetSpatialRef();
   MapFrame map;
   set_horizontal(map, crs, path, centre, notes);
-  set_vertical(map, crs, band.GetUnitType(), path, notes);
+  set_vertical(map, crs, height_unit, band.GetUnitType(), path, notes);
   return map;
 }
 

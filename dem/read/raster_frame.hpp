@@ -23,8 +23,10 @@ RasterLattice raster_lattice(GDALDataset& dataset, const std::string& path,
                              std::vector<std::string>& notes);
 
 /// CRS and units of `band`; the origin stays to be set. `centre` is in map coordinates.
-/// Throws Error for a geocentric CRS and for an unknown height unit.
+/// `height_unit`, if it isn't empty, goes before the file's own. Throws Error for a geocentric CRS,
+/// for an unknown height unit, and where none is told though the CRS's own isn't the metre.
 MapFrame raster_map_frame(GDALDataset& dataset, GDALRasterBand& band, const std::string& path,
-                          Vec2 centre, std::vector<std::string>& notes);
+                          Vec2 centre, const std::string& height_unit,
+                          std::vector<std::string>& notes);
 
 } // namespace orograph

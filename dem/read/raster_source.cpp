@@ -44,8 +44,8 @@ RasterSource open_source(const std::string& path, const ReadOptions& options) {
   GDALRasterBand& band = height_band(*source.full, path, options.band);
   source.has_place = has_georeference(*source.full);
   source.lattice = raster_lattice(*source.full, path, source.notes);
-  source.map =
-      raster_map_frame(*source.full, band, path, box_of(source.lattice).centre(), source.notes);
+  source.map = raster_map_frame(*source.full, band, path, box_of(source.lattice).centre(),
+                                options.height_unit, source.notes);
   source.code = height_code(band, source.map.height_unit_m);
   source.in_float = fits_float(band);
   if (options.overview) {

@@ -21,6 +21,7 @@ struct ReadOptions {
   int band = 1;                          ///< counted from 1
   std::vector<std::string> open_options; ///< NAME=VALUE each, handed to GDAL's driver
   std::optional<int> overview;           ///< level from 0, the finest; none reads full heights
+  std::string height_unit;               ///< as `length_unit` knows it; empty: what the file says
   std::optional<double> fill_voids;      ///< up to so many cells from a height; none leaves gaps
 
   // Triangles and points.

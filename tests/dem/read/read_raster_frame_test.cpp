@@ -65,6 +65,23 @@ TEST_CASE("units of height") {
   CHECK(unit_m("cm") == 0.01);
   raster.unit = "";
   CHECK(has_note(read_back(raster), "no unit of height"));
+  raster.crs = "EPSG:2229"; // US survey feet
+  const TempFolder folder;
+  write_raster(raster, folder.file("feet.tif"));
+  CHECK_THROWS_WITH(read_raster(folder.file("feet.tif")), Catch::Contains("no unit of height") &&
+                                                              Catch::Contains("US survey foot") &&
+                                                              Catch::Contains("--height-unit"));
+  ReadOptions in_feet;
+  in_feet.height_unit = "ft";
+  const Terrain told = read_raster(folder.file("feet.tif"), in_feet);
+  CHECK(told.map.height_unit_m == foot_m);
+  CHECK(!has_note(told, "though the file says"));
+  raster.unit = "m";
+  write_raster(raster, folder.file("metres.tif"));
+  const Terrain corrected = read_raster(folder.file("metres.tif"), in_feet);
+  CHECK(corrected.map.height_unit_m == foot_m);
+  CHECK(has_note(corrected, "taken as ft, though the file says m"));
+  raster.unit = "";
   raster.crs = "EPSG:32610+6360"; // with NAVD88 heights in US survey feet
   const Terrain compound = read_back(raster);
   CHECK(compound.map.height_unit_m == us_foot_m);
