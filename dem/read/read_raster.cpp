@@ -145,6 +145,8 @@ Terrain read(const std::string& path, const ReadOptions& options) {
   const GridOrder order = grid_order(part_of(lattice, window));
   terrain.map.origin = order.first;
   Grid grid = empty_grid(order, terrain.map, path);
+  if (grid.is_on_earth())
+    terrain.map.earth->middle_lon_deg = grid.earth().degrees().middle_lon_deg();
   read_heights(band, window, order, code, path, grid);
   note_unwritten(band, window, code, terrain.notes);
   if (options.fill_voids)
