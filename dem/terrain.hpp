@@ -7,6 +7,7 @@
 #include "dem/triangulate/triangulate.hpp"
 #include "geometry/vec.hpp"
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ struct EarthFrame {
   LocalFrame local; ///< counts longitudes from the CRS's own prime meridian
   double unit_deg = 1;
   double exaggeration = 1; ///< of heights, before they go to their place
+  /// Of the terrain: its longitudes are counted within half a turn of it. Around a pole the eye's,
+  /// which `local` counts from, may be in another turn than the terrain's farther parts.
+  double middle_lon_deg = local.origin_lon_deg();
 };
 
 /// Between ground metres and the terrain's own coordinates (its CRS's axes and units, heights in
@@ -43,7 +47,8 @@ struct MapFrame {
   Vec3 to_map(Vec3 ground_m) const {
     if (earth) {
       const GeoPoint at = earth->local.to_geodetic(ground_m);
-      return {at.lon_deg / earth->unit_deg, at.lat_deg / earth->unit_deg,
+      const double turns = std::round((at.lon_deg - earth->middle_lon_deg) / 360);
+      return {(at.lon_deg - 360 * turns) / earth->unit_deg, at.lat_deg / earth->unit_deg,
               at.h_m / earth->exaggeration / height_unit_m};
     }
     return {origin.x + ground_m.x / unit_m, origin.y + ground_m.y / unit_m,

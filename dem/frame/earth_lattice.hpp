@@ -22,6 +22,7 @@ struct DegreeLattice {
 
   double lon_deg(int column) const { return first_lon_deg + column * lon_step_deg; }
   double lat_deg(int row) const { return first_lat_deg + row * lat_step_deg; }
+  double middle_lon_deg() const { return first_lon_deg + 0.5 * (columns - 1) * lon_step_deg; }
 };
 
 /// The place of each vertex of a lattice at its exaggerated height: that of LocalFrame::to_frame,

@@ -42,6 +42,10 @@ std::vector<std::string> words(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
+const std::string kDegrees = "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
+                             "298.257223563]],PRIMEM[\"Greenwich\",0],"
+                             "UNIT[\"degree\",0.0174532925199433]]";
+
 constexpr int kSize = 40;
 double small_hill_m(int column, int row) {
   return hill_m(column, row, kSize);
@@ -69,9 +73,16 @@ void make_inputs(const MadeFolder& folder) {
   folder.write("column.asc", ascii_grid(1, 9, small_hill_m));
   folder.write("nodata.asc", ascii_grid(9, 9, nothing));
   folder.write("degrees.asc", ascii_grid(9, 9, small_hill_m));
-  folder.write("degrees.prj", "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
-                              "298.257223563]],PRIMEM[\"Greenwich\",0],"
-                              "UNIT[\"degree\",0.0174532925199433]]");
+  folder.write("degrees.prj", kDegrees);
+  const auto in_alps = ascii_grid(kSize, kSize, small_hill_m, {.x = 10, .y = 46, .cell = 0.001});
+  folder.write("alps.asc", in_alps);
+  folder.write("alps.prj", kDegrees);
+  folder.write("feet.asc", in_alps);
+  folder.write("feet.prj", "COMPD_CS[\"in feet\"," + kDegrees +
+                               ",VERT_CS[\"heights in feet\",VERT_DATUM[\"a sea\",2005],"
+                               "UNIT[\"foot\",0.3048],AXIS[\"Up\",UP]]]");
+  folder.write("quarry.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("quarry.prj", "LOCAL_CS[\"a quarry\",UNIT[\"metre\",1]]");
   folder.write("utm.asc", ascii_grid(kSize, kSize, small_hill_m));
   folder.write("utm.prj", kUtm32);
   folder.write("text.asc", "This is no raster.\n");

@@ -48,10 +48,10 @@ std::vector<std::string> MadeFolder::names() const {
   return names;
 }
 
-std::string ascii_grid(int columns, int rows, const HeightOf& height_m) {
+std::string ascii_grid(int columns, int rows, const HeightOf& height_m, const AsciiPlace& place) {
   std::ostringstream text;
-  text << "ncols " << columns << "\nnrows " << rows
-       << "\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n";
+  text << "ncols " << columns << "\nnrows " << rows << "\nxllcorner " << place.x << "\nyllcorner "
+       << place.y << "\ncellsize " << place.cell << "\nNODATA_value -9999\n";
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column)
       text << height_m(column, row) << (column + 1 < columns ? ' ' : '\n');

@@ -32,8 +32,14 @@ private:
 /// Height in metres at a column and a row.
 using HeightOf = std::function<double(int column, int row)>;
 
-/// Arc/Info ASCII grid with cells of 10 m and its lower left corner at (0, 0); "-9999" is nodata.
-std::string ascii_grid(int columns, int rows, const HeightOf& height_m);
+/// Of the lower left corner, and the length of a cell's side.
+struct AsciiPlace {
+  double x = 0, y = 0, cell = 10;
+};
+
+/// Arc/Info ASCII grid, unless told otherwise with cells of 10 m from (0, 0); "-9999" is nodata.
+std::string ascii_grid(int columns, int rows, const HeightOf& height_m,
+                       const AsciiPlace& place = {});
 
 /// GeoTIFF of float32, uncompressed, one strip, cells of 10 m, upper left corner at (0, 10 rows);
 /// the heights come after the tags.
