@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a raster lies, and in which units.
 #include "dem/read/crs_frame.hpp"
+#include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/read/raster_file.hpp"
 #include "tests/dem/read/read_back.hpp"
@@ -68,9 +69,14 @@ TEST_CASE("units of height") {
   raster.crs = "EPSG:2229"; // US survey feet
   const TempFolder folder;
   write_raster(raster, folder.file("feet.tif"));
-  CHECK_THROWS_WITH(read_raster(folder.file("feet.tif")), Catch::Contains("no unit of height") &&
-                                                              Catch::Contains("US survey foot") &&
-                                                              Catch::Contains("--height-unit"));
+  std::string refused;
+  try {
+    read_raster(folder.file("feet.tif"));
+  } catch (const Error& error) {
+    refused = error.what();
+  }
+  for (const char* words : {"no unit of height", "US survey foot", "--height-unit m, ft"})
+    CHECK(refused.find(words) != std::string::npos);
   ReadOptions in_feet;
   in_feet.height_unit = "ft";
   const Terrain told = read_raster(folder.file("feet.tif"), in_feet);
