@@ -81,6 +81,12 @@ void make_inputs(const MadeFolder& folder) {
   folder.write("feet.prj", "COMPD_CS[\"in feet\"," + kDegrees +
                                ",VERT_CS[\"heights in feet\",VERT_DATUM[\"a sea\",2005],"
                                "UNIT[\"foot\",0.3048],AXIS[\"Up\",UP]]]");
+  folder.write("bare.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("bare.prj", "PROJCS[\"feet\"," + kDegrees +
+                               ",PROJECTION[\"Transverse_Mercator\"],PARAMETER["
+                               "\"latitude_of_origin\",0],PARAMETER[\"central_meridian\",3],"
+                               "PARAMETER[\"scale_factor\",1],PARAMETER[\"false_easting\",0],"
+                               "PARAMETER[\"false_northing\",0],UNIT[\"Foot\",0.3048]]");
   folder.write("quarry.asc", ascii_grid(kSize, kSize, small_hill_m));
   folder.write("quarry.prj", "LOCAL_CS[\"a quarry\",UNIT[\"metre\",1]]");
   folder.write("utm.asc", ascii_grid(kSize, kSize, small_hill_m));

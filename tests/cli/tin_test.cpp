@@ -79,7 +79,7 @@ TEST_CASE("a written TIN draws the same lines as what it was made of") {
   CHECK(holds(of_grid, "<path"));
   for (const char* format : {"ply", "off", "obj"}) {
     const std::string file = fmt::format("hill.{}", format);
-    run(folder, {"tin", "hill.asc", file, "--max-error", "0m"});
+    run(folder, {"tin", "hill.asc", file, "--max-error", "0m", "--height-unit", "m"});
     CAPTURE(format);
     CHECK((drawing_of(file) == of_grid));
   }
@@ -119,7 +119,7 @@ TEST_CASE("heights in metres on a map in feet come back as they were") {
   for (const char* format : {"gpkg", "ply", "off", "obj"}) {
     CAPTURE(format);
     const std::string file = fmt::format("feet.{}", format);
-    run(folder, {"tin", "hill.asc", file, "--max-error", "0m"});
+    run(folder, {"tin", "hill.asc", file, "--max-error", "0m", "--height-unit", "m"});
     const auto input = report_of(folder, {"render", file, "feet.svg"})["input"];
     CHECK(input["unit_m"] == 0.3048);
     CHECK(input["height_unit_m"] == 1.0);

@@ -103,8 +103,8 @@ struct Asked {
 std::vector<WrittenStroke> drawn(const DegreesFile& file, const Asked& asked) {
   const TempFolder folder;
   RenderSettings settings;
-  settings.input = folder.file("made.tif");
-  write(file, settings.input);
+  settings.inputs = {folder.file("made.tif")};
+  write(file, settings.inputs.front());
   settings.output = folder.file("out." + asked.format);
   settings.write.format = format_of_name(asked.format);
   settings.eye_map = asked.eye;
