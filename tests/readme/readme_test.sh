@@ -33,6 +33,7 @@ run_page() {
   ln -s "$program" "$folder/bin/orograph"
   ln -s "$root/data_samples" "$folder/data_samples"
   ln -s "$root/data_samples/jacksboro.tif" "$folder/dem.tif" # the reader's own
+  for tile in north south; do ln -s "$root/data_samples/jacksboro.tif" "$folder/$tile.tif"; done
   while IFS= read -r command; do
     [[ $command == orograph\ * ]] || continue
     ran=$((ran + 1))
