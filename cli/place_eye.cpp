@@ -2,6 +2,7 @@
 #include "cli/place_eye.hpp"
 
 #include "cli/map_bounds.hpp"
+#include "dem/frame/local_frame.hpp"
 #include "dem/height_at.hpp"
 #include "dem/read/lonlat.hpp"
 #include "geometry/error.hpp"
@@ -46,6 +47,16 @@ void refuse_swapped(const Named& at, const Box2& bounds) {
               fmt::format("longitude comes first, then latitude: {} {},{}", at.option, y, x));
 }
 
+std::string where_terrain_is(const Named& at, const MapFrame& map, const Box2& on_map) {
+  if (at.lonlat)
+    if (const auto bounds = lonlat_bounds(map.crs_wkt, on_map))
+      return fmt::format(
+          "it lies between longitudes {:.5f} and {:.5f}, latitudes {:.5f} and {:.5f}",
+          bounds->low.x, bounds->high.x, bounds->low.y, bounds->high.y);
+  return fmt::format("it lies between {:.10g},{:.10g} and {:.10g},{:.10g}", on_map.low.x,
+                     on_map.low.y, on_map.high.x, on_map.high.y);
+}
+
 // A longitude of the terrain's own turn, whichever turn it was given in.
 Vec2 in_turn_of(const Terrain& terrain, Vec2 place) {
   const double turn = 360 / terrain.map.earth->unit_deg, middle = map_bounds(terrain).centre().x;
@@ -63,12 +74,22 @@ Vec2 lonlat_on_map(const Named& at, const Terrain& terrain) {
     throw Error(fmt::format("{}: the terrain's CRS, {}, doesn't tell where on the earth it is",
                             at.option, map.crs_name),
                 fmt::format("give {} in its own coordinates", in_map));
-  if (const auto bounds = lonlat_bounds(map.crs_wkt, map_bounds(terrain)))
-    refuse_swapped(at, *bounds);
+  const auto bounds = lonlat_bounds(map.crs_wkt, map_bounds(terrain));
+  if (bounds) refuse_swapped(at, *bounds);
   const auto place = map_of_lonlat(map.crs_wkt, {at.place.x, at.place.y});
   if (!place)
     throw Error(fmt::format("{} has no place in the terrain's CRS, {}", at.text(), map.crs_name),
                 "longitude comes first, then latitude; the place must be near the terrain");
+  // PROJ finds some place in a transverse Mercator's CRS for the earth's other side as well.
+  constexpr double kFar_m = 2e6; // from which the eye would have to stand 300 km high
+  if (bounds && !map.earth) {
+    const Vec2 centre = bounds->centre();
+    const double away_m =
+        distance_and_azimuth({centre.x, centre.y, 0}, {at.place.x, at.place.y, 0}).distance_m;
+    if (!(away_m <= kFar_m))
+      throw Error(fmt::format("{} is {:.0f} km away from the terrain", at.text(), away_m / 1000),
+                  where_terrain_is(at, map, map_bounds(terrain)));
+  }
   return *place;
 }
 
@@ -80,16 +101,6 @@ Vec2 place_on_map(const Named& at, const Terrain& terrain) {
     throw Error(fmt::format("{} is no place: its latitude is beyond a pole", at.text()),
                 "longitude comes first, then latitude");
   return in_turn_of(terrain, place);
-}
-
-std::string where_terrain_is(const Named& at, const MapFrame& map, const Box2& on_map) {
-  if (at.lonlat)
-    if (const auto bounds = lonlat_bounds(map.crs_wkt, on_map))
-      return fmt::format(
-          "it lies between longitudes {:.5f} and {:.5f}, latitudes {:.5f} and {:.5f}",
-          bounds->low.x, bounds->high.x, bounds->low.y, bounds->high.y);
-  return fmt::format("it lies between {:.10g},{:.10g} and {:.10g},{:.10g}", on_map.low.x,
-                     on_map.low.y, on_map.high.x, on_map.high.y);
 }
 
 // The ground at a place on the map. On the ellipsoid uprights lean away from the origin's, so that
