@@ -24,8 +24,10 @@ int last_cell(double number, int cells) {
 }
 
 // On a triangle that holds the point, its edges included; a point that is off an edge by the
-// rounding of coordinates is on it. A triangle that runs clockwise holds none, nor does a wall.
-std::optional<double> height_in(const std::array<Vec3, 3>& corners, Vec2 ground_m) {
+// rounding of coordinates, or of its own place, is on it. A triangle that runs clockwise holds
+// none, nor does a wall.
+std::optional<double> height_in(const std::array<Vec3, 3>& corners, Vec2 ground_m,
+                                double rounding_m = 0) {
   constexpr double kRounding = 1e-12;
   const auto from_point = [&](std::size_t i) {
     return Vec2{corners[i].x - ground_m.x, corners[i].y - ground_m.y};
@@ -34,7 +36,7 @@ std::optional<double> height_in(const std::array<Vec3, 3>& corners, Vec2 ground_
   const double at_p = cross(q, r), at_q = cross(r, p), at_r = cross(p, q);
   const double twice_area = at_p + at_q + at_r;
   if (!(twice_area > 0)) return std::nullopt;
-  const double slack = kRounding * twice_area;
+  const double slack = kRounding * twice_area + rounding_m * (length(p) + length(q) + length(r));
   if (at_p < -slack || at_q < -slack || at_r < -slack) return std::nullopt;
   return (at_p * corners[0].z + at_q * corners[1].z + at_r * corners[2].z) / twice_area;
 }
@@ -43,27 +45,31 @@ std::optional<double> height_in(const std::array<Vec3, 3>& corners, Vec2 ground_
 // by a height over the earth's radius for each metre from the origin.
 std::optional<double> height_on_earth(const Grid& grid, Vec2 ground_m) {
   const EarthLattice& earth = grid.earth();
+  constexpr double kRounding_m = 1e-8; // of a place that LocalFrame tells, and some
   const auto in_cell = [&](int column, int row) -> std::optional<double> {
     if (column < 0 || row < 0 || column + 1 >= grid.columns || row + 1 >= grid.rows)
       return std::nullopt;
     const Vec3 corner = grid.vertex_m(column, row), opposite = grid.vertex_m(column + 1, row + 1);
-    const auto lower = height_in({corner, grid.vertex_m(column, row + 1), opposite}, ground_m);
-    return lower ? lower : height_in({corner, opposite, grid.vertex_m(column + 1, row)}, ground_m);
+    const auto lower =
+        height_in({corner, grid.vertex_m(column, row + 1), opposite}, ground_m, kRounding_m);
+    return lower ? lower
+                 : height_in({corner, opposite, grid.vertex_m(column + 1, row)}, ground_m,
+                             kRounding_m);
   };
-  double height_m = 0;
+  double z_m = 0;
   constexpr int kTries = 4; // each is some hundred times nearer
   for (int i = 0; i < kTries; ++i) {
-    const Vec2 at = earth.column_row_at({ground_m.x, ground_m.y, height_m});
-    if (!(at.x >= -4 && at.y >= -4 && at.x <= grid.columns + 3 && at.y <= grid.rows + 3))
-      return std::nullopt;
+    const Vec2 at = earth.column_row_at({ground_m.x, ground_m.y, z_m});
+    if (!(std::abs(at.x) < 1e9 && std::abs(at.y) < 1e9)) return std::nullopt;
     const int column = static_cast<int>(std::floor(at.x)), row = static_cast<int>(std::floor(at.y));
     for (const int reach : {0, 1, 3})
       for (int r = row - reach; r <= row + reach; ++r)
         for (int c = column - reach; c <= column + reach; ++c)
           if (const auto found = in_cell(c, r)) return found;
-    const double nearest =
-        grid.height_m(std::clamp(column, 0, grid.columns - 1), std::clamp(row, 0, grid.rows - 1));
-    if (!std::isnan(nearest)) height_m = nearest * earth.exaggeration();
+    // Far from the origin the ground is far below it, wherever the point is.
+    const int c = std::clamp(column, 0, grid.columns - 1), r = std::clamp(row, 0, grid.rows - 1);
+    const double height_m = grid.height_m(c, r);
+    z_m = earth.vertex_m(c, r, std::isnan(height_m) ? 0 : height_m).z;
   }
   return std::nullopt;
 }
