@@ -112,13 +112,14 @@ std::optional<Vec3> on_ground(Vec2 place, const Terrain& terrain) {
     return height ? std::optional(Vec3{at.x, at.y, *height}) : std::nullopt;
   }
   constexpr int kSteps = 8; // each is nearer by what the upright leans, a fiftieth 100 km away
+  Vec3 ground = at;
   for (int i = 0; i < kSteps; ++i) {
     const auto z = height_at(terrain.surface, {at.x, at.y});
     if (!z) return std::nullopt;
-    const double height = terrain.map.to_map({at.x, at.y, *z}).z;
-    at = terrain.map.to_ground_m({place.x, place.y, height});
+    ground = {at.x, at.y, *z};
+    at = terrain.map.to_ground_m({place.x, place.y, terrain.map.to_map(ground).z});
   }
-  return at;
+  return ground; // not `at`, which a rounding may have put below it
 }
 
 Vec3 ground_m(const Named& at, Vec2 place, const Terrain& terrain) {

@@ -24,8 +24,10 @@ int last_cell(double number, int cells) {
 }
 
 // On a triangle that holds the point, its edges included; a point that is off an edge by the
-// rounding of coordinates is on it. A triangle that runs clockwise holds none, nor does a wall.
-std::optional<double> height_in(const std::array<Vec3, 3>& corners, Vec2 ground_m) {
+// rounding of coordinates, or of its own place, is on it. A triangle that runs clockwise holds
+// none, nor does a wall.
+std::optional<double> height_in(const std::array<Vec3, 3>& corners, Vec2 ground_m,
+                                double rounding_m = 0) {
   constexpr double kRounding = 1e-12;
   const auto from_point = [&](std::size_t i) {
     return Vec2{corners[i].x - ground_m.x, corners[i].y - ground_m.y};
@@ -34,7 +36,7 @@ std::optional<double> height_in(const std::array<Vec3, 3>& corners, Vec2 ground_
   const double at_p = cross(q, r), at_q = cross(r, p), at_r = cross(p, q);
   const double twice_area = at_p + at_q + at_r;
   if (!(twice_area > 0)) return std::nullopt;
-  const double slack = kRounding * twice_area;
+  const double slack = kRounding * twice_area + rounding_m * (length(p) + length(q) + length(r));
   if (at_p < -slack || at_q < -slack || at_r < -slack) return std::nullopt;
   return (at_p * corners[0].z + at_q * corners[1].z + at_r * corners[2].z) / twice_area;
 }
@@ -57,18 +59,23 @@ std::optional<double> height_near(const Grid& grid, int column, int row) {
 // by a height over the earth's radius for each metre from the origin.
 std::optional<double> height_on_earth(const Grid& grid, Vec2 ground_m) {
   const EarthLattice& earth = grid.earth();
+  constexpr double kRounding_m = 1e-8; // of a place that LocalFrame tells, and some
   const auto in_cell = [&](int column, int row) -> std::optional<double> {
     if (column < 0 || row < 0 || column + 1 >= grid.columns || row + 1 >= grid.rows)
       return std::nullopt;
     const Vec3 corner = grid.vertex_m(column, row), opposite = grid.vertex_m(column + 1, row + 1);
-    const auto lower = height_in({corner, grid.vertex_m(column, row + 1), opposite}, ground_m);
-    return lower ? lower : height_in({corner, opposite, grid.vertex_m(column + 1, row)}, ground_m);
+    const auto lower =
+        height_in({corner, grid.vertex_m(column, row + 1), opposite}, ground_m, kRounding_m);
+    return lower ? lower
+                 : height_in({corner, opposite, grid.vertex_m(column + 1, row)}, ground_m,
+                             kRounding_m);
   };
   // Where the ellipsoid is there, to a parabola; then where the terrain was found.
   double z_m = -dot(ground_m, ground_m) / (2 * earth.frame().ellipsoid().semi_major_axis_m);
   constexpr int kTries = 5; // each is some thirty times nearer, or more
   for (int i = 0; i < kTries; ++i) {
     const Vec2 at = earth.column_row_at({ground_m.x, ground_m.y, z_m});
+    if (!(std::isfinite(at.x) && std::isfinite(at.y))) return std::nullopt;
     const int column = static_cast<int>(std::floor(std::clamp(at.x, -9.0, grid.columns + 9.0))),
               row = static_cast<int>(std::floor(std::clamp(at.y, -9.0, grid.rows + 9.0)));
     for (const int reach : {0, 1, 3})

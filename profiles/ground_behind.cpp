@@ -6,7 +6,10 @@
 #include "profiles/slab_lines.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 namespace orograph {
@@ -129,9 +132,15 @@ bool rises(Steps steps, const View& view, const ProfileLine& line, SurfaceEdge e
   const double z_per_m = z_along_ray(view, from);
   Corner left{edge.from, line.from}, right{edge.to, line.to};
   if (right_of_ray(left.at) > right_of_ray(right.at)) std::swap(left, right);
-  const SurfaceEdge first{left.index, right.index};
   steps.begin(left.index, right.index);
+  std::array<std::uint32_t, 3> met{};
+  std::size_t passed = 0;
   while (const std::optional<Corner> ahead = steps.ahead()) {
+    // Round in a circle, around a vertex by rounding or where cliffs on the ellipsoid lean over,
+    // and perhaps not from the first step on: what was passed before will be again.
+    const std::array present{left.index, right.index, ahead->index};
+    if (present == met) return false;
+    if (std::has_single_bit(++passed)) met = present;
     // Of three corners one or two are on the right.
     const bool to_the_left = right_of_ray(ahead->at) > 0;
     (to_the_left ? right : left) = *ahead;
@@ -146,7 +155,6 @@ bool rises(Steps steps, const View& view, const ProfileLine& line, SurfaceEdge e
     // The silhouette's own edge is in reach of rounding: a thousandth of an edge is not behind it.
     const double least_m = 1e-3 * std::max(std::abs(b.u - a.u), std::abs(b.v - a.v));
     if (distance > least_m && p.z >= from.z + distance * z_per_m) return true;
-    if (SurfaceEdge{left.index, right.index} == first) return false; // around a vertex, by rounding
     if (to_the_left)
       steps.leave_on_left();
     else

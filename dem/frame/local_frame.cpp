@@ -27,6 +27,7 @@ LocalFrame::LocalFrame(double lon_deg, double lat_deg, const Ellipsoid& ellipsoi
 }
 
 Vec3 LocalFrame::to_frame(double lon_deg, double lat_deg, double h_m) const {
+  if (lon_deg == origin_lon_deg_ && lat_deg == origin_lat_deg_) return {0, 0, h_m};
   Vec3 frame_m;
   exact_->cartesian.Forward(lat_deg, lon_deg, h_m, frame_m.x, frame_m.y, frame_m.z);
   return frame_m;

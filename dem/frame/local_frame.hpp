@@ -31,7 +31,8 @@ public:
   double origin_lon_deg() const { return origin_lon_deg_; } ///< as given
   double origin_lat_deg() const { return origin_lat_deg_; }
 
-  /// NaN for a latitude beyond the poles.
+  /// NaN for a latitude beyond the poles. Above the origin as given exactly so, as a lattice's
+  /// vertex there is: an eye on it is on it.
   Vec3 to_frame(double lon_deg, double lat_deg, double h_m) const;
   /// The longitude is within half a turn of the origin's as given: 359 to 361 degrees about an
   /// origin at 360, and whatever else a file counts in.

@@ -2,7 +2,7 @@
 // The height at a point against every triangle's barycentric coordinates.
 #include "dem/height_at.hpp"
 #include "tests/catch.hpp"
-#include "tests/support/made_grid.hpp"
+#include "tests/support/made_earth_grid.hpp"
 
 #include <algorithm>
 
@@ -85,4 +85,44 @@ TEST_CASE("far outside there is no height, nor at a point that isn't a number") 
     CHECK_FALSE(height_at(grid, {x, -1}));
     CHECK_FALSE(height_at(grid, {1, -x}));
   }
+}
+
+TEST_CASE(
+    "on the ellipsoid all vertices of triangles are on the ground, where LocalFrame has them") {
+  std::size_t asked = 0, beside = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed);
+    MadeEarth made = random_earth(random, 8);
+    made.lon_step_deg = random.pick({1.0 / 36000, 1.0 / 3600, 0.05}); // 3 m, 30 m, 5 km
+    made.lat_step_deg = made.lon_step_deg;
+    made.origin_lat_deg = random.between(-80, 80);
+    made.north_deg = made.origin_lat_deg + random.between(-2, 2);
+    made.west_deg = made.origin_lon_deg + random.between(-2, 2);
+    Grid grid = made_earth_grid(random, made);
+    // Gentle ground: the same place may be on either side of a vertex that leans.
+    std::visit(
+        [&](auto& heights) {
+          for (auto& h : heights) h = std::isnan(h) ? h : std::fmod(h, decltype(h + 0){1});
+        },
+        grid.heights_m);
+    CAPTURE(seed, made.lon_step_deg, made.origin_lon_deg, made.origin_lat_deg);
+    std::vector<bool> has_triangle(grid.size(), false);
+    for (const GridTriangle& triangle : triangles_of(grid))
+      for (const std::uint32_t vertex : triangle.vertices) has_triangle[vertex] = true;
+    const DegreeLattice& degrees = grid.earth().degrees();
+    for (int r = 0; r < grid.rows; ++r)
+      for (int c = 0; c < grid.columns; ++c) {
+        const double height = grid.height_m(c, r) * made.exaggeration;
+        if (std::isnan(height)) continue;
+        const Vec3 at =
+            grid.earth().frame().to_frame(degrees.lon_deg(c), degrees.lat_deg(r), height);
+        const auto found = height_at(grid, {at.x, at.y});
+        CAPTURE(c, r, at.x, at.y, at.z);
+        REQUIRE(found.has_value() == has_triangle[grid.index(c, r)]);
+        ++(found ? asked : beside);
+        if (found) REQUIRE(std::abs(*found - at.z) <= 1e-6);
+      }
+  }
+  CHECK(asked > 3000);
+  CHECK(beside > 50);
 }
