@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace orograph {
@@ -103,6 +104,15 @@ Vec2 place_on_map(const Named& at, const Terrain& terrain) {
   return in_turn_of(terrain, place);
 }
 
+// True height of the vertex nearest to a place; 0 where there is none.
+double height_near(const Grid& grid, Vec3 ground_m) {
+  const Vec2 at = grid.earth().column_row_at(ground_m);
+  const double column = std::clamp(std::round(at.x), 0.0, grid.columns - 1.0);
+  const double row = std::clamp(std::round(at.y), 0.0, grid.rows - 1.0);
+  const double height = grid.height_m(static_cast<int>(column), static_cast<int>(row));
+  return std::isnan(height) ? 0 : height;
+}
+
 // The ground at a place on the map. On the ellipsoid uprights lean away from the origin's, so that
 // height and place in the frame are found together.
 std::optional<Vec3> on_ground(Vec2 place, const Terrain& terrain) {
@@ -111,6 +121,9 @@ std::optional<Vec3> on_ground(Vec2 place, const Terrain& terrain) {
     const auto height = height_at(terrain.surface, {at.x, at.y});
     return height ? std::optional(Vec3{at.x, at.y, *height}) : std::nullopt;
   }
+  // At about its height, lest it is beyond the terrain's border or a gap's.
+  const double height_m = height_near(std::get<Grid>(terrain.surface), at);
+  at = terrain.map.to_ground_m({place.x, place.y, height_m / terrain.map.height_unit_m});
   constexpr int kSteps = 8; // each is nearer by what the upright leans, a fiftieth 100 km away
   Vec3 ground = at;
   for (int i = 0; i < kSteps; ++i) {

@@ -29,7 +29,7 @@ bool straddles(const FramePoint& a, const FramePoint& b, double depth) {
   return (a.v < depth && b.v > depth) || (a.v > depth && b.v < depth);
 }
 
-CutVertex crossing(const FramePoint& a, const FramePoint& b, double depth) {
+PlaneVertex crossing(const FramePoint& a, const FramePoint& b, double depth) {
   const long double t =
       (static_cast<long double>(depth) - a.v) / (static_cast<long double>(b.v) - a.v);
   return {a.u + t * (static_cast<long double>(b.u) - a.u),
@@ -37,7 +37,7 @@ CutVertex crossing(const FramePoint& a, const FramePoint& b, double depth) {
 }
 
 void cut_edge(const FramePoint& a, const FramePoint& b, double depth,
-              std::vector<CutVertex>& vertices) {
+              std::vector<PlaneVertex>& vertices) {
   if (straddles(a, b, depth)) vertices.push_back(crossing(a, b, depth));
 }
 
@@ -67,7 +67,7 @@ TriangleCuts cut_by_triangles(const Grid& grid, const View& view, const Triangle
       if (east && south) cut_edge(here, points[grid.index(c + 1, r + 1)], depth, cuts.vertices);
     }
   for (const GridTriangle& triangle : triangles_of(grid)) {
-    std::vector<CutVertex> met;
+    std::vector<PlaneVertex> met;
     for (std::size_t k = 0; k < 3; ++k) {
       const FramePoint& a = points[triangle.vertices[k]];
       if (a.v == depth) met.push_back({a.u, a.z});
@@ -80,13 +80,13 @@ TriangleCuts cut_by_triangles(const Grid& grid, const View& view, const Triangle
     cuts.segments.push_back({met[in_order ? 0 : 1], met[in_order ? 1 : 0], is_level});
   }
   std::sort(cuts.vertices.begin(), cuts.vertices.end(),
-            [](const CutVertex& a, const CutVertex& b) { return a.u < b.u; });
+            [](const PlaneVertex& a, const PlaneVertex& b) { return a.u < b.u; });
   return cuts;
 }
 
 namespace {
 
-bool is_near(double u, double z, const CutVertex& v, double tolerance) {
+bool is_near(double u, double z, const PlaneVertex& v, double tolerance) {
   if (std::abs(u - v.u) > tolerance) return false;
   // On an edge with one height only, the crossing rounds to the vertex that has it, or not.
   return std::isnan(z) || std::isnan(v.z) || std::abs(z - v.z) <= 1e3 * tolerance;
@@ -119,7 +119,7 @@ std::string false_vertex_of(const Profile& profile, const TriangleCuts& expected
       return fault.str();
     }
   for (std::size_t i = 0; i < count; ++i)
-    if (std::none_of(expected.vertices.begin(), expected.vertices.end(), [&](const CutVertex& v) {
+    if (std::none_of(expected.vertices.begin(), expected.vertices.end(), [&](const PlaneVertex& v) {
           return is_near(profile.u_m[i], profile.z_m[i], v, tolerance);
         })) {
       fault << "vertex " << i << " (" << profile.u_m[i] << ", " << profile.z_m[i]
@@ -137,7 +137,7 @@ std::string fault_of(const Profile& profile, const TriangleCuts& expected, doubl
   const std::size_t count = profile.size();
   bool apart = true;
   for (std::size_t k = 0; k < expected.vertices.size(); ++k) {
-    const CutVertex& v = expected.vertices[k];
+    const PlaneVertex& v = expected.vertices[k];
     apart = apart && (k == 0 || v.u - expected.vertices[k - 1].u > 4 * tolerance);
     bool found = false;
     for (std::size_t i = 0; i < count && !found; ++i)

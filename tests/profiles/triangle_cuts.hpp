@@ -12,20 +12,20 @@
 
 namespace orograph {
 
-struct CutVertex {
+struct PlaneVertex {
   long double u, z;
 };
 
 /// A triangle's (or, in the plane, an edge's) part of the profile, left to right.
 struct CutSegment {
-  CutVertex left, right;
+  PlaneVertex left, right;
   bool level;
 };
 
 struct TriangleCuts {
   /// Where the plane crosses a column line, a row line or a diagonal, or meets a vertex; sorted by
   /// u. z is NaN where there is no height.
-  std::vector<CutVertex> vertices;
+  std::vector<PlaneVertex> vertices;
   std::vector<CutSegment> segments;
 };
 
