@@ -3,7 +3,6 @@
 // (docs/how-it-works.md).
 #pragma once
 
-#include "dem/approximate/tin_of_grid.hpp"
 #include "dem/surface.hpp"
 #include "geometry/profile_point.hpp"
 #include "reference/grid_ray_walk.hpp"
@@ -23,31 +22,21 @@ class RayWalk {
 public:
   /// REQUIRES that the surface outlives the walk. Cost: one pass over it. Of a grid on the
   /// ellipsoid the TIN of its triangles is made, some 50 bytes a triangle.
-  RayWalk(const Grid& grid, const View& view) {
-    if (!grid.is_on_earth()) {
-      walk_.emplace<GridRayWalk>(grid, view);
-      return;
-    }
-    triangles_ = std::make_shared<const Tin>(tin_of(grid));
-    walk_.emplace<TinRayWalk>(*triangles_, view);
-  }
-  RayWalk(const Tin& tin, const View& view) { walk_.emplace<TinRayWalk>(tin, view); }
-  RayWalk(const Surface& surface, const View& view)
-      : RayWalk(std::holds_alternative<Grid>(surface) ? RayWalk(std::get<Grid>(surface), view)
-                                                      : RayWalk(std::get<Tin>(surface), view)) {}
+  RayWalk(const Grid& grid, const View& view);
+  RayWalk(const Tin& tin, const View& view);
+  RayWalk(const Surface& surface, const View& view);
 
   /// A point of the surface is hidden if and only if greatest_y is more than its own Y; where the
   /// two differ by no more than `rounding`, double precision can't tell. Triangles hold their
   /// edges: a ray along an edge or through a vertex meets what is there on either side.
   /// REQUIRES p.v > 0 in perspective. Cost: the edges near the ray.
   InFront in_front(ProfilePoint p) const {
-    if (const auto* tin = std::get_if<TinRayWalk>(&walk_)) return tin->in_front(p);
-    return std::get<GridRayWalk>(walk_).in_front(p);
+    return std::visit([&](const auto& walk) { return walk.in_front(p); }, walk_);
   }
 
 private:
   std::shared_ptr<const Tin> triangles_; ///< of a grid on the ellipsoid; never changes
-  std::variant<std::monostate, GridRayWalk, TinRayWalk> walk_;
+  std::variant<GridRayWalk, TinRayWalk> walk_;
 };
 
 } // namespace orograph
