@@ -11,7 +11,9 @@ trap 'rm -rf "$folder"' EXIT
 "$program" "$folder" "$@"
 for grid in "$folder"/*.asc; do
   name=$(basename "$grid" .asc)
-  gdal_translate -q -of VRT -ot Float32 -a_srs EPSG:32631 "$grid" "$folder/$name.vrt"
+  crs=EPSG:32631
+  [ "$name" != archipelago ] || crs=EPSG:4326
+  gdal_translate -q -of VRT -ot Float32 -a_srs $crs "$grid" "$folder/$name.vrt"
   gdal_edit.py -units m "$folder/$name.vrt"
   gdal_translate -q -co COMPRESS=DEFLATE -co PREDICTOR=3 -co ZLEVEL=9 -co BLOCKYSIZE=301 \
     "$folder/$name.vrt" "$folder/$name.tif"

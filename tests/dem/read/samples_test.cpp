@@ -73,6 +73,20 @@ TEST_CASE("made samples are what the program makes today") {
   }
 }
 
+TEST_CASE("the archipelago has the islands' heights, a degree wide") {
+  const Terrain terrain = read_raster(path_of("archipelago"));
+  const Grid& kept = grid_of(terrain);
+  CHECK(terrain.notes.empty());
+  REQUIRE(kept.is_on_earth());
+  const DegreeLattice& lattice = kept.earth().degrees();
+  CHECK(std::abs(lattice.lon_deg(0) - 2) <= 1e-12);
+  CHECK(std::abs(lattice.lon_deg(kept.columns - 1) - 3) <= 1e-12);
+  CHECK(std::abs(lattice.lat_deg(0) - 1) <= 1e-12);
+  CHECK(std::abs(lattice.lat_deg(kept.rows - 1)) <= 1e-12);
+  const Grid islands = grid_of(read_raster(path_of("islands")));
+  CHECK(kept.heights_m == islands.heights_m);
+}
+
 TEST_CASE("the volcano's crater opens where it does in nature") {
   const Grid grid = grid_of(read_raster(path_of("volcano")));
   // The summit is on the southern rim, the crater's floor north of it, lower than the rim around.
