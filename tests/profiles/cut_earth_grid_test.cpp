@@ -10,7 +10,7 @@
 #include "tests/support/made_earth_grid.hpp"
 
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -99,7 +99,9 @@ std::vector<double> depths_to_cut(Random& random, const Grid& grid, const View& 
 }
 
 bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](double x, double y) { return bits(x) == bits(y); });
 }
 
 struct Compared {
