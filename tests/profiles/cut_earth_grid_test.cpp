@@ -9,6 +9,8 @@
 #include "tests/profiles/triangle_cuts.hpp"
 #include "tests/support/made_earth_grid.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
