@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: an index is a place counted in a lattice's columns (x) and rows (y), not rounded.
 #include "dem/read/join_tiles.hpp"
 
 #include "dem/read/in_brief.hpp"
@@ -37,7 +36,7 @@ bool is_whole(Vec2 index) {
 
 // A step of rows or columns, in the base's: over the whole tile it must lead to the same vertices.
 bool same_step(const RasterLattice& base, Vec2 base_step, Vec2 step, int count) {
-  const Vec2 apart = index_in(base, base.first + std::max(1, count - 1) * (step - base_step));
+  const Vec2 apart = base.index_of(base.first + std::max(1, count - 1) * (step - base_step));
   return std::abs(apart.x) <= kSameVertex && std::abs(apart.y) <= kSameVertex;
 }
 
@@ -45,8 +44,8 @@ Window window_on(const Tile& base, const Tile& tile, std::optional<int> overview
   const RasterLattice &b = base.lattice, &t = tile.lattice;
   const bool same_steps = same_step(b, b.pixel_step, t.pixel_step, t.pixels) &&
                           same_step(b, b.line_step, t.line_step, t.lines);
-  const Vec2 first = index_in(b, t.first);
-  const Vec2 last = index_in(b, t.position(t.pixels - 1, t.lines - 1));
+  const Vec2 first = b.index_of(t.first);
+  const Vec2 last = b.index_of(t.position(t.pixels - 1, t.lines - 1));
   if (!same_steps || !is_whole(first) || !is_whole(last))
     refuse_lattices(base, tile, same_steps, overview);
   return {std::llround(first.x), std::llround(first.y), t.pixels, t.lines};
@@ -142,7 +141,7 @@ JoinedTiles join_tiles(std::vector<Tile> tiles, std::optional<double> turn,
 
 void continue_around(JoinedTiles& joined, double turn, const Box2& window) {
   RasterLattice& lattice = joined.lattice;
-  const Vec2 around = index_in(lattice, lattice.first + Vec2{turn, 0});
+  const Vec2 around = lattice.index_of(lattice.first + Vec2{turn, 0});
   if (!is_whole(around) || std::round(around.y) != 0) return;
   const int columns = as_int(std::llround(around.x));
   const std::size_t count = joined.places.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: p, l the raster's pixel and line steps; a Grid's column step is one of p, -p, l, -l.
+// A Grid's column step is one of the raster's pixel and line steps, as it is or the other way.
 #include "dem/read/raster_order.hpp"
 
 #include <algorithm>
@@ -137,14 +137,10 @@ bool in_box(const RasterLattice& lattice, Vec2 position, const Box2& box) {
 }
 
 RasterWindow window_of(const RasterLattice& lattice, const Box2& box) {
-  const Vec2 p = lattice.pixel_step, l = lattice.line_step;
-  const double area = cross(p, l);
   Box2 indices; // of the box's corners: x in pixels, y in lines
   for (const Vec2 corner : std::array<Vec2, 4>{box.low, box.high, Vec2{box.low.x, box.high.y},
-                                               Vec2{box.high.x, box.low.y}}) {
-    const Vec2 from_first = corner - lattice.first;
-    indices.include({cross(from_first, l) / area, cross(p, from_first) / area});
-  }
+                                               Vec2{box.high.x, box.low.y}})
+    indices.include(lattice.index_of(corner));
   const Range pixels = whole_numbers(indices.low.x, indices.high.x, lattice.pixels);
   const Range lines = whole_numbers(indices.low.y, indices.high.y, lattice.lines);
   return {pixels.first, lines.first, pixels.count, lines.count};

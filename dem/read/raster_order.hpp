@@ -20,6 +20,12 @@ struct RasterLattice {
   Vec2 position(double pixel, double line) const {
     return first + pixel * pixel_step + line * line_step;
   }
+  /// The other way round: a position counted in pixels (x) and lines (y), not rounded.
+  Vec2 index_of(Vec2 position) const {
+    const Vec2 from_first = position - first;
+    const double area = cross(pixel_step, line_step);
+    return {cross(from_first, line_step) / area, cross(pixel_step, from_first) / area};
+  }
 };
 
 /// The same vertices as a Grid counts them, and where each pixel goes in its heights.

@@ -33,7 +33,7 @@ std::string warp_to(const Tile& base, const Tile& tile) {
   Box2 cells; // of the tile, counted in the base's vertices
   for (const double pixel : {-0.5, t.pixels - 0.5})
     for (const double line : {-0.5, t.lines - 0.5})
-      cells.include(index_in(b, t.position(pixel, line)));
+      cells.include(b.index_of(t.position(pixel, line)));
   const double slack = 1e-6;
   const Vec2 north_west =
       b.position(std::ceil(cells.low.x - slack) - 0.5, std::ceil(cells.low.y - slack) - 0.5);
@@ -47,13 +47,6 @@ std::string warp_to(const Tile& base, const Tile& tile) {
 
 } // namespace
 
-Vec2 index_in(const RasterLattice& lattice, Vec2 position) {
-  const Vec2 from_first = position - lattice.first;
-  const double area = cross(lattice.pixel_step, lattice.line_step);
-  return {cross(from_first, lattice.line_step) / area,
-          cross(lattice.pixel_step, from_first) / area};
-}
-
 void refuse_lattices(const Tile& base, const Tile& tile, bool same_steps,
                      std::optional<int> overview) {
   if (overview)
@@ -66,7 +59,7 @@ void refuse_lattices(const Tile& base, const Tile& tile, bool same_steps,
     throw Error(fmt::format("{} has cells of {}, and {} of {}", tile.path,
                             cells_in_words(tile.lattice), base.path, cells_in_words(base.lattice)),
                 warp_to(base, tile));
-  const Vec2 index = index_in(base.lattice, tile.lattice.first);
+  const Vec2 index = base.lattice.index_of(tile.lattice.first);
   throw Error(fmt::format("{} is {:.5g} x {:.5g} of a cell beside the lattice of {}", tile.path,
                           std::abs(index.x - std::round(index.x)),
                           std::abs(index.y - std::round(index.y)), base.path),

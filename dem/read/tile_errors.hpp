@@ -9,9 +9,6 @@
 
 namespace orograph {
 
-/// A place counted in the lattice's pixels (x) and lines (y).
-Vec2 index_in(const RasterLattice& lattice, Vec2 position);
-
 /// Throws Error: the tile's vertices aren't those of the base's lattice, with the command that
 /// brings them there. `same_steps`: only its place doesn't fit.
 [[noreturn]] void refuse_lattices(const Tile& base, const Tile& tile, bool same_steps,
