@@ -51,7 +51,6 @@ void reframe(Terrain& terrain, double lon_deg, double lat_deg, double exaggerati
   EarthFrame& frame = *terrain.map.earth;
   frame.local = LocalFrame(lon_deg, lat_deg, frame.local.ellipsoid());
   frame.exaggeration = exaggeration;
-  frame.middle_lon_deg = grid.earth().degrees().middle_lon_deg();
   const EarthLattice earth(grid.earth().degrees(), frame.local, exaggeration);
   // A chord as long as the earth's radius spans 60 degrees.
   const double limit_m = frame.local.ellipsoid().semi_major_axis_m;

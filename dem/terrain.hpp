@@ -24,8 +24,8 @@ struct EarthFrame {
   LocalFrame local; ///< counts longitudes from the CRS's own prime meridian
   double unit_deg = 1;
   double exaggeration = 1; ///< of heights, before they go to their place
-  /// Of the terrain: its longitudes are counted within half a turn of it. Around a pole the eye's,
-  /// which `local` counts from, may be in another turn than the terrain's farther parts.
+  /// Of the terrain, wherever `local` is put: its longitudes are counted within half a turn of it.
+  /// Around a pole the eye's may be in another turn than the terrain's farther parts.
   double middle_lon_deg = local.origin_lon_deg();
 };
 

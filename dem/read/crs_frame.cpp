@@ -121,7 +121,6 @@ void set_crs(MapFrame& map, const OGRSpatialReference& crs, const std::string& p
   map.crs_name = name_for_people(crs);
   map.vertical_crs_name = vertical_name(crs);
   map.crs_wkt = well_known_text(crs);
-  map.radii = radii_at(crs, centre);
   const char* unit = nullptr;
   if (crs.IsGeographic()) {
     const double unit_deg = crs.GetAngularUnits(&unit) * 180 / std::numbers::pi;
@@ -168,9 +167,9 @@ void set_centre(MapFrame& map, Vec2 centre) {
   const Crs crs = map.crs_wkt.empty() ? nullptr : crs_from_text(map.crs_wkt);
   if (crs) map.radii = radii_at(*crs, centre);
   if (!map.earth) return;
-  LocalFrame& local = map.earth->local;
-  local =
-      LocalFrame(centre.x * map.earth->unit_deg, centre.y * map.earth->unit_deg, local.ellipsoid());
+  const double unit_deg = map.earth->unit_deg;
+  const LocalFrame local(centre.x * unit_deg, centre.y * unit_deg, map.earth->local.ellipsoid());
+  map.earth = EarthFrame{local, unit_deg};
 }
 
 std::string crs_for_command(const std::string& wkt) {

@@ -43,8 +43,8 @@ bool same_place(const std::string& wkt, const std::string& other_wkt);
 /// for all others.
 std::optional<double> whole_turn(const std::string& wkt);
 
-/// Puts the terrain's middle, of which the radii and the origin of a frame on the earth are, to
-/// `centre`, in the CRS's own coordinates.
+/// Says where the terrain's middle is, in the CRS's own coordinates: there it has its radii, and
+/// its frame, if that is on the earth, has its origin. Nothing happens without a CRS.
 void set_centre(MapFrame& map, Vec2 centre);
 
 /// "EPSG:32632", or the name if it has no code: as a command line takes it.

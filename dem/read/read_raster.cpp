@@ -196,10 +196,8 @@ Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) 
           : RasterWindow{0, 0, lattice.pixels, lattice.lines};
   const GridOrder order = grid_order(part_of(lattice, window));
   terrain.map.origin = order.first;
-  if (sources.size() > 1 || box) set_centre(terrain.map, box_of(part_of(lattice, window)).centre());
+  set_centre(terrain.map, box_of(part_of(lattice, window)).centre());
   Grid grid = empty_grid(order, terrain.map, paths);
-  if (grid.is_on_earth())
-    terrain.map.earth->middle_lon_deg = grid.earth().degrees().middle_lon_deg();
   const HeightDifferences differences = read_joined(sources, joined, window, options, grid);
   terrain.notes = notes_of(sources);
   note_differences(differences, terrain.notes);

@@ -106,6 +106,7 @@ void note_units(const MapFrame& map, bool known, std::vector<std::string>& notes
 
 void finish_frame(MapFrame& map, const Box2& extent) {
   if (map.crs_wkt.empty()) map.crs_name = "none";
+  set_centre(map, extent.centre());
   map.origin = {extent.low.x, extent.high.y};
 }
 

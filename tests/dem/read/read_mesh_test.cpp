@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/frame/ellipsoid.hpp"
 #include "dem/read/read_mesh.hpp"
 #include "tests/dem/read/refused.hpp"
 #include "tests/dem/read/tin_of_file.hpp"
@@ -169,6 +170,14 @@ TEST_CASE("comments tell the CRS, the units and the error") {
   refused("a.obj", "# orograph: surface_error_m -1\n" + obj, {"surface_error_m", "metres"});
   refused("a.obj", "# orograph: units 0 1\n" + obj, {"units", "metres"});
   refused("a.obj", "# orograph: crs EPSG:4326\n" + obj, {"degrees"});
+}
+
+TEST_CASE("the earth's radii are those where the triangles are") {
+  const Terrain terrain =
+      read_back("a.obj", "# orograph: crs EPSG:32632\nv 500000 5205164 1\nv 500010 5205164 2\n"
+                         "v 500010 5205174 3\nf 1 2 3\n");
+  REQUIRE(terrain.map.radii);
+  CHECK(terrain.map.radii->meridian_m == Approx(euler_radius_m({}, 47, Angle())).epsilon(1e-6));
 }
 
 TEST_CASE("a window keeps the triangles inside it") {
