@@ -4,25 +4,15 @@
 
 #include "dem/grid.hpp"
 #include "profiles/border_sides.hpp"
+#include "profiles/grid_mesh.hpp"
 #include "profiles/outline.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
-#include <cstdint>
 #include <span>
 
 namespace orograph {
-
-/// The side of a triangle of a grid opposite to its corner k: lower triangles have the corners
-/// north-west, south-west, south-east, upper ones north-west, south-east, north-east.
-struct GridSide {
-  struct Triangle {
-    int column, row;
-    Half half;
-  } triangle;
-  std::uint8_t k;
-};
 
 /// Cuts one grid for one view, plane after plane, in any order; the profile is that of the TIN of
 /// its triangles (`TinCutter`). Columns and rows are curved, so depth tells nothing of where a

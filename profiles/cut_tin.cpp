@@ -11,24 +11,9 @@
 namespace orograph {
 namespace {
 
-struct TinMesh {
-  using Side = TinSide;
-
-  const Tin& tin;
-  const View& view;
+struct CutMesh : TinMesh {
   const TriangleSet &level, &walls, &turned_walls;
 
-  CutVertex vertex(std::uint32_t t, std::size_t k) const {
-    const std::uint32_t i = tin.triangles[t][k];
-    return {i, to_profile_frame(view, tin.vertices_m[i])};
-  }
-  std::optional<Side> across(const Side& side) const {
-    const std::uint32_t next = tin.neighbours[side.triangle][side.k];
-    if (next == kNoTriangle) return std::nullopt;
-    const auto& back = tin.neighbours[next];
-    const auto k = std::find(back.begin(), back.end(), side.triangle) - back.begin();
-    return Side{next, static_cast<std::uint8_t>(k)};
-  }
   bool is_wall(std::uint32_t t) const { return !walls.empty() && walls.has(t); }
   Span span_in(std::uint32_t t) const {
     if (is_wall(t)) return turned_walls.has(t) ? Span::gap : Span::wall;
@@ -76,7 +61,7 @@ void TinCutter::cut(double depth_m, Profile& out) const {
   if (!(depth_m >= nearest_m_ && depth_m <= farthest_m_)) return;
   // Vertices in the plane count as far, except where the TIN only touches the plane from behind:
   // then nothing would be near.
-  cut_mesh(TinMesh{tin_, view_, level_, walls_, turned_walls_}, border_, depth_m,
+  cut_mesh(CutMesh{{tin_, view_}, level_, walls_, turned_walls_}, border_, depth_m,
            depth_m > nearest_m_, out);
 }
 

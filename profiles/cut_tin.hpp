@@ -5,18 +5,11 @@
 #include "dem/tin.hpp"
 #include "profiles/border_sides.hpp"
 #include "profiles/profile.hpp"
+#include "profiles/tin_mesh.hpp"
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
-#include <cstdint>
-
 namespace orograph {
-
-/// The side of a triangle opposite to its vertex k.
-struct TinSide {
-  std::uint32_t triangle;
-  std::uint8_t k;
-};
 
 /// Cuts one TIN for one view, plane after plane, in any order; the profile is that of `GridCutter`,
 /// but that there are no vertices where there is no terrain.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "profiles/border_sides.hpp"
+#include "profiles/mesh_vertex.hpp"
 #include "profiles/profile_runs.hpp"
 #include "view/view.hpp"
 
@@ -18,14 +19,9 @@
 
 namespace orograph {
 
-struct CutVertex {
-  std::uint32_t index;
-  ProfilePoint at;
-};
-
 /// A Mesh has triangles whose corners run counterclockwise seen from above, and
 ///   Side               {triangle, k}: the side of a triangle opposite to its corner k
-///   vertex(t, k)       a triangle's corner, a CutVertex
+///   vertex(t, k)       a triangle's corner, a MeshVertex
 ///   across(side)       the same side of the triangle beyond it; none at the border
 ///   span_in(t)         what the triangle holds of the surface
 ///   is_wall(t)
@@ -41,7 +37,7 @@ public:
   std::optional<Run> from(const Side& side) {
     const std::size_t begin = out_.size();
     bool along = false;
-    const CutVertex from = corner(side, 1), to = corner(side, 2);
+    const MeshVertex from = corner(side, 1), to = corner(side, 2);
     if (is_far(from) && !is_far(to))
       run(side, from, to);
     else if (from.at.v == depth_m_ && to.at.v == depth_m_ &&
@@ -54,10 +50,10 @@ public:
   }
 
 private:
-  CutVertex corner(const Side& side, std::size_t n) const {
+  MeshVertex corner(const Side& side, std::size_t n) const {
     return mesh_.vertex(side.triangle, (side.k + n) % 3);
   }
-  bool is_far(const CutVertex& p) const {
+  bool is_far(const MeshVertex& p) const {
     return far_at_plane_ ? p.at.v >= depth_m_ : p.at.v > depth_m_;
   }
 
@@ -75,7 +71,7 @@ private:
     out_.after.push_back(Span::gap);
   }
 
-  void add_crossing(const CutVertex& near, const CutVertex& far, Span before, std::size_t begin) {
+  void add_crossing(const MeshVertex& near, const MeshVertex& far, Span before, std::size_t begin) {
     const bool near_first = near.index < far.index;
     const ProfilePoint a = near_first ? near.at : far.at, b = near_first ? far.at : near.at;
     const double t = (depth_m_ - a.v) / (b.v - a.v);
@@ -86,11 +82,11 @@ private:
   }
 
   // What the plane meets on its way through a triangle, from its side near-far to `ahead`.
-  Span span_of(const Side& side, const CutVertex& near, const CutVertex& far,
-               const CutVertex& ahead) const {
+  Span span_of(const Side& side, const MeshVertex& near, const MeshVertex& far,
+               const MeshVertex& ahead) const {
     const Span span = mesh_.span_in(side.triangle);
     // An edge in the plane belongs to the triangle on its other side as well.
-    const CutVertex& on_plane = far_at_plane_ ? far : near;
+    const MeshVertex& on_plane = far_at_plane_ ? far : near;
     if (on_plane.at.v != depth_m_ || ahead.at.v != depth_m_) return span;
     const auto other = mesh_.across(
         {side.triangle, static_cast<std::uint8_t>((side.k + (far_at_plane_ ? 2 : 1)) % 3)});
@@ -100,11 +96,11 @@ private:
   }
 
   // From a side of the border inwards.
-  void run(Side side, CutVertex far, CutVertex near) {
+  void run(Side side, MeshVertex far, MeshVertex near) {
     const std::size_t begin = out_.size();
     add_crossing(near, far, Span::gap, begin);
     for (;;) {
-      const CutVertex ahead = corner(side, 0);
+      const MeshVertex ahead = corner(side, 0);
       const Span span = span_of(side, near, far, ahead);
       const bool leaves_beside_near = is_far(ahead);
       (leaves_beside_near ? far : near) = ahead;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A grid as triangles to walk over (profiles/walk_mesh.hpp).
+#pragma once
+
+#include "dem/grid.hpp"
+#include "profiles/mesh_vertex.hpp"
+#include "profiles/surface_edge.hpp"
+#include "profiles/triangles.hpp"
+#include "view/view.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace orograph {
+
+/// A triangle by its cell, columns east and rows south of the grid's first.
+struct CellHalf {
+  int column, row;
+  Half half;
+};
+
+/// The side of a triangle opposite to its corner k: lower triangles have the corners north-west,
+/// south-west, south-east, upper ones north-west, south-east, north-east.
+struct GridSide {
+  CellHalf triangle;
+  std::uint8_t k;
+};
+
+namespace grid_mesh {
+
+struct Offset {
+  int column, row;
+};
+inline constexpr Offset kCorners[2][3] = {{{0, 0}, {0, 1}, {1, 1}}, {{0, 0}, {1, 1}, {1, 0}}};
+
+// Beyond the side opposite to corner k: in the cell so far away, in the other half, the same side
+// is opposite to corner `k`.
+struct Beyond {
+  Offset cell;
+  std::uint8_t k;
+};
+inline constexpr Beyond kBeyond[2][3] = {{{{0, 1}, 1}, {{0, 0}, 2}, {{-1, 0}, 0}},
+                                         {{{1, 0}, 2}, {{0, -1}, 0}, {{0, 0}, 1}}};
+
+} // namespace grid_mesh
+
+/// The side, along an edge, of the triangle on its left (columns east and rows south) or right,
+/// whether that triangle is there or not.
+inline GridSide side_of(const Grid& grid, SurfaceEdge edge, bool left) {
+  const auto columns = static_cast<std::uint32_t>(grid.columns);
+  const int column = static_cast<int>(edge.from % columns),
+            row = static_cast<int>(edge.from / columns);
+  const std::uint32_t step = edge.to - edge.from;
+  if (step == 1) // east: north of it or south
+    return left ? GridSide{{column, row - 1, Half::lower}, 0}
+                : GridSide{{column, row, Half::upper}, 1};
+  if (step == columns) // south: east of it or west
+    return left ? GridSide{{column, row, Half::lower}, 2}
+                : GridSide{{column - 1, row, Half::upper}, 0};
+  return left ? GridSide{{column, row, Half::upper}, 2} : GridSide{{column, row, Half::lower}, 1};
+}
+
+template <class Lattice, class Height>
+struct GridMesh {
+  using Side = GridSide;
+
+  const Grid& grid;
+  const Lattice& lattice; ///< the grid's
+  const std::vector<Height>& heights;
+  const View& view;
+
+  MeshVertex vertex(const CellHalf& t, std::size_t k) const {
+    const grid_mesh::Offset corner = grid_mesh::kCorners[static_cast<int>(t.half)][k];
+    const int column = t.column + corner.column, row = t.row + corner.row;
+    const std::size_t index = grid.index(column, row);
+    const double height = heights[index];
+    return {static_cast<std::uint32_t>(index),
+            to_profile_frame(view, lattice.vertex_m(column, row, height))};
+  }
+  std::optional<Side> across(const Side& side) const {
+    const CellHalf& t = side.triangle;
+    const auto& [cell, k] = grid_mesh::kBeyond[static_cast<int>(t.half)][side.k];
+    return if_there({{t.column + cell.column, t.row + cell.row,
+                      t.half == Half::lower ? Half::upper : Half::lower},
+                     k});
+  }
+  /// The side itself, if its triangle is there. REQUIRES that its two vertices are, unless they are
+  /// beyond the grid.
+  std::optional<Side> if_there(const Side& side) const {
+    const auto& [column, row, half] = side.triangle;
+    if (column < 0 || row < 0 || column + 1 >= grid.columns || row + 1 >= grid.rows)
+      return std::nullopt;
+    const grid_mesh::Offset apex = grid_mesh::kCorners[static_cast<int>(half)][side.k];
+    if (std::isnan(heights[grid.index(column + apex.column, row + apex.row)])) return std::nullopt;
+    return side;
+  }
+};
+
+} // namespace orograph
