@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program: commands, and exceptions to messages and exit codes.
-#include "cli/accuracy.hpp"
-#include "cli/help.hpp"
+#include "cli/accuracy/accuracy.hpp"
 #include "cli/info.hpp"
-#include "cli/options.hpp"
+#include "cli/options/help.hpp"
+#include "cli/options/options.hpp"
 #include "cli/render.hpp"
 #include "cli/tin.hpp"
 #include "draw/output_file.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/view_entries.hpp"
 
-#include "cli/option_values.hpp"
+#include "cli/options/option_values.hpp"
 #include "geometry/error.hpp"
 #include "view/view_mapping.hpp"
 #include "view/view_orientation.hpp"

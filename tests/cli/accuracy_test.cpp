@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `orograph accuracy`: its measures on a small terrain, what it writes, and its refusals.
-#include "cli/accuracy.hpp"
-#include "cli/accuracy_report.hpp"
-#include "cli/options.hpp"
-#include "cli/plot_accuracy.hpp"
+#include "cli/accuracy/accuracy.hpp"
+#include "cli/accuracy/accuracy_report.hpp"
+#include "cli/accuracy/plot_accuracy.hpp"
+#include "cli/options/options.hpp"
 #include "dem/read/read_raster.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"

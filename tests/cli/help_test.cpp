@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of options, the help, the man page and the README agree.
-#include "cli/help.hpp"
-#include "cli/options.hpp"
+#include "cli/options/help.hpp"
+#include "cli/options/options.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several files on the command line.
-#include "cli/options.hpp"
+#include "cli/options/options.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"

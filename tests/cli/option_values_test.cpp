@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The values of options, from text.
-#include "cli/option_values.hpp"
+#include "cli/options/option_values.hpp"
 #include "tests/catch.hpp"
 
 #include <clocale>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The options of `render` and `info`: each one's effect, each refusal.
-#include "cli/check_settings.hpp"
-#include "cli/options.hpp"
+#include "cli/options/check_settings.hpp"
+#include "cli/options/options.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"

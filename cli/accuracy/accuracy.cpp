@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/accuracy/accuracy.hpp"
+
+#include "cli/accuracy/accuracy_report.hpp"
+#include "cli/accuracy/plot_accuracy.hpp"
+#include "cli/cut_by_view.hpp"
+#include "cli/progress.hpp"
+#include "cli/stand_on_earth.hpp"
+#include "dem/read/read_terrain.hpp"
+#include "draw/output_file.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace orograph {
+namespace {
+
+void write_text(const std::string& text, const std::string& path, bool overwrite) {
+  OutputFile place(path, overwrite);
+  std::ofstream file(place.temporary_path(), std::ios::binary | std::ios::trunc);
+  file << text;
+  file.close();
+  if (!file)
+    throw Error("can't write '" + path + "'", "make room on the disk, or choose another place");
+  place.commit();
+}
+
+} // namespace
+
+void accuracy(const AccuracySettings& settings) {
+  const RenderSettings& render = settings.render;
+  const std::string csv = settings.prefix + ".csv", json = settings.prefix + ".json",
+                    svg = settings.prefix + ".svg";
+  for (const std::string& path : {csv, json, svg}) check_writable(path, render.write);
+
+  Terrain terrain = read_terrain(render.inputs, render.reading);
+  stand_on_earth(terrain, render);
+  cut_by_view(terrain, render);
+  std::vector<AccuracyRow> rows = accuracy_rows(settings);
+  ProgressBar bar(shows_progress(render.quiet, render.progress));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    bar.show(static_cast<double>(i) / static_cast<double>(rows.size()));
+    measure_row(rows[i], settings, terrain);
+  }
+  bar.finish();
+
+  const std::string table = accuracy_table(rows);
+  std::fwrite(table.data(), 1, table.size(), stdout);
+  write_text(accuracy_csv(rows), csv, render.write.overwrite);
+  write_text(accuracy_json(rows, terrain.source), json, render.write.overwrite);
+  OutputFile curve(svg, render.write.overwrite);
+  const std::string name = !render.title.empty()
+                               ? render.title
+                               : std::filesystem::path(terrain.source).filename().string();
+  plot_accuracy(rows, name, curve.temporary_path());
+  curve.commit();
+  check_promises(rows);
+}
+
+} // namespace orograph

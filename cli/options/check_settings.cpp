@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one option alone can't tell.
+#include "cli/options/check_settings.hpp"
+
+#include "cli/options/option_values.hpp"
+#include "draw/write_drawing.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace orograph {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Equal by inode where both exist; by name, links resolved, where one is still to be written.
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error) && !error) return true;
+  const fs::path whole_a = fs::weakly_canonical(fs::absolute(a, error), error);
+  if (error) return false;
+  const fs::path whole_b = fs::weakly_canonical(fs::absolute(b, error), error);
+  return !error && whole_a == whole_b;
+}
+
+/// The file names that a GDAL dataset name may hold, besides itself.
+std::vector<std::string> file_names_in(const std::string& input) {
+  std::vector<std::string> names{input};
+  std::string unquoted = input;
+  std::replace(unquoted.begin(), unquoted.end(), '"', ':');
+  for (auto& part : split(unquoted, ':')) names.push_back(std::move(part));
+  for (std::size_t i = 0; i < names.size(); ++i) // grows: /vsigzip//vsitar/a.tar/…
+    if (names[i].starts_with("/vsi"))
+      if (const auto slash = names[i].find('/', 1); slash != std::string::npos) {
+        std::string rest = names[i].substr(slash + 1);
+        names.push_back("/" + rest);
+        names.push_back(std::move(rest));
+      }
+  return names;
+}
+
+void check_no_input(const RenderSettings& settings, const std::string& path,
+                    const std::string& option) {
+  const ReadOptions& reading = settings.reading;
+  std::vector<std::pair<std::string, const char*>> inputs{{reading.breaklines, "--breaklines"},
+                                                          {reading.boundary, "--boundary"},
+                                                          {settings.view_file, "--view"}};
+  for (const std::string& input : settings.inputs) inputs.emplace_back(input, "INPUT");
+  for (const auto& [input, name] : inputs)
+    if (!input.empty() && replaces_input(input, path))
+      throw UsageError(
+          fmt::format("{} '{}' is the {}", option, path, name),
+          fmt::format("give {} another name", option == "OUTPUT" ? option : "the report"));
+}
+
+void check_output(RenderSettings& settings, const GivenOptions& given) {
+  const bool to_stdout = settings.output == "-";
+  if (!given.contains("--of")) {
+    if (to_stdout)
+      throw UsageError("OUTPUT '-' (standard output) says no format",
+                       "name a text format, as in --of svg");
+    settings.write.format = format_of_path(settings.output);
+  }
+  if (to_stdout && !is_text(settings.write.format))
+    throw UsageError("this format can't go to standard output",
+                     "use a text format, as in --of svg, or give OUTPUT a file name");
+  if (!to_stdout) check_no_input(settings, settings.output, "OUTPUT");
+  if (given.contains("--dpi") && settings.write.format != Format::png)
+    throw UsageError("--dpi has no meaning in a vector format",
+                     "leave it out, or write PNG with --of png");
+}
+
+void check_report(const RenderSettings& settings, const GivenOptions& given) {
+  if (!given.contains("--report")) return;
+  check_no_input(settings, settings.report, "--report");
+  if (settings.output != "-" && same_file(settings.report, settings.output))
+    throw UsageError(fmt::format("--report '{}' is the OUTPUT too", settings.report),
+                     "give the report another name");
+}
+
+void check_eye(const RenderSettings& settings, const GivenOptions& given) {
+  if (!settings.has_eye())
+    for (const char* option : {"--eye-height", "--look-azimuth", "--pitch"})
+      if (given.contains(option))
+        throw UsageError(fmt::format("{} has no meaning without an eye", option),
+                         "give --eye X,Y or --eye-lonlat LON,LAT too");
+  if (given.contains("--pitch") && !settings.look_azimuth)
+    throw UsageError("--pitch needs a direction to look in", "give --look-azimuth DEG too");
+  const bool by_lonlat = settings.eye_lonlat.has_value();
+  const auto& eye = by_lonlat ? settings.eye_lonlat : settings.eye_map;
+  if (eye && eye->z && settings.eye_height_m)
+    throw UsageError(fmt::format("--eye-height is for an eye on the ground, and {} has a height",
+                                 by_lonlat ? "--eye-lonlat" : "--eye"),
+                     by_lonlat ? "give --eye-lonlat LON,LAT, or leave --eye-height out"
+                               : "give --eye X,Y, or leave --eye-height out");
+  if (eye && eye == (by_lonlat ? settings.look_at_lonlat : settings.look_at_map))
+    throw UsageError("the eye and what it looks at are the same point", "look at another point");
+}
+
+void check_view(RenderSettings& settings, const GivenOptions& given) {
+  if (given.contains("--oblique")) {
+    if (given.contains("--projection") && settings.projection != Projection::oblique)
+      throw UsageError("--oblique is a projection of its own", "leave --projection out");
+    settings.projection = Projection::oblique;
+  }
+  if (settings.projection != Projection::perspective)
+    for (const auto& [option, right] :
+         {std::pair{"--distance", "leave it out"}, std::pair{"--fov", "leave it out"},
+          std::pair{"--eye", "give --view-from AZ/EL"},
+          std::pair{"--eye-lonlat", "give --view-from AZ/EL"},
+          std::pair{"--eye-height", "leave it out"},
+          std::pair{"--look-azimuth", "give --view-from AZ/EL"},
+          std::pair{"--pitch", "give --view-from AZ/EL"}})
+      if (given.contains(option))
+        throw UsageError(fmt::format("{} has no meaning in a parallel view", option),
+                         fmt::format("{}, or use --projection perspective", right));
+  if (settings.projection != Projection::perspective)
+    for (const char* option : {"--refraction", "--curvature-coefficient"})
+      if (given.contains(option))
+        throw UsageError(
+            fmt::format("{} has no meaning in a parallel view, which has no eye", option),
+            "leave it out, or use --projection perspective");
+  check_eye(settings, given);
+}
+
+void check_page(const RenderSettings& settings) {
+  const auto& page = settings.page;
+  const double shorter_mm = std::min(page.width_mm, page.height_mm);
+  const double longer_mm = std::max(page.width_mm, page.height_mm);
+  if (shorter_mm - 2 * page.margin_mm < 1)
+    throw UsageError(fmt::format("margins of {} mm leave no room on a page of {} x {} mm",
+                                 page.margin_mm, page.width_mm, page.height_mm),
+                     shorter_mm > 1 ? fmt::format("give --margin {} or less", (shorter_mm - 1) / 2)
+                                    : "give a larger --page");
+  constexpr double kLargestSide_px = 32767; // Cairo's images
+  if (settings.write.format == Format::png &&
+      std::ceil(longer_mm / 25.4 * settings.write.dpi) > kLargestSide_px)
+    throw UsageError(
+        fmt::format("{} dots per inch make a page of {} x {} mm too large for PNG",
+                    settings.write.dpi, page.width_mm, page.height_mm),
+        fmt::format("give --dpi {} or less", std::floor(kLargestSide_px * 25.4 / longer_mm)));
+}
+
+} // namespace
+
+bool replaces_input(const std::string& input, const std::string& output) {
+  for (const auto& name : file_names_in(input))
+    // Every folder on the way: one of them may be an archive, and OUTPUT is never a folder.
+    for (fs::path part = name; !part.empty(); part = part.parent_path()) {
+      std::error_code error;
+      if (!fs::is_directory(part, error) && same_file(part, output)) return true;
+      if (part == part.root_path() || part == part.parent_path()) break;
+    }
+  return false;
+}
+
+void check_settings(RenderSettings& settings, const GivenOptions& given) {
+  check_output(settings, given);
+  check_report(settings, given);
+  check_picture_settings(settings, given);
+}
+
+void check_picture_settings(RenderSettings& settings, const GivenOptions& given) {
+  check_view(settings, given);
+  check_page(settings);
+  if (!settings.view_file.empty()) settings.view = read_view_file(settings.view_file);
+  if (settings.curvature == Curvature::on && settings.view && settings.view->cuts())
+    throw UsageError("--curvature on bends the terrain away from the view's front and back plane",
+                     "leave it out, or leave the planes out of " + settings.view_file);
+}
+
+} // namespace orograph

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one option alone can't tell: values and paths that don't go together.
+#pragma once
+
+#include "cli/options/option.hpp"
+#include "cli/render_settings.hpp"
+
+#include <string>
+
+namespace orograph {
+
+/// Settles the output's format (by `--of`, else by OUTPUT's extension) and throws UsageError where
+/// settings contradict each other, an output is an input, or the page has no room.
+void check_settings(RenderSettings& settings, const GivenOptions& given);
+
+/// The same of view and page alone.
+void check_picture_settings(RenderSettings& settings, const GivenOptions& given);
+
+/// Whether writing `output` would replace a file that `input` is read from: the same file by any
+/// spelling or link, also behind GDAL's /vsi prefixes ("/vsizip/a.zip/b.tif") and subdataset names
+/// ("NETCDF:\"a.nc\":band").
+bool replaces_input(const std::string& input, const std::string& output);
+
+} // namespace orograph

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tables of options as text: `--help` and the man page.
+#pragma once
+
+#include "cli/options/option.hpp"
+
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+/// What `orograph COMMAND --help` prints, in lines of at most 80 characters.
+std::string command_help(const Command& command);
+/// What `orograph --help` prints.
+std::string program_help(const std::vector<Command>& commands);
+/// orograph(1) in troff's man macros. The same bytes for the same tables and version.
+std::string man_page(const std::vector<Command>& commands);
+
+/// "orograph 0.1.0 (commit 1a2b3c4)".
+std::string version_line();
+
+} // namespace orograph

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The values of options, from text.
+#include "cli/options/option_values.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace orograph {
+namespace {
+
+template <typename Number>
+std::optional<Number> parse_whole(std::string_view text) {
+  // from_chars knows no leading plus, and people write one.
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+/// As many numbers as asked for, with the separator between them.
+std::optional<std::vector<double>> parse_numbers(std::string_view text, char separator,
+                                                 std::size_t count) {
+  const auto parts = split(text, separator);
+  if (parts.size() != count) return std::nullopt;
+  std::vector<double> numbers;
+  for (const auto& part : parts) {
+    const auto number = parse_number(part);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+} // namespace
+
+std::optional<double> parse_number(std::string_view text) {
+  const auto value = parse_whole<double>(text);
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return value;
+}
+
+std::optional<int> parse_integer(std::string_view text) {
+  return parse_whole<int>(text);
+}
+
+std::optional<GivenPlace> parse_place(std::string_view text) {
+  if (const auto n = parse_numbers(text, ',', 2)) return GivenPlace((*n)[0], (*n)[1]);
+  if (const auto n = parse_numbers(text, ',', 3)) return GivenPlace({(*n)[0], (*n)[1], (*n)[2]});
+  return std::nullopt;
+}
+
+std::optional<Box2> parse_box(std::string_view text) {
+  const auto n = parse_numbers(text, ',', 4);
+  if (!n || !((*n)[0] < (*n)[2] && (*n)[1] < (*n)[3])) return std::nullopt;
+  return Box2{{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
+}
+
+std::optional<Box2> parse_lonlat_box(std::string_view text) {
+  const auto n = parse_numbers(text, ',', 4);
+  if (!n) return std::nullopt;
+  Box2 box{{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
+  if (std::abs(box.low.x) > 360 || std::abs(box.high.x) > 360) return std::nullopt;
+  if (box.low.y < -90 || box.high.y > 90 || !(box.low.y < box.high.y)) return std::nullopt;
+  if (box.high.x < box.low.x) box.high.x += 360;
+  if (!(box.width() > 0 && box.width() <= 360)) return std::nullopt;
+  return box;
+}
+
+std::optional<ViewFrom> parse_view_from(std::string_view text) {
+  const auto n = parse_numbers(text, '/', 2);
+  if (!n || (*n)[1] < 0 || (*n)[1] > 90) return std::nullopt;
+  return ViewFrom{Angle::degrees((*n)[0]), Angle::degrees((*n)[1])};
+}
+
+std::optional<Oblique> parse_oblique(std::string_view text) {
+  if (text == "cavalier") return kCavalier;
+  if (text == "cabinet") return kCabinet;
+  if (text == "military") return kMilitary;
+  const auto n = parse_numbers(text, ',', 2);
+  if (!n || !((*n)[0] > 0) || (*n)[1] < 0 || (*n)[1] > 180) return std::nullopt;
+  return Oblique{(*n)[0], Angle::degrees((*n)[1])};
+}
+
+std::optional<ViewFrom> axonometric_view(std::string_view text) {
+  // The eye's elevation e and its azimuth a beside the map's south axis shorten the three axes by
+  // sqrt(1 - cos² e sin² a), sqrt(1 - cos² e cos² a) and cos e.
+  if (text == "isometric") return ViewFrom{Angle::degrees(225), atan2_angle(1, std::sqrt(2))};
+  if (text == "dimetric") // cos e = sqrt(8)/3 for across and up, half of it in depth
+    return ViewFrom{Angle::degrees(180) + atan2_angle(1, std::sqrt(7)),
+                    atan2_angle(1, std::sqrt(8))};
+  if (text == "trimetric") return ViewFrom{Angle::degrees(210), Angle::degrees(25)};
+  return std::nullopt;
+}
+
+std::optional<PlanRequest> parse_spacing(std::string_view text) {
+  const bool on_page = text.ends_with("mm");
+  if (!on_page && !text.ends_with("m")) return std::nullopt;
+  text.remove_suffix(on_page ? 2 : 1);
+  const auto length = parse_number(text);
+  if (!length || *length <= 0) return std::nullopt;
+  if (on_page) return PageSpacing{*length};
+  return GroundSpacing{*length};
+}
+
+std::optional<double> parse_metres(std::string_view text) {
+  if (text.ends_with("mm") || !text.ends_with("m")) return std::nullopt;
+  text.remove_suffix(1);
+  const auto length = parse_number(text);
+  if (!length || *length < 0) return std::nullopt;
+  return length;
+}
+
+std::optional<Vec2> parse_width_x_height(std::string_view text) {
+  const auto n = parse_numbers(text, 'x', 2);
+  if (!n) return std::nullopt;
+  for (const double side : *n)
+    if (side < 1 || side > 10000) return std::nullopt;
+  return Vec2{(*n)[0], (*n)[1]};
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (;;) {
+    const auto at = text.find(separator);
+    parts.emplace_back(text.substr(0, at));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
+
+int edit_distance(std::string_view a, std::string_view b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i) + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const int replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+} // namespace orograph

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands and their options: one table, from which parsing, `--help`, range checks and the man
+// page come.
+#pragma once
+
+#include "cli/accuracy/accuracy.hpp"
+#include "cli/info.hpp"
+#include "cli/options/option.hpp"
+#include "cli/render_settings.hpp"
+#include "cli/tin.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+/// The options store into `settings`, which must outlive the command.
+Command render_command(RenderSettings& settings);
+Command accuracy_command(AccuracySettings& settings);
+Command info_command(InfoSettings& settings);
+Command tin_command(TinSettings& settings);
+
+/// The settings that a command line (without "orograph render") asks for; nothing where it asks
+/// for help. Opens no file, but looks whether two of its paths are the same file.
+/// Throws UsageError.
+std::optional<RenderSettings> parse_render(const std::vector<std::string>& arguments);
+std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& arguments);
+std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments);
+std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments);
+
+} // namespace orograph

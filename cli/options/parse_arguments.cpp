@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A command line against the table of a command's options.
+#include "cli/options/parse_arguments.hpp"
+
+#include "cli/options/option_values.hpp"
+#include "geometry/error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <string_view>
+
+namespace orograph {
+namespace {
+
+std::string see_help(const Command& command) {
+  return fmt::format("orograph {} --help lists what there is", command.name);
+}
+
+std::string how_to_give(const Option& option) {
+  if (option.is_positional()) return "give " + option.help;
+  return fmt::format("give {} {}{}{}", option.name, option.value,
+                     option.allowed.empty() ? "" : ", ", option.allowed);
+}
+
+const Option* find_option(const Command& command, std::string_view argument) {
+  for (const auto& option : command.options) {
+    if (option.is_positional()) continue;
+    const bool short_form = argument.size() == 2 && argument[0] == '-' && option.letter != 0 &&
+                            argument[1] == option.letter;
+    if (argument == option.name || short_form) return &option;
+  }
+  return nullptr;
+}
+
+/// "-120,5,3", "-.5", "-inf": what follows an option is its value, although it begins like one.
+bool looks_negative(std::string_view argument) {
+  if (argument.size() < 2 || argument[0] != '-') return false;
+  const char next = argument[1];
+  return std::isdigit(static_cast<unsigned char>(next)) != 0 || next == '.' ||
+         argument.starts_with("-inf") || argument.starts_with("-nan");
+}
+
+/// The arguments with each value tied to its option, so that CLI11 takes negative numbers for
+/// values and an empty value for one that is there.
+std::vector<std::string> tie_values(const Command& command,
+                                    const std::vector<std::string>& arguments) {
+  std::vector<std::string> tied;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    if (argument == "--") {
+      tied.insert(tied.end(), arguments.begin() + static_cast<std::ptrdiff_t>(i), arguments.end());
+      break;
+    }
+    if (const auto equals = argument.find('=');
+        argument.starts_with("--") && equals + 1 == argument.size()) {
+      tied.push_back(argument.substr(0, equals)); // CLI11 takes "--title=" for "--title"
+      tied.emplace_back();
+      continue;
+    }
+    const Option* option = find_option(command, argument);
+    if (option == nullptr || option->is_switch()) {
+      tied.push_back(argument);
+      continue;
+    }
+    const bool last = i + 1 == arguments.size();
+    if (last || (arguments[i + 1].starts_with('-') && arguments[i + 1].size() > 1 &&
+                 !looks_negative(arguments[i + 1])))
+      throw UsageError(option->name + " has no value", how_to_give(*option));
+    const std::string& value = arguments[++i];
+    if (value.empty())
+      tied.insert(tied.end(), {option->name, value});
+    else
+      tied.push_back(option->name + "=" + value);
+  }
+  return tied;
+}
+
+std::string without_dashes(std::string_view name) {
+  name.remove_prefix(std::min(name.find_first_not_of('-'), name.size()));
+  return std::string(name);
+}
+
+[[noreturn]] void refuse_unknown(const Command& command, const std::string& argument) {
+  const std::string name = argument.substr(0, argument.find('='));
+  const Option* nearest = nullptr;
+  int least = 4; // farther than that, a suggestion is a guess
+  for (const auto& option : command.options) {
+    if (option.is_positional()) continue;
+    const std::string given = without_dashes(name), known = without_dashes(option.name);
+    const int distance =
+        known.starts_with(given) && given.size() > 1 ? 0 : edit_distance(given, known);
+    // A word of three letters is within 3 edits of any other.
+    if (distance < least && distance < static_cast<int>(known.size())) {
+      least = distance;
+      nearest = &option;
+    }
+  }
+  throw UsageError(fmt::format("unknown option {}", name),
+                   nearest != nullptr
+                       ? fmt::format("did you mean {}? {}", nearest->name, see_help(command))
+                       : see_help(command));
+}
+
+void refuse_leftovers(const Command& command, std::vector<std::string> leftovers) {
+  // CLI11 counts the mark after which all are names among what it couldn't use.
+  std::erase(leftovers, "--");
+  if (leftovers.empty()) return;
+  const auto unknown = std::find_if(leftovers.begin(), leftovers.end(), [](const auto& argument) {
+    return argument.size() > 1 && argument[0] == '-';
+  });
+  refuse_unknown(command, unknown != leftovers.end() ? *unknown : leftovers.back());
+}
+
+// Which positional arguments go to which option: each takes one, and the repeatable one what the
+// others leave. Too few are left to be spoken of as missing, in their order.
+std::map<std::string, std::vector<std::string>> places_of(const Command& command,
+                                                          std::vector<std::string> arguments) {
+  std::vector<const Option*> wanted;
+  for (const auto& option : command.options)
+    if (option.is_positional()) wanted.push_back(&option);
+  std::map<std::string, std::vector<std::string>> places;
+  std::size_t next = 0;
+  for (const Option* option : wanted) {
+    if (next == arguments.size()) break;
+    std::size_t count = 1;
+    if (option->repeatable && arguments.size() > wanted.size())
+      count += arguments.size() - wanted.size();
+    for (; count > 0; --count) places[option->name].push_back(std::move(arguments[next++]));
+  }
+  if (next == arguments.size()) return places;
+  std::string names;
+  for (const Option* option : wanted) names += " " + option->name;
+  throw UsageError(fmt::format("one argument too many, '{}'", arguments.back()),
+                   fmt::format("orograph {} takes{} and options (quote names with spaces)",
+                               command.name, names));
+}
+
+void take_values(const Option& option, const std::vector<std::string>& values) {
+  if (option.is_switch()) {
+    if (values.front() != "true")
+      throw UsageError(option.name + " takes no value", "give " + option.name + " alone");
+    option.take("");
+    return;
+  }
+  if (values.size() > 1 && !option.repeatable)
+    throw UsageError(fmt::format("{} is given {} times", option.name, values.size()),
+                     "give it once");
+  for (const auto& value : values)
+    if (!option.take(value))
+      throw UsageError(fmt::format("{} '{}' can't be used", option.name, value),
+                       how_to_give(option));
+}
+
+} // namespace
+
+GivenOptions parse_arguments(const Command& command, const std::vector<std::string>& arguments) {
+  CLI::App app;
+  app.set_help_flag();
+  app.allow_extras();
+  std::vector<std::pair<const Option*, CLI::Option*>> table;
+  for (const auto& option : command.options) {
+    if (option.is_positional()) continue;
+    const std::string names =
+        option.letter != 0 ? fmt::format("-{},{}", option.letter, option.name) : option.name;
+    CLI::Option* parsed = nullptr;
+    if (option.is_switch())
+      parsed = app.add_flag(names);
+    else
+      parsed = app.add_option(names, [](const CLI::results_t&) { return true; });
+    if (!option.is_switch()) parsed->expected(1);
+    parsed->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    table.emplace_back(&option, parsed);
+  }
+  CLI::Option* positional = app.add_option("FILES", [](const CLI::results_t&) { return true; });
+  positional->allow_extra_args(); // any number of them
+  positional->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+
+  auto tied = tie_values(command, arguments);
+  std::reverse(tied.begin(), tied.end()); // as CLI11 wants its vectors
+  try {
+    app.parse(tied);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what(), see_help(command));
+  }
+
+  GivenOptions given;
+  for (const auto& [option, parsed] : table)
+    if (parsed->count() > 0) given.insert(option->name);
+  if (given.contains("--help")) return given;
+
+  refuse_leftovers(command, app.remaining());
+  const auto places = places_of(command, positional->results());
+  for (const auto& option : command.options) {
+    if (!option.is_positional()) continue;
+    const auto given_here = places.find(option.name);
+    if (given_here == places.end())
+      throw UsageError("no " + option.name + " is given", how_to_give(option));
+    given.insert(option.name);
+    take_values(option, given_here->second);
+  }
+  for (const auto& [option, parsed] : table)
+    if (parsed->count() > 0) take_values(*option, parsed->results());
+  for (const auto& [one, other, right] : command.conflicts)
+    if (given.contains(one) && given.contains(other))
+      throw UsageError(fmt::format("{} and {} exclude each other", one, other), right);
+  return given;
+}
+
+} // namespace orograph

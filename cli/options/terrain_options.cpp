@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a command reads of a terrain.
+#include "cli/options/option_groups.hpp"
+#include "cli/options/option_kinds.hpp"
+#include "cli/options/option_values.hpp"
+#include "dem/read/length_units.hpp"
+
+#include <limits>
+
+namespace orograph {
+namespace {
+
+constexpr auto kGroup = "Terrain";
+
+} // namespace
+
+std::vector<Conflict> terrain_conflicts() {
+  return {{"--bbox", "--bbox-lonlat", "give one of the two"}};
+}
+
+void add_terrain_options(std::vector<Option>& options, std::vector<std::string>& inputs,
+                         ReadOptions& reading) {
+  options.push_back({.name = "INPUT",
+                     .help = "the terrain, in a projected CRS or none: any raster of heights that "
+                             "GDAL opens (/vsizip/ and other /vsi paths too); triangles in OFF, "
+                             "PLY, OBJ, STL, LandXML or a vector file; points in text with named "
+                             "columns or a vector file. Several rasters whose cells are on one "
+                             "lattice are joined",
+                     .repeatable = true,
+                     .take = [&inputs](const std::string& text) {
+                       inputs.push_back(text);
+                       return !text.empty();
+                     }});
+  options.push_back(with_integer({.group = kGroup,
+                                  .name = "--band",
+                                  .letter = 'b',
+                                  .value = "N",
+                                  .help = "Band that holds the heights",
+                                  .by_default = std::to_string(reading.band)},
+                                 1, std::numeric_limits<int>::max(),
+                                 [&reading](int n) { reading.band = n; }));
+  options.push_back({.group = kGroup,
+                     .name = "--oo",
+                     .value = "NAME=VALUE",
+                     .help = "Open option for GDAL's driver; may be repeated",
+                     .repeatable = true,
+                     .take = [&reading](const std::string& text) {
+                       const auto equals = text.find('=');
+                       if (equals == 0 || equals == std::string::npos) return false;
+                       reading.open_options.push_back(text);
+                       return true;
+                     }});
+  options.push_back(
+      {.group = kGroup,
+       .name = "--bbox",
+       .value = "XMIN,YMIN,XMAX,YMAX",
+       .help = "Keep only the terrain inside this window",
+       .allowed = "coordinates of the terrain's CRS, XMIN below XMAX, YMIN below YMAX",
+       .by_default = "all of it",
+       .take = stored(parse_box, reading.bbox)});
+  options.push_back({.group = kGroup,
+                     .name = "--bbox-lonlat",
+                     .value = "W,S,E,N",
+                     .help = "The same by longitude and latitude (WGS 84), in any CRS; W above E "
+                             "goes across 180 degrees",
+                     .allowed = "degrees, S below N",
+                     .take = stored(parse_lonlat_box, reading.bbox_lonlat)});
+  options.push_back(with_integer({.group = kGroup,
+                                  .name = "--overview",
+                                  .value = "LEVEL",
+                                  .help = "Read a smaller overview of the file instead of the full "
+                                          "heights; 0 is the finest overview",
+                                  .by_default = "full heights"},
+                                 0, 100, [&reading](int level) { reading.overview = level; }));
+  options.push_back(
+      with_number({.group = kGroup,
+                   .name = "--fill-voids",
+                   .value = "CELLS",
+                   .help = "Fill missing heights of a raster from those around them, up to so far "
+                           "from a height (GDAL's fill)",
+                   .by_default = "gaps stay, and hide nothing"},
+                  {.unit = "cells", .low = 0, .high = 1e6, .low_excluded = true},
+                  [&reading](double cells) { reading.fill_voids = cells; }));
+  options.push_back(
+      {.group = kGroup,
+       .name = "--height-unit",
+       .value = "UNIT",
+       .help = "Unit of a raster's heights, where the file doesn't say it or is wrong",
+       .allowed = "m, ft, us-ft, km, dm, cm or mm",
+       .by_default = "the file's",
+       .take = [&reading](const std::string& text) {
+         reading.height_unit = text;
+         return length_unit(text).has_value();
+       }});
+  constexpr auto kSurvey = "Triangles and points";
+  options.push_back({.group = kSurvey,
+                     .name = "--input-layer",
+                     .value = "NAME",
+                     .help = "Layer of a vector file, or surface of a LandXML file",
+                     .by_default = "the only one",
+                     .take = stored_name(reading.layer)});
+  options.push_back({.group = kSurvey,
+                     .name = "--repair",
+                     .help = "Reduce triangles that lie above each other to their upper surface",
+                     .take = set_to(reading.repair, true)});
+  options.push_back({.group = kSurvey,
+                     .name = "--columns",
+                     .value = "X,Y,Z",
+                     .help = "Columns of a text file that hold easting, northing and height",
+                     .allowed = "three names with commas between",
+                     .by_default = "x,y,z",
+                     .take = [&reading](const std::string& text) {
+                       const std::vector<std::string> names = split(text, ',');
+                       if (names.size() != 3 || names[0].empty() || names[1].empty() ||
+                           names[2].empty())
+                         return false;
+                       reading.columns = {names[0], names[1], names[2]};
+                       return true;
+                     }});
+  options.push_back({.group = kSurvey,
+                     .name = "--height-field",
+                     .value = "NAME",
+                     .help = "Field that holds the heights of a vector file's points without Z",
+                     .take = stored_name(reading.height_field)});
+  options.push_back({.group = kSurvey,
+                     .name = "--breaklines",
+                     .value = "FILE",
+                     .help = "Lines with Z that become edges of the triangulated points",
+                     .take = stored_name(reading.breaklines)});
+  options.push_back({.group = kSurvey,
+                     .name = "--boundary",
+                     .value = "FILE",
+                     .help = "Polygons: points are triangulated inside them only; holes are left",
+                     .take = stored_name(reading.boundary)});
+  options.push_back(with_number({.group = kSurvey,
+                                 .name = "--max-edge",
+                                 .value = "M",
+                                 .help = "Take triangles with a longer edge away, from the border "
+                                         "of the triangulated points inwards",
+                                 .by_default = "none"},
+                                {.unit = "metres", .low = 0, .low_excluded = true},
+                                [&reading](double m) { reading.max_edge_m = m; }));
+}
+
+} // namespace orograph
