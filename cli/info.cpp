@@ -88,7 +88,7 @@ void add_size(std::string& text, const Tin& tin) {
 void add_memory(std::string& text, const Grid& grid, const SurfaceExtent& extent) {
   const std::size_t missing = grid.size() - extent.valid;
   const auto size = static_cast<double>(grid.size());
-  const bool single = std::holds_alternative<std::vector<float>>(grid.heights_m);
+  const bool single = std::holds_alternative<Heights<float>>(grid.heights_m);
   add_line(text, "No data",
            missing == 0 ? std::string("none")
                         : fmt::format("{:.3g} % ({} vertices)",

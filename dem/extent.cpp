@@ -21,7 +21,7 @@ struct Block {
 };
 
 template <class Value>
-struct Heights {
+struct BlockHeights {
   Value low = std::numeric_limits<Value>::infinity();
   Value high = -std::numeric_limits<Value>::infinity();
   double sum = 0;
@@ -31,7 +31,8 @@ struct Heights {
 // A lane for each column, because a single running minimum or sum has to be taken in order and
 // therefore doesn't vectorize. Comparisons with NaN are false.
 template <class Value>
-Heights<Value> heights_in(const Grid& grid, const std::vector<Value>& heights, const Block& block) {
+BlockHeights<Value> heights_in(const Grid& grid, const Heights<Value>& heights,
+                               const Block& block) {
   std::array<Value, side> low, high;
   std::array<double, side> sum{};
   std::array<int, side> count{};
@@ -47,7 +48,7 @@ Heights<Value> heights_in(const Grid& grid, const std::vector<Value>& heights, c
       count[i] += valid;
     }
   }
-  Heights<Value> all;
+  BlockHeights<Value> all;
   for (int i = 0; i < block.columns; ++i) {
     all.low = std::min(all.low, low[i]);
     all.high = std::max(all.high, high[i]);
@@ -60,7 +61,7 @@ Heights<Value> heights_in(const Grid& grid, const std::vector<Value>& heights, c
 // Box of the valid vertices' positions. Positions are monotone in column and row, rounding
 // included, so that the corners tell it where every vertex is valid.
 template <class Value>
-Box2 ground_box(const Grid& grid, const std::vector<Value>& heights, const Block& block,
+Box2 ground_box(const Grid& grid, const Heights<Value>& heights, const Block& block,
                 bool all_valid) {
   const PlaneLattice& lattice = grid.plane();
   Box2 box;
@@ -118,7 +119,7 @@ struct Found {
 };
 
 template <class Value>
-void find_on_plane(const Grid& grid, const std::vector<Value>& heights, Found& out) {
+void find_on_plane(const Grid& grid, const Heights<Value>& heights, Found& out) {
   for (const Block& block : blocks_of(grid)) {
     const auto found = heights_in(grid, heights, block);
     if (found.count == 0) continue;
@@ -187,7 +188,7 @@ std::size_t turned_over(const EarthRow& north, const EarthRow& south) {
 }
 
 template <class Value>
-void find_on_earth(const Grid& grid, const std::vector<Value>& heights, Found& out) {
+void find_on_earth(const Grid& grid, const Heights<Value>& heights, Found& out) {
   const EarthLattice& earth = grid.earth();
   EarthRow row(grid.columns), north(grid.columns);
   std::vector<EarthBlock> blocks;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/frame/earth_lattice.hpp"
+#include "dem/heights.hpp"
 #include "geometry/vec.hpp"
 
 #include <cstddef>
@@ -40,8 +41,9 @@ struct PlaneLattice {
 struct Grid {
   int columns = 0, rows = 0;
   std::variant<PlaneLattice, EarthLattice> lattice;
-  /// Row-major, rows * columns. float unless the file has heights in double precision.
-  std::variant<std::vector<float>, std::vector<double>> heights_m;
+  /// Row-major, rows * columns; shared by copies. float unless the file has heights in double
+  /// precision.
+  std::variant<Heights<float>, Heights<double>> heights_m;
 
   bool is_on_earth() const { return std::holds_alternative<EarthLattice>(lattice); }
   const EarthLattice& earth() const { return std::get<EarthLattice>(lattice); }

@@ -13,7 +13,7 @@ namespace {
 // Lanes, because a single running minimum or sum has to be taken in order and therefore doesn't
 // vectorize. Comparisons with NaN are false.
 template <class Value>
-HeightRange range_of(const std::vector<Value>& heights) {
+HeightRange range_of(const Heights<Value>& heights) {
   constexpr std::size_t kLanes = 16;
   std::array<Value, kLanes> low, high;
   std::array<double, kLanes> sum{}, count{};

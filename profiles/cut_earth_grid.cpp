@@ -48,7 +48,7 @@ void EarthGridCutter::cut(double depth_m, Profile& out) const {
   out.depth_m = depth_m;
   if (!(depth_m >= nearest_m() && depth_m <= farthest_m())) return;
   std::visit(
-      [&]<class Height>(const std::vector<Height>& heights) {
+      [&]<class Height>(const Heights<Height>& heights) {
         cut_mesh(CutMesh<Height>{{grid_, grid_.earth(), heights, view_}, level_}, border_, depth_m,
                  depth_m > nearest_m(), out);
       },

@@ -22,7 +22,7 @@ template <class Height>
 struct Walk {
   const Grid& grid;
   const PlaneLattice& lattice;
-  const std::vector<Height>& heights;
+  const Heights<Height>& heights;
   const View& view;
   const TriangleSet& level;
   double depth;
@@ -194,7 +194,7 @@ void GridCutter::cut(double depth_m, Profile& out) const {
   out.depth_m = depth_m;
   if (!(depth_m >= nearest_m_ && depth_m <= farthest_m_)) return;
   std::visit(
-      [&]<class Height>(const std::vector<Height>& heights) {
+      [&]<class Height>(const Heights<Height>& heights) {
         // Vertices in the plane count as far, except where the grid only touches the plane from
         // behind: then nothing would be near.
         Walk<Height> walk{grid_,   grid_.plane(),        heights, view_, level_,

@@ -23,7 +23,7 @@ namespace orograph {
 template <class Height>
 class EarthRowFacing {
 public:
-  EarthRowFacing(const Grid& grid, const std::vector<Height>& heights, const View& view)
+  EarthRowFacing(const Grid& grid, const Heights<Height>& heights, const View& view)
       : lower(static_cast<std::size_t>(grid.columns) - 1), upper(lower.size()), grid_(grid),
         heights_(heights), view_(view), north_(lower.size() + 1), south_(lower.size() + 1),
         lower_sign_(lower.size()), upper_sign_(lower.size()) {}
@@ -130,7 +130,7 @@ private:
   }
 
   const Grid& grid_;
-  const std::vector<Height>& heights_;
+  const Heights<Height>& heights_;
   const View& view_;
   Row north_, south_; ///< of the present row of cells, in the profile frame
   std::vector<double> lower_sign_, upper_sign_;

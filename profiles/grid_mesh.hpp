@@ -69,7 +69,7 @@ struct GridMesh {
 
   const Grid& grid;
   const Lattice& lattice; ///< the grid's
-  const std::vector<Height>& heights;
+  const Heights<Height>& heights;
   const View& view;
 
   MeshVertex vertex(const CellHalf& t, std::size_t k) const {

@@ -29,8 +29,8 @@ private:
 };
 
 template <class Height>
-void append_runs(const Grid& grid, const std::vector<Height>& heights, int row,
-                 std::vector<Run>& runs, Sets& sets) {
+void append_runs(const Grid& grid, const Heights<Height>& heights, int row, std::vector<Run>& runs,
+                 Sets& sets) {
   const Height* north = &heights[grid.index(0, row)];
   const Height* south = &heights[grid.index(0, row + 1)];
   std::int32_t begin = -1;
@@ -78,7 +78,7 @@ SurfaceEdge edge(const Grid& grid, int c0, int r0, int c1, int r1) {
 }
 
 template <class Height>
-LevelGround find(const Grid& grid, const std::vector<Height>& heights, std::size_t smallest) {
+LevelGround find(const Grid& grid, const Heights<Height>& heights, std::size_t smallest) {
   std::vector<Run> runs;
   Sets sets;
   std::size_t north = 0, south = 0;

@@ -30,7 +30,7 @@ std::vector<BorderEdge> hull_edges(const Grid& grid) {
 }
 
 template <class Height>
-std::vector<BorderEdge> edges_with_one_side(const Grid& grid, const std::vector<Height>& heights) {
+std::vector<BorderEdge> edges_with_one_side(const Grid& grid, const Heights<Height>& heights) {
   const auto valid = [&](int column, int row) {
     return column >= 0 && row >= 0 && column < grid.columns && row < grid.rows &&
            !std::isnan(heights[grid.index(column, row)]);

@@ -46,7 +46,7 @@ inline EyeInCells eye_in_cells(const Grid& grid, const View& view, double exagge
 template <class Height>
 class PlaneRowFacing {
 public:
-  PlaneRowFacing(const Grid& grid, const std::vector<Height>& heights, const View& view)
+  PlaneRowFacing(const Grid& grid, const Heights<Height>& heights, const View& view)
       : lower(static_cast<std::size_t>(grid.columns) - 1), upper(lower.size()), grid_(grid),
         lattice_(grid.plane()), heights_(heights), view_(view),
         exaggeration_(view.drop.any() ? 1 : view.exaggeration),
@@ -190,7 +190,7 @@ private:
 
   const Grid& grid_;
   const PlaneLattice& lattice_;
-  const std::vector<Height>& heights_;
+  const Heights<Height>& heights_;
   const View& view_;
   double exaggeration_; ///< of the heights that are reckoned with
   EyeInCells eye_;

@@ -11,7 +11,7 @@ namespace orograph {
 namespace {
 
 template <class Height>
-std::vector<SurfaceEdge> edges_of(const Grid& grid, const std::vector<Height>& heights) {
+std::vector<SurfaceEdge> edges_of(const Grid& grid, const Heights<Height>& heights) {
   const auto valid = [&](int column, int row) {
     return column >= 0 && row >= 0 && column < grid.columns && row < grid.rows &&
            !std::isnan(heights[grid.index(column, row)]);

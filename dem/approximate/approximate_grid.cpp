@@ -67,7 +67,7 @@ struct IsAfter {
 template <class Value>
 class Refinement {
 public:
-  Refinement(const Grid& grid, const std::vector<Value>& heights, double max_error_m,
+  Refinement(const Grid& grid, const Heights<Value>& heights, double max_error_m,
              LatticeTriangulation& triangulation)
       : grid_(grid), heights_(heights), max_error_m_(max_error_m), triangulation_(triangulation),
         has_ground_(triangulation.triangles().size()), is_added_(grid.size()) {
@@ -144,7 +144,7 @@ private:
   }
 
   const Grid& grid_;
-  const std::vector<Value>& heights_;
+  const Heights<Value>& heights_;
   const double max_error_m_;
   LatticeTriangulation& triangulation_;
   std::vector<unsigned char> has_ground_; // by triangle before the first was split

@@ -22,7 +22,7 @@ struct CellRow {
 /// The cells between `row` and the next one; empty below the grid's last row. `heights` are the
 /// grid's own.
 template <class Value>
-void find_triangles(const Grid& grid, const std::vector<Value>& heights, int row, CellRow& cells) {
+void find_triangles(const Grid& grid, const Heights<Value>& heights, int row, CellRow& cells) {
   if (row + 1 >= grid.rows) {
     cells = CellRow(grid.columns);
     return;

@@ -24,8 +24,7 @@ struct GridCrossing {
 
 /// Between the two edges, in height. REQUIRES the grid's own heights, and ground at the crossing.
 template <class Value>
-double distance_m(const Grid& grid, const std::vector<Value>& heights,
-                  const GridCrossing& crossing) {
+double distance_m(const Grid& grid, const Heights<Value>& heights, const GridCrossing& crossing) {
   const auto height_m = [&](LatticePoint p) {
     return static_cast<double>(heights[grid.index(p.column, p.row)]);
   };

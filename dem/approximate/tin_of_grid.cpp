@@ -21,14 +21,14 @@ std::size_t count_of(const CellRow& cells) {
 using LeaveOut = std::function<void(int, CellRow&)>;
 
 template <class Value>
-void find_left(const Grid& grid, const std::vector<Value>& heights, int row,
-               const LeaveOut& leave_out, CellRow& cells) {
+void find_left(const Grid& grid, const Heights<Value>& heights, int row, const LeaveOut& leave_out,
+               CellRow& cells) {
   find_triangles(grid, heights, row, cells);
   if (leave_out && row + 1 < grid.rows) leave_out(row, cells);
 }
 
 template <class Value>
-std::size_t triangle_count(const Grid& grid, const std::vector<Value>& heights,
+std::size_t triangle_count(const Grid& grid, const Heights<Value>& heights,
                            const LeaveOut& leave_out) {
   CellRow cells(grid.columns);
   std::size_t count = 0;
@@ -43,8 +43,8 @@ using Numbers = std::vector<std::uint32_t>;
 
 // The vertices of a row that a triangle north or south of it uses, and their numbers in the Tin.
 template <class Value>
-void add_vertices(const Grid& grid, const std::vector<Value>& heights, int row,
-                  const CellRow& north, const CellRow& south, Tin& tin, Numbers& numbers) {
+void add_vertices(const Grid& grid, const Heights<Value>& heights, int row, const CellRow& north,
+                  const CellRow& south, Tin& tin, Numbers& numbers) {
   for (int c = 0; c < grid.columns; ++c) {
     const auto i = static_cast<std::size_t>(c);
     if (triangles_around(i, north, south) == 0) continue;

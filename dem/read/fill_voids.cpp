@@ -62,8 +62,9 @@ FilledVoids fill(std::vector<Height>& heights, int columns, int rows, double cel
 } // namespace
 
 FilledVoids fill_voids(Grid& grid, double cells) {
-  return std::visit([&](auto& heights) { return fill(heights, grid.columns, grid.rows, cells); },
-                    grid.heights_m);
+  return std::visit(
+      [&](auto& heights) { return fill(heights.own(), grid.columns, grid.rows, cells); },
+      grid.heights_m);
 }
 
 } // namespace orograph

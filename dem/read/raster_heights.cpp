@@ -195,7 +195,7 @@ bool fits_float(GDALRasterBand& band) {
 }
 
 void read_heights(GDALRasterBand& band, const RasterWindow& window, const GridOrder& order,
-                  const HeightCode& code, const std::string& path, Heights& heights,
+                  const HeightCode& code, const std::string& path, ReadHeights& heights,
                   HeightDifferences* differences) {
   std::visit(
       [&](auto& values) { Reader(band, window, path).read(order, code, values, differences); },

@@ -7,6 +7,8 @@
 
 #include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 class GDALRasterBand;
 
@@ -23,7 +25,8 @@ struct HeightCode {
 /// Of the band at full resolution: overviews of some formats don't tell it.
 HeightCode height_code(GDALRasterBand& band, double unit_m);
 
-using Heights = decltype(Grid::heights_m);
+/// A Grid's heights while they are read.
+using ReadHeights = std::variant<std::vector<float>, std::vector<double>>;
 
 /// Whether float holds all values of the band: it does unless the band is Float64 or integers of 32
 /// bits and more.
@@ -40,7 +43,7 @@ struct HeightDifferences {
 /// are NaN take a height, else all do. Throws Error if a read fails, as it does in a truncated
 /// file.
 void read_heights(GDALRasterBand& band, const RasterWindow& window, const GridOrder& order,
-                  const HeightCode& code, const std::string& path, Heights& heights,
+                  const HeightCode& code, const std::string& path, ReadHeights& heights,
                   HeightDifferences* differences);
 
 } // namespace orograph

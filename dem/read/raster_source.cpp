@@ -72,7 +72,8 @@ void open_again(RasterSource& source, const ReadOptions& options) {
 }
 
 void read_part(RasterSource& source, const ReadOptions& options, const RasterWindow& part,
-               int width, int column, int row, Heights& heights, HeightDifferences* differences) {
+               int width, int column, int row, ReadHeights& heights,
+               HeightDifferences* differences) {
   GDALRasterBand& band = band_of(source, options);
   const RasterWindow window = raster_window(source.order, part);
   read_heights(band, window, order_within(source.order, part, width, column, row), source.code,

@@ -35,6 +35,7 @@ void open_again(RasterSource& source, const ReadOptions& options);
 /// Reads `part`, a window of `in_grid_order(source.order)`, into rows of `width` heights, its first
 /// vertex at (column, row). `differences` as in `read_heights`. REQUIRES that it is open.
 void read_part(RasterSource& source, const ReadOptions& options, const RasterWindow& part,
-               int width, int column, int row, Heights& heights, HeightDifferences* differences);
+               int width, int column, int row, ReadHeights& heights,
+               HeightDifferences* differences);
 
 } // namespace orograph

@@ -44,8 +44,8 @@ RasterWindow vertices_in(const Box2& window, const RasterLattice& lattice, const
 // Of a rotated or sheared raster the window holds more than the box does.
 void cut_to(const Box2& box, const RasterLattice& lattice, const GridOrder& order, Grid& grid) {
   std::visit(
-      [&](auto& heights) {
-        using Value = typename std::decay_t<decltype(heights)>::value_type;
+      [&]<class Value>(Heights<Value>& read) {
+        std::vector<Value>& heights = read.own();
         for (int row = 0; row < grid.rows; ++row)
           for (int column = 0; column < grid.columns; ++column)
             if (!in_box(lattice, order.first + column * order.column_step + row * order.row_step,
@@ -117,10 +117,8 @@ HeightDifferences read_joined(std::vector<RasterSource>& sources, const JoinedTi
                               const RasterWindow& window, const ReadOptions& options, Grid& grid) {
   const bool in_float = std::all_of(sources.begin(), sources.end(),
                                     [](const RasterSource& source) { return source.in_float; });
-  if (in_float)
-    grid.heights_m = no_heights<float>(grid.size());
-  else
-    grid.heights_m = no_heights<double>(grid.size());
+  ReadHeights heights = in_float ? ReadHeights(no_heights<float>(grid.size()))
+                                 : ReadHeights(no_heights<double>(grid.size()));
   HeightDifferences differences;
   for (const TilePlace& place : joined.places) {
     RasterWindow part = common(place.at, window);
@@ -131,10 +129,11 @@ HeightDifferences read_joined(std::vector<RasterSource>& sources, const JoinedTi
     const int column = part.pixel - window.pixel, row = part.line - window.line;
     part.pixel -= place.at.pixel;
     part.line -= place.at.line;
-    read_part(source, options, part, grid.columns, column, row, grid.heights_m,
+    read_part(source, options, part, grid.columns, column, row, heights,
               joined.places.size() > 1 ? &differences : nullptr);
     if (!was_open) close(source);
   }
+  std::visit([&](auto& read) { grid.heights_m = Heights(std::move(read)); }, heights);
   return differences;
 }
 

@@ -57,7 +57,7 @@ std::vector<double> numbers_in(std::istringstream& words) {
 }
 
 void add_rows(Grid& grid, int count, const std::vector<double>& row) {
-  auto& heights = std::get<std::vector<double>>(grid.heights_m);
+  auto& heights = std::get<Heights<double>>(grid.heights_m).own();
   for (int i = 0; i < count; ++i) heights.insert(heights.end(), row.begin(), row.end());
   if (grid.rows == 0) grid.columns = static_cast<int>(row.size());
   REQUIRE(row.size() == static_cast<std::size_t>(grid.columns));

@@ -102,7 +102,7 @@ TEST_CASE(
     // Gentle ground: the same place may be on either side of a vertex that leans.
     std::visit(
         [&](auto& heights) {
-          for (auto& h : heights) h = std::isnan(h) ? h : std::fmod(h, decltype(h + 0){1});
+          for (auto& h : heights.own()) h = std::isnan(h) ? h : std::fmod(h, decltype(h + 0){1});
         },
         grid.heights_m);
     CAPTURE(seed, made.lon_step_deg, made.origin_lon_deg, made.origin_lat_deg);

@@ -280,9 +280,8 @@ TEST_CASE("of heights of 1e30 and of 1e-30, and of cliffs 100 km away") {
     Grid grid = made_earth_grid(random, made);
     const double unit = seed % 2 ? 1 : random.pick({1e30, 1e-30});
     std::visit(
-        [&](auto& heights) {
-          using Height = std::decay_t<decltype(heights[0])>;
-          for (Height& h : heights)
+        [&]<class Height>(Heights<Height>& heights) {
+          for (Height& h : heights.own())
             h = seed % 2 ? (random.chance(0.5) ? Height{0} : Height{3000})
                          : static_cast<Height>(h * unit);
         },

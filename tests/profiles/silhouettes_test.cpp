@@ -275,7 +275,7 @@ TEST_CASE("heights of 1e30, 1e-30 and denormals") {
       Random random(seed);
       Grid grid =
           made_grid(random, {6, 6, {}, {1, 0}, {0, -1}}, {0, 1, 0.1, random.chance(0.3), true});
-      for (double& height : std::get<std::vector<double>>(grid.heights_m)) height *= unit;
+      for (double& height : std::get<Heights<double>>(grid.heights_m).own()) height *= unit;
       CAPTURE(unit, seed);
       const View view = eye_view({random.between(-3, 8), -20, random.pick({0.0, 0.5, 1.0}) * unit},
                                  random.between(0, 360));

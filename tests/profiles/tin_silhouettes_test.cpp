@@ -244,7 +244,7 @@ TEST_CASE("also of water at the eye's height, and of heights of 1e30, 1e-30 and 
       CAPTURE(unit, seed);
       Grid grid = made_grid(random, {7, 6, {}, {10, 0}, {0, -10}},
                             {0, random.pick({1.0, 2.0, 3.0}), 0.1, random.chance(0.6), true});
-      for (double& height : std::get<std::vector<double>>(grid.heights_m)) height *= unit;
+      for (double& height : std::get<Heights<double>>(grid.heights_m).own()) height *= unit;
       compare(grid, random_view(grid, random, random.pick({0.0, 1.0}) * unit), sum);
     }
   CHECK(sum.silhouettes > 2000);

@@ -139,7 +139,7 @@ TEST_CASE("edges around voids are those that floods over missing triangles find"
     heights.missing = random.pick({0.0, 0.03, 0.06, 0.1, 0.2, 0.4});
     Grid grid = made_grid(random, lattice, heights);
     if (random.chance(0.3) && grid.columns > 8 && grid.rows > 8) { // a moat, an island within
-      auto& z = std::get<std::vector<float>>(grid.heights_m);
+      auto& z = std::get<Heights<float>>(grid.heights_m).own();
       std::fill(z.begin(), z.end(), 1.0F);
       for (int r = 2; r < 7; ++r)
         for (int c = 2; c < 7; ++c)

@@ -132,7 +132,7 @@ TEST_CASE("a mountain beyond the horizon shows from its limiting height on") {
         Terrain terrain = sea(1.1 * away, cell);
         Grid& grid = grid_of(terrain);
         const int row = static_cast<int>(std::round((grid.plane().first_vertex_m.y - away) / cell));
-        auto& heights = std::get<std::vector<double>>(grid.heights_m);
+        auto& heights = std::get<Heights<double>>(grid.heights_m).own();
         heights[grid.index(4, row)] = times * limit;
         RenderSettings settings = northwards(eye, refraction);
         const double dip = std::sqrt(2 * eye / effective);
@@ -161,7 +161,7 @@ TEST_CASE("curvature is drawn by itself where it would show, and not in parallel
   RenderSettings settings;
   for (const double length : {300.0, 60000.0}) {
     Terrain terrain = sea(length, length / 100);
-    auto& heights = std::get<std::vector<double>>(grid_of(terrain).heights_m);
+    auto& heights = std::get<Heights<double>>(grid_of(terrain).heights_m).own();
     for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = i % 7;
     const Scene scene = place_scene(terrain, settings);
     CAPTURE(length, scene.curvature.would_move_mm);
@@ -306,7 +306,7 @@ TEST_CASE("the map plane's own errors are in the budget, where the map is distor
     grid.plane().column_step_m = {1000, 0};
     grid.plane().row_step_m = {0, -1000};
     grid.heights_m = std::vector<double>(grid.size(), 0.0);
-    std::get<std::vector<double>>(grid.heights_m)[1300] = 500;
+    std::get<Heights<double>>(grid.heights_m).own()[1300] = 500;
     terrain.surface = std::move(grid);
     terrain.map.origin = {500e3 + east_m, 5200e3};
     terrain.map.crs_wkt = kUtm32;

@@ -261,8 +261,8 @@ TEST_CASE("a mountain shows up to its limiting distance, and is drawn at its pla
             const Strip strip = strip_of_sea(eye, azimuth_deg, away_m, cell_m, 4, {});
             Terrain terrain = earth_terrain(strip.lattice, [](double, double) { return 0; });
             Grid& grid = std::get<Grid>(terrain.surface);
-            std::get<std::vector<double>>(
-                grid.heights_m)[grid.index(strip.end_column, strip.end_row)] = mountain_m;
+            std::get<Heights<double>>(grid.heights_m)
+                .own()[grid.index(strip.end_column, strip.end_row)] = mountain_m;
             const double lift = lift_per_m2({}, lat_deg, refraction);
             // The summit by GeographicLib alone.
             const DegreeLattice& l = strip.lattice;

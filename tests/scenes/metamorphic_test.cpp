@@ -89,7 +89,7 @@ Picture picture_of(std::uint64_t seed) {
   Random random(seed + 5);
   settings.from_azimuth = Angle::degrees(random.between(0, 360));
   if (settings.from_elevation < Angle::degrees(1)) settings.from_elevation = Angle::degrees(13);
-  auto& heights = std::get<std::vector<float>>(grid_of(picture.terrain).heights_m);
+  auto& heights = std::get<Heights<float>>(grid_of(picture.terrain).heights_m).own();
   // In double, so that what is done to them rounds little; off their plateaus.
   std::vector<double> wider(heights.begin(), heights.end());
   for (double& h : wider) h += random.between(0, 0.5);
@@ -98,7 +98,7 @@ Picture picture_of(std::uint64_t seed) {
 }
 
 std::vector<double>& heights_of(Picture& picture) {
-  return std::get<std::vector<double>>(grid_of(picture.terrain).heights_m);
+  return std::get<Heights<double>>(grid_of(picture.terrain).heights_m).own();
 }
 
 // Draws both, and compares all layers.

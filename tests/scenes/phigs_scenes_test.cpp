@@ -196,7 +196,7 @@ TEST_CASE("terrain of any size comes back through a view file") {
         *step = size * *step;
       std::visit(
           [&](auto& heights) {
-            for (auto& h : heights) h *= static_cast<float>(size);
+            for (auto& h : heights.own()) h *= static_cast<float>(size);
           },
           grid.heights_m);
       RenderSettings& settings = scene.settings;

@@ -37,7 +37,7 @@ Grid window_of(MadeTerrain made, Random& random) {
 }
 
 void roughen(Grid& grid, Random& random, std::string& what) {
-  auto& heights = std::get<std::vector<float>>(grid.heights_m);
+  auto& heights = std::get<Heights<float>>(grid.heights_m).own();
   if (random.chance(0.25)) { // a plateau: level ground at some height and above
     const float top =
         heights[static_cast<std::size_t>(random.whole(0, static_cast<int>(grid.size()) - 1))];

@@ -107,7 +107,7 @@ TEST_CASE("the ray walk agrees with cameras that look straight down, and nearly"
 
 TEST_CASE("who looks down at their own feet sees ground, whatever the terrain's relief") {
   Terrain terrain = gentle(41, 41);
-  auto& heights = std::get<std::vector<double>>(grid_of(terrain).heights_m);
+  auto& heights = std::get<Heights<double>>(grid_of(terrain).heights_m).own();
   heights[3] = -2000; // far off, a gorge
   for (const double pitch : {-90.0, -60.0, -30.0}) {
     RenderSettings settings;

@@ -31,7 +31,7 @@ struct VoidScene {
   RandomScene scene;
   std::vector<std::size_t> gap; ///< vertices, none at the grid's sides; still with heights
   float& height_m(std::size_t vertex) {
-    return std::get<std::vector<float>>(grid_of(scene.terrain).heights_m)[vertex];
+    return std::get<Heights<float>>(grid_of(scene.terrain).heights_m).own()[vertex];
   }
   void set_gap(float height) {
     for (const std::size_t vertex : gap) height_m(vertex) = height;

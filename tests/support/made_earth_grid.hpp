@@ -129,7 +129,8 @@ inline Grid made_earth_grid(Random& random, const MadeEarth& made) {
   Grid grid = made_grid(random, {made.columns, made.rows}, heights);
   grid.lattice = earth_lattice(made);
   if (random.chance(0.5))
-    std::visit([&](auto& h) { make_gaps(random, grid.columns, grid.rows, h); }, grid.heights_m);
+    std::visit([&](auto& h) { make_gaps(random, grid.columns, grid.rows, h.own()); },
+               grid.heights_m);
   return grid;
 }
 

@@ -29,7 +29,7 @@ void check_fill(std::uint64_t seed) {
   grid.heights_m = before;
   const double cells = random.pick({1.0, 3.0, 100.0});
   const FilledVoids voids = fill_voids(grid, cells);
-  const auto& after = std::get<std::vector<Height>>(grid.heights_m);
+  const auto& after = std::get<Heights<Height>>(grid.heights_m);
   std::size_t missing = 0, filled = 0;
   Height low = 1e9, high = -1e9;
   for (const Height h : before)
@@ -82,7 +82,7 @@ TEST_CASE("a hole in a plateau is filled level, and nothing but holes stays as i
   const FilledVoids voids = fill_voids(grid, 10);
   CHECK(voids.filled == 15);
   CHECK(voids.left == 0);
-  for (const double h : std::get<std::vector<double>>(grid.heights_m))
+  for (const double h : std::get<Heights<double>>(grid.heights_m))
     CHECK(h == Approx(850.25).epsilon(1e-7));
 
   grid.heights_m = std::vector<double>(grid.size(), std::nan(""));

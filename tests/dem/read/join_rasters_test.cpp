@@ -79,7 +79,7 @@ std::vector<std::string> written(const TempFolder& folder, const std::vector<Ras
 }
 
 template <class Height>
-bool same_bits(const std::vector<Height>& a, const std::vector<Height>& b) {
+bool same_bits(const Heights<Height>& a, const Heights<Height>& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](Height x, Height y) {
            return x == y || (std::isnan(x) && std::isnan(y));
          });

@@ -123,7 +123,7 @@ TEST_CASE("heights are double only where float can't hold the file's") {
   RasterFile raster = counting_raster(4, 3);
   const auto in_double = [&](const char* type) {
     raster.type = type;
-    return std::holds_alternative<std::vector<double>>(grid_of(read_back(raster)).heights_m);
+    return std::holds_alternative<Heights<double>>(grid_of(read_back(raster)).heights_m);
   };
   for (const char* type : {"Byte", "Int16", "UInt16", "Float32"}) CHECK(!in_double(type));
   for (const char* type : {"Int32", "UInt32", "Float64"}) CHECK(in_double(type));
@@ -144,7 +144,7 @@ TEST_CASE("a mask in the file makes gaps as nodata does") {
 
 TEST_CASE("any block layout gives the same heights") {
   RasterFile raster = counting_raster(700, 500);
-  const auto plain = std::get<std::vector<float>>(grid_of(read_back(raster)).heights_m);
+  const auto plain = std::get<Heights<float>>(grid_of(read_back(raster)).heights_m);
   REQUIRE(plain.size() == 350000);
   CHECK(plain[123456] == 123456);
   for (const std::vector<std::string>& layout :
@@ -153,7 +153,7 @@ TEST_CASE("any block layout gives the same heights") {
         {"BLOCKYSIZE=500", "COMPRESS=DEFLATE"},
         {"BLOCKYSIZE=7"}}) {
     raster.creation_options = layout;
-    CHECK(std::get<std::vector<float>>(grid_of(read_back(raster)).heights_m) == plain);
+    CHECK(std::get<Heights<float>>(grid_of(read_back(raster)).heights_m) == plain);
     ReadOptions part;
     part.bbox = Box2{{500995, 4996995}, {505005, 4999005}};
     const Terrain window = read_back(raster, part);

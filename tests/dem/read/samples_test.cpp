@@ -90,7 +90,7 @@ TEST_CASE("the archipelago has the islands' heights, a degree wide") {
 TEST_CASE("the volcano's crater opens where it does in nature") {
   const Grid grid = grid_of(read_raster(path_of("volcano")));
   // The summit is on the southern rim, the crater's floor north of it, lower than the rim around.
-  const auto& heights = std::get<std::vector<float>>(grid.heights_m);
+  const auto& heights = std::get<Heights<float>>(grid.heights_m);
   const auto highest = std::max_element(heights.begin(), heights.end()) - heights.begin();
   const int summit_row = static_cast<int>(highest) / grid.columns;
   const int summit_column = static_cast<int>(highest) % grid.columns;
@@ -103,7 +103,7 @@ TEST_CASE("the volcano's crater opens where it does in nature") {
 
 TEST_CASE("the islands' sea is flat and reaches every border") {
   const Grid grid = make_terrain(MadeTerrain::islands, 201);
-  const auto& heights = std::get<std::vector<float>>(grid.heights_m);
+  const auto& heights = std::get<Heights<float>>(grid.heights_m);
   const auto sea = std::count(heights.begin(), heights.end(), 0.f);
   CHECK(sea > 201 * 201 / 2);
   CHECK(sea < 201 * 201 * 9 / 10);
