@@ -145,15 +145,16 @@ function startDrag(down) {
   for (const name of ['pointerup', 'pointercancel']) sheet.addEventListener(name, end);
 }
 
-function keysText() {
-  const parts = [`Drag the drawing, or ← → for ${labelOf(turningAxis.name)}`];
-  if (secondAxis()) parts.push(`↑ ↓ for ${labelOf(secondAxis().name)}`);
-  return parts.join(', ') + '; space plays.';
+function showHint() {
+  const keyboard = document.createElement('span');
+  keyboard.className = 'keyboard';
+  keyboard.textContent = `; ← → do the same${secondAxis() ? `, ↑ ↓ change ${labelOf(secondAxis().name)}` : ''}, space plays`;
+  document.getElementById('keys').append(`Drag the drawing sideways to change ${labelOf(turningAxis.name)}`, keyboard, '.');
 }
 
 function startControls() {
   document.getElementById('sliders').append(...axes.map(makeControl));
-  document.getElementById('keys').textContent = turningAxis ? keysText() : '';
+  if (turningAxis) showHint();
   sheet.classList.toggle('turns', turningAxis !== null);
   document.addEventListener('keydown', pressKey);
   sheet.addEventListener('pointerdown', startDrag);

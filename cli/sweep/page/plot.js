@@ -76,7 +76,7 @@ function drawPlot() {
   const width = Math.max(240, plotBox.clientWidth);
   const height = Math.round(Math.min(380, Math.max(230, width * 0.56)));
   const frame = { top: 26, right: width - 12, bottom: height - 44 };
-  const y = makeScale(state.y, shown.map((point) => point.y), frame.bottom, frame.top, 5, true);
+  const y = makeScale(state.y, shown.map((point) => point.y), frame.bottom, frame.top, 6, true);
   frame.left = 16 + textWidth(y.ticks.map((tick) => tick.text));
   const x = makeScale(state.x, shown.map((point) => point.x), frame.left + 8, frame.right - 8, width / 70, false);
   const svg = svgElement('svg', { width, height, viewBox: `0 0 ${width} ${height}`, role: 'img' });

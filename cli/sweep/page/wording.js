@@ -26,7 +26,7 @@ function numberText(value) {
 
 function unitText(unit) {
   if (!unit || unit === '1') return '';
-  return unit === 'deg' ? '°' : '\u00a0' + unit;
+  return unit === 'deg' ? '°' : ' ' + unit;
 }
 
 function unitOf(name) {
