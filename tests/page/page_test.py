@@ -251,6 +251,14 @@ def check_full(browser):
     check("full: and back", browser.run("document.getElementById('full-drawing').hidden"))
 
 
+def check_full_missing(browser):
+    """A file that isn't there any more is said to be missing; the preview stays."""
+    browser.click("#full-switch")
+    choose(browser, "#slider-0", 1)
+    browser.wait("document.getElementById('sheet-message').textContent.startsWith('view-003.svg can’t be read')")
+    check("full: the preview stays", ink(browser, "#drawing") > 1000)
+
+
 def check_crossed(browser, folder):
     open_page(browser, folder, "crossed")
     expect("crossed: summary", text(browser, "#summary"), "71 views · 1 not in this table")
@@ -262,6 +270,7 @@ def check_crossed(browser, folder):
     check_address(browser, folder)
     check_full(browser)
     check_quiet(browser, "crossed, other addresses")
+    check_full_missing(browser)
 
 
 def check_zipped(browser, folder):
@@ -309,7 +318,7 @@ def check_looks(browser, folder):
         browser.set_media(prefers_color_scheme=scheme)
         for page in ("one", "crossed", "zipped"):
             open_page(browser, folder, page)
-            for width in (320, 390, 768, 1000, 1600, 2560):
+            for width in (320, 390, 1000, 1600) if scheme == "light" else (390, 1600):
                 browser.resize(width, 844)
                 browser.run("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
                 check(f"{page}: no sideways scrolling at {width} {scheme}",

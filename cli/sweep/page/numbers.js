@@ -3,6 +3,11 @@
 
 const numberCells = new Map();
 
+const mostLetters = 16;
+function isWordy(name) {
+  return rows.some((row) => typeof row[name] === 'string' && row[name].length > mostLetters);
+}
+
 function makeNumber(column) {
   const name = document.createElement('dt');
   const value = document.createElement('dd');
@@ -19,6 +24,7 @@ function makeNumber(column) {
   numberCells.set(column.name, { value, button: text === name ? null : text });
   const pair = document.createElement('div');
   pair.classList.toggle('varied', table.varied.includes(column.name));
+  pair.classList.toggle('wordy', isWordy(column.name));
   pair.append(name, value);
   return pair;
 }

@@ -13,10 +13,11 @@ function tickStep(extent, most, inDegrees) {
   return power * decimalSteps.find((step) => step * power >= rough * (1 - 1e-9));
 }
 
-// From nought where that costs less than half of the axis; never without extent.
+// From nought where little of the axis is lost to it; never without extent.
 function paddedRange(values, maySeeNought) {
-  let low = Math.min(...values), high = Math.max(...values);
-  if (maySeeNought && low > 0 && low < 0.6 * high) low = 0;
+  let low = values.reduce((least, value) => Math.min(least, value));
+  let high = values.reduce((most, value) => Math.max(most, value));
+  if (maySeeNought && low > 0 && low < 0.4 * high) low = 0;
   if (low === high) {
     const half = Math.abs(low) * 0.1 || 1;
     [low, high] = [low - half, high + half];
