@@ -21,7 +21,8 @@ class Browser:
     def __init__(self, phone=False):
         for program in ("chromium", "chromedriver"):
             if shutil.which(program) is None:
-                raise SystemExit(f"page_test: {program} isn't there: run scripts/install-dependencies test")
+                raise SystemExit(f"page_test: error: {program} isn't there: "
+                                 "run scripts/install-dependencies test")
         self.profile = tempfile.mkdtemp(prefix="orograph-test-")
         self.driver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE,
                                        stderr=subprocess.DEVNULL, text=True)
@@ -82,7 +83,8 @@ class Browser:
 
     def run(self, script, *arguments):
         """The value of a JavaScript expression; arguments are `arguments[0]` and so on."""
-        return self._ask("POST", "/execute/sync", {"script": "return " + script, "args": list(arguments)})
+        return self._ask("POST", "/execute/sync",
+                         {"script": "return " + script, "args": list(arguments)})
 
     def wait(self, script, *arguments, seconds=20):
         """Until an expression is true; its value."""
@@ -100,8 +102,9 @@ class Browser:
         self._ask("POST", f"/element/{found[ELEMENT]}/click", {})
 
     def press(self, *names):
-        strokes = [{"type": kind, "value": KEYS[name]} for name in names for kind in ("keyDown", "keyUp")]
-        self._ask("POST", "/actions", {"actions": [{"type": "key", "id": "keys", "actions": strokes}]})
+        strokes = [{"type": kind, "value": KEYS[name]}
+                   for name in names for kind in ("keyDown", "keyUp")]
+        self._act({"type": "key", "id": "keys", "actions": strokes})
 
     def drag(self, selector, begin, end, kind="mouse"):
         """With the pointer, between two shares of an element's width, at half of its height."""
@@ -109,14 +112,22 @@ class Browser:
             "(({x, y, width, height}) => [x, y, width, height])"
             "(document.querySelector(arguments[0]).getBoundingClientRect())", selector)
         def move(share):
-            return {"type": "pointerMove", "duration": 30, "x": round(x + share * width), "y": round(y + height / 2)}
-        steps = [move(begin), {"type": "pointerDown", "button": 0}, move((begin + end) / 2), move(end),
-                 {"type": "pointerUp", "button": 0}]
-        self.act_pointer(steps, kind)
+            return self.move_to(x + share * width, y + height / 2)
+        self.point([move(begin), self.DOWN, move((begin + end) / 2), move(end), self.UP], kind)
 
-    def act_pointer(self, steps, kind="mouse"):
-        self._ask("POST", "/actions", {"actions": [
-            {"type": "pointer", "id": kind, "parameters": {"pointerType": kind}, "actions": steps}]})
+    DOWN = {"type": "pointerDown", "button": 0}
+    UP = {"type": "pointerUp", "button": 0}
+
+    @staticmethod
+    def move_to(x, y):
+        return {"type": "pointerMove", "duration": 20, "x": round(x), "y": round(y)}
+
+    def point(self, steps, kind="mouse"):
+        self._act({"type": "pointer", "id": kind, "parameters": {"pointerType": kind},
+                   "actions": steps})
+
+    def _act(self, source):
+        self._ask("POST", "/actions", {"actions": [source]})
 
     def developer(self, command, **parameters):
         return self._ask("POST", "/goog/cdp/execute", {"cmd": command, "params": parameters})

@@ -98,6 +98,10 @@ void write_page(const std::string& path, const Json& rows, const Json& previews)
   write(path, sweep_page(rows.dump(), previews.dump()));
 }
 
+void write_empty(const std::string& folder) {
+  write_page(folder + "/empty.html", table("empty.tif", {"azimuth_deg"}, true), Json::array());
+}
+
 void write_one(const std::string& folder) {
   Json rows = table("one.tif", {}, true);
   rows["views"].push_back(view(0, 30, 25));
@@ -146,6 +150,7 @@ int main(int count, char** arguments) {
   using namespace orograph;
   if (count == 2) {
     const std::string folder = arguments[1];
+    write_empty(folder);
     write_one(folder);
     write_crossed(folder);
     write_zipped(folder);

@@ -124,7 +124,7 @@ function pressKey(event) {
   }
 }
 
-// Dragging across the whole drawing passes every view once. Leftwards goes on, as a turntable would.
+// Dragging across the whole drawing passes every view once; leftwards goes on, as on a turntable.
 function startDrag(down) {
   if (!turningAxis || down.button !== 0) return;
   const axis = turningAxis;
@@ -148,8 +148,10 @@ function startDrag(down) {
 function showHint() {
   const keyboard = document.createElement('span');
   keyboard.className = 'keyboard';
-  keyboard.textContent = `; ← → do the same${secondAxis() ? `, ↑ ↓ change ${labelOf(secondAxis().name)}` : ''}, space plays`;
-  document.getElementById('keys').append(`Drag the drawing sideways to change ${labelOf(turningAxis.name)}`, keyboard, '.');
+  const second = secondAxis() ? `, ↑ ↓ change ${labelOf(secondAxis().name)}` : '';
+  keyboard.textContent = `; ← → do the same${second}, space plays`;
+  const drag = `Drag the drawing sideways to change ${labelOf(turningAxis.name)}`;
+  document.getElementById('keys').append(drag, keyboard, '.');
 }
 
 function startControls() {

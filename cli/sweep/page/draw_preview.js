@@ -15,12 +15,13 @@ function setCanvasPixels(canvas) {
   canvas.height = Math.max(1, Math.round(canvas.clientHeight * ratio));
 }
 
-// A line drawn wider than its pen gets paler by as much, but not faint: tones stay true on small screens.
+// A line drawn wider than its pen gets paler by as much, but not faint: tones stay true.
 function strokeLayer(context, layer, scale, leastInk) {
   const pen_px = layer.pen_mm * previewUnits_per_mm * scale;
   const width_px = Math.max(pen_px, leastLine_px);
   context.lineWidth = width_px / scale;
-  context.globalAlpha = (1 - (layer.grey ?? 0)) * Math.max(leastInk, Math.min(1, pen_px / width_px));
+  const ink = Math.max(leastInk, Math.min(1, pen_px / width_px));
+  context.globalAlpha = (1 - (layer.grey ?? 0)) * ink;
   context.stroke(new Path2D(layer.path));
 }
 

@@ -16,35 +16,43 @@ function makeScale(name, values, begin, end, most, upToTicks) {
   return numberScale(values, begin, end, most, { upToTicks, inDegrees: unitOf(name) === 'deg' });
 }
 
+function lineElement(name, x1, y1, x2, y2) {
+  return svgElement('line', { class: name, x1, y1, x2, y2 });
+}
+
+function textElement(name, x, y, text) {
+  return svgElement('text', { class: name, x, y }, text);
+}
+
 function drawAxes(svg, frame, x, y) {
-  const axesGroup = svgElement('g', { class: 'axes' });
+  const { left, right, bottom } = frame;
   for (const tick of y.ticks) {
     const at = y.place(tick.value);
-    axesGroup.append(svgElement('line', { class: 'grid', x1: frame.left, x2: frame.right, y1: at, y2: at }),
-      svgElement('text', { class: 'y-tick', x: frame.left - 8, y: at }, tick.text));
+    svg.append(lineElement('grid', left, at, right, at),
+      textElement('y-tick', left - 8, at, tick.text));
   }
   for (const tick of x.ticks) {
     const at = x.place(tick.value);
-    axesGroup.append(svgElement('line', { class: 'tick', x1: at, x2: at, y1: frame.bottom, y2: frame.bottom + 5 }),
-      svgElement('text', { class: 'x-tick', x: at, y: frame.bottom + 18 }, tick.text));
+    svg.append(lineElement('tick', at, bottom, at, bottom + 5),
+      textElement('x-tick', at, bottom + 18, tick.text));
   }
-  axesGroup.append(
-    svgElement('line', { class: 'base', x1: frame.left, x2: frame.right, y1: frame.bottom, y2: frame.bottom }),
-    svgElement('text', { class: 'name', x: 0, y: 11 }, labelWithUnit(state.y)),
-    svgElement('text', { class: 'name end', x: frame.right, y: frame.bottom + 36 }, labelWithUnit(state.x)));
-  svg.append(axesGroup);
+  svg.append(lineElement('base', left, bottom, right, bottom),
+    textElement('name', 0, 11, labelWithUnit(state.y)),
+    textElement('name end', right, bottom + 36, labelWithUnit(state.x)));
 }
 
 function drawLines(svg, lines, x, y) {
   const points = [];
   const radius = rows.length > 150 ? 1.5 : 2.4;
   lines.forEach((line, place) => {
-    const group = svgElement('g', { class: 'line', style: `--line: ${lineColour(place, lines.length)}` });
+    const colour = lineColour(place, lines.length);
+    const group = svgElement('g', { class: 'line', style: `--line: ${colour}` });
     group.append(svgElement('path', { d: linePath(line.points, x.place, y.place) }));
     for (const point of line.points) {
-      if (point.y === null || point.x === null) continue;
+      if (!isPlaced(point)) continue;
       const at = { ...point, line, left: x.place(point.x), top: y.place(point.y) };
-      group.append(svgElement('circle', { class: 'point', cx: at.left.toFixed(1), cy: at.top.toFixed(1), r: radius }));
+      const centre = { cx: at.left.toFixed(1), cy: at.top.toFixed(1) };
+      group.append(svgElement('circle', { class: 'point', ...centre, r: radius }));
       points.push(at);
     }
     line.group = group;
@@ -54,7 +62,8 @@ function drawLines(svg, lines, x, y) {
 }
 
 function describePlot(points) {
-  return `${labelWithUnit(state.y)} over ${labelWithUnit(state.x)}: ${countText(points.length, 'point', 'points')}`;
+  const count = countText(points.length, 'point', 'points');
+  return `${labelWithUnit(state.y)} over ${labelWithUnit(state.x)}: ${count}`;
 }
 
 function textWidth(texts) {
@@ -64,7 +73,7 @@ function textWidth(texts) {
 // The vertical scale first: its numbers say how much room the left margin needs.
 function drawPlot() {
   const lines = state.y ? plotLines() : [];
-  const shown = lines.flatMap((line) => line.points).filter((point) => point.y !== null && point.x !== null);
+  const shown = lines.flatMap((line) => line.points).filter(isPlaced);
   plotBox.replaceChildren();
   showLegend(lines);
   document.getElementById('plot-about').textContent = columnOf.get(state.y)?.about ?? '';
@@ -76,9 +85,10 @@ function drawPlot() {
   const width = Math.max(240, plotBox.clientWidth);
   const height = Math.round(Math.min(380, Math.max(230, width * 0.56)));
   const frame = { top: 26, right: width - 12, bottom: height - 44 };
-  const y = makeScale(state.y, shown.map((point) => point.y), frame.bottom, frame.top, 6, true);
+  const yValues = shown.map((point) => point.y), xValues = shown.map((point) => point.x);
+  const y = makeScale(state.y, yValues, frame.bottom, frame.top, 6, true);
   frame.left = 16 + textWidth(y.ticks.map((tick) => tick.text));
-  const x = makeScale(state.x, shown.map((point) => point.x), frame.left + 8, frame.right - 8, width / 70, false);
+  const x = makeScale(state.x, xValues, frame.left + 8, frame.right - 8, width / 70, false);
   const svg = svgElement('svg', { width, height, viewBox: `0 0 ${width} ${height}`, role: 'img' });
   drawAxes(svg, frame, x, y);
   const points = drawLines(svg, lines, x, y);
@@ -161,7 +171,9 @@ function startPlot() {
   document.getElementById('plot-section').hidden = rows.length < 2 || measureNames.length === 0;
   fillChoice('plot-y', measureNames, 'y');
   fillChoice('plot-x', parameterNames, 'x');
-  plotBox.addEventListener('pointermove', (event) => { if (plotted.svg) showReadout(nearestPoint(event)); });
+  plotBox.addEventListener('pointermove', (event) => {
+    if (plotted.svg) showReadout(nearestPoint(event));
+  });
   plotBox.addEventListener('pointerleave', hideReadout);
   plotBox.addEventListener('click', (event) => {
     if (!plotted.svg) return;

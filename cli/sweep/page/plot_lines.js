@@ -19,7 +19,8 @@ function plotLines() {
   rows.forEach((row, index) => {
     const key = names.map((name) => row[name]).join('\n');
     if (!lines.has(key)) lines.set(key, { row, names, points: [] });
-    lines.get(key).points.push({ index, x: row[state.x], y: isNumber(row[state.y]) ? row[state.y] : null });
+    const y = isNumber(row[state.y]) ? row[state.y] : null;
+    lines.get(key).points.push({ index, x: row[state.x] ?? null, y });
   });
   const inOrder = [...lines.values()];
   for (const axis of axes.filter(({ name }) => names.includes(name)).reverse())
@@ -28,11 +29,15 @@ function plotLines() {
   return inOrder;
 }
 
+function isPlaced(point) {
+  return point.x !== null && point.y !== null;
+}
+
 // Joined from point to point, broken where a view has no number.
 function linePath(points, placeX, placeY) {
   let path = '', pen = 'M';
   for (const point of points) {
-    if (point.y === null || point.x === null) {
+    if (!isPlaced(point)) {
       pen = 'M';
       continue;
     }

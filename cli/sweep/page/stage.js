@@ -43,7 +43,7 @@ function showPreview(row, preview) {
   drawing.setAttribute('aria-label', `Drawing of the terrain: ${placeText(row) || row.name}`);
 }
 
-// The file replaces the preview once it is read; until then, and where it can't be, the preview stays.
+// The file replaces the preview once it is read; where it can't be, the preview stays.
 function showFile(row, wanted) {
   if (!wanted) {
     fullDrawing.hidden = true;
@@ -55,7 +55,8 @@ function showFile(row, wanted) {
   fullDrawing.hidden = true;
   fullDrawing.alt = `Full drawing: ${placeText(row) || row.name}`;
   fullDrawing.onload = () => { fullDrawing.hidden = false; };
-  fullDrawing.onerror = () => showMessage(`${row.file} can’t be read: is it still beside this page?`);
+  fullDrawing.onerror = () =>
+    showMessage(`${row.file} can’t be read: is it still beside this page?`);
   fullDrawing.src = address;
 }
 
@@ -77,7 +78,8 @@ function showCompass(row) {
   compass.toggleAttribute('hidden', !isNumber(azimuth_deg) || Boolean(row.error));
   if (!isNumber(azimuth_deg)) return;
   document.getElementById('compass-viewer').setAttribute('transform', `rotate(${azimuth_deg})`);
-  compass.setAttribute('aria-label', `The viewer stands at azimuth ${numberText(azimuth_deg)}°, north is up`);
+  const where = `The viewer stands at azimuth ${numberText(azimuth_deg)}°, north is up`;
+  compass.setAttribute('aria-label', where);
 }
 
 function showStage() {
@@ -99,7 +101,8 @@ function redrawStage() {
 }
 
 function startStage() {
-  document.getElementById('full-switch').addEventListener('change', (event) => change({ full: event.target.checked }));
+  const fullSwitch = document.getElementById('full-switch');
+  fullSwitch.addEventListener('change', () => change({ full: fullSwitch.checked }));
   onChange((changed) => { if (changed.has('index') || changed.has('full')) showStage(); });
   new ResizeObserver(redrawStage).observe(sheet);
   showStage();

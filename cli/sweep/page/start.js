@@ -22,12 +22,7 @@ function watchTheme() {
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
 }
 
-function start() {
-  showHeading();
-  if (rows.length === 0) {
-    document.querySelector('main').hidden = true;
-    return;
-  }
+function startViews() {
   Object.assign(state, stateFromAddress());
   startControls();
   startStage();
@@ -36,6 +31,12 @@ function start() {
   startThumbnails();
   watchTheme();
   addEventListener('hashchange', () => change(stateFromAddress()));
+}
+
+function start() {
+  showHeading();
+  if (rows.length > 0) startViews();
+  document.querySelector('main').hidden = rows.length === 0;
   document.documentElement.dataset.ready = 'true';
 }
 

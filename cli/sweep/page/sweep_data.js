@@ -84,13 +84,13 @@ function nearestAlong(index, axis, place) {
 }
 
 // What is played, dragged and stepped through first: the azimuth turns the view.
-const turningAxis =
-  axes.find((axis) => axis.name === 'azimuth_deg') ??
-  axes.reduce((longest, axis) => (!longest || axis.values.length > longest.values.length ? axis : longest), null);
+const turningAxis = axes.find((axis) => axis.name === 'azimuth_deg') ??
+  [...axes].sort((a, b) => b.values.length - a.values.length)[0] ?? null;
 
 // How many views the sweep has beyond those of this table, as far as the table can tell.
 function countMissing() {
-  const combinations = table.crossed ? axes.reduce((count, axis) => count * axis.values.length, 1) : 0;
+  const least = Math.min(rows.length, 1);
+  const combinations = axes.reduce((count, axis) => count * axis.values.length, least);
   const numbered = rows.reduce((most, row) => Math.max(most, row.view + 1), 0);
   return Math.max(table.views_planned ?? 0, combinations, numbered) - rows.length;
 }

@@ -33,7 +33,7 @@ function makePicture(index) {
 
 // What differs inside its group: the others are in the group's heading.
 function thumbnailText(row) {
-  if (!table.crossed || axes.length < 2) return placeText(row) || row.name;
+  if (axes.length < 2) return placeText(row) || row.name;
   return valueText(turningAxis.name, row[turningAxis.name]);
 }
 
@@ -63,7 +63,7 @@ function makeThumbnail(index) {
 
 // Views that differ only in the turning axis stand together.
 function groupThumbnails() {
-  const others = table.crossed ? axes.filter((axis) => axis !== turningAxis).map((axis) => axis.name) : [];
+  const others = axes.filter((axis) => axis !== turningAxis).map((axis) => axis.name);
   const groups = new Map();
   rows.forEach((row, index) => {
     const heading = placeText(row, others);
