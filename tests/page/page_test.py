@@ -45,7 +45,7 @@ def check_one(browser, folder):
 def check_empty(browser, folder):
     """A shard without views."""
     open_page(browser, folder, "empty")
-    expect("empty: summary", text(browser, "#summary"), "0 views")
+    expect("empty: summary", text(browser, "#summary"), "0 views · 5 not in this table")
     check("empty: nothing else", value(browser, "main", "hidden"))
     check_quiet(browser, "empty")
 
