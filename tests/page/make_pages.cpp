@@ -99,7 +99,9 @@ void write_page(const std::string& path, const Json& rows, const Json& previews)
 }
 
 void write_empty(const std::string& folder) {
-  write_page(folder + "/empty.html", table("empty.tif", {"azimuth_deg"}, true), Json::array());
+  Json rows = table("empty.tif", {"azimuth_deg"}, true);
+  rows["views_planned"] = 5; // other shards draw them
+  write_page(folder + "/empty.html", rows, Json::array());
 }
 
 void write_one(const std::string& folder) {
@@ -116,7 +118,8 @@ void write_crossed(const std::string& folder) {
   for (int number = 0; number < 72; ++number) {
     if (number == 40) continue;
     const int elevations_deg[] = {10, 25, 45};
-    rows["views"].push_back(view(number, 15 * (number / 3), elevations_deg[number % 3]));
+    const int turn = number / 3;
+    rows["views"].push_back(view(number, 15.0 * turn, elevations_deg[number % 3]));
     previews.push_back(preview(random, 200));
   }
   write_page(folder + "/crossed.html", rows, previews);
