@@ -11,8 +11,8 @@
 
 namespace orograph {
 
-void cut_by_view(Terrain& terrain, const RenderSettings& settings) {
-  if (!settings.view || !settings.view->cuts()) return;
+std::optional<Terrain> cut_by_view(const Terrain& terrain, const RenderSettings& settings) {
+  if (!settings.view || !settings.view->cuts()) return std::nullopt;
   // Of a view in a file nothing is chosen by the terrain.
   const double exaggeration = terrain.map.earth ? 1 : exaggeration_of(settings, {});
   Tin kept =
@@ -20,8 +20,15 @@ void cut_by_view(Terrain& terrain, const RenderSettings& settings) {
   if (kept.triangles.empty())
     throw Error(settings.view_file + ": front and back plane leave nothing of the terrain",
                 "put them on either side of it");
-  terrain.surface = std::move(kept);
-  terrain.notes.push_back("The view's front and back plane cut the terrain: a TIN is left.");
+  Terrain out{.surface = std::move(kept),
+              .map = terrain.map,
+              .source = terrain.source,
+              .paths = terrain.paths,
+              .notes = terrain.notes,
+              .triangulation = terrain.triangulation,
+              .surface_error_m = terrain.surface_error_m};
+  out.notes.push_back("The view's front and back plane cut the terrain: a TIN is left.");
+  return out;
 }
 
 } // namespace orograph

@@ -5,11 +5,13 @@
 #include "cli/render_settings.hpp"
 #include "dem/terrain.hpp"
 
+#include <optional>
+
 namespace orograph {
 
-/// Cuts away what is in front of the front plane or behind the back plane of the settings' view,
-/// where it has any; what is left is a TIN, whose border runs along the planes. A note tells of it.
-/// Throws Error if nothing is left.
-void cut_by_view(Terrain& terrain, const RenderSettings& settings);
+/// The terrain without what is in front of the front plane or behind the back plane of the
+/// settings' view: a TIN, whose border runs along the planes. A note tells of it. Nothing where the
+/// view has no such planes. Throws Error if nothing is left.
+std::optional<Terrain> cut_by_view(const Terrain& terrain, const RenderSettings& settings);
 
 } // namespace orograph

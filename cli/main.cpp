@@ -5,6 +5,8 @@
 #include "cli/options/help.hpp"
 #include "cli/options/options.hpp"
 #include "cli/render.hpp"
+#include "cli/sweep/launcher.hpp"
+#include "cli/sweep/ranks.hpp"
 #include "cli/tin.hpp"
 #include "draw/output_file.hpp"
 #include "geometry/error.hpp"
@@ -13,6 +15,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,47 +27,51 @@ void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
+// What a command line asks for, or the command's help where it asks for that.
+template <class Settings, class Parse, class Run>
+void run_command(const Command& command, const std::vector<std::string>& rest, const Parse& parse,
+                 const Run& run) {
+  if (const std::optional<Settings> settings = parse(rest))
+    run(*settings);
+  else
+    print(command_help(command));
+}
+
 void run(std::vector<std::string> rest) {
   RenderSettings render_settings;
+  SweepSettings sweep_settings;
+  MergeSettings merge_settings;
   AccuracySettings accuracy_settings;
   InfoSettings info_settings;
   TinSettings tin_settings;
-  const std::vector<Command> commands{render_command(render_settings),
-                                      accuracy_command(accuracy_settings),
-                                      info_command(info_settings), tin_command(tin_settings)};
-  const std::string command = rest.empty() ? "" : rest.front();
+  const std::vector<Command> commands{
+      render_command(render_settings), sweep_command(sweep_settings),
+      merge_command(merge_settings),   accuracy_command(accuracy_settings),
+      info_command(info_settings),     tin_command(tin_settings)};
+  const std::string name = rest.empty() ? "" : rest.front();
   if (!rest.empty()) rest.erase(rest.begin());
-  if (command == "--help" || command == "-h") {
+  if (name == "--help" || name == "-h") {
     print(program_help(commands));
-  } else if (command == "--version") {
+  } else if (name == "--version") {
     print(version_line() + "\n");
-  } else if (command == "--man") { // for the build, which installs it
+  } else if (name == "--man") { // for the build, which installs it
     print(man_page(commands));
-  } else if (command == "render") {
-    if (const auto settings = parse_render(rest))
-      render(*settings);
-    else
-      print(command_help(commands[0]));
-  } else if (command == "accuracy") {
-    if (const auto settings = parse_accuracy(rest))
-      accuracy(*settings);
-    else
-      print(command_help(commands[1]));
-  } else if (command == "info") {
-    if (const auto settings = parse_info(rest))
-      info(*settings);
-    else
-      print(command_help(commands[2]));
-  } else if (command == "tin") {
-    if (const auto settings = parse_tin(rest))
-      tin(*settings);
-    else
-      print(command_help(commands[3]));
+  } else if (name == "render") {
+    run_command<RenderSettings>(commands[0], rest, parse_render, render);
+  } else if (name == "sweep") {
+    run_command<SweepSettings>(commands[1], rest, parse_sweep, sweep);
+  } else if (name == "merge") {
+    run_command<MergeSettings>(commands[2], rest, parse_merge, merge);
+  } else if (name == "accuracy") {
+    run_command<AccuracySettings>(commands[3], rest, parse_accuracy, accuracy);
+  } else if (name == "info") {
+    run_command<InfoSettings>(commands[4], rest, parse_info, info);
+  } else if (name == "tin") {
+    run_command<TinSettings>(commands[5], rest, parse_tin, tin);
   } else {
-    throw UsageError(
-        command.empty() ? "no command is given" : "unknown command " + command,
-        "use render, accuracy, info or tin, as in orograph render INPUT OUTPUT; orograph "
-        "--help tells more");
+    throw UsageError(name.empty() ? "no command is given" : "unknown command " + name,
+                     "use render, sweep, merge, accuracy, info or tin, as in orograph render INPUT "
+                     "OUTPUT; orograph --help tells more");
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw Error("can't write to standard output", "make room on the device, or keep it open");
@@ -84,8 +91,11 @@ int main(int argc, char** argv) {
     remove_output_files_on_signals();
     run({argv + std::min(argc, 1), argv + argc});
     return 0;
+  } catch (const StoppedElsewhere&) {
+    return 1;
   } catch (const UsageError& error) {
-    return fail(error.what(), 2);
+    // All processes of a sweep are told the same; one tells what is wrong with it.
+    return launched_rank() == 0 ? fail(error.what(), 2) : 2;
   } catch (const Error& error) {
     return fail(error.what(), 1);
   } catch (const std::bad_alloc&) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/render.hpp"
 
-#include "cli/cut_by_view.hpp"
 #include "cli/describe_run.hpp"
 #include "cli/draw_scene.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene.hpp"
-#include "cli/stand_on_earth.hpp"
+#include "cli/terrain_of_view.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
 
@@ -50,13 +49,13 @@ void render(const RenderSettings& settings) {
   RunReport report;
   SecondsReport& seconds = report.seconds;
 
-  Terrain terrain =
+  const Terrain whole =
       timed(seconds.read, [&] { return read_terrain(settings.inputs, settings.reading); });
-  const Scene scene = timed(seconds.place, [&] {
-    stand_on_earth(terrain, settings);
-    cut_by_view(terrain, settings);
-    return place_scene(terrain, settings);
-  });
+  const auto place_start = Clock::now();
+  const TerrainOfView of_view(whole, settings);
+  const Terrain& terrain = *of_view;
+  const Scene scene = place_scene(terrain, settings);
+  seconds.place = seconds_since(place_start);
   if (scene.exaggeration_chosen && scene.exaggeration != 1)
     say(settings, fmt::format("heights are exaggerated {} times (--exaggeration 1 draws them true)",
                               scene.exaggeration));

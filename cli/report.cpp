@@ -155,19 +155,13 @@ Json or_unknown(const std::optional<double>& mm) {
 }
 
 Json json_of(const ErrorBudget& budget) {
-  const auto& detail_mm = budget.level_of_detail_mm;
-  const auto& geodesy_mm = budget.geodesy_mm;
-  std::optional<double> total_mm;
-  if (detail_mm && geodesy_mm)
-    total_mm = budget.simplification_mm + budget.visibility_tolerance_mm + budget.arithmetic_mm +
-               *geodesy_mm + budget.rounding_mm + *detail_mm;
-  return {{"level_of_detail", or_unknown(detail_mm)},
+  return {{"level_of_detail", or_unknown(budget.level_of_detail_mm)},
           {"simplification", budget.simplification_mm},
           {"visibility_tolerance", budget.visibility_tolerance_mm},
           {"arithmetic", budget.arithmetic_mm},
-          {"geodesy", or_unknown(geodesy_mm)},
+          {"geodesy", or_unknown(budget.geodesy_mm)},
           {"rounding", budget.rounding_mm},
-          {"total", or_unknown(total_mm)}};
+          {"total", or_unknown(budget.total_mm())}};
 }
 
 } // namespace

@@ -103,20 +103,37 @@ ViewEntry entry_of(std::string_view key, const toml::node& node) {
   return entry;
 }
 
-std::vector<ViewEntry> toml_entries(const std::string& path) {
-  const std::string text = whole_file(path, kMostBytesOfToml);
-  std::vector<ViewEntry> entries;
+toml::table parsed_toml(const std::string& path, std::size_t most_bytes) {
+  const std::string text = whole_file(path, most_bytes);
   try {
-    for (const auto& [key, value] : toml::parse(text)) entries.push_back(entry_of(key, value));
+    return toml::parse(text);
   } catch (const toml::parse_error& error) {
     throw Error(fmt::format("{}, line {}: this isn't TOML ({})", path, error.source().begin.line,
                             printable(error.description())),
                 "give a view with lines such as vrp = [500000, 100000, 1200]");
   }
+}
+
+std::vector<ViewEntry> toml_entries(const toml::table& table) {
+  std::vector<ViewEntry> entries;
+  for (const auto& [key, value] : table) entries.push_back(entry_of(key, value));
   // What stands first in the file is spoken of first.
   std::stable_sort(entries.begin(), entries.end(),
                    [](const ViewEntry& a, const ViewEntry& b) { return a.line < b.line; });
   return entries;
+}
+
+// Takes the name out of a view's entries.
+std::string take_name(std::vector<ViewEntry>& entries, const std::string& path) {
+  const auto named = std::find_if(entries.begin(), entries.end(),
+                                  [](const ViewEntry& entry) { return entry.key == "name"; });
+  if (named == entries.end()) return {};
+  const std::string name = named->text;
+  if (named->kind != Kind::text || name.empty() || name.find('/') != std::string::npos)
+    throw Error(fmt::format("{}, line {}: this can't be a view's name", path, named->line),
+                "give text without a slash, as in name = \"north\"");
+  entries.erase(named);
+  return name;
 }
 
 std::optional<double> as_number(const nlohmann::json& value) {
@@ -194,8 +211,28 @@ std::string printed(Vec3 p) {
 } // namespace
 
 ViewFile read_view_file(const std::string& path) {
-  return view_of_entries(extension_of(path) == ".json" ? report_entries(path) : toml_entries(path),
+  return view_of_entries(extension_of(path) == ".json"
+                             ? report_entries(path)
+                             : toml_entries(parsed_toml(path, kMostBytesOfToml)),
                          path);
+}
+
+std::vector<NamedView> read_view_list(const std::string& path) {
+  constexpr auto kRight = "begin each view with a line [[view]], and give its keys below";
+  const toml::table file = parsed_toml(path, kMostBytesOfReport);
+  for (const auto& [key, value] : file)
+    if (key != "view" || !value.is_array_of_tables())
+      throw Error(fmt::format("{}, line {}: '{}' is no list of views", path,
+                              value.source().begin.line, printable(key.str())),
+                  kRight);
+  if (file.empty()) throw Error(path + " holds no view", kRight);
+  std::vector<NamedView> views;
+  for (const toml::node& node : *file["view"].as_array()) {
+    std::vector<ViewEntry> entries = toml_entries(*node.as_table());
+    const std::string name = take_name(entries, path);
+    views.push_back({name, view_of_entries(entries, path)});
+  }
+  return views;
 }
 
 std::string view_file_text(const ViewFile& view) {

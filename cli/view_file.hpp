@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace orograph {
 
@@ -35,6 +36,17 @@ struct ViewFile {
 /// wrong count of numbers or with one that is not finite; a view that the stages of the pipeline
 /// refuse (view_orientation, canonical_volume), or an eye (PRP) not in front of the back plane.
 ViewFile read_view_file(const std::string& path);
+
+/// A view of a list, by name where it has one.
+struct NamedView {
+  std::string name;
+  ViewFile view;
+};
+
+/// TOML with a table [[view]] for each view: the keys of a view file, and `name`, which may be left
+/// out. Throws Error as `read_view_file` does, and where there is no view, where a name is empty or
+/// can't be a part of a file's name, and where there are other keys beside the views.
+std::vector<NamedView> read_view_list(const std::string& path);
 
 /// TOML that reads back to the very same numbers, bit for bit. REQUIRES finite numbers.
 std::string view_file_text(const ViewFile& view);

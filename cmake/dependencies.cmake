@@ -11,3 +11,7 @@ find_package(tomlplusplus 3.3 CONFIG REQUIRED)
 find_package(CGAL 5.5 CONFIG REQUIRED)
 find_package(pugixml 1.13 CONFIG REQUIRED)
 find_package(Eigen3 3.4 CONFIG REQUIRED) # after CGAL, which looks for it in another way
+find_package(TBB 2021.8 CONFIG REQUIRED)
+if(OROGRAPH_MPI)
+  find_package(MPI 3.1 COMPONENTS CXX REQUIRED)
+endif()

@@ -3,9 +3,8 @@
 
 #include "cli/accuracy/accuracy_report.hpp"
 #include "cli/accuracy/plot_accuracy.hpp"
-#include "cli/cut_by_view.hpp"
 #include "cli/progress.hpp"
-#include "cli/stand_on_earth.hpp"
+#include "cli/terrain_of_view.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "draw/output_file.hpp"
 #include "geometry/error.hpp"
@@ -37,9 +36,9 @@ void accuracy(const AccuracySettings& settings) {
                     svg = settings.prefix + ".svg";
   for (const std::string& path : {csv, json, svg}) check_writable(path, render.write);
 
-  Terrain terrain = read_terrain(render.inputs, render.reading);
-  stand_on_earth(terrain, render);
-  cut_by_view(terrain, render);
+  const Terrain whole = read_terrain(render.inputs, render.reading);
+  const TerrainOfView of_view(whole, render);
+  const Terrain& terrain = *of_view;
   std::vector<AccuracyRow> rows = accuracy_rows(settings);
   ProgressBar bar(shows_progress(render.quiet, render.progress));
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -92,7 +92,7 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
     if (const auto& earth = full.map.earth)
       reframe(*overview, earth->local.origin_lon_deg(), earth->local.origin_lat_deg(),
               earth->exaggeration);
-    cut_by_view(*overview, render);
+    if (auto cut = cut_by_view(*overview, render)) overview = std::move(cut);
   }
   const Terrain& terrain = overview ? *overview : full;
   const Surface* full_heights = overview ? &full.surface : nullptr;

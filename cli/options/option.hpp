@@ -3,7 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -43,7 +43,7 @@ struct Command {
   std::vector<Example> examples;
 };
 
-/// The names of the options that a command line gives.
-using GivenOptions = std::set<std::string>;
+/// The options that a command line gives, with their values as given: one empty value for a switch.
+using GivenOptions = std::map<std::string, std::vector<std::string>>;
 
 } // namespace orograph

@@ -16,6 +16,9 @@ namespace orograph {
 /// Of the options for the terrain.
 std::vector<Conflict> terrain_conflicts();
 
+/// Of the options for terrain, view, page and messages of a picture.
+std::vector<Conflict> picture_conflicts();
+
 /// Each appends a group; what its options store into must outlive them.
 void add_terrain_options(std::vector<Option>& options, std::vector<std::string>& inputs,
                          ReadOptions& reading);

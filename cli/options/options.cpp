@@ -13,9 +13,7 @@
 #include <fmt/ranges.h>
 
 namespace orograph {
-namespace {
 
-// Of the options for terrain, view, page and messages.
 std::vector<Conflict> picture_conflicts() {
   std::vector<Conflict> conflicts{
       {"--view-from", "--eye",
@@ -45,8 +43,6 @@ std::vector<Conflict> picture_conflicts() {
   for (const Conflict& conflict : terrain_conflicts()) conflicts.push_back(conflict);
   return conflicts;
 }
-
-} // namespace
 
 Command render_command(RenderSettings& settings) {
   Command command{

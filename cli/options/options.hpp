@@ -7,6 +7,7 @@
 #include "cli/info.hpp"
 #include "cli/options/option.hpp"
 #include "cli/render_settings.hpp"
+#include "cli/sweep/sweep.hpp"
 #include "cli/tin.hpp"
 
 #include <optional>
@@ -17,6 +18,8 @@ namespace orograph {
 
 /// The options store into `settings`, which must outlive the command.
 Command render_command(RenderSettings& settings);
+Command sweep_command(SweepSettings& settings);
+Command merge_command(MergeSettings& settings);
 Command accuracy_command(AccuracySettings& settings);
 Command info_command(InfoSettings& settings);
 Command tin_command(TinSettings& settings);
@@ -25,6 +28,8 @@ Command tin_command(TinSettings& settings);
 /// for help. Opens no file, but looks whether two of its paths are the same file.
 /// Throws UsageError.
 std::optional<RenderSettings> parse_render(const std::vector<std::string>& arguments);
+std::optional<SweepSettings> parse_sweep(const std::vector<std::string>& arguments);
+std::optional<MergeSettings> parse_merge(const std::vector<std::string>& arguments);
 std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& arguments);
 std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments);
 std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments);

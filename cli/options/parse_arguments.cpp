@@ -189,7 +189,8 @@ GivenOptions parse_arguments(const Command& command, const std::vector<std::stri
 
   GivenOptions given;
   for (const auto& [option, parsed] : table)
-    if (parsed->count() > 0) given.insert(option->name);
+    if (parsed->count() > 0)
+      given[option->name] = option->is_switch() ? std::vector<std::string>{""} : parsed->results();
   if (given.contains("--help")) return given;
 
   refuse_leftovers(command, app.remaining());
@@ -199,7 +200,7 @@ GivenOptions parse_arguments(const Command& command, const std::vector<std::stri
     const auto given_here = places.find(option.name);
     if (given_here == places.end())
       throw UsageError("no " + option.name + " is given", how_to_give(option));
-    given.insert(option.name);
+    given[option.name] = given_here->second;
     take_values(option, given_here->second);
   }
   for (const auto& [option, parsed] : table)

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `orograph sweep` varies, and how it goes about it: render's options, some of them with
+// lists.
+#include "cli/options/check_settings.hpp"
+#include "cli/options/option_groups.hpp"
+#include "cli/options/option_kinds.hpp"
+#include "cli/options/option_values.hpp"
+#include "cli/options/options.hpp"
+#include "cli/options/parse_arguments.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+namespace orograph {
+namespace {
+
+constexpr auto kVaried = "What varies", kWork = "Work";
+constexpr auto kList = "numbers with commas between, ranges FROM:TO:STEP, or both";
+
+// How the option of a single value takes one of a list's.
+struct ListOption {
+  Parameter parameter;
+  std::string single; ///< render's option
+  std::string before, after;
+  std::string help;
+};
+
+const std::vector<ListOption>& list_options() {
+  static const std::vector<ListOption> options{
+      {Parameter::azimuth, "--view-from", "", "/25",
+       "Where the viewer stands, seen from the terrain, clockwise from north"},
+      {Parameter::elevation, "--view-from", "180/", "",
+       "Where the viewer stands, above the horizontal"},
+      {Parameter::look_azimuth, "--look-azimuth", "", "",
+       "With an eye, where it looks, clockwise from true north"},
+      {Parameter::pitch, "--pitch", "", "", "With --look-azimuth, look up by this"},
+      {Parameter::distance, "--distance", "", "", "From the eye to the point looked at"},
+      {Parameter::fov, "--fov", "", "", "Horizontal field of view; perspective only"},
+      {Parameter::exaggeration, "--exaggeration", "", "", "Multiply all heights"},
+      {Parameter::profiles, "--profiles", "", "", "Number of profiles"}};
+  return options;
+}
+
+Option taken(std::vector<Option>& options, const std::string& name) {
+  const auto found = std::find_if(options.begin(), options.end(),
+                                  [&](const Option& option) { return option.name == name; });
+  Option option = *found;
+  options.erase(found);
+  return option;
+}
+
+// A turn's end is its beginning.
+void drop_full_turn(std::vector<double>& azimuths) {
+  if (azimuths.size() > 1 && std::abs(azimuths.back() - azimuths.front()) == 360)
+    azimuths.pop_back();
+}
+
+void add_axis(std::vector<Axis>& axes, Axis axis) {
+  const auto after = std::find_if(axes.begin(), axes.end(), [&](const Axis& other) {
+    return other.parameter > axis.parameter;
+  });
+  axes.insert(after, std::move(axis));
+}
+
+Option listed(const ListOption& list, const Option& single, SweepSettings& s) {
+  const std::string& name = names_of(list.parameter).option;
+  std::string allowed = single.allowed;
+  if (list.parameter == Parameter::azimuth) allowed = "degrees";
+  if (list.parameter == Parameter::elevation) allowed = "degrees, 0 to 90";
+  std::string by_default = single.by_default;
+  if (list.parameter == Parameter::azimuth) by_default = "180";
+  if (list.parameter == Parameter::elevation) by_default = "25";
+  return {.group = kVaried,
+          .name = name,
+          .value = "LIST",
+          .help = list.help,
+          .allowed = fmt::format("{}; {}", kList, allowed),
+          .by_default = by_default,
+          .take = [name, list, allowed, single, &s](const std::string& text) {
+            if (list.parameter == Parameter::exaggeration && text == "auto")
+              return single.take(text);
+            Axis axis{list.parameter, parse_number_list(name, text)};
+            if (list.parameter == Parameter::azimuth || list.parameter == Parameter::look_azimuth)
+              drop_full_turn(axis.values);
+            for (const double value : axis.values)
+              if (!single.take(list.before + number_text(value) + list.after))
+                throw UsageError(
+                    fmt::format("{} '{}' can't be used: {}", name, text, number_text(value)),
+                    fmt::format("its values are {}", allowed));
+            add_axis(s.axes, std::move(axis));
+            return true;
+          }};
+}
+
+std::optional<Shard> parse_shard(const std::string& text) {
+  const std::vector<std::string> parts = split(text, '/');
+  if (parts.size() != 2) return std::nullopt;
+  const auto index = parse_integer(parts[0]), count = parse_integer(parts[1]);
+  if (!index || !count || *index < 1 || *index > *count) return std::nullopt;
+  return Shard{*index, *count};
+}
+
+void add_varied_options(std::vector<Option>& options, SweepSettings& s) {
+  // Azimuth and elevation are of one option; it goes after both.
+  for (const ListOption& list : list_options()) {
+    Option single = taken(options, list.single);
+    if (list.parameter == Parameter::azimuth) options.push_back(single);
+    options.push_back(listed(list, single, s));
+  }
+  options.push_back({.group = kVaried,
+                     .name = "--eye-path",
+                     .value = "FILE",
+                     .help = "Stand along the line that a vector file holds: at its vertices, "
+                             "looking where it leads unless told otherwise; with Z at these "
+                             "heights, else on the ground",
+                     .allowed = "a file with one line that GDAL opens",
+                     .take = stored_name(s.eye_path)});
+  options.push_back(with_number({.group = kVaried,
+                                 .name = "--eye-step",
+                                 .value = "M",
+                                 .help = "Stand every so far along --eye-path instead"},
+                                {.unit = "metres", .low = 0, .low_excluded = true},
+                                [&s](double m) { s.eye_step_m = m; }));
+  options.push_back({.group = kVaried,
+                     .name = "--views",
+                     .value = "FILE",
+                     .help = "Every view of a list: TOML with a table [[view]] for each, with the "
+                             "keys of a view file (docs/pipeline.md) and, if wanted, a name",
+                     .allowed = "a TOML file",
+                     .take = stored_name(s.views_file)});
+  options.push_back({.group = kVaried,
+                     .name = "--zip",
+                     .help = "Take the lists together, first with first, instead of crossing them",
+                     .take = set_to(s.zipped, true)});
+  options.push_back({.group = kVaried,
+                     .name = "--name",
+                     .value = "TEMPLATE",
+                     .help = "What drawings are called: text with {index}, {azimuth}, … in it",
+                     .allowed = "a name without slashes",
+                     .by_default = "all that varies, as in azimuth-045_elevation-05",
+                     .take = stored_name(s.name_template)});
+}
+
+void add_work_options(std::vector<Option>& options, SweepSettings& s) {
+  options.push_back({.group = kWork,
+                     .name = "--overwrite",
+                     .help = "Remove an older sweep in OUT_DIR first",
+                     .take = set_to(s.render.write.overwrite, true)});
+  options.push_back({.group = kWork,
+                     .name = "--resume",
+                     .help = "Go on with the sweep in OUT_DIR: draw what isn't drawn yet",
+                     .take = set_to(s.resume, true)});
+  constexpr int kMostJobs = 200; // files that are written at a time
+  options.push_back(with_integer({.group = kWork,
+                                  .name = "--jobs",
+                                  .letter = 'j',
+                                  .value = "N",
+                                  .help = "Views to draw at a time",
+                                  .by_default = "one for each core; under mpirun one"},
+                                 1, kMostJobs, [&s](int n) { s.jobs = n; }));
+  options.push_back({.group = kWork,
+                     .name = "--shard",
+                     .value = "I/N",
+                     .help = "Draw the Ith of N parts of the views, and no tables: orograph merge "
+                             "makes them when all parts are drawn",
+                     .allowed = "whole numbers, I from 1 to N",
+                     .take = stored(parse_shard, s.shard)});
+  options.push_back({.group = kWork,
+                     .name = "--no-seconds",
+                     .help = "Leave the column out that differs from run to run, so that all files "
+                             "are the same",
+                     .take = set_to(s.seconds, false)});
+  options.push_back({.group = kWork,
+                     .name = "--yes",
+                     .help = fmt::format("Draw more than {:.0f} views", kManyViews),
+                     .take = set_to(s.many, true)});
+}
+
+std::vector<Conflict> sweep_conflicts() {
+  std::vector<Conflict> conflicts{
+      {"--profiles", "--spacing", "give one of the two"},
+      {"--overwrite", "--resume", "give one of the two"},
+      {"--overwrite", "--shard", "shards don't remove each other's drawings: empty OUT_DIR first"},
+      {"--eye-path", "--eye", "give one of the two"},
+      {"--eye-path", "--eye-lonlat", "give one of the two"},
+      {"--eye-path", "--azimuth", "frame the terrain, or stand on the path"},
+      {"--eye-path", "--elevation", "frame the terrain, or stand on the path"},
+      {"--eye-path", "--distance", "the distance is from the path to what is looked at"},
+      {"--eye-path", "--views", "the file holds whole views"}};
+  for (const Conflict& conflict : picture_conflicts()) {
+    if (conflict.one == "--view-from") {
+      conflicts.push_back({"--azimuth", conflict.other, conflict.right});
+      conflicts.push_back({"--elevation", conflict.other, conflict.right});
+    } else if (conflict.one == "--view" && conflict.other == "--view-from") {
+      conflicts.push_back({"--views", "--azimuth", "the file holds whole views"});
+      conflicts.push_back({"--views", "--elevation", "the file holds whole views"});
+    } else {
+      conflicts.push_back(
+          {conflict.one == "--view" ? "--views" : conflict.one, conflict.other, conflict.right});
+    }
+  }
+  return conflicts;
+}
+
+// Where the files are, and how the work is done, decides nothing of what is drawn.
+std::map<std::string, std::vector<std::string>> deciding(GivenOptions given) {
+  for (const char* option :
+       {"INPUT", "OUT_DIR", "--overwrite", "--resume", "--jobs", "--shard", "--yes", "--quiet",
+        "--progress", "--no-progress", "--eye-path", "--views", "--breaklines", "--boundary"})
+    given.erase(option);
+  return given;
+}
+
+void check_sweep(SweepSettings& settings, const GivenOptions& given) {
+  RenderSettings& render = settings.render;
+  if (given.contains("--dpi") && render.write.format != Format::png)
+    throw UsageError("--dpi has no meaning in a vector format",
+                     "leave it out, or write PNG with --of png");
+  if (given.contains("--eye-step") && settings.eye_path.empty())
+    throw UsageError("--eye-step has no meaning without a path", "give --eye-path FILE too");
+  if (!settings.eye_path.empty()) {
+    if (render.projection != Projection::perspective)
+      throw UsageError("--eye-path has no meaning in a parallel view",
+                       "give --azimuth and --elevation, or use --projection perspective");
+    RenderSettings on_path = render; // somewhere on it
+    on_path.eye_map = GivenPlace(0, 0);
+    if (!on_path.look_azimuth && given.contains("--pitch")) on_path.look_azimuth = Angle();
+    check_picture_settings(on_path, given);
+  } else {
+    check_picture_settings(render, given);
+  }
+  if (settings.views_file.empty()) return;
+  settings.views = read_view_list(settings.views_file);
+  for (const NamedView& view : settings.views)
+    if (render.curvature == Curvature::on && view.view.cuts())
+      throw UsageError("--curvature on bends the terrain away from a view's front and back plane",
+                       "leave it out, or leave the planes out of " + settings.views_file);
+}
+
+} // namespace
+
+Command sweep_command(SweepSettings& settings) {
+  RenderSettings& render = settings.render;
+  Command command{
+      .name = "sweep",
+      .summary = "Draw many views of a terrain, with tables and a page to look through them",
+      .options = {},
+      .conflicts = sweep_conflicts(),
+      .examples = {
+          {"orograph sweep dem.tif out --azimuth 0:360:5",
+           "Seen from all around: 72 drawings, tables, and out/index.html."},
+          {"orograph sweep dem.tif out --azimuth 0:360:15 --elevation 5:60:5 --of pdf -j 4",
+           "Every azimuth at every elevation, four at a time."},
+          {"orograph sweep dem.tif out --eye-path trail.gpkg --eye-step 250",
+           "What is seen on the way, every 250 m."}}};
+  std::vector<Option>& options = command.options;
+  add_terrain_options(options, render.inputs, render.reading);
+  options.insert(options.begin() + 1,
+                 {.name = "OUT_DIR",
+                  .help = "the folder for drawings, sweep.csv, sweep.json and index.html; it is "
+                          "made where it isn't there",
+                  .take = stored_name(settings.out_dir)});
+  std::vector<Option> picture;
+  add_view_options(picture, render);
+  add_line_options(picture, render);
+  add_page_options(picture, render);
+  add_output_options(picture, render);
+  for (const char* option : {"--view", "--report", "--overwrite"}) taken(picture, option);
+  for (Option& option : picture)
+    if (option.name == "--of") {
+      option.help = "Format of the drawings";
+      option.by_default = "svg";
+    }
+  std::vector<Option> varied = picture;
+  add_varied_options(varied, settings);
+  std::erase_if(varied, [](const Option& o) { return o.name == "--view-from"; });
+  // First what makes it a sweep.
+  std::stable_partition(varied.begin(), varied.end(),
+                        [](const Option& o) { return o.group == kVaried; });
+  options.insert(options.end(), varied.begin(), varied.end());
+  add_work_options(options, settings);
+  add_general_options(options, render.quiet, render.progress);
+  return command;
+}
+
+Command merge_command(MergeSettings& settings) {
+  Command command{.name = "merge",
+                  .summary = "Make the tables and the page of a sweep that was drawn in shards",
+                  .options = {},
+                  .conflicts = {},
+                  .examples = {{"orograph merge out", "After all shards of a sweep into out."},
+                               {"orograph merge out part1 part2",
+                                "Of shards in folders of their own, brought together in out."}}};
+  command.options.push_back({.name = "OUT_DIR",
+                             .help = "the sweep's folder, and after it those of shards that were "
+                                     "drawn elsewhere, to be copied into it",
+                             .repeatable = true,
+                             .take = [&settings](const std::string& text) {
+                               if (settings.out_dir.empty())
+                                 settings.out_dir = text;
+                               else
+                                 settings.shard_dirs.push_back(text);
+                               return !text.empty();
+                             }});
+  command.options.push_back(quiet_option(settings.quiet));
+  command.options.push_back(help_option());
+  return command;
+}
+
+std::optional<SweepSettings> parse_sweep(const std::vector<std::string>& arguments) {
+  SweepSettings settings;
+  const auto given = parse_arguments(sweep_command(settings), arguments);
+  if (given.contains("--help")) return std::nullopt;
+  check_sweep(settings, given);
+  settings.options = deciding(given);
+  return settings;
+}
+
+std::optional<MergeSettings> parse_merge(const std::vector<std::string>& arguments) {
+  MergeSettings settings;
+  const auto given = parse_arguments(merge_command(settings), arguments);
+  if (given.contains("--help")) return std::nullopt;
+  return settings;
+}
+
+} // namespace orograph

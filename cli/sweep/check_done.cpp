@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep/check_done.hpp"
+
+#include "cli/sweep/record.hpp"
+#include "cli/sweep/tables.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace orograph {
+namespace {
+
+std::vector<std::size_t> of_shard(std::vector<std::size_t> views, const Shard& shard) {
+  std::erase_if(views, [&](std::size_t view) { return !in_shard(view, shard); });
+  return views;
+}
+
+std::string reason(const std::string& out_dir, const Plan& plan, std::size_t view) {
+  constexpr std::size_t kError = 3; // column
+  const auto record = read_record(out_dir, plan, view);
+  return record ? std::get<std::string>(record->row[kError]) : "no row";
+}
+
+} // namespace
+
+void check_done(const std::string& out_dir, const Plan& plan, const Shard& shard, bool quiet) {
+  const SweepState state = state_of(out_dir, plan);
+  const auto failed = of_shard(state.failed, shard), missing = of_shard(state.missing, shard);
+  std::size_t all = 0;
+  for (std::size_t view = 0; view < plan.views.size(); ++view) all += in_shard(view, shard);
+  if (!missing.empty())
+    throw Error(fmt::format("{} of {} views are missing in {}, '{}' among them", missing.size(),
+                            all, out_dir, plan.views[missing.front()].name),
+                "draw them with orograph sweep --resume, then merge");
+  if (!failed.empty())
+    throw Error(fmt::format("{} of {} views failed, the others are drawn; '{}' failed with: {}",
+                            failed.size(), all, plan.views[failed.front()].name,
+                            reason(out_dir, plan, failed.front())),
+                "the column error of the table tells of each");
+  if (quiet) return;
+  if (shard.count == 1)
+    fmt::print(stderr, "orograph: {} views; open {}/index.html to see them\n", all, out_dir);
+  else
+    fmt::print(stderr, "orograph: {} views of shard {}/{}; orograph merge {} makes the tables\n",
+               all, shard.index, shard.count, out_dir);
+}
+
+} // namespace orograph

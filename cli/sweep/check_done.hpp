@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a sweep came out.
+#pragma once
+
+#include "cli/sweep/plan.hpp"
+#include "cli/sweep/sweep_settings.hpp"
+
+#include <string>
+
+namespace orograph {
+
+/// Tells on stderr, unless quiet, how many views there are and where to look. Throws Error where
+/// views of the shard have failed or are missing.
+void check_done(const std::string& out_dir, const Plan& plan, const Shard& shard, bool quiet);
+
+/// Whether a view is the shard's to draw.
+inline bool in_shard(std::size_t view, const Shard& shard) {
+  return view % static_cast<std::size_t>(shard.count) == static_cast<std::size_t>(shard.index - 1);
+}
+
+} // namespace orograph

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep/columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace orograph {
+namespace {
+
+Cell cell(double number) {
+  return std::isfinite(number) ? Cell(number) : Cell();
+}
+Cell cell(std::optional<double> number) {
+  return number ? cell(*number) : Cell();
+}
+Cell cell(std::uint64_t count) {
+  return static_cast<std::int64_t>(count);
+}
+
+// The columns before those that are measured.
+const std::vector<Column>& leading_columns() {
+  static const std::vector<Column> columns{
+      {"view", "", "number of the view, from 0"},
+      {"name", "", "what the drawing is called"},
+      {"file", "", "the drawing"},
+      {"error", "", "why there is no drawing; empty where there is one"}};
+  return columns;
+}
+
+Column column_of(Parameter parameter) {
+  const std::string& name = names_of(parameter).column;
+  switch (parameter) {
+  case Parameter::view:
+    return {name, "", "view of the list, from 0"};
+  case Parameter::eye:
+    return {name, "", "number of the eye along the path, from 0"};
+  case Parameter::azimuth:
+    return {name, "deg", "where the viewer stands, clockwise from the map's north"};
+  case Parameter::elevation:
+    return {name, "deg", "of the viewer above the horizontal"};
+  case Parameter::look_azimuth:
+    return {name, "deg", "where the eye looks, clockwise from true north"};
+  case Parameter::pitch:
+    return {name, "deg", "by which the eye looks up"};
+  case Parameter::distance:
+    return {name, "m", "from the eye to the point looked at"};
+  case Parameter::fov:
+    return {name, "deg", "horizontal field of view"};
+  case Parameter::exaggeration:
+    return {name, "", "of all heights"};
+  case Parameter::profiles:
+    return {name, "", "planes that cut the terrain"};
+  }
+  return {};
+}
+
+// What a parameter was where it isn't varied.
+Cell of_report(Parameter parameter, const RunReport& report) {
+  const ViewReport& view = report.view;
+  switch (parameter) {
+  case Parameter::view:
+  case Parameter::eye:
+    return {};
+  case Parameter::azimuth:
+    return cell(view.view_from_azimuth_deg);
+  case Parameter::elevation:
+    return cell(view.elevation_deg);
+  case Parameter::look_azimuth:
+    return cell(std::isfinite(view.look_azimuth_true_deg) ? view.look_azimuth_true_deg
+                                                          : view.look_azimuth_deg);
+  case Parameter::pitch:
+    return cell(-view.elevation_deg);
+  case Parameter::distance:
+    return cell(view.distance_m);
+  case Parameter::fov:
+    return cell(view.field_of_view_deg);
+  case Parameter::exaggeration:
+    return cell(view.exaggeration);
+  case Parameter::profiles:
+    return cell(std::uint64_t{report.profiles.depths_m.size()});
+  }
+  return {};
+}
+
+// Views and eyes have numbers only where they are varied.
+bool is_shown(Parameter parameter, const std::vector<Axis>& axes) {
+  if (parameter != Parameter::view && parameter != Parameter::eye) return true;
+  return std::any_of(axes.begin(), axes.end(),
+                     [&](const Axis& axis) { return axis.parameter == parameter; });
+}
+
+} // namespace
+
+Columns::Columns(const SweepSettings& settings, const ViewList& views)
+    : settings_(settings), views_(views) {
+  const auto add = [&](Column column, std::function<Cell(const ViewFacts&)> of) {
+    measured_.push_back({std::move(column), std::move(of)});
+  };
+  const auto eye = [](double Vec3::*coordinate) {
+    return [coordinate](const ViewFacts& f) {
+      const auto& place = f.report.view.eye;
+      return place ? cell((*place).*coordinate) : Cell();
+    };
+  };
+  add({"eye_x", "", "the eye's place, in the terrain's CRS"}, eye(&Vec3::x));
+  add({"eye_y", "", "the eye's place, in the terrain's CRS"}, eye(&Vec3::y));
+  add({"eye_z", "", "the eye's height, in the unit of the terrain's heights"}, eye(&Vec3::z));
+  add({"eye_height_m", "m", "the eye above the ground, where there is ground"},
+      [](const ViewFacts& f) { return cell(f.report.view.eye_height_m); });
+  const auto count = [&](const std::string& name, const std::string& about,
+                         std::uint64_t CountsReport::*of) {
+    add({name, "", about}, [of](const ViewFacts& f) { return cell(f.report.counts.*of); });
+  };
+  count("cut_vertices", "vertices of all profiles", &CountsReport::cut_vertices);
+  count("segments", "projected pieces of profiles", &CountsReport::segments);
+  count("horizon_pieces_made", "before pieces of one source were joined, over all profiles",
+        &CountsReport::pieces_before_collapse);
+  count("horizon_pieces_kept", "after that, over all profiles",
+        &CountsReport::pieces_after_collapse);
+  count("horizon_largest", "pieces of the largest horizon", &CountsReport::largest_horizon);
+  count("ties", "pieces that lie along the horizon", &CountsReport::ties);
+  count("strokes", "lines of the drawing", &CountsReport::strokes);
+  count("points", "of these lines", &CountsReport::points);
+  add({"visible_mm", "mm", "visible length of the profiles on the page, before simplification"},
+      [](const ViewFacts& f) { return cell(f.ground.visible_mm()); });
+  add({"visible_share", "", "of the ground that profiles cut, what the picture shows"},
+      [](const ViewFacts& f) { return cell(f.ground.visible_share()); });
+  add({"pen_down_mm", "mm", "length of all lines"},
+      [](const ViewFacts& f) { return cell(f.report.drawing.pen_down_mm); });
+  add({"pen_up_mm", "mm", "between lines"},
+      [](const ViewFacts& f) { return cell(f.report.drawing.pen_up_mm); });
+  if (settings.render.check > 0) {
+    const auto checked = [&](const std::string& name, const std::string& about,
+                             std::uint64_t CheckReport::*of) {
+      add({name, "", about}, [of](const ViewFacts& f) {
+        return f.report.check ? cell((*f.report.check).*of) : Cell();
+      });
+    };
+    checked("check_asked", "points asked of the ray walk", &CheckReport::asked);
+    checked("check_ties", "of these, not judged", &CheckReport::ties);
+    checked("check_hidden", "of these, drawn but hidden", &CheckReport::hidden);
+    checked("check_missing", "of these, visible but not drawn", &CheckReport::missing);
+  }
+  add({"error_bound_mm", "mm", "the farthest that a line may be from its place on paper"},
+      [](const ViewFacts& f) { return cell(f.report.error_budget.total_mm()); });
+  if (settings.seconds)
+    add({"seconds", "s", "to place, draw and write the view"},
+        [](const ViewFacts& f) { return cell(f.seconds); });
+}
+
+std::vector<Column> Columns::columns() const {
+  std::vector<Column> columns = leading_columns();
+  for (const ParameterNames& names : all_parameters())
+    if (is_shown(names.parameter, views_.axes())) columns.push_back(column_of(names.parameter));
+  for (const Measured& measured : measured_) columns.push_back(measured.column);
+  return columns;
+}
+
+std::vector<Cell> Columns::row(std::size_t number, const std::string& file,
+                               const std::string& error, const ViewFacts* facts) const {
+  std::vector<Cell> row{static_cast<std::int64_t>(number), views_.name(number), file,
+                        error.empty() ? Cell() : Cell(error)};
+  const std::vector<Axis>& axes = views_.axes();
+  const std::vector<double> values = views_.values(number);
+  for (const ParameterNames& names : all_parameters()) {
+    if (!is_shown(names.parameter, axes)) continue;
+    const auto axis = std::find_if(axes.begin(), axes.end(),
+                                   [&](const Axis& a) { return a.parameter == names.parameter; });
+    if (axis != axes.end())
+      row.push_back(cell(values[static_cast<std::size_t>(axis - axes.begin())]));
+    else
+      row.push_back(facts ? of_report(names.parameter, facts->report) : Cell());
+  }
+  for (const Measured& measured : measured_) row.push_back(facts ? measured.of(*facts) : Cell());
+  return row;
+}
+
+} // namespace orograph

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a sweep's tables tell of a view.
+#pragma once
+
+#include "cli/report.hpp"
+#include "cli/sweep/ground_meter.hpp"
+#include "cli/sweep/view_list.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace orograph {
+
+/// Nothing, a number, or a text.
+using Cell = std::variant<std::monostate, double, std::int64_t, std::string>;
+
+struct Column {
+  std::string name, unit; ///< unit: empty for counts, ratios and texts
+  std::string about;      ///< a phrase
+};
+
+/// A drawn view.
+struct ViewFacts {
+  const RunReport& report;
+  const GroundMeter& ground;
+  double seconds;
+};
+
+class Columns {
+public:
+  /// REQUIRES that both outlive it.
+  Columns(const SweepSettings& settings, const ViewList& views);
+
+  std::vector<Column> columns() const;
+  /// A row of view `number`; what was measured is left out of one that failed, which has no facts.
+  std::vector<Cell> row(std::size_t number, const std::string& file, const std::string& error,
+                        const ViewFacts* facts) const;
+
+private:
+  struct Measured {
+    Column column;
+    std::function<Cell(const ViewFacts&)> of;
+  };
+  const SweepSettings& settings_;
+  const ViewList& views_;
+  std::vector<Measured> measured_;
+};
+
+} // namespace orograph

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep/draw_views.hpp"
+
+#include "cli/describe_run.hpp"
+#include "cli/draw_scene.hpp"
+#include "cli/scene.hpp"
+#include "cli/sweep/preview.hpp"
+#include "cli/sweep/record.hpp"
+#include "cli/terrain_of_view.hpp"
+#include "geometry/error.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <new>
+
+namespace orograph {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void write_failure(const SweepRun& run, std::size_t view, const std::string& why) {
+  const std::string file = run.plan.file(view);
+  std::error_code ignored; // of an earlier try
+  std::filesystem::remove(std::filesystem::path(run.settings.out_dir) / file, ignored);
+  write_record(run.settings.out_dir, run.plan, view, run.columns.row(view, file, why, nullptr),
+               std::nullopt);
+}
+
+// What keeps one view from being drawn, but no other.
+struct Undrawn {
+  std::string why;
+};
+
+template <class Draw>
+auto drawn_or_why(const Draw& draw) {
+  try {
+    return draw();
+  } catch (const Error& error) {
+    throw Undrawn{error.what()};
+  } catch (const std::bad_alloc&) {
+    throw Undrawn{"not enough memory"};
+  }
+}
+
+} // namespace
+
+void draw_view(const SweepRun& run, std::size_t view) {
+  const auto start = Clock::now();
+  RenderSettings settings = run.views.settings(view);
+  const std::string file = run.plan.file(view);
+  settings.output = (std::filesystem::path(run.settings.out_dir) / file).string();
+  try {
+    RunReport report;
+    const auto of_view =
+        drawn_or_why([&] { return std::make_unique<TerrainOfView>(run.terrain, settings); });
+    const Terrain& terrain = **of_view;
+    const Scene scene = drawn_or_why([&] { return place_scene(terrain, settings); });
+    GroundMeter ground(scene);
+    DrawnScene drawn = drawn_or_why([&] {
+      DrawnScene out = draw_scene(terrain, scene, settings, [](double) {}, {.observer = &ground});
+      check_not_empty(out, settings);
+      return out;
+    });
+    entitle(drawn.drawing, terrain, scene, settings);
+    write_drawing(drawn.drawing, settings.output, settings.write);
+    describe_run(report, terrain, scene, drawn, settings);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const ViewFacts facts{report, ground, seconds};
+    write_record(run.settings.out_dir, run.plan, view, run.columns.row(view, file, "", &facts),
+                 preview_of(drawn.drawing));
+  } catch (const Undrawn& undrawn) {
+    write_failure(run, view, undrawn.why);
+  }
+}
+
+void draw_views(const SweepRun& run, int jobs, ViewQueue& queue,
+                const std::function<void()>& done) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(jobs));
+  tbb::task_arena arena(jobs);
+  std::mutex telling;
+  const auto draw_all = [&](int) {
+    while (const auto view = queue.next()) {
+      try {
+        draw_view(run, *view);
+      } catch (...) {
+        queue.stop();
+        throw;
+      }
+      const std::lock_guard lock(telling);
+      done();
+    }
+  };
+  arena.execute([&] { tbb::parallel_for(0, jobs, draw_all, tbb::simple_partitioner()); });
+}
+
+} // namespace orograph

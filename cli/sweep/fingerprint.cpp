@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep/fingerprint.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstring>
+#include <variant>
+
+namespace orograph {
+namespace {
+
+class Mixer {
+public:
+  void add(const void* data, std::size_t bytes) {
+    const char* at = static_cast<const char*>(data);
+    for (; bytes >= sizeof(std::uint64_t); bytes -= sizeof(std::uint64_t)) {
+      mix(word(at, sizeof(std::uint64_t)));
+      at += sizeof(std::uint64_t);
+    }
+    if (bytes > 0) mix(word(at, bytes));
+  }
+  template <class Values>
+  void add_all(const Values& values) {
+    mix(values.size());
+    if (values.size() > 0) add(values.data(), values.size() * sizeof(values[0]));
+  }
+  std::uint64_t state() const { return state_; }
+
+private:
+  static std::uint64_t word(const char* at, std::size_t bytes) {
+    std::uint64_t value = 0;
+    std::memcpy(&value, at, bytes);
+    return value;
+  }
+  // A step of the finalizer of MurmurHash3 (Appleby, public domain): every bit comes to count.
+  void mix(std::uint64_t value) {
+    state_ = (state_ ^ value) * 0xff51afd7ed558ccdULL;
+    state_ ^= state_ >> 33;
+  }
+
+  std::uint64_t state_ = 0x9e3779b97f4a7c15ULL;
+};
+
+void add(Mixer& mixer, const Grid& grid) {
+  for (const int index : {0, grid.columns - 1}) {
+    const int row = index == 0 ? 0 : grid.rows - 1;
+    const Vec3 place =
+        std::visit([&](const auto& l) { return l.vertex_m(index, row, 0); }, grid.lattice);
+    mixer.add(&place, sizeof place);
+  }
+  const int size[] = {grid.columns, grid.rows};
+  mixer.add(size, sizeof size);
+  std::visit([&](const auto& heights) { mixer.add_all(heights); }, grid.heights_m);
+}
+
+void add(Mixer& mixer, const Tin& tin) {
+  mixer.add_all(tin.vertices_m);
+  mixer.add_all(tin.triangles);
+}
+
+} // namespace
+
+std::string fingerprint(const Terrain& terrain) {
+  Mixer mixer;
+  std::visit([&](const auto& surface) { add(mixer, surface); }, terrain.surface);
+  mixer.add_all(terrain.map.crs_wkt);
+  const double frame[] = {terrain.map.origin.x, terrain.map.origin.y, terrain.map.unit_m,
+                          terrain.map.height_unit_m};
+  mixer.add(frame, sizeof frame);
+  return fmt::format("{:016x}", mixer.state());
+}
+
+} // namespace orograph

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether two terrains are the same, told by a short text.
+#pragma once
+
+#include "dem/terrain.hpp"
+
+#include <string>
+
+namespace orograph {
+
+/// Sixteen hexadecimal digits from the vertices' places and heights, bit for bit, and the CRS;
+/// where the files are and what they are called takes no part. For telling mistakes, not for
+/// security. Cost: one pass, at the speed of memory.
+std::string fingerprint(const Terrain& terrain);
+
+} // namespace orograph

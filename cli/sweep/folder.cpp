@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep/folder.hpp"
+
+#include "cli/sweep/check_done.hpp"
+#include "cli/sweep/record.hpp"
+#include "cli/sweep/tables.hpp"
+#include "cli/write_text.hpp"
+#include "draw/byte_sink.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <initializer_list>
+
+namespace orograph {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::initializer_list<const char*> kTables{"sweep.csv", "sweep.json", "index.html"};
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw write_error(folder.string(), error.value());
+}
+
+void remove_sweep(const std::string& out_dir, const Plan& plan) {
+  const fs::path folder(out_dir);
+  std::error_code ignored; // what is still there is found below
+  for (std::size_t view = 0; view < plan.views.size(); ++view) {
+    fs::remove(folder / plan.file(view), ignored);
+    fs::remove(record_path(out_dir, plan, view), ignored);
+  }
+  for (const char* table : kTables) fs::remove(folder / table, ignored);
+  fs::remove(plan_path(out_dir), ignored);
+}
+
+// The temporary files of a sweep that was killed.
+void remove_leftovers(const fs::path& folder) {
+  std::error_code ignored;
+  for (const fs::path& in : {folder, folder / "rows"})
+    for (const auto& entry : fs::directory_iterator(in, ignored))
+      if (entry.path().filename().string().starts_with(".orograph-"))
+        fs::remove(entry.path(), ignored);
+}
+
+void refuse_strangers(const std::string& out_dir, const Plan& plan) {
+  std::vector<std::string> names(kTables.begin(), kTables.end());
+  for (std::size_t view = 0; view < plan.views.size(); ++view) names.push_back(plan.file(view));
+  for (const std::string& name : names) {
+    std::error_code ignored;
+    const fs::path path = fs::path(out_dir) / name;
+    if (fs::exists(fs::symlink_status(path, ignored)))
+      throw Error(fmt::format("{} exists already, and is of no sweep", path.string()),
+                  "give another folder, or move the file away");
+  }
+}
+
+// Of two that write it at a time, the second finds the first one's.
+void write_plan(const std::string& out_dir, const Plan& plan) {
+  try {
+    write_text(plan.text, plan_path(out_dir), false);
+  } catch (const Error&) {
+    const auto other = read_plan(out_dir);
+    if (!other) throw;
+    check_same(*other, plan, out_dir);
+  }
+}
+
+} // namespace
+
+std::vector<std::size_t> open_folder(const SweepSettings& settings, const Plan& plan) {
+  const std::string& out_dir = settings.out_dir;
+  std::error_code ignored;
+  if (fs::exists(out_dir, ignored) && !fs::is_directory(out_dir, ignored))
+    throw Error(out_dir + " is no folder", "give the folder that the sweep shall fill");
+  std::optional<Plan> old_plan = read_plan(out_dir);
+  if (old_plan && settings.render.write.overwrite) {
+    remove_sweep(out_dir, *old_plan);
+    old_plan.reset();
+  }
+  if (old_plan) {
+    check_same(*old_plan, plan, out_dir);
+  } else {
+    refuse_strangers(out_dir, plan);
+    make_folder(fs::path(out_dir) / "rows");
+    write_plan(out_dir, plan);
+  }
+  if (settings.resume && settings.shard.count == 1) remove_leftovers(out_dir);
+
+  const SweepState state = state_of(out_dir, plan);
+  for (const std::string& path : state.corrupt)
+    fmt::print(stderr, "orograph: {} can't be read: its view is drawn again\n", path);
+  std::vector<std::size_t> waiting = state.missing;
+  waiting.insert(waiting.end(), state.failed.begin(), state.failed.end());
+  std::sort(waiting.begin(), waiting.end());
+  std::erase_if(waiting, [&](std::size_t view) { return !in_shard(view, settings.shard); });
+  std::size_t all = 0;
+  for (std::size_t view = 0; view < plan.views.size(); ++view)
+    all += in_shard(view, settings.shard);
+  if (old_plan && !settings.resume &&
+      (waiting.size() < all || settings.shard.count == 1 || !state.corrupt.empty()))
+    throw Error(fmt::format("{} holds this sweep already, with {} of {} views", out_dir,
+                            all - waiting.size(), all),
+                "give --resume to go on with it, --overwrite to begin anew, or another folder");
+  return waiting;
+}
+
+} // namespace orograph

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep/ground_meter.hpp"
+
+#include "cli/line_on_page.hpp"
+#include "profiles/project_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orograph {
+namespace {
+
+bool inside(const Box2& box, Vec2 p) {
+  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+}
+
+} // namespace
+
+double GroundMeter::width_m(const Sector& sector, double depth_m) const {
+  const std::vector<PlannedProfile>& profiles = sector.profiles;
+  const auto at =
+      std::lower_bound(profiles.begin(), profiles.end(), depth_m,
+                       [](const PlannedProfile& p, double depth) { return p.depth_m < depth; });
+  const double from =
+      at == profiles.begin()
+          ? std::max(sector.nearest_m,
+                     sector.view.is_perspective() ? sector.view.near_m : sector.nearest_m)
+          : ((at - 1)->depth_m + depth_m) / 2;
+  const double to =
+      at + 1 == profiles.end() ? sector.farthest_m : (depth_m + (at + 1)->depth_m) / 2;
+  return std::max(to - from, 0.0);
+}
+
+void GroundMeter::see(const Sector& sector, const Profile& profile,
+                      const std::vector<Segment>& segments, const std::vector<Piece>& visible) {
+  double ground_m = 0;
+  for (std::size_t i = 0; i + 1 < profile.size(); ++i)
+    if (profile.after[i] != Span::gap) ground_m += profile.u_m[i + 1] - profile.u_m[i];
+  const View& view = sector.view;
+  const auto at = [&](std::uint32_t left, double t) {
+    return ProfilePoint{profile.u_m[left] + t * (profile.u_m[left + 1] - profile.u_m[left]),
+                        profile.depth_m,
+                        profile.z_m[left] + t * (profile.z_m[left + 1] - profile.z_m[left])};
+  };
+  double visible_m = 0;
+  for (const Piece& piece : visible) {
+    const std::uint32_t left = left_vertex(segments[piece.segment]);
+    const ProfilePoint begin = at(left, piece.t_begin), end = at(left, piece.t_end);
+    const Vec2 begin_mm = page_mm(begin, view, sector.to_page),
+               end_mm = page_mm(end, view, sector.to_page);
+    if (inside(scene_.frame_mm, begin_mm) && inside(scene_.frame_mm, end_mm)) {
+      visible_m += std::abs(end.u - begin.u);
+      visible_mm_ += length(end_mm - begin_mm);
+    } else if (const auto line =
+                   LineOnPage::of({begin, end}, view, sector.to_page, scene_.frame_mm)) {
+      const double length_mm = line->length_mm();
+      visible_m += std::abs(end.u - begin.u) * (line->share_at(length_mm) - line->share_at(0));
+      visible_mm_ += length_mm;
+    }
+  }
+  const double width = width_m(sector, profile.depth_m);
+  ground_m2_ += width * ground_m;
+  visible_m2_ += width * visible_m;
+}
+
+std::optional<double> GroundMeter::visible_share() const {
+  if (!(ground_m2_ > 0)) return std::nullopt;
+  return visible_m2_ / ground_m2_;
+}
+
+} // namespace orograph

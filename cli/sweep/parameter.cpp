@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep/parameter.hpp"
+
+#include "cli/options/option_values.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace orograph {
+namespace {
+
+constexpr double kMostValues = 1e7;
+
+double twelve_digits(double number) {
+  return std::strtod(number_text(number).c_str(), nullptr);
+}
+
+[[noreturn]] void refuse(const std::string& option, const std::string& text,
+                         const std::string& what) {
+  throw UsageError(fmt::format("{} '{}' can't be used: {}", option, text, what),
+                   fmt::format("give numbers, ranges or both, as in {} 0:90:15,120", option));
+}
+
+void append_range(const std::string& option, const std::string& range,
+                  std::vector<double>& values) {
+  const std::vector<std::string> parts = split(range, ':');
+  if (parts.size() != 3) refuse(option, range, "a range is FROM:TO:STEP");
+  std::vector<double> numbers;
+  for (const std::string& part : parts) {
+    const auto number = parse_number(part);
+    if (!number) refuse(option, range, fmt::format("'{}' is no number", part));
+    numbers.push_back(*number);
+  }
+  const double from = numbers[0], to = numbers[1], step = numbers[2];
+  if (step == 0) refuse(option, range, "its step is zero");
+  const double steps = (to - from) / step;
+  if (steps < 0)
+    refuse(option, range,
+           fmt::format("steps of {} lead away from {}", number_text(step), number_text(to)));
+  constexpr double kRounding = 1e-9; // of a step: 0:1:0.1 reaches 1
+  const double count = std::floor(steps + kRounding) + 1;
+  if (!(count <= kMostValues)) refuse(option, range, fmt::format("{:.3g} values", count));
+  for (double i = 0; i < count; ++i) values.push_back(twelve_digits(from + i * step));
+}
+
+} // namespace
+
+const std::array<ParameterNames, 10>& all_parameters() {
+  static const std::array<ParameterNames, 10> names{
+      {{Parameter::view, "--views", "view", "list_view"},
+       {Parameter::eye, "--eye-path", "eye", "eye"},
+       {Parameter::azimuth, "--azimuth", "azimuth", "azimuth_deg"},
+       {Parameter::elevation, "--elevation", "elevation", "elevation_deg"},
+       {Parameter::look_azimuth, "--look-azimuth", "look-azimuth", "look_azimuth_deg"},
+       {Parameter::pitch, "--pitch", "pitch", "pitch_deg"},
+       {Parameter::distance, "--distance", "distance", "distance_m"},
+       {Parameter::fov, "--fov", "fov", "fov_deg"},
+       {Parameter::exaggeration, "--exaggeration", "exaggeration", "exaggeration"},
+       {Parameter::profiles, "--profiles", "profiles", "profiles"}}};
+  return names;
+}
+
+const ParameterNames& names_of(Parameter parameter) {
+  return all_parameters()[static_cast<std::size_t>(parameter)];
+}
+
+void set_parameter(RenderSettings& settings, Parameter parameter, double value) {
+  switch (parameter) {
+  case Parameter::view:
+  case Parameter::eye:
+    return;
+  case Parameter::azimuth:
+    settings.from_azimuth = Angle::degrees(value);
+    return;
+  case Parameter::elevation:
+    settings.from_elevation = Angle::degrees(value);
+    return;
+  case Parameter::look_azimuth:
+    settings.look_azimuth = Angle::degrees(value);
+    return;
+  case Parameter::pitch:
+    settings.pitch = Angle::degrees(value);
+    return;
+  case Parameter::distance:
+    settings.distance_m = value;
+    return;
+  case Parameter::fov:
+    settings.field_of_view = Angle::degrees(value);
+    return;
+  case Parameter::exaggeration:
+    settings.exaggeration = value;
+    return;
+  case Parameter::profiles:
+    settings.plan = ProfileCount{static_cast<int>(value)};
+    return;
+  }
+}
+
+std::vector<double> parse_number_list(const std::string& option, const std::string& text) {
+  std::vector<double> values;
+  for (const std::string& part : split(text, ',')) {
+    if (part.find(':') != std::string::npos) {
+      append_range(option, part, values);
+      continue;
+    }
+    const auto number = parse_number(part);
+    if (!number)
+      refuse(option, text,
+             part.empty() ? "a value is empty" : fmt::format("'{}' is no number", part));
+    values.push_back(*number);
+  }
+  if (static_cast<double>(values.size()) > kMostValues)
+    refuse(option, text, fmt::format("{} values", values.size()));
+  return values;
+}
+
+std::string number_text(double number) {
+  return fmt::format("{:.12g}", number);
+}
+
+} // namespace orograph

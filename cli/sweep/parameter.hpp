@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a sweep can vary.
+#pragma once
+
+#include "cli/render_settings.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+/// In the order of a sweep's views: of those that are crossed, the last turns fastest.
+enum class Parameter {
+  view, ///< of a list in a file
+  eye,  ///< along a path
+  azimuth,
+  elevation,
+  look_azimuth,
+  pitch,
+  distance,
+  fov,
+  exaggeration,
+  profiles
+};
+
+struct ParameterNames {
+  Parameter parameter;
+  std::string option; ///< "--look-azimuth"
+  std::string label;  ///< in names of drawings: "look-azimuth"
+  std::string column; ///< of the tables: "look_azimuth_deg"
+};
+const std::array<ParameterNames, 10>& all_parameters();
+const ParameterNames& names_of(Parameter parameter);
+
+/// A parameter with the values that it takes; of a view or an eye its number, from 0.
+struct Axis {
+  Parameter parameter;
+  std::vector<double> values;
+};
+
+/// Gives the parameter its value. REQUIRES neither `view` nor `eye`, which take more than a number.
+void set_parameter(RenderSettings& settings, Parameter parameter, double value);
+
+/// The numbers of "0:360:5", from the first up (or down) to the last in steps, or "1,2,5", or of
+/// both: "0:10:2,15". A range ends at the last number that doesn't pass its end. Each has twelve
+/// digits, so that steps of 0.1 stay numbers of one decimal. Throws UsageError, which names the
+/// option, where there is no number, a step is zero or leads away from the end, or there would be
+/// more than ten million.
+std::vector<double> parse_number_list(const std::string& option, const std::string& text);
+
+/// Twelve digits at most, as few as tell it.
+std::string number_text(double number);
+
+} // namespace orograph

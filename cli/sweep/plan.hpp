@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sweep as it is written down in its folder, before the first view is drawn: what resumes, joins
+// and tells of it later.
+#pragma once
+
+#include "cli/sweep/columns.hpp"
+#include "cli/sweep/view_list.hpp"
+#include "dem/terrain.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+struct PlannedView {
+  std::string name;
+  std::vector<double> values; ///< by axis
+};
+
+struct Plan {
+  std::string title, terrain;      ///< as in drawings; what it was read from, in brief
+  std::string text;                ///< as in the file
+  std::string extension;           ///< of the drawings, with its point
+  std::vector<std::string> varied; ///< columns of the axes that have several values
+  bool crossed = true;
+  std::vector<Column> columns;
+  std::vector<PlannedView> views;
+
+  std::string file(std::size_t view) const { return views[view].name + extension; }
+};
+
+/// The same for the same sweep of the same heights, wherever the files are.
+Plan make_plan(const SweepSettings& settings, const ViewList& views, const Columns& columns,
+               const Terrain& terrain);
+
+/// In OUT_DIR.
+std::string plan_path(const std::string& out_dir);
+/// None where there is none. Throws Error where the file isn't one.
+std::optional<Plan> read_plan(const std::string& out_dir);
+
+/// Throws Error where the two aren't the same sweep: it says what is another. `out_dir` is where
+/// `old_plan` stands.
+void check_same(const Plan& old_plan, const Plan& plan, const std::string& out_dir);
+
+} // namespace orograph

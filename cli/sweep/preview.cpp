@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep/preview.hpp"
+
+#include "draw/simplify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <unordered_map>
+
+namespace orograph {
+namespace {
+
+constexpr double kStep_mm = 0.1;
+constexpr std::size_t kMostBytes = 24000;
+constexpr std::size_t kMostProfiles = 80; // some 1.5 mm apart on A4, where screens have 3 pixels
+
+struct Coarseness {
+  double tolerance_mm = 0.12;
+  double shortest_mm = 0.3;
+  double profiles = kMostProfiles;
+};
+
+// Numbers with no more between them than there must be.
+void append(std::string& path, int x, int y, char command) {
+  if (command != 0) path += command;
+  if (command == 0 && x >= 0) path += ' ';
+  fmt::format_to(std::back_inserter(path), "{}", x);
+  if (y >= 0) path += ' ';
+  fmt::format_to(std::back_inserter(path), "{}", y);
+}
+
+// In which the profiles are that some drawing has, by number.
+std::unordered_map<std::int32_t, std::size_t> ranks_of_profiles(const Drawing& drawing) {
+  std::vector<std::int32_t> numbers;
+  for (const Layer& layer : drawing.layers)
+    for (const Stroke& stroke : layer.strokes)
+      if (stroke.profile >= 0) numbers.push_back(stroke.profile);
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  std::unordered_map<std::int32_t, std::size_t> ranks;
+  for (std::size_t i = 0; i < numbers.size(); ++i) ranks[numbers[i]] = i;
+  return ranks;
+}
+
+class PathWriter {
+public:
+  explicit PathWriter(const Coarseness& coarseness) : coarseness_(coarseness) {}
+
+  void add(std::span<const Vec2> points) {
+    simplify(points, coarseness_.tolerance_mm, kept_);
+    double length_mm = 0;
+    for (std::size_t i = 1; i < kept_.size(); ++i)
+      length_mm += length(points[kept_[i]] - points[kept_[i - 1]]);
+    if (length_mm < coarseness_.shortest_mm) return;
+    bool begun = false, drawn = false;
+    for (const std::uint32_t i : kept_) {
+      const int x = static_cast<int>(std::lround(points[i].x / kStep_mm)),
+                y = static_cast<int>(std::lround(points[i].y / kStep_mm));
+      if (begun && x == x_ && y == y_) continue;
+      append(path_, x - x_, y - y_, !begun ? 'm' : !drawn ? 'l' : char(0));
+      drawn = begun;
+      begun = true;
+      x_ = x;
+      y_ = y;
+    }
+  }
+  std::string take() { return std::move(path_); }
+
+private:
+  const Coarseness& coarseness_;
+  std::vector<std::uint32_t> kept_;
+  std::string path_;
+  int x_ = 0, y_ = 0;
+};
+
+Preview draw(const Drawing& drawing, const Coarseness& coarseness,
+             const std::unordered_map<std::int32_t, std::size_t>& ranks) {
+  Preview preview{drawing.page.width_mm, drawing.page.height_mm, {}};
+  const auto every = static_cast<std::size_t>(
+      std::max(std::ceil(static_cast<double>(ranks.size()) / coarseness.profiles), 1.0));
+  for (const Layer& layer : drawing.layers) {
+    PathWriter writer(coarseness);
+    for (const Stroke& stroke : layer.strokes)
+      if (stroke.profile < 0 || ranks.at(stroke.profile) % every == 0)
+        writer.add(layer.points(stroke));
+    std::string path = writer.take();
+    if (!path.empty())
+      preview.layers.push_back({layer.name, layer.pen_width_mm, layer.grey, std::move(path)});
+  }
+  return preview;
+}
+
+std::size_t bytes_of(const Preview& preview) {
+  std::size_t bytes = 0;
+  for (const PreviewLayer& layer : preview.layers) bytes += layer.path.size();
+  return bytes;
+}
+
+} // namespace
+
+Preview preview_of(const Drawing& drawing) {
+  const auto ranks = ranks_of_profiles(drawing);
+  Coarseness coarseness;
+  for (;;) {
+    Preview preview = draw(drawing, coarseness, ranks);
+    if (bytes_of(preview) <= kMostBytes) return preview;
+    // Fewer profiles first, down to what still tells a form; then less of each.
+    coarseness.profiles = std::max(coarseness.profiles / 1.25, 24.0);
+    coarseness.tolerance_mm *= 1.25;
+    coarseness.shortest_mm *= 1.5;
+  }
+}
+
+} // namespace orograph

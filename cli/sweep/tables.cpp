@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep/tables.hpp"
+
+#include "cli/sweep/page.hpp"
+#include "cli/sweep/record.hpp"
+#include "cli/version.hpp"
+#include "cli/write_text.hpp"
+#include "geometry/error.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace orograph {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+// More would make the page slow to open: then every second view has a preview, or every third.
+constexpr std::size_t kMostPreviewBytes = 32'000'000;
+
+std::string in_folder(const std::string& out_dir, const char* name) {
+  return (fs::path(out_dir) / name).string();
+}
+
+Json heading(const Plan& plan) {
+  Json json{{"schema", 1},
+            {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
+            {"title", plan.title},
+            {"terrain", plan.terrain},
+            {"varied", plan.varied},
+            {"crossed", plan.crossed},
+            {"views_planned", plan.views.size()},
+            {"columns", Json::array()}};
+  for (const Column& column : plan.columns)
+    json["columns"].push_back(
+        {{"name", column.name}, {"unit", column.unit}, {"about", column.about}});
+  return json;
+}
+
+// The heading's object with the rows as its last member, a line each.
+std::string table_json(const Plan& plan, const std::vector<Record>& records) {
+  std::string text = heading(plan).dump(1);
+  text.erase(text.rfind("\n}"));
+  text += ",\n \"views\": [";
+  for (std::size_t i = 0; i < records.size(); ++i)
+    text += (i > 0 ? ",\n  " : "\n  ") + json_row(plan.columns, records[i].row);
+  return text + "\n ]\n}\n";
+}
+
+std::string table_csv(const Plan& plan, const std::vector<Record>& records) {
+  std::vector<Cell> names;
+  for (const Column& column : plan.columns) names.emplace_back(column.name);
+  std::string text = csv_line(names);
+  for (const Record& record : records) text += csv_line(record.row);
+  return text;
+}
+
+std::string previews_json(const std::vector<Record>& records) {
+  std::size_t bytes = 0;
+  for (const Record& record : records) bytes += record.preview.size();
+  const std::size_t every = bytes / kMostPreviewBytes + 1;
+  std::string text = "[";
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (i > 0) text += ",\n";
+    text += i % every == 0 ? records[i].preview : "null";
+  }
+  return text + "]";
+}
+
+} // namespace
+
+SweepState state_of(const std::string& out_dir, const Plan& plan) {
+  SweepState state;
+  std::error_code ignored;
+  for (std::size_t view = 0; view < plan.views.size(); ++view) {
+    try {
+      const auto record = read_record(out_dir, plan, view);
+      if (record && record->failed)
+        state.failed.push_back(view);
+      else if (!record || !fs::exists(fs::path(out_dir) / plan.file(view), ignored))
+        state.missing.push_back(view);
+    } catch (const Error&) {
+      state.missing.push_back(view);
+      state.corrupt.push_back(record_path(out_dir, plan, view));
+    }
+  }
+  return state;
+}
+
+void write_tables(const std::string& out_dir, const Plan& plan) {
+  std::vector<Record> records;
+  for (std::size_t view = 0; view < plan.views.size(); ++view) {
+    try {
+      if (auto record = read_record(out_dir, plan, view)) records.push_back(std::move(*record));
+    } catch (const Error&) {
+      continue; // spoken of by state_of
+    }
+  }
+  const std::string table = table_json(plan, records);
+  write_text(table_csv(plan, records), in_folder(out_dir, "sweep.csv"), true);
+  write_text(table, in_folder(out_dir, "sweep.json"), true);
+  write_text(sweep_page(table, previews_json(records)), in_folder(out_dir, "index.html"), true);
+}
+
+} // namespace orograph

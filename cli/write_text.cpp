@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/write_text.hpp"
+
+#include "draw/byte_sink.hpp"
+#include "draw/output_file.hpp"
+
+namespace orograph {
+
+void write_text(const std::string& text, const std::string& path, bool overwrite) {
+  OutputFile place(path, overwrite);
+  ByteSink out(place.temporary_path(), path);
+  out.append(text);
+  out.finish();
+  place.commit();
+}
+
+} // namespace orograph
