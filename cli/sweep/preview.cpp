@@ -14,7 +14,7 @@ namespace orograph {
 namespace {
 
 constexpr double kStep_mm = 0.1;
-constexpr std::size_t kMostBytes = 24000;
+constexpr std::size_t kMostBytes = 32000;
 constexpr std::size_t kMostProfiles = 80; // some 1.5 mm apart on A4, where screens have 3 pixels
 
 struct Coarseness {

@@ -9,6 +9,7 @@
 namespace orograph {
 
 Ranks::Ranks() {
+  if (launched_size() > 1 && launched_rank() > 0) throw StoppedElsewhere(); // the first tells
   if (launched_size() > 1)
     throw Error(fmt::format("{} processes were started, and this build has no MPI: each would draw "
                             "all views",
