@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program: commands, and exceptions to messages and exit codes.
 #include "cli/accuracy/accuracy.hpp"
+#include "cli/fragmentation/fragmentation.hpp"
 #include "cli/info.hpp"
 #include "cli/options/help.hpp"
 #include "cli/options/options.hpp"
@@ -29,9 +30,11 @@ void run(std::vector<std::string> rest) {
   AccuracySettings accuracy_settings;
   InfoSettings info_settings;
   TinSettings tin_settings;
+  FragmentationSettings fragmentation_settings;
   const std::vector<Command> commands{render_command(render_settings),
                                       accuracy_command(accuracy_settings),
-                                      info_command(info_settings), tin_command(tin_settings)};
+                                      info_command(info_settings), tin_command(tin_settings),
+                                      fragmentation_command(fragmentation_settings)};
   const std::string command = rest.empty() ? "" : rest.front();
   if (!rest.empty()) rest.erase(rest.begin());
   if (command == "--help" || command == "-h") {
@@ -60,11 +63,16 @@ void run(std::vector<std::string> rest) {
       tin(*settings);
     else
       print(command_help(commands[3]));
+  } else if (command == "fragmentation") {
+    if (const auto settings = parse_fragmentation(rest))
+      fragmentation(*settings);
+    else
+      print(command_help(commands[4]));
   } else {
-    throw UsageError(
-        command.empty() ? "no command is given" : "unknown command " + command,
-        "use render, accuracy, info or tin, as in orograph render INPUT OUTPUT; orograph "
-        "--help tells more");
+    throw UsageError(command.empty() ? "no command is given" : "unknown command " + command,
+                     "use render, accuracy, info, tin or fragmentation, as in orograph render "
+                     "INPUT OUTPUT; orograph "
+                     "--help tells more");
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw Error("can't write to standard output", "make room on the device, or keep it open");

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cli/accuracy/accuracy.hpp"
+#include "cli/fragmentation/fragmentation.hpp"
 #include "cli/info.hpp"
 #include "cli/options/option.hpp"
 #include "cli/render_settings.hpp"
@@ -18,6 +19,7 @@ namespace orograph {
 /// The options store into `settings`, which must outlive the command.
 Command render_command(RenderSettings& settings);
 Command accuracy_command(AccuracySettings& settings);
+Command fragmentation_command(FragmentationSettings& settings);
 Command info_command(InfoSettings& settings);
 Command tin_command(TinSettings& settings);
 
@@ -26,6 +28,7 @@ Command tin_command(TinSettings& settings);
 /// Throws UsageError.
 std::optional<RenderSettings> parse_render(const std::vector<std::string>& arguments);
 std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& arguments);
+std::optional<FragmentationSettings> parse_fragmentation(const std::vector<std::string>& arguments);
 std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments);
 std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments);
 
