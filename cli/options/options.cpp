@@ -162,6 +162,7 @@ std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& a
   const auto given = parse_arguments(accuracy_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
   check_picture_settings(settings.render, given);
+  check_prefix(settings.render, settings.prefix, {".csv", ".json", ".svg"});
   return settings;
 }
 
@@ -170,6 +171,7 @@ parse_fragmentation(const std::vector<std::string>& arguments) {
   FragmentationSettings settings;
   const auto given = parse_arguments(fragmentation_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
+  check_prefix(settings.render, settings.prefix, {".csv", "-series.csv", ".json", ".svg"});
   return settings;
 }
 
