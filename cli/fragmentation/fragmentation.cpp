@@ -35,7 +35,8 @@ void fragmentation(const FragmentationSettings& settings) {
   }
   bar.finish();
 
-  const std::string tables = fragmentation_table(rows) + "\n" + growth_table(rows);
+  std::string tables = fragmentation_table(rows);
+  if (const std::string growth = growth_table(rows); !growth.empty()) tables += "\n" + growth;
   std::fwrite(tables.data(), 1, tables.size(), stdout);
   write_text(fragmentation_csv(rows), csv, render.write.overwrite);
   write_text(series_csv(rows), series, render.write.overwrite);

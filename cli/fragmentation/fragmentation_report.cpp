@@ -119,10 +119,11 @@ std::string growth_table(const std::vector<FragmentationRow>& rows) {
       heading.push_back(words);
       cells.push_back(exponent ? fmt::format("{:.2f}", *exponent) : "-");
     }
+    if (!growth.is_known()) continue;
     if (table.empty()) table.push_back(heading);
     table.push_back(cells);
   }
-  return aligned_table(table);
+  return table.empty() ? "" : aligned_table(table);
 }
 
 std::string fragmentation_csv(const std::vector<FragmentationRow>& rows) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/fragmentation/growth.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -67,6 +68,11 @@ bool alike(const FragmentationRow& a, const FragmentationRow& b) {
 }
 
 } // namespace
+
+bool Growth::is_known() const {
+  return std::any_of(exponents.begin(), exponents.end(),
+                     [](const auto& named) { return named.second.has_value(); });
+}
 
 std::vector<Growth> growth_of(const std::vector<FragmentationRow>& rows) {
   std::vector<Growth> out;

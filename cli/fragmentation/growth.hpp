@@ -16,6 +16,8 @@ namespace orograph {
 struct Growth {
   FragmentationRow like;                                                ///< one of the rows
   std::vector<std::pair<std::string, std::optional<double>>> exponents; ///< by measure
+
+  bool is_known() const;
 };
 
 /// REQUIRES that such rows follow each other.

@@ -74,6 +74,21 @@ std::vector<Numbers> series_of(const FragmentationRow& row) {
   return out;
 }
 
+// Of what a logarithmic axis shows.
+class AxisRange {
+public:
+  void take(double value) {
+    if (!(value > 0)) return;
+    low_ = std::min(low_, value);
+    high_ = std::max(high_, value);
+  }
+  // With some room: gnuplot wants more than one value.
+  std::string axis() const { return fmt::format("{:.4g}:{:.4g}", 0.8 * low_, 1.25 * high_); }
+
+private:
+  double low_ = 1e300, high_ = 1e-300;
+};
+
 /// A panel's script: blocks of data first, then `plot`.
 class Panel {
 public:
@@ -89,6 +104,8 @@ public:
     const auto cell = [](double x) { return x >= 0 ? fmt::format(" {:.6g}", x) : " ?"; };
     for (const Numbers& p : points) {
       data_ += fmt::format("{:.6g}{}{}{}\n", p.x, cell(p.without), cell(p.with), cell(p.least));
+      x_.take(p.x);
+      for (const double y : {p.without, p.with, p.least}) y_.take(y);
       has_without_ = has_without_ || p.without >= 0;
       has_least_ = has_least_ || p.least >= 0;
     }
@@ -107,7 +124,8 @@ public:
 
   std::string script() const {
     if (plots_.empty()) return "set multiplot next\n";
-    std::string out = data_ + head_ + "plot ";
+    std::string out = data_ + head_;
+    out += fmt::format("set xrange [{}]\nset yrange [{}]\nplot ", x_.axis(), y_.axis());
     for (const std::string& plot : plots_) out += plot + ", \\\n ";
     const auto key = [](const char* style, const char* title) {
       return fmt::format("NaN {} lc rgb '{}' title '{}'", style, kBlack, title);
@@ -124,6 +142,7 @@ private:
   std::vector<std::string> plots_;
   std::size_t curves_ = 0;
   bool has_without_ = false, has_least_ = false;
+  AxisRange x_, y_;
 };
 
 // Curves of the terrain from one azimuth, by elevation; that across a grid's columns if there is

@@ -296,7 +296,16 @@ TEST_CASE("fragmentation writes all and says so with exit code 0") {
   CHECK(svg.find("</svg>") != std::string::npos);
   CHECK(svg.find("Worst cases") != std::string::npos);
 
-  // A second run refuses to replace them before it measures anything.
+  // One number of profiles alone has no growth, and a plot of points.
+  const ProgramRun one =
+      run_orograph({"fragmentation", hill, "--profiles", "4", "--worst-case", "0", "--overwrite",
+                    "--output", "hill", "--elevations", "20"},
+                   {.folder = folder.path()});
+  CHECK(one.exit_code == 0);
+  CHECK(one.err.empty());
+  CHECK(one.out.find("growth") == std::string::npos);
+
+  // Another run refuses to replace them before it measures anything.
   const ProgramRun again = run_orograph(command, {.folder = folder.path()});
   CHECK(again.exit_code == 1);
   CHECK(fault_of_message(again.err).empty());
