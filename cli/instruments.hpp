@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `orograph accuracy` changes and watches of a run, beyond what a user may ask for.
+// What `orograph accuracy` and `fragmentation` change and watch of a run, beyond what a user may
+// ask for.
 #pragma once
 
 #include "cli/line_sweep.hpp"
@@ -21,12 +22,17 @@ public:
   /// All other lines; `visible` by line.
   virtual void see(const Sector& sector, const LineSweep& lines,
                    const std::vector<LinePart>& visible) = 0;
+  /// The horizon behind the profile that was seen last.
+  virtual void see_horizon(const Sector&, const Horizon&) {}
 };
 
 struct Instruments {
   LineObserver* observer = nullptr;
   bool collapse = true;          ///< join horizon pieces of one source
   bool single_precision = false; ///< round projected profiles to float before they are clipped
+  /// Gets every occluder but profiles, hidden ones too, before the profile that it stands in front
+  /// of is seen.
+  std::vector<HorizonPiece>* occluders = nullptr;
 };
 
 /// Each coordinate becomes the nearest float. Segments that have no extent in X then are left out.

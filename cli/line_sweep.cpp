@@ -48,6 +48,16 @@ void join(std::vector<LinePart>& parts) {
   join(parts, [](std::uint32_t) { return kSameShare; });
 }
 
+bool raises(const SurfaceLine& line) {
+  return line.hides && line.begin < line.end && !line.upright();
+}
+HorizonPiece occluder_of(const SurfaceLine& line) {
+  return {line.begin, line.end, line.source, line.drawn};
+}
+std::uint32_t line_number(const SurfaceLine& line) {
+  return static_cast<std::uint32_t>(line.source.id & ~kLineBit);
+}
+
 ProfileLine line_in(const Surface& surface, const Sector& sector, SurfaceEdge edge) {
   ProfileLine line = line_of(surface, sector.view, edge);
   const double near_m = sector.view.near_m;
@@ -106,8 +116,23 @@ double LineSweep::along_edge(const Projected& p, double share) const {
   return p.t_left + in_space * (p.t_right - p.t_left);
 }
 
-void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspace) {
-  raise(in_last_plane_, horizon, workspace);
+bool LineSweep::in_plane(const ProfileLine& whole, double depth_m) const {
+  return std::abs(whole.from.v - depth_m) <= rounding_m_ &&
+         std::abs(whole.to.v - depth_m) <= rounding_m_;
+}
+
+// Before what is hidden is dropped.
+void LineSweep::record_slab(double to_m) {
+  record_->insert(record_->end(), record_in_last_plane_.begin(), record_in_last_plane_.end());
+  record_in_last_plane_.clear();
+  for (const SurfaceLine& line : in_slab_)
+    if (raises(line))
+      (in_plane(slabs_.line(line_number(line)), to_m) ? record_in_last_plane_ : *record_)
+          .push_back(occluder_of(line));
+}
+
+void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspace, bool collapse) {
+  raise(in_last_plane_, horizon, workspace, collapse);
   in_slab_.clear();
   for (const SlabPiece& piece : slabs_.next(to_m)) {
     const Projected p = project_line(piece.line, piece.whole);
@@ -138,9 +163,8 @@ void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspac
     in_slab_.push_back(line);
   }
 
-  const auto line_number = [&](const SurfaceLine& line) {
-    return static_cast<std::uint32_t>(line.source.id & ~kLineBit);
-  };
+  if (record_) record_slab(to_m);
+
   for (const auto& [index, t_begin, t_end] :
        slab_horizon_.visible_parts(in_slab_, horizon, tolerance_)) {
     const std::uint32_t number = line_number(in_slab_[index]);
@@ -151,15 +175,11 @@ void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspac
 
   occluders_.clear();
   in_last_plane_.clear();
-  for (const SurfaceLine& line : in_slab_) {
-    if (!line.hides || !(line.begin < line.end) || line.upright()) continue;
-    const ProfileLine whole = slabs_.line(line_number(line));
-    const bool in_plane =
-        std::abs(whole.from.v - to_m) <= rounding_m_ && std::abs(whole.to.v - to_m) <= rounding_m_;
-    (in_plane ? in_last_plane_ : occluders_)
-        .push_back({line.begin, line.end, line.source, line.drawn});
-  }
-  raise(occluders_, horizon, workspace);
+  for (const SurfaceLine& line : in_slab_)
+    if (raises(line))
+      (in_plane(slabs_.line(line_number(line)), to_m) ? in_last_plane_ : occluders_)
+          .push_back(occluder_of(line));
+  raise(occluders_, horizon, workspace, collapse);
 }
 
 std::vector<LinePart> LineSweep::skyline(const Horizon& horizon) const {

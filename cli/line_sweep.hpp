@@ -41,8 +41,10 @@ public:
 
   /// The slab up to the plane at `to_m`. `horizon` is made of what stands in front of the slab, and
   /// then of what stands in the slab as well, but for lines that lie in its last plane: they hide
-  /// only what is behind that plane.
-  void take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspace);
+  /// only what is behind that plane. Without `collapse` the horizon fragments.
+  void take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspace, bool collapse = true);
+  /// From now on every occluder, hidden ones too, is added to `all` when it raises the horizon.
+  void record(std::vector<HorizonPiece>& all) { record_ = &all; }
 
   /// After the last slab, to be called once: joins the visible parts across slabs.
   void finish();
@@ -70,6 +72,8 @@ private:
     double beside; ///< rounding of X
   };
   Projected project_line(std::uint32_t line, const ProfileLine& whole) const;
+  bool in_plane(const ProfileLine& whole, double depth_m) const;
+  void record_slab(double to_m);
   double along_edge(const Projected& projected, double share) const;
 
   const View& view_;
@@ -81,6 +85,8 @@ private:
   SlabHorizon slab_horizon_;
   std::vector<SurfaceLine> in_slab_;
   std::vector<HorizonPiece> occluders_, in_last_plane_;
+  std::vector<HorizonPiece>* record_ = nullptr;
+  std::vector<HorizonPiece> record_in_last_plane_;
   std::vector<LinePart> parts_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program: commands, and exceptions to messages and exit codes.
 #include "cli/accuracy/accuracy.hpp"
+#include "cli/fragmentation/fragmentation.hpp"
 #include "cli/info.hpp"
 #include "cli/options/help.hpp"
 #include "cli/options/options.hpp"
@@ -44,10 +45,14 @@ void run(std::vector<std::string> rest) {
   AccuracySettings accuracy_settings;
   InfoSettings info_settings;
   TinSettings tin_settings;
-  const std::vector<Command> commands{
-      render_command(render_settings), sweep_command(sweep_settings),
-      merge_command(merge_settings),   accuracy_command(accuracy_settings),
-      info_command(info_settings),     tin_command(tin_settings)};
+  FragmentationSettings fragmentation_settings;
+  const std::vector<Command> commands{render_command(render_settings),
+                                      sweep_command(sweep_settings),
+                                      merge_command(merge_settings),
+                                      accuracy_command(accuracy_settings),
+                                      info_command(info_settings),
+                                      tin_command(tin_settings),
+                                      fragmentation_command(fragmentation_settings)};
   const std::string name = rest.empty() ? "" : rest.front();
   if (!rest.empty()) rest.erase(rest.begin());
   if (name == "--help" || name == "-h") {
@@ -68,9 +73,12 @@ void run(std::vector<std::string> rest) {
     run_command<InfoSettings>(commands[4], rest, parse_info, info);
   } else if (name == "tin") {
     run_command<TinSettings>(commands[5], rest, parse_tin, tin);
+  } else if (name == "fragmentation") {
+    run_command<FragmentationSettings>(commands[6], rest, parse_fragmentation, fragmentation);
   } else {
     throw UsageError(name.empty() ? "no command is given" : "unknown command " + name,
-                     "use render, sweep, merge, accuracy, info or tin, as in orograph render INPUT "
+                     "use render, sweep, merge, accuracy, info, tin or fragmentation, as in "
+                     "orograph render INPUT "
                      "OUTPUT; orograph --help tells more");
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

@@ -28,14 +28,16 @@ double beside_walls(const std::vector<Segment>& uprights, const View& view, doub
 }
 
 // Where the near plane cuts the terrain, a section begins: the cut hides.
-void raise_near_cut(const SurfaceCutter& cutter, const View& view, Horizon& horizon,
-                    ClipWorkspace& workspace) {
+void raise_near_cut(const SurfaceCutter& cutter, const View& view, const Instruments& instruments,
+                    Horizon& horizon, ClipWorkspace& workspace) {
   Profile cut;
   std::vector<Segment> segments, uprights;
   cutter.cut(view.near_m, cut);
   constexpr std::uint32_t kNearCut = 0x7fffffff; // no profile has this number
   project_profile(cut, kNearCut, view, segments, uprights);
-  clip(segments, horizon, {Role::occluder, {}, true}, workspace);
+  clip(segments, horizon, {Role::occluder, {}, instruments.collapse}, workspace);
+  if (instruments.occluders)
+    for (const Segment& s : segments) instruments.occluders->push_back({s.x0, s.x1, s, false});
 }
 
 } // namespace
@@ -53,6 +55,7 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
   const SurfaceCutter cutter(terrain.surface, view, scene.level.triangles, scene.border);
   const TieTolerance tolerance = tie_tolerance(sector, settings.visibility_tolerance_mm);
   LineSweep sweep(terrain.surface, sector, lines, from_m, tolerance);
+  if (instruments.occluders) sweep.record(*instruments.occluders);
   watch.mark(seconds.facing);
 
   const ClipOptions clip_options{surface ? Role::compared : Role::drawn_occluder, tolerance,
@@ -67,7 +70,8 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
   Profile profile;
   std::vector<Segment> segments, uprights;
   ClipWorkspace workspace;
-  if (surface && view.is_perspective()) raise_near_cut(cutter, view, horizon, workspace);
+  if (surface && view.is_perspective())
+    raise_near_cut(cutter, view, instruments, horizon, workspace);
 
   // Slabs are about a cell thick, so that few lines meet in one; but slivers that a cut has left
   // don't make millions of them.
@@ -77,8 +81,9 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
   const auto take_slabs = [&](double to_m) {
     const double count = surface ? std::ceil((to_m - plane) / thickness) : 1;
     for (int i = 1; i < count; ++i)
-      sweep.take_slab(plane + (to_m - plane) * (i / count), horizon, workspace);
-    sweep.take_slab(to_m, horizon, workspace);
+      sweep.take_slab(plane + (to_m - plane) * (i / count), horizon, workspace,
+                      instruments.collapse);
+    sweep.take_slab(to_m, horizon, workspace, instruments.collapse);
     plane = to_m;
   };
   for (const auto& [depth_m, number] : sector.profiles) {
@@ -97,8 +102,10 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
     if (strokes) strokes->add(profile, number, segments, workspace.visible);
     watch.mark(seconds.layout);
     if (check) check->ask(profile, segments, workspace.visible, asked_a_profile);
-    if (instruments.observer)
+    if (instruments.observer) {
       instruments.observer->see(sector, profile, segments, workspace.visible);
+      instruments.observer->see_horizon(sector, horizon);
+    }
     watch.mark(seconds.check);
 
     counts.cut_vertices += profile.size();
@@ -107,7 +114,8 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
     profile_done();
   }
   if (plane < sector.farthest_m) take_slabs(sector.farthest_m);
-  sweep.take_slab(std::numeric_limits<double>::infinity(), horizon, workspace);
+  sweep.take_slab(std::numeric_limits<double>::infinity(), horizon, workspace,
+                  instruments.collapse);
   watch.mark(seconds.clip);
 
   sweep.finish();

@@ -5,30 +5,14 @@
 #include "cli/accuracy/plot_accuracy.hpp"
 #include "cli/progress.hpp"
 #include "cli/terrain_of_view.hpp"
+#include "cli/write_text.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "draw/output_file.hpp"
-#include "geometry/error.hpp"
-
-#include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 namespace orograph {
-namespace {
-
-void write_text(const std::string& text, const std::string& path, bool overwrite) {
-  OutputFile place(path, overwrite);
-  std::ofstream file(place.temporary_path(), std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file)
-    throw Error("can't write '" + path + "'", "make room on the disk, or choose another place");
-  place.commit();
-}
-
-} // namespace
 
 void accuracy(const AccuracySettings& settings) {
   const RenderSettings& render = settings.render;

@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/accuracy/plot_accuracy.hpp"
 
-#include "draw/output_file.hpp"
-#include "geometry/error.hpp"
+#include "cli/run_gnuplot.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 
 namespace orograph {
 namespace {
-
-// Quoted for gnuplot: nothing inside single quotes has a meaning but they themselves.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text)
-    if (c == '\'')
-      out += "''";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      out += c;
-  return out + "'";
-}
 
 // A block of data: time in ms, a value, a label.
 struct Points {
@@ -93,13 +77,13 @@ std::string accuracy_plot_script(const std::vector<AccuracyRow>& rows, const std
   std::string script = "set encoding utf8\n";
   script +=
       "set terminal svg size 1000,460 dynamic background rgb '#ffffff' font 'sans-serif,13'\n";
-  script += fmt::format("set output {}\n", quoted(path));
+  script += fmt::format("set output {}\n", quoted_for_gnuplot(path));
   for (const Points* points : {&surface, &profiles, &overview, &measured, &promised})
     script += points->block();
   script += kStyle;
   script += fmt::format("set xrange [{:.4g}:{:.4g}]\n", 600 * fastest, 1600 * slowest);
   script += fmt::format("set multiplot layout 1,2 title {} noenhanced\n",
-                        quoted("Speed and accuracy: " + title));
+                        quoted_for_gnuplot("Speed and accuracy: " + title));
   const std::string labels =
       "using 1:2:3 with labels offset 0,0.9 font ',11' textcolor rgb '#333333' notitle";
   script += "set title 'Ink error: drawn but hidden, or visible but missing'\n"
@@ -130,24 +114,7 @@ std::string accuracy_plot_script(const std::vector<AccuracyRow>& rows, const std
 
 void plot_accuracy(const std::vector<AccuracyRow>& rows, const std::string& title,
                    const std::string& path) {
-  // Beside the curve, and removed like it where we are interrupted.
-  const OutputFile script_file(path + ".gnuplot", true);
-  const std::string& script_path = script_file.temporary_path();
-  std::ofstream script(script_path, std::ios::binary | std::ios::trunc);
-  script << accuracy_plot_script(rows, title, path);
-  script.close();
-  if (!script) throw Error("can't write '" + script_path + "'", "make room on the disk");
-
-  std::string program = "gnuplot", argument = script_path;
-  char* arguments[] = {program.data(), argument.data(), nullptr};
-  pid_t process = 0;
-  if (posix_spawnp(&process, program.c_str(), nullptr, nullptr, arguments, environ) != 0)
-    throw Error("gnuplot, which draws the curve, can't be started",
-                "install it (Debian package gnuplot-nox); the table, CSV and JSON are written");
-  int status = 0;
-  if (waitpid(process, &status, 0) != process || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw Error("gnuplot failed to draw the curve",
-                "look at its message above; the table, CSV and JSON are written");
+  run_gnuplot(accuracy_plot_script(rows, title, path), path, "the curve");
 }
 
 } // namespace orograph

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curve of speed against error; the only place that runs gnuplot.
+// The curve of speed against error.
 #pragma once
 
 #include "cli/accuracy/accuracy_row.hpp"

@@ -44,7 +44,7 @@ std::vector<std::string> file_names_in(const std::string& input) {
 }
 
 void check_no_input(const RenderSettings& settings, const std::string& path,
-                    const std::string& option) {
+                    const std::string& option, const std::string& its_name) {
   const ReadOptions& reading = settings.reading;
   std::vector<std::pair<std::string, const char*>> inputs{{reading.breaklines, "--breaklines"},
                                                           {reading.boundary, "--boundary"},
@@ -52,9 +52,8 @@ void check_no_input(const RenderSettings& settings, const std::string& path,
   for (const std::string& input : settings.inputs) inputs.emplace_back(input, "INPUT");
   for (const auto& [input, name] : inputs)
     if (!input.empty() && replaces_input(input, path))
-      throw UsageError(
-          fmt::format("{} '{}' is the {}", option, path, name),
-          fmt::format("give {} another name", option == "OUTPUT" ? option : "the report"));
+      throw UsageError(fmt::format("{} '{}' is the {}", option, path, name),
+                       fmt::format("give {} another name", its_name));
 }
 
 void check_output(RenderSettings& settings, const GivenOptions& given) {
@@ -68,7 +67,7 @@ void check_output(RenderSettings& settings, const GivenOptions& given) {
   if (to_stdout && !is_text(settings.write.format))
     throw UsageError("this format can't go to standard output",
                      "use a text format, as in --of svg, or give OUTPUT a file name");
-  if (!to_stdout) check_no_input(settings, settings.output, "OUTPUT");
+  if (!to_stdout) check_no_input(settings, settings.output, "OUTPUT", "OUTPUT");
   if (given.contains("--dpi") && settings.write.format != Format::png)
     throw UsageError("--dpi has no meaning in a vector format",
                      "leave it out, or write PNG with --of png");
@@ -76,7 +75,7 @@ void check_output(RenderSettings& settings, const GivenOptions& given) {
 
 void check_report(const RenderSettings& settings, const GivenOptions& given) {
   if (!given.contains("--report")) return;
-  check_no_input(settings, settings.report, "--report");
+  check_no_input(settings, settings.report, "--report", "the report");
   if (settings.output != "-" && same_file(settings.report, settings.output))
     throw UsageError(fmt::format("--report '{}' is the OUTPUT too", settings.report),
                      "give the report another name");
@@ -171,6 +170,12 @@ void check_picture_settings(RenderSettings& settings, const GivenOptions& given)
   if (settings.curvature == Curvature::on && settings.view && settings.view->cuts())
     throw UsageError("--curvature on bends the terrain away from the view's front and back plane",
                      "leave it out, or leave the planes out of " + settings.view_file);
+}
+
+void check_prefix(const RenderSettings& settings, const std::string& prefix,
+                  const std::vector<std::string>& endings) {
+  for (const std::string& ending : endings)
+    check_no_input(settings, prefix + ending, "--output", "the output");
 }
 
 } // namespace orograph

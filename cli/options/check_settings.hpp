@@ -6,6 +6,7 @@
 #include "cli/render_settings.hpp"
 
 #include <string>
+#include <vector>
 
 namespace orograph {
 
@@ -20,5 +21,9 @@ void check_picture_settings(RenderSettings& settings, const GivenOptions& given)
 /// spelling or link, also behind GDAL's /vsi prefixes ("/vsizip/a.zip/b.tif") and subdataset names
 /// ("NETCDF:\"a.nc\":band").
 bool replaces_input(const std::string& input, const std::string& output);
+
+/// Throws UsageError where one of the files PREFIX + ending, for each ending, is an input.
+void check_prefix(const RenderSettings& settings, const std::string& prefix,
+                  const std::vector<std::string>& endings);
 
 } // namespace orograph

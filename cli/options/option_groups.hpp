@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/accuracy/accuracy.hpp"
+#include "cli/fragmentation/fragmentation.hpp"
 #include "cli/options/option.hpp"
 #include "cli/render_settings.hpp"
 #include "cli/tin.hpp"
@@ -29,6 +30,8 @@ void add_line_options(std::vector<Option>& options, RenderSettings& settings);
 void add_page_options(std::vector<Option>& options, RenderSettings& settings);
 /// What `accuracy` measures, and where it writes.
 void add_accuracy_options(std::vector<Option>& options, AccuracySettings& settings);
+/// What `fragmentation` measures, and where it writes.
+void add_fragmentation_options(std::vector<Option>& options, FragmentationSettings& settings);
 void add_output_options(std::vector<Option>& options, RenderSettings& settings);
 /// With `--help`.
 void add_general_options(std::vector<Option>& options, bool& quiet, std::optional<bool>& progress);

@@ -94,6 +94,25 @@ Command accuracy_command(AccuracySettings& settings) {
   return command;
 }
 
+Command fragmentation_command(FragmentationSettings& settings) {
+  RenderSettings& render = settings.render;
+  Command command{
+      .name = "fragmentation",
+      .summary = "Measure how the horizon fragments, and what collapse keeps of it",
+      .options = {},
+      .conflicts = terrain_conflicts(),
+      .examples = {{"orograph fragmentation dem.tif",
+                    "The tables, and fragmentation.csv, -series.csv, .json and .svg (the plots)."},
+                   {"orograph fragmentation dem.tif --profiles 60 --elevations 25 --azimuths 180",
+                    "The paper's number of profiles, in one view."}}};
+  command.conflicts.push_back({"--progress", "--no-progress", "give one of the two"});
+  command.conflicts.push_back({"--quiet", "--progress", "give one of the two"});
+  add_terrain_options(command.options, render.inputs, render.reading);
+  add_fragmentation_options(command.options, settings);
+  add_general_options(command.options, render.quiet, render.progress);
+  return command;
+}
+
 Command info_command(InfoSettings& settings) {
   Command command{
       .name = "info",
@@ -139,6 +158,16 @@ std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& a
   const auto given = parse_arguments(accuracy_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
   check_picture_settings(settings.render, given);
+  check_prefix(settings.render, settings.prefix, {".csv", ".json", ".svg"});
+  return settings;
+}
+
+std::optional<FragmentationSettings>
+parse_fragmentation(const std::vector<std::string>& arguments) {
+  FragmentationSettings settings;
+  const auto given = parse_arguments(fragmentation_command(settings), arguments);
+  if (given.contains("--help")) return std::nullopt;
+  check_prefix(settings.render, settings.prefix, {".csv", "-series.csv", ".json", ".svg"});
   return settings;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cli/accuracy/accuracy.hpp"
+#include "cli/fragmentation/fragmentation.hpp"
 #include "cli/info.hpp"
 #include "cli/options/option.hpp"
 #include "cli/render_settings.hpp"
@@ -21,6 +22,7 @@ Command render_command(RenderSettings& settings);
 Command sweep_command(SweepSettings& settings);
 Command merge_command(MergeSettings& settings);
 Command accuracy_command(AccuracySettings& settings);
+Command fragmentation_command(FragmentationSettings& settings);
 Command info_command(InfoSettings& settings);
 Command tin_command(TinSettings& settings);
 
@@ -31,6 +33,7 @@ std::optional<RenderSettings> parse_render(const std::vector<std::string>& argum
 std::optional<SweepSettings> parse_sweep(const std::vector<std::string>& arguments);
 std::optional<MergeSettings> parse_merge(const std::vector<std::string>& arguments);
 std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& arguments);
+std::optional<FragmentationSettings> parse_fragmentation(const std::vector<std::string>& arguments);
 std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments);
 std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments);
 

@@ -231,7 +231,7 @@ void clip_list(const List& list, Horizon& horizon, const ClipOptions& options,
 }
 
 // Marks a part of horizon[at] as inked; what is collapsed stays collapsed.
-void ink(Horizon& horizon, std::size_t at, double begin, double end) {
+void ink(Horizon& horizon, std::size_t at, double begin, double end, bool collapse) {
   HorizonPiece before = horizon[at], after = horizon[at];
   before.x_end = horizon[at].x_begin = begin;
   after.x_begin = horizon[at].x_end = end;
@@ -241,13 +241,13 @@ void ink(Horizon& horizon, std::size_t at, double begin, double end) {
   };
   if (after.x_begin < after.x_end) {
     horizon.insert(place(at + 1), after);
-  } else if (at + 1 < horizon.size() && continues(horizon[at], horizon[at + 1])) {
+  } else if (collapse && at + 1 < horizon.size() && continues(horizon[at], horizon[at + 1])) {
     horizon[at].x_end = horizon[at + 1].x_end;
     horizon.erase(place(at + 1));
   }
   if (before.x_begin < before.x_end) {
     horizon.insert(place(at), before);
-  } else if (at > 0 && continues(horizon[at - 1], horizon[at])) {
+  } else if (collapse && at > 0 && continues(horizon[at - 1], horizon[at])) {
     horizon[at - 1].x_end = horizon[at].x_end;
     horizon.erase(place(at));
   }
@@ -262,7 +262,7 @@ void clip_compared(std::span<const Segment> segments, Horizon& horizon, const Cl
   Marker marker{horizon, marks};
   walk(segments, horizon, options, workspace, marker);
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)
-    ink(horizon, mark->at, mark->begin, mark->end);
+    ink(horizon, mark->at, mark->begin, mark->end, options.collapse);
 }
 
 // The sky with a list of disjoint pieces in it.
@@ -289,7 +289,8 @@ void clip(std::span<const Segment> segments, Horizon& horizon, const ClipOptions
     clip_list(segments, horizon, options, workspace);
 }
 
-void raise(std::vector<HorizonPiece>& occluders, Horizon& horizon, ClipWorkspace& workspace) {
+void raise(std::vector<HorizonPiece>& occluders, Horizon& horizon, ClipWorkspace& workspace,
+           bool collapse) {
   if (occluders.empty()) return;
   std::sort(occluders.begin(), occluders.end(), [](const HorizonPiece& a, const HorizonPiece& b) {
     return a.x_begin != b.x_begin ? a.x_begin < b.x_begin : a.source.id < b.source.id;
@@ -303,7 +304,7 @@ void raise(std::vector<HorizonPiece>& occluders, Horizon& horizon, ClipWorkspace
     if (i == used && ++used > chains.size()) chains.emplace_back();
     chains[i].push_back(piece);
   }
-  const ClipOptions exact{Role::occluder, {}, true};
+  const ClipOptions exact{Role::occluder, {}, collapse};
   if (used == 1) {
     clip_list(chains.front(), horizon, exact, workspace);
     return;

@@ -95,7 +95,9 @@ void clip(std::span<const Segment> segments, Horizon& horizon, const ClipOptions
 /// Raises `horizon` by occluders that may overlap and come in any order (it sorts them): compared
 /// exactly, nothing drawn. They are parted into chains of disjoint pieces, the chains are merged
 /// pairwise, and what comes out is merged into the horizon. No allocation once warm. Cost
-/// O(occluders * log of how many overlap + horizon pieces).
-void raise(std::vector<HorizonPiece>& occluders, Horizon& horizon, ClipWorkspace& workspace);
+/// O(occluders * log of how many overlap + horizon pieces). Without `collapse` pieces stay apart as
+/// they were cut.
+void raise(std::vector<HorizonPiece>& occluders, Horizon& horizon, ClipWorkspace& workspace,
+           bool collapse = true);
 
 } // namespace orograph

@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <list>
+#include <limits>
 #include <map>
+#include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace orograph {
@@ -31,9 +33,10 @@ double nearest_double(const Exact& x) {
 
 struct Line {
   explicit Line(const Segment& s)
-      : x0(s.x0), y0(s.y0), x1(s.x1), slope((Exact(s.y1) - y0) / (x1 - x0)) {}
+      : source(s), x0(s.x0), y0(s.y0), x1(s.x1), slope((Exact(s.y1) - y0) / (x1 - x0)) {}
   Exact y_at(const Exact& x) const { return y0 + (x - x0) * slope; }
 
+  Segment source;
   Exact x0, y0, x1, slope;
 };
 
@@ -41,7 +44,8 @@ struct Line {
 struct Top {
   const Line* line; ///< none: the sky
   bool inked;
-  bool operator==(const Top&) const = default;
+  mutable std::optional<double> nearest = {}; ///< to the abscissa; kept, since it costs much
+  bool is_like(const Top& other) const { return line == other.line && inked == other.inked; }
 };
 using Envelope = std::map<Exact, Top>;
 
@@ -49,7 +53,8 @@ using Envelope = std::map<Exact, Top>;
 Envelope::iterator split(Envelope& envelope, const Exact& x) {
   const auto next = envelope.lower_bound(x);
   if (next != envelope.end() && next->first == x) return next;
-  return envelope.emplace_hint(next, x, std::prev(next)->second);
+  const Top& top = std::prev(next)->second;
+  return envelope.emplace_hint(next, x, Top{top.line, top.inked});
 }
 
 // Splits the part of the map from `at` on where `line` crosses what stands there.
@@ -77,10 +82,11 @@ void append(std::vector<std::pair<Exact, Exact>>& drawn, const Exact& begin, con
     drawn.emplace_back(begin, end);
 }
 
-// Puts a line in; the parts to draw, in order.
-std::vector<std::pair<Exact, Exact>> put_in(Envelope& envelope, const Line& line, Role role) {
+// Puts a part of a line in; the parts to draw, in order.
+std::vector<std::pair<Exact, Exact>> put_in(Envelope& envelope, const Line& line, const Exact& x0,
+                                            const Exact& x1, Role role) {
   std::vector<std::pair<Exact, Exact>> drawn;
-  const auto begin = split(envelope, line.x0), end = split(envelope, line.x1);
+  const auto begin = split(envelope, x0), end = split(envelope, x1);
   for (auto at = begin; at != end; ++at) {
     split_at_crossing(envelope, at, line);
     const Exact& next = std::next(at)->first;
@@ -92,13 +98,13 @@ std::vector<std::pair<Exact, Exact>> put_in(Envelope& envelope, const Line& line
     if (above == 0)
       top.inked = top.inked || draw;
     else if (role != Role::compared)
-      top = {&line, role == Role::drawn_occluder};
+      top = {&line, role == Role::drawn_occluder, top.nearest};
   }
   // Abscissae where nothing changes any more.
   const auto after = std::next(end);
   for (auto at = begin; at != after;)
-    at = at != envelope.begin() && std::prev(at)->second == at->second ? envelope.erase(at)
-                                                                       : std::next(at);
+    at = at != envelope.begin() && std::prev(at)->second.is_like(at->second) ? envelope.erase(at)
+                                                                             : std::next(at);
   return drawn;
 }
 
@@ -111,26 +117,72 @@ std::size_t least_size(const Envelope& envelope) {
 
 } // namespace
 
-std::vector<ExactClip> exact_clip(std::span<const ExactList> lists) {
-  double leftmost = 0;
-  for (const ExactList& list : lists)
-    for (const Segment& s : list.segments) leftmost = std::min(leftmost, s.x0);
-  Envelope envelope{{Exact(leftmost) - 1, {nullptr, false}}};
-  std::list<Line> lines; // which the envelope points into
+struct ExactHorizon::Content {
+  // From an abscissa on that is left of all.
+  Envelope envelope{{Exact(-1), {nullptr, false}}};
+  std::unordered_map<std::uint64_t, Line> lines; // by id; the envelope points into it
 
-  std::vector<ExactClip> out;
-  for (const auto& [segments, role] : lists) {
-    ExactClip& clip = out.emplace_back();
-    for (std::uint32_t number = 0; number < segments.size(); ++number) {
-      const Line& line = lines.emplace_back(segments[number]);
-      const Exact length = line.x1 - line.x0;
-      for (const auto& [begin, end] : put_in(envelope, line, role))
-        clip.visible.push_back({number, nearest_double(begin), nearest_double(end),
-                                nearest_double((begin - line.x0) / length),
-                                nearest_double((end - line.x0) / length)});
-    }
-    clip.least_horizon = least_size(envelope);
+  const Line& line(const Segment& s) { return lines.try_emplace(s.id, s).first->second; }
+  void reach(double x) {
+    const auto first = envelope.begin();
+    if (first->first < x) return;
+    envelope.emplace(Exact(x) - 1, Top{nullptr, false});
+    envelope.erase(first);
   }
+};
+
+ExactHorizon::ExactHorizon() : content_(std::make_unique<Content>()) {}
+ExactHorizon::~ExactHorizon() = default;
+
+ExactClip ExactHorizon::clip(const ExactList& list) {
+  ExactClip clip;
+  for (std::uint32_t number = 0; number < list.segments.size(); ++number) {
+    const Segment& s = list.segments[number];
+    const Line& line = content_->line(s);
+    content_->reach(s.x0);
+    const Exact length = line.x1 - line.x0;
+    for (const auto& [begin, end] : put_in(content_->envelope, line, line.x0, line.x1, list.role))
+      clip.visible.push_back({number, nearest_double(begin), nearest_double(end),
+                              nearest_double((begin - line.x0) / length),
+                              nearest_double((end - line.x0) / length)});
+  }
+  clip.least_horizon = size();
+  return clip;
+}
+
+void ExactHorizon::raise(std::span<const HorizonPiece> occluders) {
+  for (const HorizonPiece& piece : occluders) {
+    content_->reach(piece.x_begin);
+    put_in(content_->envelope, content_->line(piece.source), piece.x_begin, piece.x_end,
+           Role::occluder);
+  }
+}
+
+std::size_t ExactHorizon::size() const {
+  return least_size(content_->envelope);
+}
+
+Horizon ExactHorizon::pieces() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Horizon out = initial_horizon();
+  const Segment sky = out.front().source;
+  const Line* last = nullptr;
+  const Envelope& envelope = content_->envelope;
+  for (auto at = std::next(envelope.begin()); at != envelope.end(); ++at) {
+    const Top& top = at->second;
+    if (top.line == last) continue;
+    if (!top.nearest) top.nearest = nearest_double(at->first);
+    out.back().x_end = *top.nearest;
+    out.push_back({*top.nearest, infinity, top.line ? top.line->source : sky, false});
+    last = top.line;
+  }
+  return out;
+}
+
+std::vector<ExactClip> exact_clip(std::span<const ExactList> lists) {
+  ExactHorizon horizon;
+  std::vector<ExactClip> out;
+  for (const ExactList& list : lists) out.push_back(horizon.clip(list));
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include "horizon/clip.hpp" // Role and Piece
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -26,11 +27,34 @@ struct ExactClip {
   std::size_t least_horizon = 1;
 };
 
-/// Clips lists of segments, nearest list first, against the horizon of the lists in front. Doubles
-/// are taken as exact, and so is every comparison. A piece that lies on the horizon all along is
-/// drawn only where no line is drawn yet (docs/how-it-works.md, with a tolerance of 0).
-/// REQUIRES finite coordinates and x0 < x1. Cost about 5 microseconds for each segment and for
-/// each piece of horizon that it meets.
+/// The true horizon. Doubles are taken as exact, and so is every comparison. What lies on the
+/// horizon all along leaves it as it is. Sources are told by their ids.
+class ExactHorizon {
+public:
+  ExactHorizon();
+  ~ExactHorizon();
+  ExactHorizon(const ExactHorizon&) = delete;
+  ExactHorizon& operator=(const ExactHorizon&) = delete;
+
+  /// Clips a list against the horizon, and raises it as its role says. A piece that lies on the
+  /// horizon all along is drawn only where no line is drawn yet (docs/how-it-works.md, with a
+  /// tolerance of 0). REQUIRES finite coordinates and x0 < x1. Cost about 5 microseconds for each
+  /// segment and for each piece of horizon that it meets.
+  ExactClip clip(const ExactList& list);
+  /// Raises the horizon by pieces that may overlap. Where two lie on each other, the first stays.
+  void raise(std::span<const HorizonPiece> occluders);
+
+  /// Pieces from -infinity to +infinity: no horizon of these sources has fewer.
+  std::size_t size() const;
+  /// The same as a list. Ends are rounded to the nearest double: a piece may have no width left.
+  Horizon pieces() const;
+
+private:
+  struct Content;
+  std::unique_ptr<Content> content_;
+};
+
+/// Clips lists of segments, nearest list first, each against the horizon of the lists in front.
 std::vector<ExactClip> exact_clip(std::span<const ExactList> lists);
 
 } // namespace orograph

@@ -19,9 +19,11 @@ struct Tables {
   AccuracySettings accuracy_settings;
   InfoSettings info_settings;
   TinSettings tin_settings;
+  FragmentationSettings fragmentation_settings;
   std::vector<Command> commands{render_command(render_settings),
                                 accuracy_command(accuracy_settings), info_command(info_settings),
-                                tin_command(tin_settings)};
+                                tin_command(tin_settings),
+                                fragmentation_command(fragmentation_settings)};
 };
 
 std::string without_backslashes(std::string text) {
@@ -42,6 +44,7 @@ std::vector<std::string> commands_in(const std::filesystem::path& page) {
     }
     if (joined.find("orograph render") != std::string::npos ||
         joined.find("orograph accuracy") != std::string::npos ||
+        joined.find("orograph fragmentation") != std::string::npos ||
         joined.find("orograph info") != std::string::npos ||
         joined.find("orograph tin") != std::string::npos)
       commands.push_back(joined);

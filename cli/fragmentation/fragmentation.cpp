@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/fragmentation/fragmentation.hpp"
+
+#include "cli/fragmentation/fragmentation_report.hpp"
+#include "cli/fragmentation/plot_fragmentation.hpp"
+#include "cli/fragmentation/worst_cases.hpp"
+#include "cli/progress.hpp"
+#include "cli/stand_on_earth.hpp"
+#include "cli/write_text.hpp"
+#include "dem/read/read_terrain.hpp"
+#include "draw/output_file.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace orograph {
+
+void fragmentation(const FragmentationSettings& settings) {
+  const RenderSettings& render = settings.render;
+  const std::string csv = settings.prefix + ".csv", series = settings.prefix + "-series.csv",
+                    json = settings.prefix + ".json", svg = settings.prefix + ".svg";
+  for (const std::string& path : {csv, series, json, svg}) check_writable(path, render.write);
+
+  Terrain terrain = read_terrain(render.inputs, render.reading);
+  stand_on_earth(terrain, render);
+  std::vector<FragmentationRow> rows = fragmentation_rows(settings);
+  for (const FragmentationRow& row : worst_case_rows(settings)) rows.push_back(row);
+  ProgressBar bar(shows_progress(render.quiet, render.progress));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    bar.show(static_cast<double>(i) / static_cast<double>(rows.size()));
+    if (rows[i].scene == "terrain")
+      measure_row(rows[i], settings, terrain);
+    else
+      measure_row(rows[i], settings, worst_case_terrain(rows[i]));
+  }
+  bar.finish();
+
+  std::string tables = fragmentation_table(rows);
+  if (const std::string growth = growth_table(rows); !growth.empty()) tables += "\n" + growth;
+  std::fwrite(tables.data(), 1, tables.size(), stdout);
+  write_text(fragmentation_csv(rows), csv, render.write.overwrite);
+  write_text(series_csv(rows), series, render.write.overwrite);
+  write_text(fragmentation_json(rows, terrain.source), json, render.write.overwrite);
+  OutputFile plots(svg, render.write.overwrite);
+  plot_fragmentation(rows, std::filesystem::path(terrain.source).filename().string(),
+                     plots.temporary_path());
+  plots.commit();
+  check_promises(rows);
+}
+
+} // namespace orograph

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One row's runs: with collapse, without, and in exact arithmetic.
+#include "cli/draw_scene.hpp"
+#include "cli/fragmentation/fragmentation.hpp"
+#include "cli/scene_lines.hpp"
+#include "cli/sweep_sector.hpp"
+#include "cli/tie_tolerance.hpp"
+#include "reference/exact_clip.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace orograph {
+namespace {
+
+RenderSettings settings_of(const FragmentationRow& row, const RenderSettings& render) {
+  RenderSettings out = render;
+  out.occluder = row.occluder;
+  out.from_azimuth = Angle::degrees(row.azimuth_deg);
+  out.from_elevation = Angle::degrees(row.elevation_deg);
+  out.plan = ProfileCount{row.profiles};
+  out.silhouette_jump = 0; // which decides what is drawn, after all is clipped
+  // With the paper's occluders the profiles are all there is.
+  if (row.occluder == Occluder::profiles) out.layers = {"profiles"};
+  return out;
+}
+
+// Counts the horizon's pieces.
+class SizeMeter : public LineObserver {
+public:
+  explicit SizeMeter(FragmentationRun& run) : run_(run) {}
+
+  void begin_sector() { sector_most_ = sector_last_ = 0; }
+  void end_sector() {
+    run_.at_end += sector_last_;
+    run_.at_most += sector_most_;
+  }
+  void take(std::size_t size) {
+    run_.after.push_back(static_cast<std::uint32_t>(size));
+    sector_last_ = size;
+    sector_most_ = std::max(sector_most_, size);
+  }
+
+  void see(const Sector&, const Profile&, const std::vector<Segment>&,
+           const std::vector<Piece>& visible) override {
+    visible_ += visible.size();
+  }
+  void see(const Sector&, const LineSweep&, const std::vector<LinePart>&) override {}
+  void see_horizon(const Sector&, const Horizon& horizon) override { take(horizon.size()); }
+
+  std::uint64_t visible() const { return visible_; }
+
+private:
+  FragmentationRun& run_;
+  std::size_t sector_most_ = 0, sector_last_ = 0;
+  std::uint64_t visible_ = 0;
+};
+
+// Raises the true horizon by what the run's own horizon is raised by, and compares the two.
+class LeastMeter : public LineObserver {
+public:
+  LeastMeter(LeastRun& least, bool surface, double tolerance_mm)
+      : least_(least), sizes_(least.run), surface_(surface), tolerance_mm_(tolerance_mm) {}
+
+  void begin_sector() {
+    sizes_.begin_sector();
+    exact_ = std::make_unique<ExactHorizon>();
+    occluders_.clear();
+    least_.at_end += at_end_;
+    at_end_ = {};
+  }
+  void end_sector() { sizes_.end_sector(); }
+  void finish() { least_.at_end += at_end_; }
+  std::vector<HorizonPiece>& occluders() { return occluders_; }
+
+  void see(const Sector&, const Profile&, const std::vector<Segment>& segments,
+           const std::vector<Piece>&) override {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    if (surface_) {
+      exact_->raise(occluders_);
+    } else {
+      // The exact clip compares what has an extent in X: no walls.
+      std::vector<Segment> wide;
+      for (const Segment& s : segments)
+        if (s.x0 < s.x1) wide.push_back(s);
+      exact_->clip({wide, Role::drawn_occluder});
+    }
+    least_.run.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    least_.run.work += exact_->size();
+    occluders_.clear();
+  }
+  void see(const Sector&, const LineSweep&, const std::vector<LinePart>&) override {}
+  void see_horizon(const Sector& sector, const Horizon& horizon) override {
+    const Horizon exact = exact_->pieces();
+    sizes_.take(exact.size());
+    // The surface's occluders are compared exactly.
+    TieTolerance tolerance = tie_tolerance(sector, tolerance_mm_);
+    if (surface_) tolerance.mm = tolerance.greatest_y = 0;
+    at_end_ = compare_horizons(horizon, exact, tolerance);
+    least_.differences += at_end_;
+  }
+
+private:
+  LeastRun& least_;
+  SizeMeter sizes_;
+  bool surface_;
+  double tolerance_mm_;
+  std::unique_ptr<ExactHorizon> exact_;
+  std::vector<HorizonPiece> occluders_;
+  HorizonDifferences at_end_;
+};
+
+struct MeasuredScene {
+  const Terrain& terrain;
+  const Scene& scene;
+  const std::vector<SweptLine>& lines;
+  const RenderSettings& settings;
+};
+
+struct Totals {
+  CountsReport counts;
+  SecondsReport seconds;
+};
+
+template <class Meter>
+Totals run(const MeasuredScene& s, const Instruments& instruments, Meter& meter) {
+  Totals out;
+  SecondsReport& seconds = out.seconds;
+  seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.check = seconds.layout =
+      0;
+  std::optional<CheckReport> check;
+  for (const Sector& sector : s.scene.sectors) {
+    meter.begin_sector();
+    sweep_sector(s.terrain, s.scene, sector, s.lines, s.settings, instruments, nullptr,
+                 {out.counts, seconds, check}, [] {});
+    meter.end_sector();
+  }
+  return out;
+}
+
+FragmentationRun timed(const MeasuredScene& s, bool collapse, int repeats) {
+  FragmentationRun out;
+  out.seconds = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < repeats; ++i) {
+    FragmentationRun once;
+    SizeMeter meter(once);
+    const Totals totals = run(s, {&meter, collapse, false, nullptr}, meter);
+    once.work = totals.counts.pieces_before_collapse;
+    once.seconds = std::min(out.seconds, totals.seconds.clip);
+    out = std::move(once);
+  }
+  return out;
+}
+
+} // namespace
+
+std::vector<FragmentationRow> fragmentation_rows(const FragmentationSettings& settings) {
+  std::vector<FragmentationRow> rows;
+  for (const Occluder occluder : {Occluder::profiles, Occluder::surface})
+    for (const double azimuth_deg : settings.azimuths_deg)
+      for (const double elevation_deg : settings.elevations_deg)
+        for (const int profiles : settings.profiles) {
+          FragmentationRow& row = rows.emplace_back();
+          row.scene = "terrain";
+          row.occluder = occluder;
+          row.azimuth_deg = azimuth_deg;
+          row.elevation_deg = elevation_deg;
+          row.profiles = profiles;
+        }
+  return rows;
+}
+
+void measure_row(FragmentationRow& row, const FragmentationSettings& settings,
+                 const Terrain& terrain) {
+  const RenderSettings render = settings_of(row, settings.render);
+  const Scene scene = place_scene(terrain, render);
+  const std::vector<SweptLine> lines = lines_of(terrain, scene, render);
+  const MeasuredScene measured{terrain, scene, lines, render};
+  const bool surface = row.occluder == Occluder::surface;
+
+  FragmentationRun counted;
+  SizeMeter meter(counted);
+  std::vector<HorizonPiece> occluders;
+  row.segments = run(measured, {&meter, true, false, &occluders}, meter).counts.segments;
+  row.visible = meter.visible();
+  row.occluders = surface ? occluders.size() : row.segments;
+  row.collapsed = timed(measured, true, settings.repeats);
+  if (row.occluders <= static_cast<std::uint64_t>(settings.fragmented_segments))
+    row.fragmented = timed(measured, false, settings.repeats);
+  if (row.occluders <= static_cast<std::uint64_t>(settings.exact_segments)) {
+    LeastMeter exact(row.least.emplace(), surface, render.visibility_tolerance_mm);
+    run(measured, {&exact, true, false, &exact.occluders()}, exact);
+    exact.finish();
+  }
+}
+
+} // namespace orograph

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/records.hpp"
+
+#include "cli/version.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace orograph {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_value(const Value& value) {
+  return std::visit(
+      [](const auto& x) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(x)>, std::monostate>)
+          return Json();
+        else
+          return Json(x);
+      },
+      value);
+}
+
+std::string csv_value(const Value& value) {
+  if (std::holds_alternative<std::monostate>(value)) return "";
+  const std::string* text = std::get_if<std::string>(&value);
+  if (!text) return json_value(value).dump();
+  std::string quoted = "\"";
+  for (const char c : *text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+// Characters, not bytes: "±" is one.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+} // namespace
+
+std::string aligned_table(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const auto& cells : rows)
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      widths[i] = std::max(widths[i], width_of(cells[i]));
+  std::string text;
+  for (const auto& cells : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::string padding(widths[i] - width_of(cells[i]), ' ');
+      line += i == 0 ? fmt::format("{}{}", cells[i], padding)
+                     : fmt::format("  {}{}", padding, cells[i]);
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string csv_of(const std::vector<Record>& records) {
+  std::string text;
+  for (const Record& record : records) {
+    std::vector<std::string> names, values;
+    for (const auto& [name, value] : record) {
+      names.push_back(name);
+      values.push_back(csv_value(value));
+    }
+    if (text.empty()) text += fmt::format("{}\n", fmt::join(names, ","));
+    text += fmt::format("{}\n", fmt::join(values, ","));
+  }
+  return text;
+}
+
+std::string json_of(const std::string& terrain, const std::vector<NamedRecords>& lists) {
+  Json json{{"schema", 1},
+            {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
+            {"input", terrain}};
+  for (const NamedRecords& list : lists) {
+    Json& rows = json[list.name] = Json::array();
+    for (const Record& record : list.records) {
+      Json row = Json::object();
+      for (const auto& [name, value] : record) row[name] = json_value(value);
+      rows.push_back(std::move(row));
+    }
+  }
+  // Paths may be in any encoding; JSON is UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace orograph

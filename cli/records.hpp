@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rows of measures as text: a table to read, CSV, JSON.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace orograph {
+
+/// A value of a record; none: it isn't known.
+using Value = std::variant<std::monostate, bool, double, std::uint64_t, std::string>;
+/// Names and values, in order.
+using Record = std::vector<std::pair<std::string, Value>>;
+
+/// `1.5` as a value, or that it isn't known.
+template <class Optional>
+Value known(const Optional& x) {
+  return x ? Value(*x) : Value();
+}
+
+/// Columns as wide as their widest cell, counted in characters; the first to the left, the others
+/// to the right. REQUIRES that all rows have as many cells.
+std::string aligned_table(const std::vector<std::vector<std::string>>& rows);
+
+/// A line of names and a line for each record; texts quoted, empty where nothing is known. REQUIRES
+/// that all records have the same names.
+std::string csv_of(const std::vector<Record>& records);
+
+struct NamedRecords {
+  std::string name;
+  std::vector<Record> records;
+};
+/// `"schema": 1`, the program's version, the terrain that was measured, and the lists.
+std::string json_of(const std::string& terrain, const std::vector<NamedRecords>& lists);
+
+} // namespace orograph
