@@ -3,11 +3,10 @@
 
 #include "draw/simplify.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <iterator>
 #include <unordered_map>
 
 namespace orograph {
@@ -15,7 +14,8 @@ namespace {
 
 constexpr double kStep_mm = 0.1;
 constexpr std::size_t kMostBytes = 32000;
-constexpr std::size_t kMostProfiles = 80; // some 1.5 mm apart on A4, where screens have 3 pixels
+constexpr double kFewestProfiles = 24;
+constexpr double kMostProfiles = 80; // some 1.5 mm apart on A4, where screens have 3 pixels
 
 struct Coarseness {
   double tolerance_mm = 0.12;
@@ -23,13 +23,20 @@ struct Coarseness {
   double profiles = kMostProfiles;
 };
 
+void append(std::string& path, int number) {
+  std::array<char, 16> text;
+  path.append(text.data(), std::to_chars(text.begin(), text.end(), number).ptr);
+}
+
 // Numbers with no more between them than there must be.
 void append(std::string& path, int x, int y, char command) {
-  if (command != 0) path += command;
-  if (command == 0 && x >= 0) path += ' ';
-  fmt::format_to(std::back_inserter(path), "{}", x);
+  if (command != 0)
+    path += command;
+  else if (x >= 0)
+    path += ' ';
+  append(path, x);
   if (y >= 0) path += ' ';
-  fmt::format_to(std::back_inserter(path), "{}", y);
+  append(path, y);
 }
 
 // In which the profiles are that some drawing has, by number.
@@ -45,16 +52,18 @@ std::unordered_map<std::int32_t, std::size_t> ranks_of_profiles(const Drawing& d
   return ranks;
 }
 
+bool is_shorter(std::span<const Vec2> points, double mm) {
+  for (std::size_t i = 1; i < points.size() && mm > 0; ++i) mm -= length(points[i] - points[i - 1]);
+  return mm > 0;
+}
+
 class PathWriter {
 public:
   explicit PathWriter(const Coarseness& coarseness) : coarseness_(coarseness) {}
 
   void add(std::span<const Vec2> points) {
+    if (is_shorter(points, coarseness_.shortest_mm)) return;
     simplify(points, coarseness_.tolerance_mm, kept_);
-    double length_mm = 0;
-    for (std::size_t i = 1; i < kept_.size(); ++i)
-      length_mm += length(points[kept_[i]] - points[kept_[i - 1]]);
-    if (length_mm < coarseness_.shortest_mm) return;
     bool begun = false, drawn = false;
     for (const std::uint32_t i : kept_) {
       const int x = static_cast<int>(std::lround(points[i].x / kStep_mm)),
@@ -104,13 +113,25 @@ std::size_t bytes_of(const Preview& preview) {
 Preview preview_of(const Drawing& drawing) {
   const auto ranks = ranks_of_profiles(drawing);
   Coarseness coarseness;
+  std::size_t points = 0;
+  for (const Layer& layer : drawing.layers) points += layer.page_mm.size();
+  // About as many bytes for each point as are left after simplification.
+  const double guess = 2.5 * static_cast<double>(points) *
+                       std::min(coarseness.profiles / static_cast<double>(ranks.size() + 1), 1.0) /
+                       kMostBytes;
+  coarseness.profiles /= std::clamp(guess, 1.0, kMostProfiles / kFewestProfiles);
   for (;;) {
     Preview preview = draw(drawing, coarseness, ranks);
-    if (bytes_of(preview) <= kMostBytes) return preview;
+    const double excess = static_cast<double>(bytes_of(preview)) / kMostBytes;
+    if (excess <= 1) return preview;
     // Fewer profiles first, down to what still tells a form; then less of each.
-    coarseness.profiles = std::max(coarseness.profiles / 1.25, 24.0);
-    coarseness.tolerance_mm *= 1.25;
-    coarseness.shortest_mm *= 1.5;
+    const double fewer =
+        std::min(1.1 * excess, std::max(coarseness.profiles / kFewestProfiles, 1.0));
+    coarseness.profiles /= fewer;
+    if (excess > fewer) {
+      coarseness.tolerance_mm *= 1.1 * excess / fewer;
+      coarseness.shortest_mm *= 1.1 * excess / fewer;
+    }
   }
 }
 

@@ -28,7 +28,7 @@ Crs plane_of(const std::string& text) {
 
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
-Transformation transformation(const std::string& crs_wkt, Way way) {
+Transformation make_transformation(const std::string& crs_wkt, Way way) {
   if (crs_wkt.empty()) return nullptr;
   const Crs map = plane_of(crs_wkt), earth = plane_of("EPSG:4326");
   if (!map || !earth || map->IsLocal()) return nullptr;
@@ -37,11 +37,25 @@ Transformation transformation(const std::string& crs_wkt, Way way) {
   return Transformation(there->GetInverse());
 }
 
+// Null where there is none. Valid until the next call with the same way in the same thread: the
+// last one is kept, since PROJ takes a millisecond to make one, and a run has a single CRS.
+OGRCoordinateTransformation* transformation(const std::string& crs_wkt, Way way) {
+  struct Kept {
+    std::string crs_wkt;
+    Transformation transform;
+  };
+  thread_local std::array<Kept, 2> kept; // by way
+  Kept& last = kept[way == Way::to_lonlat ? 0 : 1];
+  if (!last.transform || last.crs_wkt != crs_wkt)
+    last = {crs_wkt, make_transformation(crs_wkt, way)};
+  return last.transform.get();
+}
+
 // All of the places, or nothing.
 std::optional<std::vector<Vec2>> moved(const std::string& crs_wkt, Way way,
                                        const std::vector<Vec2>& places) {
   const GdalMessages unheard;
-  const Transformation transform = transformation(crs_wkt, way);
+  OGRCoordinateTransformation* const transform = transformation(crs_wkt, way);
   if (!transform) return std::nullopt;
   std::vector<Vec2> out = places;
   for (Vec2& p : out)
