@@ -53,7 +53,7 @@ Option taken(std::vector<Option>& options, const std::string& name) {
   return option;
 }
 
-// A turn's end is its beginning.
+// A turn's end is its beginning, where nothing else goes on along it.
 void drop_full_turn(std::vector<double>& azimuths) {
   if (azimuths.size() > 1 && std::abs(azimuths.back() - azimuths.front()) == 360)
     azimuths.pop_back();
@@ -84,8 +84,6 @@ Option listed(const ListOption& list, const Option& single, SweepSettings& s) {
             if (list.parameter == Parameter::exaggeration && text == "auto")
               return single.take(text);
             Axis axis{list.parameter, parse_number_list(name, text)};
-            if (list.parameter == Parameter::azimuth || list.parameter == Parameter::look_azimuth)
-              drop_full_turn(axis.values);
             for (const double value : axis.values)
               if (!single.take(list.before + number_text(value) + list.after))
                 throw UsageError(
@@ -217,6 +215,10 @@ std::map<std::string, std::vector<std::string>> deciding(GivenOptions given) {
 
 void check_sweep(SweepSettings& settings, const GivenOptions& given) {
   RenderSettings& render = settings.render;
+  if (!settings.zipped)
+    for (Axis& axis : settings.axes)
+      if (axis.parameter == Parameter::azimuth || axis.parameter == Parameter::look_azimuth)
+        drop_full_turn(axis.values);
   if (given.contains("--dpi") && render.write.format != Format::png)
     throw UsageError("--dpi has no meaning in a vector format",
                      "leave it out, or write PNG with --of png");

@@ -55,6 +55,7 @@ void draw_view(const SweepRun& run, std::size_t view) {
   RenderSettings settings = run.views.settings(view);
   const std::string file = run.plan.file(view);
   settings.output = (std::filesystem::path(run.settings.out_dir) / file).string();
+  settings.write.overwrite = true; // a drawing without a row: the sweep ended between the two
   try {
     RunReport report;
     const auto of_view =

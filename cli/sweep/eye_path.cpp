@@ -71,7 +71,7 @@ std::vector<Stop> stops(const std::vector<Vec3>& points, const std::vector<Way>&
   for (double i = 0;; ++i) {
     const double at_m = i * *step_m;
     if (at_m > total_m * (1 + 1e-12)) return out;
-    while (leg + 1 < legs.size() && at_m > begin_m + legs[leg].distance_m)
+    while (leg + 1 < legs.size() && at_m >= begin_m + legs[leg].distance_m)
       begin_m += legs[leg++].distance_m;
     const double share = std::min((at_m - begin_m) / legs[leg].distance_m, 1.0);
     out.push_back({between(points[leg], points[leg + 1], share), leg});

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <utility>
 #include <variant>
 
 namespace orograph {
@@ -43,10 +44,12 @@ private:
 };
 
 void add(Mixer& mixer, const Grid& grid) {
-  for (const int index : {0, grid.columns - 1}) {
-    const int row = index == 0 ? 0 : grid.rows - 1;
-    const Vec3 place =
-        std::visit([&](const auto& l) { return l.vertex_m(index, row, 0); }, grid.lattice);
+  // Three corners tell a lattice.
+  for (const auto& [column, row] :
+       {std::pair{0, 0}, {grid.columns - 1, 0}, {grid.columns - 1, grid.rows - 1}}) {
+    const Vec3 place = std::visit(
+        [column = column, row = row](const auto& l) { return l.vertex_m(column, row, 0); },
+        grid.lattice);
     mixer.add(&place, sizeof place);
   }
   const int size[] = {grid.columns, grid.rows};

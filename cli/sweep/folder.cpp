@@ -39,15 +39,6 @@ void remove_sweep(const std::string& out_dir, const Plan& plan) {
   fs::remove(plan_path(out_dir), ignored);
 }
 
-// The temporary files of a sweep that was killed.
-void remove_leftovers(const fs::path& folder) {
-  std::error_code ignored;
-  for (const fs::path& in : {folder, folder / "rows"})
-    for (const auto& entry : fs::directory_iterator(in, ignored))
-      if (entry.path().filename().string().starts_with(".orograph-"))
-        fs::remove(entry.path(), ignored);
-}
-
 void refuse_strangers(const std::string& out_dir, const Plan& plan) {
   std::vector<std::string> names(kTables.begin(), kTables.end());
   for (std::size_t view = 0; view < plan.views.size(); ++view) names.push_back(plan.file(view));
@@ -60,18 +51,28 @@ void refuse_strangers(const std::string& out_dir, const Plan& plan) {
   }
 }
 
-// Of two that write it at a time, the second finds the first one's.
-void write_plan(const std::string& out_dir, const Plan& plan) {
+} // namespace
+
+void begin_folder(const std::string& out_dir, const Plan& plan) {
   try {
+    refuse_strangers(out_dir, plan);
+    make_folder(fs::path(out_dir) / "rows");
     write_text(plan.text, plan_path(out_dir), false);
   } catch (const Error&) {
+    // Of two that begin it at a time, the second finds the first one's.
     const auto other = read_plan(out_dir);
     if (!other) throw;
     check_same(*other, plan, out_dir);
   }
 }
 
-} // namespace
+void remove_leftovers(const std::string& out_dir) {
+  std::error_code ignored;
+  for (const fs::path& in : {fs::path(out_dir), fs::path(out_dir) / "rows"})
+    for (const auto& entry : fs::directory_iterator(in, ignored))
+      if (entry.path().filename().string().starts_with(".orograph-"))
+        fs::remove(entry.path(), ignored);
+}
 
 std::vector<std::size_t> open_folder(const SweepSettings& settings, const Plan& plan) {
   const std::string& out_dir = settings.out_dir;
@@ -83,14 +84,12 @@ std::vector<std::size_t> open_folder(const SweepSettings& settings, const Plan& 
     remove_sweep(out_dir, *old_plan);
     old_plan.reset();
   }
-  if (old_plan) {
+  if (old_plan)
     check_same(*old_plan, plan, out_dir);
-  } else {
-    refuse_strangers(out_dir, plan);
-    make_folder(fs::path(out_dir) / "rows");
-    write_plan(out_dir, plan);
-  }
-  if (settings.resume && settings.shard.count == 1) remove_leftovers(out_dir);
+  else
+    begin_folder(out_dir, plan);
+  if ((settings.resume || settings.render.write.overwrite) && settings.shard.count == 1)
+    remove_leftovers(out_dir);
 
   const SweepState state = state_of(out_dir, plan);
   for (const std::string& path : state.corrupt)

@@ -18,4 +18,12 @@ namespace orograph {
 /// sweep, or this one without `--resume`, and where something else would be overwritten.
 std::vector<std::size_t> open_folder(const SweepSettings& settings, const Plan& plan);
 
+/// Makes the folder of a new sweep and writes its plan; another process may do the same just now.
+/// Throws Error where the folder can't be written to, and where it holds a file that the sweep
+/// would replace, or the plan of another.
+void begin_folder(const std::string& out_dir, const Plan& plan);
+
+/// The temporary files of a sweep that was killed. REQUIRES that nobody draws into the folder.
+void remove_leftovers(const std::string& out_dir);
+
 } // namespace orograph

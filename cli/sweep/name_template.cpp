@@ -17,9 +17,22 @@ std::size_t digits_of(double number) {
   return number_text(std::trunc(std::abs(number))).size();
 }
 
-std::string padded(double number, std::size_t digits) {
-  const std::string text = number_text(std::abs(number));
+// After the point.
+std::size_t decimals_of(double number) {
+  const std::string text = number_text(number);
+  const std::size_t point = text.find('.');
+  return point == std::string::npos || text.find('e') != std::string::npos
+             ? 0
+             : text.size() - point - 1;
+}
+
+std::string padded(double number, std::size_t digits, std::size_t decimals) {
+  std::string text = number_text(std::abs(number));
   const std::size_t whole = std::min(text.find('.'), text.size());
+  if (decimals > 0 && text.find('e') == std::string::npos) {
+    if (whole == text.size()) text += '.';
+    text.resize(whole + 1 + decimals, '0');
+  }
   return (std::signbit(number) && number != 0 ? "-" : "") +
          std::string(digits > whole ? digits - whole : 0, '0') + text;
 }
@@ -52,11 +65,10 @@ NameTemplate::NameTemplate(const std::string& given, const std::vector<Axis>& ax
   for (const char c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
       refuse(text, "it holds a control character", axes);
-  if (text.front() == '.') refuse(text, "names that begin with a point are hidden", axes);
   std::size_t at = 0;
   for (;;) {
     const std::size_t open = text.find_first_of("{}", at);
-    Part part{text.substr(at, open - at), open != std::string::npos, kIndex, 1};
+    Part part{text.substr(at, open - at), open != std::string::npos, kIndex, 1, 0};
     if (!part.is_field) {
       parts_.push_back(part);
       return;
@@ -73,7 +85,10 @@ NameTemplate::NameTemplate(const std::string& given, const std::vector<Axis>& ax
       });
       if (axis == axes.end()) refuse(text, fmt::format("there is no {{{}}} here", field), axes);
       part.axis = static_cast<std::size_t>(axis - axes.begin());
-      for (const double value : axis->values) part.digits = std::max(part.digits, digits_of(value));
+      for (const double value : axis->values) {
+        part.digits = std::max(part.digits, digits_of(value));
+        part.decimals = std::max(part.decimals, decimals_of(value));
+      }
     }
     parts_.push_back(part);
     at = close + 1;
@@ -86,14 +101,18 @@ std::string NameTemplate::name(std::size_t number, const std::vector<double>& va
     name += part.text;
     if (!part.is_field) continue;
     if (part.axis == kIndex) {
-      name += padded(static_cast<double>(number), part.digits);
+      name += padded(static_cast<double>(number), part.digits, 0);
       continue;
     }
     const double value = values[part.axis];
     const bool by_name = axes_[part.axis].parameter == Parameter::view &&
                          !views_[static_cast<std::size_t>(value)].name.empty();
-    name += by_name ? views_[static_cast<std::size_t>(value)].name : padded(value, part.digits);
+    name += by_name ? views_[static_cast<std::size_t>(value)].name
+                    : padded(value, part.digits, part.decimals);
   }
+  if (name.front() == '.')
+    throw UsageError(fmt::format("'{}' begins with a point, which hides files", name),
+                     "give a --name that begins with something else");
   if (name.size() > kLongestName)
     throw UsageError(fmt::format("'{}…' is too long for a name", name.substr(0, 40)),
                      "give a shorter --name");

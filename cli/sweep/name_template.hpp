@@ -12,16 +12,16 @@
 namespace orograph {
 
 /// "az{azimuth}-{index}": text, and in braces `index` (a view's number, from 0) or the label of a
-/// parameter that varies. Numbers get leading zeros, so that names sort as they do. An empty
-/// template is made of all that varies: "azimuth-045_elevation-05".
+/// parameter that varies. Numbers get zeros on both sides, so that names sort as they do (but for
+/// those below zero). An empty template is made of all that varies: "azimuth-045_elevation-05".
 class NameTemplate {
 public:
-  /// Throws UsageError where the template names something else, holds a slash, or is too long for a
-  /// file's name.
+  /// Throws UsageError where the template names something else, holds a slash or a control
+  /// character.
   NameTemplate(const std::string& name_template, const std::vector<Axis>& axes,
                const std::vector<NamedView>& views, std::size_t view_count);
 
-  /// `values` by axis.
+  /// `values` by axis. Throws UsageError where the name would be hidden, or too long for a file.
   std::string name(std::size_t number, const std::vector<double>& values) const;
 
 private:
@@ -29,8 +29,9 @@ private:
   struct Part {
     std::string text; ///< before the field
     bool is_field;
-    std::size_t axis;   ///< or kIndex
-    std::size_t digits; ///< before the point, at least
+    std::size_t axis;     ///< or kIndex
+    std::size_t digits;   ///< before the point, at least
+    std::size_t decimals; ///< after it
   };
   std::vector<Part> parts_;
   const std::vector<Axis>& axes_;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -14,8 +15,10 @@ namespace {
 
 constexpr double kMostValues = 1e7;
 
-double twelve_digits(double number) {
-  return std::strtod(number_text(number).c_str(), nullptr);
+// The nearest number of so many decimals: what a sum of steps of 0.1 should be, also where it comes
+// close to 0.
+double with_decimals(double number, int decimals) {
+  return std::strtod(fmt::format("{:.{}f}", number, decimals).c_str(), nullptr) + 0.0; // never -0
 }
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text,
@@ -43,7 +46,10 @@ void append_range(const std::string& option, const std::string& range,
   constexpr double kRounding = 1e-9; // of a step: 0:1:0.1 reaches 1
   const double count = std::floor(steps + kRounding) + 1;
   if (!(count <= kMostValues)) refuse(option, range, fmt::format("{:.3g} values", count));
-  for (double i = 0; i < count; ++i) values.push_back(twelve_digits(from + i * step));
+  // Twelve digits of the largest.
+  const double largest = std::max({std::abs(from), std::abs(to), std::abs(step)});
+  const int decimals = std::max(11 - static_cast<int>(std::floor(std::log10(largest))), 0);
+  for (double i = 0; i < count; ++i) values.push_back(with_decimals(from + i * step, decimals));
 }
 
 } // namespace

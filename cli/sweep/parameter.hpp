@@ -43,8 +43,9 @@ struct Axis {
 void set_parameter(RenderSettings& settings, Parameter parameter, double value);
 
 /// The numbers of "0:360:5", from the first up (or down) to the last in steps, or "1,2,5", or of
-/// both: "0:10:2,15". A range ends at the last number that doesn't pass its end. Each has twelve
-/// digits, so that steps of 0.1 stay numbers of one decimal. Throws UsageError, which names the
+/// both: "0:10:2,15". A range ends at the last number that doesn't pass its end. Its
+/// numbers are rounded to twelve digits of the largest, so that steps of 0.1 stay numbers of one
+/// decimal. Throws UsageError, which names the
 /// option, where there is no number, a step is zero or leads away from the end, or there would be
 /// more than ten million.
 std::vector<double> parse_number_list(const std::string& option, const std::string& text);

@@ -2,6 +2,7 @@
 #include "cli/sweep/plan.hpp"
 
 #include "cli/sweep/fingerprint.hpp"
+#include "cli/sweep/whole_file.hpp"
 #include "cli/version.hpp"
 #include "draw/write_drawing.hpp"
 #include "geometry/error.hpp"
@@ -10,9 +11,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace orograph {
 namespace {
@@ -72,6 +72,22 @@ Plan plan_of(const Json& json, std::string text) {
   return plan;
 }
 
+// With what `check_same` looks at as well.
+bool is_whole(const Json& json) {
+  for (const Json& values : json.at("options"))
+    for (const Json& value : values)
+      if (!values.is_array() || !value.is_string()) return false;
+  return json.at("options").is_object() && json.at("program").at("version").is_string();
+}
+
+// Names are removed with `--overwrite`: a plan from elsewhere mustn't reach beyond its folder.
+bool names_files(const Plan& plan) {
+  return plan.extension.find('/') == std::string::npos &&
+         std::all_of(plan.views.begin(), plan.views.end(), [](const PlannedView& view) {
+           return !view.name.empty() && view.name.find('/') == std::string::npos;
+         });
+}
+
 // "--elevation 10", "no --elevation".
 std::string in_words(const std::string& option, const Json& options) {
   if (!options.contains(option)) return "no " + option;
@@ -113,14 +129,15 @@ std::string plan_path(const std::string& out_dir) {
 
 std::optional<Plan> read_plan(const std::string& out_dir) {
   const std::string path = plan_path(out_dir);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto text = whole_file(path);
+  if (!text) return std::nullopt;
   try {
-    return plan_of(Json::parse(text), text);
-  } catch (const nlohmann::json::exception&) {
-    throw Error(path + " is no plan of a sweep", "give another folder, or remove the file");
+    const Json json = Json::parse(*text);
+    Plan plan = plan_of(json, *text);
+    if (is_whole(json) && names_files(plan)) return plan;
+  } catch (const nlohmann::json::exception&) { // told below
   }
+  throw Error(path + " is no plan of a sweep", "give another folder, or remove the file");
 }
 
 void check_same(const Plan& old_plan, const Plan& plan, const std::string& out_dir) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/record.hpp"
 
+#include "cli/sweep/whole_file.hpp"
 #include "cli/write_text.hpp"
 #include "geometry/error.hpp"
 
@@ -8,8 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace orograph {
 namespace {
@@ -89,18 +88,17 @@ void write_record(const std::string& out_dir, const Plan& plan, std::size_t view
 
 std::optional<Record> read_record(const std::string& out_dir, const Plan& plan, std::size_t view) {
   const std::string path = record_path(out_dir, plan, view);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  const Json json = Json::parse(std::string{std::istreambuf_iterator<char>(file), {}}, nullptr,
-                                /*allow_exceptions=*/false);
+  const auto text = whole_file(path);
+  if (!text) return std::nullopt;
+  const Json json = Json::parse(*text, nullptr, /*allow_exceptions=*/false);
   const bool has_both = json.is_object() && json.contains("row") && json.contains("preview");
   const auto row = has_both ? row_of(json["row"], plan.columns) : std::nullopt;
   constexpr std::size_t kView = 0, kName = 1, kError = 3; // columns
+  const bool failed = row && std::holds_alternative<std::string>((*row)[kError]);
   if (!row || (*row)[kView] != Cell(static_cast<std::int64_t>(view)) ||
-      (*row)[kName] != Cell(plan.views[view].name))
+      (*row)[kName] != Cell(plan.views[view].name) || (!failed && (*row)[kError] != Cell()))
     throw Error(path + " is no row of this sweep", "its view has to be drawn again (--resume)");
-  return Record{*row, dump(json["preview"]),
-                !std::holds_alternative<std::monostate>((*row)[kError])};
+  return Record{*row, dump(json["preview"]), failed};
 }
 
 std::string csv_line(const std::vector<Cell>& row) {

@@ -79,7 +79,7 @@ SweepState state_of(const std::string& out_dir, const Plan& plan) {
       const auto record = read_record(out_dir, plan, view);
       if (record && record->failed)
         state.failed.push_back(view);
-      else if (!record || !fs::exists(fs::path(out_dir) / plan.file(view), ignored))
+      else if (!record || !fs::is_regular_file(fs::path(out_dir) / plan.file(view), ignored))
         state.missing.push_back(view);
     } catch (const Error&) {
       state.missing.push_back(view);

@@ -25,7 +25,7 @@ struct Slot {
   std::atomic<SlotState> state = SlotState::free;
   std::array<char, kLongestPath> path{};
 };
-std::array<Slot, 64> slots;
+std::array<Slot, 256> slots;
 
 sigset_t interrupting_signals() {
   sigset_t set;

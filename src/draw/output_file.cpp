@@ -61,7 +61,7 @@ std::string create_temporary(const std::string& path) {
     if (note_for_removal(temporary)) return temporary;
     ::unlink(temporary.c_str());
     throw Error(path + " is one output too many at a time, or its path is too long",
-                "up to 64 at a time, with paths under 4096 bytes");
+                "up to 256 at a time, with paths under 4096 bytes");
   }
 }
 
