@@ -2,7 +2,6 @@
 #include "cli/sweep/check_done.hpp"
 
 #include "cli/sweep/record.hpp"
-#include "cli/sweep/tables.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
@@ -25,8 +24,8 @@ std::string reason(const std::string& out_dir, const Plan& plan, std::size_t vie
 
 } // namespace
 
-void check_done(const std::string& out_dir, const Plan& plan, const Shard& shard, bool quiet) {
-  const SweepState state = state_of(out_dir, plan);
+void check_done(const SweepState& state, const std::string& out_dir, const Plan& plan,
+                const Shard& shard, bool quiet) {
   const auto failed = of_shard(state.failed, shard), missing = of_shard(state.missing, shard);
   std::size_t all = 0;
   for (std::size_t view = 0; view < plan.views.size(); ++view) all += in_shard(view, shard);

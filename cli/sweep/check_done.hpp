@@ -4,6 +4,7 @@
 
 #include "cli/sweep/plan.hpp"
 #include "cli/sweep/sweep_settings.hpp"
+#include "cli/sweep/tables.hpp"
 
 #include <string>
 
@@ -11,7 +12,8 @@ namespace orograph {
 
 /// Tells on stderr, unless quiet, how many views there are and where to look. Throws Error where
 /// views of the shard have failed or are missing.
-void check_done(const std::string& out_dir, const Plan& plan, const Shard& shard, bool quiet);
+void check_done(const SweepState& state, const std::string& out_dir, const Plan& plan,
+                const Shard& shard, bool quiet);
 
 /// Whether a view is the shard's to draw.
 inline bool in_shard(std::size_t view, const Shard& shard) {

@@ -69,8 +69,7 @@ void merge(const MergeSettings& settings) {
   }
   // Where nothing is missing, nobody draws any more.
   if (state_of(settings.out_dir, plan).missing.empty()) remove_leftovers(settings.out_dir);
-  write_tables(settings.out_dir, plan);
-  check_done(settings.out_dir, plan, {}, settings.quiet);
+  check_done(write_tables(settings.out_dir, plan), settings.out_dir, plan, {}, settings.quiet);
 }
 
 } // namespace orograph

@@ -13,9 +13,9 @@ namespace orograph {
 namespace {
 
 constexpr double kStep_mm = 0.1;
-constexpr std::size_t kMostBytes = 32000;
+constexpr std::size_t kMostBytes = 24000;
 constexpr double kFewestProfiles = 24;
-constexpr double kMostProfiles = 80; // some 1.5 mm apart on A4, where screens have 3 pixels
+constexpr double kMostProfiles = 64; // some 1.5 mm apart on A4, where screens have 3 pixels
 
 struct Coarseness {
   double tolerance_mm = 0.12;

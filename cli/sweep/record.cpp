@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <string_view>
 
 namespace orograph {
 namespace {
@@ -66,6 +67,24 @@ std::optional<std::vector<Cell>> row_of(const Json& json, const std::vector<Colu
   return row;
 }
 
+// One object, in two lines: what is read by itself needs no search.
+constexpr auto kBeforeRow = "{\"row\":", kBetween = ",\n\"preview\":", kAfterPreview = "}\n";
+
+struct RecordParts {
+  std::string_view row, preview;
+};
+std::optional<RecordParts> parts_of(std::string_view text) {
+  const std::size_t between = text.find(kBetween);
+  if (between == std::string_view::npos || !text.starts_with(kBeforeRow) ||
+      !text.ends_with(kAfterPreview))
+    return std::nullopt;
+  RecordParts parts{text.substr(0, between), text.substr(between)};
+  parts.row.remove_prefix(std::string_view(kBeforeRow).size());
+  parts.preview.remove_prefix(std::string_view(kBetween).size());
+  parts.preview.remove_suffix(std::string_view(kAfterPreview).size());
+  return parts;
+}
+
 std::string quoted_csv(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
@@ -81,24 +100,26 @@ std::string record_path(const std::string& out_dir, const Plan& plan, std::size_
 
 void write_record(const std::string& out_dir, const Plan& plan, std::size_t view,
                   const std::vector<Cell>& row, const std::optional<Preview>& preview) {
-  const Json json{{"row", row_json(plan.columns, row)},
-                  {"preview", preview ? json_of(*preview) : Json()}};
-  write_text(dump(json) + "\n", record_path(out_dir, plan, view), true);
+  write_text(kBeforeRow + dump(row_json(plan.columns, row)) + kBetween +
+                 (preview ? dump(json_of(*preview)) : "null") + kAfterPreview,
+             record_path(out_dir, plan, view), true);
 }
 
 std::optional<Record> read_record(const std::string& out_dir, const Plan& plan, std::size_t view) {
   const std::string path = record_path(out_dir, plan, view);
   const auto text = whole_file(path);
   if (!text) return std::nullopt;
-  const Json json = Json::parse(*text, nullptr, /*allow_exceptions=*/false);
-  const bool has_both = json.is_object() && json.contains("row") && json.contains("preview");
-  const auto row = has_both ? row_of(json["row"], plan.columns) : std::nullopt;
+  const auto parts = parts_of(*text);
+  const auto row =
+      parts ? row_of(Json::parse(parts->row, nullptr, /*allow_exceptions=*/false), plan.columns)
+            : std::nullopt;
   constexpr std::size_t kView = 0, kName = 1, kError = 3; // columns
   const bool failed = row && std::holds_alternative<std::string>((*row)[kError]);
   if (!row || (*row)[kView] != Cell(static_cast<std::int64_t>(view)) ||
-      (*row)[kName] != Cell(plan.views[view].name) || (!failed && (*row)[kError] != Cell()))
+      (*row)[kName] != Cell(plan.views[view].name) || (!failed && (*row)[kError] != Cell()) ||
+      !Json::accept(parts->preview))
     throw Error(path + " is no row of this sweep", "its view has to be drawn again (--resume)");
-  return Record{*row, dump(json["preview"]), failed};
+  return Record{*row, std::string(parts->preview), failed};
 }
 
 std::string csv_line(const std::vector<Cell>& row) {

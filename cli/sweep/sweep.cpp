@@ -64,8 +64,9 @@ void sweep(const SweepSettings& settings) {
   bar.finish();
   ranks.together([&] {
     if (!first) return true;
-    if (settings.shard.count == 1) write_tables(settings.out_dir, run.plan);
-    check_done(settings.out_dir, run.plan, settings.shard, settings.render.quiet);
+    const SweepState state = settings.shard.count == 1 ? write_tables(settings.out_dir, run.plan)
+                                                       : state_of(settings.out_dir, run.plan);
+    check_done(state, settings.out_dir, run.plan, settings.shard, settings.render.quiet);
     return true;
   });
 }

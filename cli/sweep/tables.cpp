@@ -69,18 +69,19 @@ std::string previews_json(const std::vector<Record>& records) {
   return text + "]";
 }
 
-} // namespace
-
-SweepState state_of(const std::string& out_dir, const Plan& plan) {
+// `take` gets each record that there is.
+template <class Take>
+SweepState read_records(const std::string& out_dir, const Plan& plan, const Take& take) {
   SweepState state;
   std::error_code ignored;
   for (std::size_t view = 0; view < plan.views.size(); ++view) {
     try {
-      const auto record = read_record(out_dir, plan, view);
+      auto record = read_record(out_dir, plan, view);
       if (record && record->failed)
         state.failed.push_back(view);
       else if (!record || !fs::is_regular_file(fs::path(out_dir) / plan.file(view), ignored))
         state.missing.push_back(view);
+      if (record) take(std::move(*record));
     } catch (const Error&) {
       state.missing.push_back(view);
       state.corrupt.push_back(record_path(out_dir, plan, view));
@@ -89,19 +90,21 @@ SweepState state_of(const std::string& out_dir, const Plan& plan) {
   return state;
 }
 
-void write_tables(const std::string& out_dir, const Plan& plan) {
+} // namespace
+
+SweepState state_of(const std::string& out_dir, const Plan& plan) {
+  return read_records(out_dir, plan, [](Record&&) {});
+}
+
+SweepState write_tables(const std::string& out_dir, const Plan& plan) {
   std::vector<Record> records;
-  for (std::size_t view = 0; view < plan.views.size(); ++view) {
-    try {
-      if (auto record = read_record(out_dir, plan, view)) records.push_back(std::move(*record));
-    } catch (const Error&) {
-      continue; // spoken of by state_of
-    }
-  }
+  SweepState state =
+      read_records(out_dir, plan, [&](Record&& record) { records.push_back(std::move(record)); });
   const std::string table = table_json(plan, records);
   write_text(table_csv(plan, records), in_folder(out_dir, "sweep.csv"), true);
   write_text(table, in_folder(out_dir, "sweep.json"), true);
   write_text(sweep_page(table, previews_json(records)), in_folder(out_dir, "index.html"), true);
+  return state;
 }
 
 } // namespace orograph

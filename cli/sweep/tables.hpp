@@ -20,7 +20,7 @@ struct SweepState {
 SweepState state_of(const std::string& out_dir, const Plan& plan);
 
 /// Writes sweep.csv, sweep.json and index.html, of all rows that there are; what can't be read is
-/// left out. Throws Error where they can't be written.
-void write_tables(const std::string& out_dir, const Plan& plan);
+/// left out. Tells what it found. Throws Error where they can't be written.
+SweepState write_tables(const std::string& out_dir, const Plan& plan);
 
 } // namespace orograph
