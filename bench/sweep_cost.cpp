@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a sweep costs beside its views: seconds of the processor for all of it, over those of its
-// views drawn one by one as `render` draws them, one read of the terrain and one start; and on the
-// clock with two threads over one. In turn, several rounds, each printed; ratios are to be read
-// within a round.
+// views drawn one by one as `render` does, with a report, since a row tells of the same, and one
+// read of the terrain; and on the clock with two threads over one. In turn, several rounds, each
+// printed; ratios are to be read within a round.
 //
 //   sweep_cost DEM [STEP_DEG [ROUNDS]]     a turn in steps of 5 degrees, 5 rounds unless told
 //                                          otherwise; writes beneath the folder for temporary files

@@ -84,9 +84,11 @@ Vec2 lonlat_on_map(const Named& at, const Terrain& terrain) {
   // PROJ finds some place in a transverse Mercator's CRS for the earth's other side as well.
   constexpr double kFar_m = 2e6; // from which the eye would have to stand 300 km high
   if (bounds && !map.earth) {
-    const Vec2 centre = bounds->centre();
-    const double away_m =
-        distance_and_azimuth({centre.x, centre.y, 0}, {at.place.x, at.place.y, 0}).distance_m;
+    const double middle = bounds->centre().x;
+    const double lon = middle + std::remainder(at.place.x - middle, 360);
+    const GeoPoint nearest{std::clamp(lon, bounds->low.x, bounds->high.x),
+                           std::clamp(at.place.y, bounds->low.y, bounds->high.y)};
+    const double away_m = distance_and_azimuth(nearest, {lon, at.place.y, 0}).distance_m;
     if (!(away_m <= kFar_m))
       throw Error(fmt::format("{} is {:.0f} km away from the terrain", at.text(), away_m / 1000),
                   where_terrain_is(at, map, map_bounds(terrain)));

@@ -21,11 +21,11 @@ std::vector<Conflict> terrain_conflicts() {
 void add_terrain_options(std::vector<Option>& options, std::vector<std::string>& inputs,
                          ReadOptions& reading) {
   options.push_back({.name = "INPUT",
-                     .help = "the terrain, in a projected CRS or none: any raster of heights that "
-                             "GDAL opens (/vsizip/ and other /vsi paths too); triangles in OFF, "
+                     .help = "the terrain: any raster of heights that GDAL opens (/vsizip/ and "
+                             "other /vsi paths too), in any CRS or none; triangles in OFF, "
                              "PLY, OBJ, STL, LandXML or a vector file; points in text with named "
-                             "columns or a vector file. Several rasters whose cells are on one "
-                             "lattice are joined",
+                             "columns or a vector file, in a projected CRS or none. Several "
+                             "rasters whose cells are on one lattice are joined",
                      .repeatable = true,
                      .take = [&inputs](const std::string& text) {
                        inputs.push_back(text);

@@ -13,13 +13,13 @@ namespace orograph {
 namespace {
 
 constexpr double kStep_mm = 0.1;
-constexpr std::size_t kMostBytes = 24000;
-constexpr double kFewestProfiles = 24;
+constexpr std::size_t kMostBytes = 30000;
+constexpr double kFewestProfiles = 40;
 constexpr double kMostProfiles = 64; // some 1.5 mm apart on A4, where screens have 3 pixels
 
 struct Coarseness {
   double tolerance_mm = 0.12;
-  double shortest_mm = 0.3;
+  double shortest_mm = 0.6;
   double profiles = kMostProfiles;
 };
 
@@ -53,7 +53,10 @@ std::unordered_map<std::int32_t, std::size_t> ranks_of_profiles(const Drawing& d
 }
 
 bool is_shorter(std::span<const Vec2> points, double mm) {
-  for (std::size_t i = 1; i < points.size() && mm > 0; ++i) mm -= length(points[i] - points[i - 1]);
+  for (std::size_t i = 1; i < points.size() && mm > 0; ++i) {
+    const Vec2 d = points[i] - points[i - 1];
+    mm -= std::sqrt(d.x * d.x + d.y * d.y);
+  }
   return mm > 0;
 }
 
@@ -116,7 +119,7 @@ Preview preview_of(const Drawing& drawing) {
   std::size_t points = 0;
   for (const Layer& layer : drawing.layers) points += layer.page_mm.size();
   // About as many bytes for each point as are left after simplification.
-  const double guess = 2.5 * static_cast<double>(points) *
+  const double guess = 1.6 * static_cast<double>(points) *
                        std::min(coarseness.profiles / static_cast<double>(ranks.size() + 1), 1.0) /
                        kMostBytes;
   coarseness.profiles /= std::clamp(guess, 1.0, kMostProfiles / kFewestProfiles);

@@ -22,7 +22,7 @@ struct Preview {
   std::vector<PreviewLayer> layers;
 };
 
-/// Some 24 kB at most, however large the drawing: every so many profiles, all other lines, with the
+/// Some 30 kB at most, however large the drawing: every so many profiles, all other lines, with the
 /// points that a screen shows.
 Preview preview_of(const Drawing& drawing);
 

@@ -16,12 +16,17 @@ namespace {
 
 struct Tables {
   RenderSettings render_settings;
+  SweepSettings sweep_settings;
+  MergeSettings merge_settings;
   AccuracySettings accuracy_settings;
   InfoSettings info_settings;
   TinSettings tin_settings;
   FragmentationSettings fragmentation_settings;
   std::vector<Command> commands{render_command(render_settings),
-                                accuracy_command(accuracy_settings), info_command(info_settings),
+                                sweep_command(sweep_settings),
+                                merge_command(merge_settings),
+                                accuracy_command(accuracy_settings),
+                                info_command(info_settings),
                                 tin_command(tin_settings),
                                 fragmentation_command(fragmentation_settings)};
 };
@@ -43,6 +48,8 @@ std::vector<std::string> commands_in(const std::filesystem::path& page) {
       continue;
     }
     if (joined.find("orograph render") != std::string::npos ||
+        joined.find("orograph sweep") != std::string::npos ||
+        joined.find("orograph merge") != std::string::npos ||
         joined.find("orograph accuracy") != std::string::npos ||
         joined.find("orograph fragmentation") != std::string::npos ||
         joined.find("orograph info") != std::string::npos ||

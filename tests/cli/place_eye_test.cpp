@@ -175,6 +175,18 @@ TEST_CASE("longitude and latitude need a CRS on the earth, and the right order")
   check_refused(terrain, swapped, {"longitude comes first"});
 }
 
+TEST_CASE("an eye in a corner of a wide terrain is in it, however far from its middle") {
+  Terrain terrain = plane_in("EPSG:6933", {0, 0}); // 6000 km wide, from the equator down
+  std::get<Grid>(terrain.surface).plane() = {{0, 0}, {300e3, 0}, {0, -150e3}};
+  RenderSettings settings;
+  settings.eye_lonlat = GivenPlace(60, -23); // 3900 km from its middle
+  const Vec3 eye = *placed(terrain, settings).eye_m;
+  CHECK(eye.x == Approx(5789e3).epsilon(1e-3));
+  CHECK(eye.y == Approx(-2858e3).epsilon(1e-3));
+  settings.eye_lonlat = GivenPlace(100, -23); // 3900 km east of it
+  check_refused(terrain, settings, {"km away from the terrain", "longitudes 0.0"});
+}
+
 TEST_CASE("from an eye that is given, in whatever way, heights are true") {
   RenderSettings s;
   const Box3 low_hills{{0, 0, 0}, {1000, 1000, 10}};

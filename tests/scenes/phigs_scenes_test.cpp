@@ -105,7 +105,7 @@ TEST_CASE("the ray walk agrees with any PHIGS view, cut by its planes or not") {
     scene.settings.exaggeration.reset();
     CAPTURE(seed, scene.what);
     try {
-      if (auto cut = cut_by_view(scene.terrain, scene.settings)) scene.terrain = std::move(*cut);
+      if (auto kept = cut_by_view(scene.terrain, scene.settings)) scene.terrain = std::move(*kept);
       if (const Tin* tin = std::get_if<Tin>(&scene.terrain.surface)) {
         const auto fault = verify(*tin);
         INFO((fault ? fault->what : ""));
