@@ -21,6 +21,7 @@ struct Coarseness {
   double tolerance_mm = 0.12;
   double shortest_mm = 0.3;
   double profiles = kMostProfiles;
+  double one_in = 1; // of all lines
 };
 
 // Numbers with no more between them than there must be.
@@ -83,9 +84,12 @@ Preview draw(const Drawing& drawing, const Coarseness& coarseness,
       std::max(std::ceil(static_cast<double>(ranks.size()) / coarseness.profiles), 1.0));
   for (const Layer& layer : drawing.layers) {
     PathWriter writer(coarseness);
-    for (const Stroke& stroke : layer.strokes)
+    const auto one_in = static_cast<std::size_t>(std::ceil(coarseness.one_in));
+    for (std::size_t i = 0; i < layer.strokes.size(); i += one_in) {
+      const Stroke& stroke = layer.strokes[i];
       if (stroke.profile < 0 || ranks.at(stroke.profile) % every == 0)
         writer.add(layer.points(stroke));
+    }
     std::string path = writer.take();
     if (!path.empty())
       preview.layers.push_back({layer.name, layer.pen_width_mm, layer.grey, std::move(path)});
@@ -107,10 +111,13 @@ Preview preview_of(const Drawing& drawing) {
   for (;;) {
     Preview preview = draw(drawing, coarseness, ranks);
     if (bytes_of(preview) <= kMostBytes) return preview;
-    // Fewer profiles first, down to what still tells a form; then less of each.
-    coarseness.profiles = std::max(coarseness.profiles / 1.25, 24.0);
+    // Fewer profiles first, down to what still tells a form; then less of each. Of lines that are
+    // all short or wild it is some that tell more than none.
+    constexpr double kFewestProfiles = 24, kLongest_mm = 2;
+    if (coarseness.shortest_mm >= kLongest_mm) coarseness.one_in *= 1.25;
+    coarseness.profiles = std::max(coarseness.profiles / 1.25, kFewestProfiles);
     coarseness.tolerance_mm *= 1.25;
-    coarseness.shortest_mm *= 1.5;
+    coarseness.shortest_mm = std::min(coarseness.shortest_mm * 1.5, kLongest_mm);
   }
 }
 

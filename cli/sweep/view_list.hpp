@@ -16,7 +16,7 @@ namespace orograph {
 class ViewList {
 public:
   /// Reads the eye path, if there is one. Throws Error as `read_eye_path` does, where axes that go
-  /// together differ in length, where a name's template can't serve, and where two views would have
+  /// together differ in length (a single value goes with all), where a name's template can't serve, and where two views would have
   /// the same name.
   ViewList(const SweepSettings& settings, const MapFrame& map);
 
