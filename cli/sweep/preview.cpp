@@ -22,6 +22,7 @@ struct Coarseness {
   double shortest_mm = 0.3;
   double profiles = kMostProfiles;
   double one_in = 1; // of all lines
+  double least_step_mm = 0;
 };
 
 // Numbers with no more between them than there must be.
@@ -57,7 +58,11 @@ public:
       length_mm += length(points[kept_[i]] - points[kept_[i - 1]]);
     if (length_mm < coarseness_.shortest_mm) return;
     bool begun = false, drawn = false;
+    Vec2 last;
     for (const std::uint32_t i : kept_) {
+      if (begun && i != kept_.back() && length(points[i] - last) < coarseness_.least_step_mm)
+        continue;
+      last = points[i];
       const int x = static_cast<int>(std::lround(points[i].x / kStep_mm)),
                 y = static_cast<int>(std::lround(points[i].y / kStep_mm));
       if (begun && x == x_ && y == y_) continue;
@@ -114,7 +119,10 @@ Preview preview_of(const Drawing& drawing) {
     // Fewer profiles first, down to what still tells a form; then less of each. Of lines that are
     // all short or wild it is some that tell more than none.
     constexpr double kFewestProfiles = 24, kLongest_mm = 2;
-    if (coarseness.shortest_mm >= kLongest_mm) coarseness.one_in *= 1.25;
+    if (coarseness.shortest_mm >= kLongest_mm) {
+      coarseness.one_in *= 1.25;
+      coarseness.least_step_mm = coarseness.tolerance_mm;
+    }
     coarseness.profiles = std::max(coarseness.profiles / 1.25, kFewestProfiles);
     coarseness.tolerance_mm *= 1.25;
     coarseness.shortest_mm = std::min(coarseness.shortest_mm * 1.5, kLongest_mm);

@@ -130,8 +130,7 @@ TEST_CASE("lists of views that can't be drawn are told of by file and line") {
   refused("name = 'a'\n[[view]]\n" + view, ", line 1: 'name' is no list of views");
   refused("[[views]]\n" + view, ", line 1: 'views' is no list of views");
   refused("[[view]]\n" + view + "[[view]]\n", ": projection is missing");
-  refused("[[view]]\n" + view + "\n[[view]]\nnam = 'a'\n" + view,
-          ", line 9: unknown key 'nam'");
+  refused("[[view]]\n" + view + "\n[[view]]\nnam = 'a'\n" + view, ", line 9: unknown key 'nam'");
   refused("[[view]]\n" + view + "fron = 3\n", ", line 7: unknown key 'fron': did you mean front?");
   refused("[[view]]\nname = 5\n" + view, ", line 2: this can't be a view's name");
   refused("[[view]]\nname = ''\n" + view, ", line 2: this can't be a view's name");

@@ -93,16 +93,16 @@ TEST_CASE("eyes along a path") {
                            Words{"--eye", place, "--look-azimuth", azimuth});
   // A CSV has no CRS; what could be degrees in GeoJSON is taken for degrees.
   folder.write("inside.csv", "id,WKT\n1,\"LINESTRING(120 20,120 60,120 100)\"\n");
-  check_same(folder, {"hill.asc"}, "svg", kSmall + words("--fov 80 --eye-height 30 --pitch -25"),
+  check_same(folder, {"hill.asc"}, "svg", kSmall + words("--fov 80 --eye-height 30 --pitch -60"),
              words("--eye-path inside.csv --look-azimuth 0,90,350"), renders);
   check_same(folder, {"hill.asc"}, "gpkg", kSmall,
-             words("--eye-path inside.csv --eye-step 40 --fov 60,240 --pitch=-5"),
-             {{"eye-0_fov-060", words("--eye 120,20 --look-azimuth 0 --fov 60 --pitch -5")},
-              {"eye-0_fov-240", words("--eye 120,20 --look-azimuth 0 --fov 240 --pitch -5")},
-              {"eye-1_fov-060", words("--eye 120,60 --look-azimuth 0 --fov 60 --pitch -5")},
-              {"eye-1_fov-240", words("--eye 120,60 --look-azimuth 0 --fov 240 --pitch -5")},
-              {"eye-2_fov-060", words("--eye 120,100 --look-azimuth 0 --fov 60 --pitch -5")},
-              {"eye-2_fov-240", words("--eye 120,100 --look-azimuth 0 --fov 240 --pitch -5")}});
+             words("--eye-path inside.csv --eye-step 40 --fov 60,140 --pitch=-55"),
+             {{"eye-0_fov-060", words("--eye 120,20 --look-azimuth 0 --fov 60 --pitch -55")},
+              {"eye-0_fov-140", words("--eye 120,20 --look-azimuth 0 --fov 140 --pitch -55")},
+              {"eye-1_fov-060", words("--eye 120,60 --look-azimuth 0 --fov 60 --pitch -55")},
+              {"eye-1_fov-140", words("--eye 120,60 --look-azimuth 0 --fov 140 --pitch -55")},
+              {"eye-2_fov-060", words("--eye 120,100 --look-azimuth 0 --fov 60 --pitch -55")},
+              {"eye-2_fov-140", words("--eye 120,100 --look-azimuth 0 --fov 140 --pitch -55")}});
   check_same(folder, {"hill.asc"}, "geojson", kSmall + words("--look-at 120,120"),
              words("--eye-path high.geojson"),
              {{"eye-0", words("--eye 400,100,350")}, {"eye-1", words("--eye 410,100,400")}});
