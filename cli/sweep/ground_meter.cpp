@@ -27,13 +27,16 @@ double GroundMeter::width_m(const Sector& sector, double depth_m) const {
   const auto at =
       std::lower_bound(profiles.begin(), profiles.end(), depth_m,
                        [](const PlannedProfile& p, double depth) { return p.depth_m < depth; });
-  const double from =
-      at == profiles.begin()
-          ? std::max(sector.nearest_m,
-                     sector.view.is_perspective() ? sector.view.near_m : sector.nearest_m)
-          : ((at - 1)->depth_m + depth_m) / 2;
-  const double to =
-      at + 1 == profiles.end() ? sector.farthest_m : (depth_m + (at + 1)->depth_m) / 2;
+  const bool first = at == profiles.begin(), last = at + 1 == profiles.end();
+  const double nearest_m = sector.view.is_perspective()
+                               ? std::max(sector.nearest_m, sector.view.near_m)
+                               : sector.nearest_m;
+  if (first && last) return std::max(sector.farthest_m - nearest_m, 0.0);
+  // The ground at the eye's feet isn't the first profile's: it may be far from it, and unseen.
+  const double behind_m = (last ? depth_m - (at - 1)->depth_m : (at + 1)->depth_m - depth_m) / 2;
+  const double before_m = first ? behind_m : (depth_m - (at - 1)->depth_m) / 2;
+  const double from = std::max(depth_m - before_m, nearest_m),
+               to = std::min(depth_m + behind_m, sector.farthest_m);
   return std::max(to - from, 0.0);
 }
 

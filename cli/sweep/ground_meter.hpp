@@ -23,7 +23,8 @@ public:
   /// Length on the page of what is visible of the profiles, before any of it is simplified.
   double visible_mm() const { return visible_mm_; }
   /// Of the ground that the profiles cut, as seen from above, the share that the picture shows:
-  /// each profile stands for the ground half way to its neighbours. None where they cut no ground.
+  /// each profile stands for the ground half way to its neighbours, the first and the last for as
+  /// much on the other side. None where they cut no ground.
   std::optional<double> visible_share() const;
 
 private:

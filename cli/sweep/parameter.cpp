@@ -45,7 +45,8 @@ void append_range(const std::string& option, const std::string& range,
            fmt::format("steps of {} lead away from {}", number_text(step), number_text(to)));
   constexpr double kRounding = 1e-9; // of a step: 0:1:0.1 reaches 1
   const double count = std::floor(steps + kRounding) + 1;
-  if (!(count <= kMostValues)) refuse(option, range, fmt::format("{:.3g} values", count));
+  if (!(static_cast<double>(values.size()) + count <= kMostValues))
+    refuse(option, range, fmt::format("{:.8g} values are too many", count));
   // Twelve digits of the largest.
   const double largest = std::max({std::abs(from), std::abs(to), std::abs(step)});
   const int decimals = std::max(11 - static_cast<int>(std::floor(std::log10(largest))), 0);
@@ -118,8 +119,6 @@ std::vector<double> parse_number_list(const std::string& option, const std::stri
              part.empty() ? "a value is empty" : fmt::format("'{}' is no number", part));
     values.push_back(*number);
   }
-  if (static_cast<double>(values.size()) > kMostValues)
-    refuse(option, text, fmt::format("{} values", values.size()));
   return values;
 }
 

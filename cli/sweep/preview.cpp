@@ -21,6 +21,8 @@ struct Coarseness {
   double tolerance_mm = 0.12;
   double shortest_mm = 0.6;
   double profiles = kMostProfiles;
+  double one_in = 1; // of all lines
+  double least_step_mm = 0;
 };
 
 void append(std::string& path, int number) {
@@ -68,7 +70,11 @@ public:
     if (is_shorter(points, coarseness_.shortest_mm)) return;
     simplify(points, coarseness_.tolerance_mm, kept_);
     bool begun = false, drawn = false;
+    Vec2 last;
     for (const std::uint32_t i : kept_) {
+      if (begun && i != kept_.back() && length(points[i] - last) < coarseness_.least_step_mm)
+        continue;
+      last = points[i];
       const int x = static_cast<int>(std::lround(points[i].x / kStep_mm)),
                 y = static_cast<int>(std::lround(points[i].y / kStep_mm));
       if (begun && x == x_ && y == y_) continue;
@@ -95,9 +101,12 @@ Preview draw(const Drawing& drawing, const Coarseness& coarseness,
       std::max(std::ceil(static_cast<double>(ranks.size()) / coarseness.profiles), 1.0));
   for (const Layer& layer : drawing.layers) {
     PathWriter writer(coarseness);
-    for (const Stroke& stroke : layer.strokes)
+    const auto one_in = static_cast<std::size_t>(std::ceil(coarseness.one_in));
+    for (std::size_t i = 0; i < layer.strokes.size(); i += one_in) {
+      const Stroke& stroke = layer.strokes[i];
       if (stroke.profile < 0 || ranks.at(stroke.profile) % every == 0)
         writer.add(layer.points(stroke));
+    }
     std::string path = writer.take();
     if (!path.empty())
       preview.layers.push_back({layer.name, layer.pen_width_mm, layer.grey, std::move(path)});
@@ -127,14 +136,20 @@ Preview preview_of(const Drawing& drawing) {
     Preview preview = draw(drawing, coarseness, ranks);
     const double excess = static_cast<double>(bytes_of(preview)) / kMostBytes;
     if (excess <= 1) return preview;
-    // Fewer profiles first, down to what still tells a form; then less of each.
+    // Fewer profiles first, down to what still tells a form; then less of each. Of lines that are
+    // all short or wild it is some that tell more than none.
+    constexpr double kMargin = 1.1, kLongest_mm = 2;
     const double fewer =
-        std::min(1.1 * excess, std::max(coarseness.profiles / kFewestProfiles, 1.0));
+        std::min(kMargin * excess, std::max(coarseness.profiles / kFewestProfiles, 1.0));
     coarseness.profiles /= fewer;
-    if (excess > fewer) {
-      coarseness.tolerance_mm *= 1.1 * excess / fewer;
-      coarseness.shortest_mm *= 1.1 * excess / fewer;
+    if (excess <= fewer) continue;
+    const double less = kMargin * excess / fewer;
+    if (coarseness.shortest_mm >= kLongest_mm) {
+      coarseness.one_in *= less;
+      coarseness.least_step_mm = coarseness.tolerance_mm;
     }
+    coarseness.tolerance_mm *= std::min(less, 1.5);
+    coarseness.shortest_mm = std::min(coarseness.shortest_mm * less, kLongest_mm);
   }
 }
 

@@ -22,8 +22,8 @@ struct Preview {
   std::vector<PreviewLayer> layers;
 };
 
-/// Some 30 kB at most, however large the drawing: every so many profiles, all other lines, with the
-/// points that a screen shows.
+/// Some 30 kB at most, however large the drawing: every so many profiles, all other lines as far as
+/// they fit, with the points that a screen shows.
 Preview preview_of(const Drawing& drawing);
 
 } // namespace orograph

@@ -20,13 +20,16 @@ std::vector<double> numbers_up_to(std::size_t count) {
 }
 
 void check_zipped(const std::vector<Axis>& axes) {
-  for (const Axis& axis : axes)
-    if (axis.values.size() != axes.front().values.size())
+  const Axis* list = nullptr;
+  for (const Axis& axis : axes) {
+    if (axis.values.size() == 1) continue;
+    if (!list) list = &axis;
+    if (axis.values.size() != list->values.size())
       throw UsageError(fmt::format("--zip: {} has {} values and {} {}",
-                                   names_of(axes.front().parameter).option,
-                                   axes.front().values.size(), names_of(axis.parameter).option,
-                                   axis.values.size()),
+                                   names_of(list->parameter).option, list->values.size(),
+                                   names_of(axis.parameter).option, axis.values.size()),
                        "give them as many values, or leave --zip out to cross them");
+  }
 }
 
 } // namespace
@@ -35,7 +38,7 @@ double view_count(const std::vector<Axis>& axes, bool zipped) {
   double count = 1;
   for (const Axis& axis : axes) {
     const auto values = static_cast<double>(axis.values.size());
-    count = zipped ? values : count * values;
+    count = zipped ? std::max(count, values) : count * values;
   }
   return count;
 }
@@ -48,7 +51,7 @@ ViewList::ViewList(const SweepSettings& settings, const MapFrame& map) : sweep_(
     axes_.push_back({Parameter::eye, numbers_up_to(eyes_.size())});
   }
   axes_.insert(axes_.end(), settings.axes.begin(), settings.axes.end());
-  if (settings.zipped && !axes_.empty()) check_zipped(axes_);
+  if (settings.zipped) check_zipped(axes_);
   const double count = view_count(axes_, settings.zipped);
   if (count > kManyViews && !settings.many)
     throw UsageError(fmt::format("that makes {:.0f} views", count),
@@ -69,7 +72,7 @@ ViewList::ViewList(const SweepSettings& settings, const MapFrame& map) : sweep_(
 }
 
 std::size_t ViewList::index_on(std::size_t axis, std::size_t number) const {
-  if (sweep_.zipped) return number;
+  if (sweep_.zipped) return axes_[axis].values.size() == 1 ? 0 : number;
   for (std::size_t later = axes_.size(); later-- > axis + 1;) number /= axes_[later].values.size();
   return number % axes_[axis].values.size();
 }

@@ -16,8 +16,8 @@ namespace orograph {
 class ViewList {
 public:
   /// Reads the eye path, if there is one. Throws Error as `read_eye_path` does, where axes that go
-  /// together differ in length, where a name's template can't serve, and where two views would have
-  /// the same name.
+  /// together differ in length (a single value goes with all), where a name's template can't serve,
+  /// and where two views would have the same name.
   ViewList(const SweepSettings& settings, const MapFrame& map);
 
   std::size_t size() const { return size_; }
