@@ -10,8 +10,17 @@
 namespace orograph {
 namespace {
 
-bool inside(const Box2& box, Vec2 p) {
-  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+// What of a line is in front of the picture plane; beyond it nothing has a picture.
+std::optional<ProfileLine> in_front(const ProfileLine& line, const View& view,
+                                    const Homography& to_page) {
+  const auto w_of = [&](ProfilePoint p) { return to_page.of(project_homogeneous(view, p)).z; };
+  const double w_from = w_of(line.from), w_to = w_of(line.to);
+  if (w_from <= 0 && w_to <= 0) return std::nullopt;
+  if (w_from > 0 && w_to > 0) return line;
+  constexpr double kNear = 1e-9; // of the greater; its picture is far outside of any frame
+  const double w = kNear * std::max(w_from, w_to);
+  const ProfilePoint cut = point_between(line.from, line.to, (w - w_from) / (w_to - w_from));
+  return w_from > 0 ? ProfileLine{line.from, cut} : ProfileLine{cut, line.to};
 }
 
 } // namespace
@@ -49,15 +58,12 @@ void GroundMeter::see(const Sector& sector, const Profile& profile,
   for (const Piece& piece : visible) {
     const std::uint32_t left = left_vertex(segments[piece.segment]);
     const ProfilePoint begin = at(left, piece.t_begin), end = at(left, piece.t_end);
-    const Vec2 begin_mm = page_mm(begin, view, sector.to_page),
-               end_mm = page_mm(end, view, sector.to_page);
-    if (inside(scene_.frame_mm, begin_mm) && inside(scene_.frame_mm, end_mm)) {
-      visible_m += std::abs(end.u - begin.u);
-      visible_mm_ += length(end_mm - begin_mm);
-    } else if (const auto line =
-                   LineOnPage::of({begin, end}, view, sector.to_page, scene_.frame_mm)) {
+    const auto part = in_front({begin, end}, view, sector.to_page);
+    if (!part) continue;
+    if (const auto line = LineOnPage::of(*part, view, sector.to_page, scene_.frame_mm)) {
       const double length_mm = line->length_mm();
-      visible_m += std::abs(end.u - begin.u) * (line->share_at(length_mm) - line->share_at(0));
+      visible_m +=
+          std::abs(part->to.u - part->from.u) * (line->share_at(length_mm) - line->share_at(0));
       visible_mm_ += length_mm;
     }
   }
