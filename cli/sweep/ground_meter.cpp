@@ -16,8 +16,29 @@ double distance(Vec2 a, Vec2 b) {
   return std::sqrt(d.x * d.x + d.y * d.y);
 }
 
-bool inside(const Box2& box, Vec2 p) {
-  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+struct Picture {
+  Vec2 mm;
+  bool in_frame = false; ///< and in front of the picture plane
+};
+
+Picture picture_of(ProfilePoint p, const Sector& sector, const Box2& frame_mm) {
+  const Vec3 h = sector.to_page.of(project_homogeneous(sector.view, p));
+  const Vec2 mm{h.x / h.z, h.y / h.z};
+  return {mm, h.z > 0 && mm.x >= frame_mm.low.x && mm.x <= frame_mm.high.x &&
+                  mm.y >= frame_mm.low.y && mm.y <= frame_mm.high.y};
+}
+
+// What of a line is in front of the picture plane; beyond it nothing has a picture.
+std::optional<ProfileLine> in_front(const ProfileLine& line, const View& view,
+                                    const Homography& to_page) {
+  const auto w_of = [&](ProfilePoint p) { return to_page.of(project_homogeneous(view, p)).z; };
+  const double w_from = w_of(line.from), w_to = w_of(line.to);
+  if (w_from <= 0 && w_to <= 0) return std::nullopt;
+  if (w_from > 0 && w_to > 0) return line;
+  constexpr double kNear = 1e-9; // of the greater; its picture is far outside of any frame
+  const double w = kNear * std::max(w_from, w_to);
+  const ProfilePoint cut = point_between(line.from, line.to, (w - w_from) / (w_to - w_from));
+  return w_from > 0 ? ProfileLine{line.from, cut} : ProfileLine{cut, line.to};
 }
 
 } // namespace
@@ -53,27 +74,25 @@ void GroundMeter::see(const Sector& sector, const Profile& profile,
   };
   double visible_m = 0;
   ProfilePoint end{};
-  Vec2 end_mm;
-  bool end_inside = false;
+  Picture ends;
   for (const Piece& piece : visible) {
     const std::uint32_t left = left_vertex(segments[piece.segment]);
     const ProfilePoint begin = at(left, piece.t_begin);
-    Vec2 begin_mm = end_mm;
-    bool begin_inside = end_inside;
-    if (begin.u != end.u || begin.z != end.z || &piece == visible.data()) { // no neighbour
-      begin_mm = page_mm(begin, view, sector.to_page);
-      begin_inside = inside(scene_.frame_mm, begin_mm);
-    }
+    const bool joined = begin.u == end.u && begin.z == end.z && &piece != visible.data();
+    const Picture begins = joined ? ends : picture_of(begin, sector, scene_.frame_mm);
     end = at(left, piece.t_end);
-    end_mm = page_mm(end, view, sector.to_page);
-    end_inside = inside(scene_.frame_mm, end_mm);
-    if (begin_inside && end_inside) {
+    ends = picture_of(end, sector, scene_.frame_mm);
+    if (begins.in_frame && ends.in_frame) {
       visible_m += std::abs(end.u - begin.u);
-      visible_mm_ += distance(begin_mm, end_mm);
-    } else if (const auto line =
-                   LineOnPage::of({begin, end}, view, sector.to_page, scene_.frame_mm)) {
+      visible_mm_ += distance(begins.mm, ends.mm);
+      continue;
+    }
+    const auto part = in_front({begin, end}, view, sector.to_page);
+    if (!part) continue;
+    if (const auto line = LineOnPage::of(*part, view, sector.to_page, scene_.frame_mm)) {
       const double length_mm = line->length_mm();
-      visible_m += std::abs(end.u - begin.u) * (line->share_at(length_mm) - line->share_at(0));
+      visible_m +=
+          std::abs(part->to.u - part->from.u) * (line->share_at(length_mm) - line->share_at(0));
       visible_mm_ += length_mm;
     }
   }

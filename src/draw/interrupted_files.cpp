@@ -52,21 +52,21 @@ SignalPause::~SignalPause() {
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
-bool note_for_removal(const std::string& path) {
-  if (path.size() >= kLongestPath) return false;
+std::optional<std::size_t> note_for_removal(const std::string& path) {
+  if (path.size() >= kLongestPath) return std::nullopt;
   for (Slot& slot : slots) {
     SlotState expected = SlotState::free;
     if (!slot.state.compare_exchange_strong(expected, SlotState::filling)) continue;
     *std::ranges::copy(path, slot.path.begin()).out = '\0';
     slot.state = SlotState::used;
-    return true;
+    return static_cast<std::size_t>(&slot - slots.data());
   }
-  return false;
+  return std::nullopt;
 }
 
-void forget_removal(const std::string& path) {
-  for (Slot& slot : slots)
-    if (slot.state == SlotState::used && path == slot.path.data()) slot.state = SlotState::free;
+// By number: another's path may not be read, it may be forgotten and another noted meanwhile.
+void forget_removal(std::size_t number) {
+  slots[number].state = SlotState::free;
 }
 
 void remove_with_companions(const char* path) {

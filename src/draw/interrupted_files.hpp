@@ -3,6 +3,8 @@
 #pragma once
 
 #include <csignal>
+#include <cstddef>
+#include <optional>
 #include <string>
 
 namespace orograph {
@@ -19,11 +21,11 @@ private:
   sigset_t before_;
 };
 
-/// Notes a file, by a path of less than 4096 bytes; up to 64 files at a time, from any thread.
-/// Returns false where there is no room.
-bool note_for_removal(const std::string& path);
-/// Forgets it again.
-void forget_removal(const std::string& path);
+/// Notes a file, by a path of less than 4096 bytes; up to 256 files at a time, from any thread.
+/// Returns its number, or nothing where there is no room.
+std::optional<std::size_t> note_for_removal(const std::string& path);
+/// Forgets it again, by its number.
+void forget_removal(std::size_t number);
 
 /// Removes the file and what SQLite leaves beside it. Safe in signal handlers. The path may be
 /// gone already.

@@ -15,6 +15,8 @@
 #include <atomic>
 #include <cerrno>
 #include <filesystem>
+#include <tuple>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -46,7 +48,8 @@ void check_place(const std::string& path, bool overwrite) {
 }
 
 // Process and counter tell it from those of other runs and threads; O_EXCL from any left over.
-std::string create_temporary(const std::string& path) {
+// With its number among the files to be removed.
+std::pair<std::string, std::size_t> create_temporary(const std::string& path) {
   static std::atomic<unsigned> counter = 0;
   const fs::path place(path);
   const SignalPause pause;
@@ -58,7 +61,7 @@ std::string create_temporary(const std::string& path) {
     if (descriptor < 0 && errno == EEXIST) continue;
     if (descriptor < 0) throw write_error(path, errno);
     ::close(descriptor);
-    if (note_for_removal(temporary)) return temporary;
+    if (const auto number = note_for_removal(temporary)) return {temporary, *number};
     ::unlink(temporary.c_str());
     throw Error(path + " is one output too many at a time, or its path is too long",
                 "up to 256 at a time, with paths under 4096 bytes");
@@ -88,12 +91,12 @@ int rename_to_free_place(const char* temporary, const char* path) {
 OutputFile::OutputFile(const std::string& path, bool overwrite)
     : path_(followed(path)), overwrite_(overwrite) {
   check_place(path_, overwrite_);
-  temporary_path_ = create_temporary(path_);
+  std::tie(temporary_path_, noted_) = create_temporary(path_);
 }
 
 OutputFile::~OutputFile() {
   if (!committed_) remove_with_companions(temporary_path_.c_str());
-  forget_removal(temporary_path_);
+  forget_removal(noted_);
 }
 
 void OutputFile::commit() {

@@ -2,6 +2,7 @@
 // A file that appears at its place whole or not at all, also when the program is interrupted.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace orograph {
@@ -26,6 +27,7 @@ public:
 
 private:
   std::string path_, temporary_path_;
+  std::size_t noted_ = 0; ///< for removal
   bool overwrite_ = false, committed_ = false;
 };
 
