@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <map>
 #include <string_view>
 
 namespace orograph {
@@ -220,11 +221,14 @@ ViewFile read_view_file(const std::string& path) {
 std::vector<NamedView> read_view_list(const std::string& path) {
   constexpr auto kRight = "begin each view with a line [[view]], and give its keys below";
   const toml::table file = parsed_toml(path, kMostBytesOfReport);
+  std::map<std::size_t, std::string> strangers; // by line: the first is spoken of
   for (const auto& [key, value] : file)
     if (key != "view" || !value.is_array_of_tables())
-      throw Error(fmt::format("{}, line {}: '{}' is no list of views", path,
-                              value.source().begin.line, printable(key.str())),
-                  kRight);
+      strangers.emplace(value.source().begin.line, printable(key.str()));
+  if (!strangers.empty())
+    throw Error(fmt::format("{}, line {}: '{}' is no list of views", path, strangers.begin()->first,
+                            strangers.begin()->second),
+                kRight);
   if (file.empty()) throw Error(path + " holds no view", kRight);
   std::vector<NamedView> views;
   for (const toml::node& node : *file["view"].as_array()) {
