@@ -70,7 +70,7 @@ Cell of_report(Parameter parameter, const RunReport& report) {
     return cell(std::isfinite(view.look_azimuth_true_deg) ? view.look_azimuth_true_deg
                                                           : view.look_azimuth_deg);
   case Parameter::pitch:
-    return cell(-view.elevation_deg);
+    return cell(0 - view.elevation_deg); // level is 0, not -0
   case Parameter::distance:
     return cell(view.distance_m);
   case Parameter::fov:

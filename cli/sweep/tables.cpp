@@ -57,14 +57,18 @@ std::string table_csv(const Plan& plan, const std::vector<Record>& records) {
   return text;
 }
 
-std::string previews_json(const std::vector<Record>& records) {
-  std::size_t bytes = 0;
-  for (const Record& record : records) bytes += record.preview.size();
+// Of all rows that were read, the previews of every so many-th, which alone are read again: of ten
+// thousand views they would be 300 MB.
+std::string previews_json(const std::string& out_dir, const Plan& plan,
+                          const std::vector<Record>& records, std::size_t bytes) {
+  constexpr std::size_t kView = 0; // column
   const std::size_t every = bytes / kMostPreviewBytes + 1;
   std::string text = "[";
   for (std::size_t i = 0; i < records.size(); ++i) {
     if (i > 0) text += ",\n";
-    text += i % every == 0 ? records[i].preview : "null";
+    const auto view = static_cast<std::size_t>(std::get<std::int64_t>(records[i].row[kView]));
+    const auto record = i % every == 0 ? read_record(out_dir, plan, view) : std::nullopt;
+    text += record ? record->preview : "null";
   }
   return text + "]";
 }
@@ -98,12 +102,17 @@ SweepState state_of(const std::string& out_dir, const Plan& plan) {
 
 SweepState write_tables(const std::string& out_dir, const Plan& plan) {
   std::vector<Record> records;
-  SweepState state =
-      read_records(out_dir, plan, [&](Record&& record) { records.push_back(std::move(record)); });
+  std::size_t preview_bytes = 0;
+  SweepState state = read_records(out_dir, plan, [&](Record&& record) {
+    preview_bytes += record.preview.size();
+    record.preview = {};
+    records.push_back(std::move(record));
+  });
   const std::string table = table_json(plan, records);
   write_text(table_csv(plan, records), in_folder(out_dir, "sweep.csv"), true);
   write_text(table, in_folder(out_dir, "sweep.json"), true);
-  write_text(sweep_page(table, previews_json(records)), in_folder(out_dir, "index.html"), true);
+  write_text(sweep_page(table, previews_json(out_dir, plan, records, preview_bytes)),
+             in_folder(out_dir, "index.html"), true);
   return state;
 }
 
