@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// More would make the page slow to open: then every second view has a preview, or every third.
+// More would make the page slow to open.
 constexpr std::size_t kMostPreviewBytes = 32'000'000;
 
 std::string in_folder(const std::string& out_dir, const char* name) {
@@ -57,21 +58,35 @@ std::string table_csv(const Plan& plan, const std::vector<Record>& records) {
   return text;
 }
 
-// Of all rows that were read, the previews of every so many-th, which alone are read again: of ten
-// thousand views they would be 300 MB.
-std::string previews_json(const std::string& out_dir, const Plan& plan,
-                          const std::vector<Record>& records, std::size_t bytes) {
-  constexpr std::size_t kView = 0; // column
-  const std::size_t every = bytes / kMostPreviewBytes + 1;
-  std::string text = "[";
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    if (i > 0) text += ",\n";
-    const auto view = static_cast<std::size_t>(std::get<std::int64_t>(records[i].row[kView]));
-    const auto record = i % every == 0 ? read_record(out_dir, plan, view) : std::nullopt;
-    text += record ? record->preview : "null";
+// The previews of all rows, or, where they would be too much, of every second, fourth and so on.
+class Previews {
+public:
+  void add(std::string preview) {
+    if (previews_.size() % every_ != 0) preview = kNone;
+    bytes_ += preview.size();
+    previews_.push_back(std::move(preview));
+    while (bytes_ > kMostPreviewBytes && every_ < previews_.size()) {
+      every_ *= 2;
+      for (std::size_t i = every_ / 2; i < previews_.size(); i += every_) {
+        bytes_ -= previews_[i].size() - kNone.size();
+        previews_[i] = kNone;
+      }
+    }
   }
-  return text + "]";
-}
+  std::string json() const {
+    std::string text = "[";
+    for (const std::string& preview : previews_) {
+      if (text.size() > 1) text += ",\n";
+      text += preview;
+    }
+    return text + "]";
+  }
+
+private:
+  inline static const std::string kNone = "null";
+  std::vector<std::string> previews_;
+  std::size_t bytes_ = 0, every_ = 1;
+};
 
 // `take` gets each record that there is.
 template <class Take>
@@ -102,17 +117,15 @@ SweepState state_of(const std::string& out_dir, const Plan& plan) {
 
 SweepState write_tables(const std::string& out_dir, const Plan& plan) {
   std::vector<Record> records;
-  std::size_t preview_bytes = 0;
+  Previews previews;
   SweepState state = read_records(out_dir, plan, [&](Record&& record) {
-    preview_bytes += record.preview.size();
-    record.preview = {};
+    previews.add(std::exchange(record.preview, {}));
     records.push_back(std::move(record));
   });
   const std::string table = table_json(plan, records);
   write_text(table_csv(plan, records), in_folder(out_dir, "sweep.csv"), true);
   write_text(table, in_folder(out_dir, "sweep.json"), true);
-  write_text(sweep_page(table, previews_json(out_dir, plan, records, preview_bytes)),
-             in_folder(out_dir, "index.html"), true);
+  write_text(sweep_page(table, previews.json()), in_folder(out_dir, "index.html"), true);
   return state;
 }
 
