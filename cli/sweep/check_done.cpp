@@ -12,7 +12,7 @@ namespace orograph {
 namespace {
 
 std::vector<std::size_t> of_shard(std::vector<std::size_t> views, const Shard& shard) {
-  std::erase_if(views, [&](std::size_t view) { return !in_shard(view, shard); });
+  std::erase_if(views, [&](std::size_t view) { return !shard.holds(view); });
   return views;
 }
 
@@ -27,8 +27,7 @@ std::string reason(const std::string& out_dir, const Plan& plan, std::size_t vie
 void check_done(const SweepState& state, const std::string& out_dir, const Plan& plan,
                 const Shard& shard, bool quiet) {
   const auto failed = of_shard(state.failed, shard), missing = of_shard(state.missing, shard);
-  std::size_t all = 0;
-  for (std::size_t view = 0; view < plan.views.size(); ++view) all += in_shard(view, shard);
+  const std::size_t all = shard.size(plan.views.size());
   if (!missing.empty())
     throw Error(fmt::format("{} of {} views are missing in {}, '{}' among them", missing.size(),
                             all, out_dir, plan.views[missing.front()].name),

@@ -15,9 +15,4 @@ namespace orograph {
 void check_done(const SweepState& state, const std::string& out_dir, const Plan& plan,
                 const Shard& shard, bool quiet);
 
-/// Whether a view is the shard's to draw.
-inline bool in_shard(std::size_t view, const Shard& shard) {
-  return view % static_cast<std::size_t>(shard.count) == static_cast<std::size_t>(shard.index - 1);
-}
-
 } // namespace orograph

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/folder.hpp"
 
-#include "cli/sweep/check_done.hpp"
 #include "cli/sweep/record.hpp"
 #include "cli/sweep/tables.hpp"
 #include "cli/write_text.hpp"
@@ -97,10 +96,8 @@ std::vector<std::size_t> open_folder(const SweepSettings& settings, const Plan& 
   std::vector<std::size_t> waiting = state.missing;
   waiting.insert(waiting.end(), state.failed.begin(), state.failed.end());
   std::sort(waiting.begin(), waiting.end());
-  std::erase_if(waiting, [&](std::size_t view) { return !in_shard(view, settings.shard); });
-  std::size_t all = 0;
-  for (std::size_t view = 0; view < plan.views.size(); ++view)
-    all += in_shard(view, settings.shard);
+  std::erase_if(waiting, [&](std::size_t view) { return !settings.shard.holds(view); });
+  const std::size_t all = settings.shard.size(plan.views.size());
   if (old_plan && !settings.resume &&
       (waiting.size() < all || settings.shard.count == 1 || !state.corrupt.empty()))
     throw Error(fmt::format("{} holds this sweep already, with {} of {} views", out_dir,

@@ -2,6 +2,7 @@
 #include "cli/sweep/ground_meter.hpp"
 
 #include "cli/line_on_page.hpp"
+#include "geometry/plain_length.hpp"
 #include "profiles/project_profile.hpp"
 
 #include <algorithm>
@@ -9,12 +10,6 @@
 
 namespace orograph {
 namespace {
-
-// Not as careful as std::hypot with numbers that no page has, and ten times as fast.
-double distance(Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  return std::sqrt(d.x * d.x + d.y * d.y);
-}
 
 struct Picture {
   Vec2 mm;
@@ -84,7 +79,7 @@ void GroundMeter::see(const Sector& sector, const Profile& profile,
     ends = picture_of(end, sector, scene_.frame_mm);
     if (begins.in_frame && ends.in_frame) {
       visible_m += std::abs(end.u - begin.u);
-      visible_mm_ += distance(begins.mm, ends.mm);
+      visible_mm_ += plain_length(ends.mm - begins.mm);
       continue;
     }
     const auto part = in_front({begin, end}, view, sector.to_page);

@@ -2,6 +2,7 @@
 #include "cli/sweep/preview.hpp"
 
 #include "draw/simplify.hpp"
+#include "geometry/plain_length.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,10 +56,8 @@ std::unordered_map<std::int32_t, std::size_t> ranks_of_profiles(const Drawing& d
 }
 
 bool is_shorter(std::span<const Vec2> points, double mm) {
-  for (std::size_t i = 1; i < points.size() && mm > 0; ++i) {
-    const Vec2 d = points[i] - points[i - 1];
-    mm -= std::sqrt(d.x * d.x + d.y * d.y);
-  }
+  for (std::size_t i = 1; i < points.size() && mm > 0; ++i)
+    mm -= plain_length(points[i] - points[i - 1]);
   return mm > 0;
 }
 

@@ -6,6 +6,7 @@
 #include "cli/sweep/parameter.hpp"
 #include "cli/view_file.hpp"
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,6 +17,14 @@ namespace orograph {
 /// Every `count`th view, from the `index`th (1 to count) on.
 struct Shard {
   int index = 1, count = 1;
+
+  bool holds(std::size_t view) const {
+    return view % static_cast<std::size_t>(count) == static_cast<std::size_t>(index - 1);
+  }
+  /// How many of so many views it holds.
+  std::size_t size(std::size_t views) const {
+    return (views + static_cast<std::size_t>(count - index)) / static_cast<std::size_t>(count);
+  }
 };
 
 struct SweepSettings {

@@ -4,6 +4,8 @@
 // than 180 degrees once a point lies farther away than the tolerance.
 #include "draw/simplify.hpp"
 
+#include "geometry/plain_length.hpp"
+
 #include <cmath>
 
 namespace orograph {
@@ -27,11 +29,6 @@ struct Sector {
   }
 };
 
-// std::hypot takes care of numbers that no page has, and is four times as slow.
-double length_mm(Vec2 d) {
-  return std::sqrt(d.x * d.x + d.y * d.y);
-}
-
 } // namespace
 
 void simplify(std::span<const Vec2> points, double tolerance, std::vector<std::uint32_t>& kept) {
@@ -43,12 +40,12 @@ void simplify(std::span<const Vec2> points, double tolerance, std::vector<std::u
   double farthest = 0;
   for (std::uint32_t i = 1; i < count; ++i) {
     Vec2 d = points[i] - points[kept.back()];
-    double distance = length_mm(d);
+    double distance = plain_length(d);
     if (!(tolerance > 0) || !sector.holds(d) || distance < farthest) {
       if (kept.back() != i - 1) kept.push_back(i - 1);
       sector = {};
       d = points[i] - points[kept.back()];
-      distance = length_mm(d);
+      distance = plain_length(d);
     }
     farthest = distance;
     sector.narrow(d, distance, tolerance);
