@@ -17,9 +17,8 @@ std::vector<std::size_t> of_shard(std::vector<std::size_t> views, const Shard& s
 }
 
 std::string reason(const std::string& out_dir, const Plan& plan, std::size_t view) {
-  constexpr std::size_t kError = 3; // column
   const auto record = read_record(out_dir, plan, view);
-  return record ? std::get<std::string>(record->row[kError]) : "no row";
+  return record ? std::get<std::string>(record->row[kErrorColumn]) : "no row";
 }
 
 } // namespace

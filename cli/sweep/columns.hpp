@@ -23,6 +23,9 @@ struct Column {
   std::string about;      ///< a phrase
 };
 
+/// Where a row has what tells of the view itself; these come first.
+enum LeadingColumn : std::size_t { kViewColumn, kNameColumn, kFileColumn, kErrorColumn };
+
 /// A drawn view.
 struct ViewFacts {
   const RunReport& report;

@@ -105,7 +105,8 @@ void write_record(const std::string& out_dir, const Plan& plan, std::size_t view
              record_path(out_dir, plan, view), true);
 }
 
-std::optional<Record> read_record(const std::string& out_dir, const Plan& plan, std::size_t view) {
+std::optional<ViewRecord> read_record(const std::string& out_dir, const Plan& plan,
+                                      std::size_t view) {
   const std::string path = record_path(out_dir, plan, view);
   const auto text = whole_file(path);
   if (!text) return std::nullopt;
@@ -113,13 +114,12 @@ std::optional<Record> read_record(const std::string& out_dir, const Plan& plan, 
   const auto row =
       parts ? row_of(Json::parse(parts->row, nullptr, /*allow_exceptions=*/false), plan.columns)
             : std::nullopt;
-  constexpr std::size_t kView = 0, kName = 1, kError = 3; // columns
-  const bool failed = row && std::holds_alternative<std::string>((*row)[kError]);
-  if (!row || (*row)[kView] != Cell(static_cast<std::int64_t>(view)) ||
-      (*row)[kName] != Cell(plan.views[view].name) || (!failed && (*row)[kError] != Cell()) ||
-      !Json::accept(parts->preview))
+  const bool failed = row && std::holds_alternative<std::string>((*row)[kErrorColumn]);
+  if (!row || (*row)[kViewColumn] != Cell(static_cast<std::int64_t>(view)) ||
+      (*row)[kNameColumn] != Cell(plan.views[view].name) ||
+      (!failed && (*row)[kErrorColumn] != Cell()) || !Json::accept(parts->preview))
     throw Error(path + " is no row of this sweep", "its view has to be drawn again (--resume)");
-  return Record{*row, std::string(parts->preview), failed};
+  return ViewRecord{*row, std::string(parts->preview), failed};
 }
 
 std::string csv_line(const std::vector<Cell>& row) {

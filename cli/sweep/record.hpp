@@ -12,7 +12,7 @@
 
 namespace orograph {
 
-struct Record {
+struct ViewRecord {
   std::vector<Cell> row; ///< by the plan's columns
   std::string preview;   ///< JSON; "null" where there is no drawing
   bool failed = false;
@@ -26,7 +26,8 @@ void write_record(const std::string& out_dir, const Plan& plan, std::size_t view
                   const std::vector<Cell>& row, const std::optional<Preview>& preview);
 
 /// None where there is none. Throws Error where the file isn't the record of this view.
-std::optional<Record> read_record(const std::string& out_dir, const Plan& plan, std::size_t view);
+std::optional<ViewRecord> read_record(const std::string& out_dir, const Plan& plan,
+                                      std::size_t view);
 
 /// A row as a line of CSV, and as JSON.
 std::string csv_line(const std::vector<Cell>& row);

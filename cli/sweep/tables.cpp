@@ -41,7 +41,7 @@ Json heading(const Plan& plan) {
 }
 
 // The heading's object with the rows as its last member, a line each.
-std::string table_json(const Plan& plan, const std::vector<Record>& records) {
+std::string table_json(const Plan& plan, const std::vector<ViewRecord>& records) {
   std::string text = heading(plan).dump(1);
   text.erase(text.rfind("\n}"));
   text += ",\n \"views\": [";
@@ -50,11 +50,11 @@ std::string table_json(const Plan& plan, const std::vector<Record>& records) {
   return text + "\n ]\n}\n";
 }
 
-std::string table_csv(const Plan& plan, const std::vector<Record>& records) {
+std::string table_csv(const Plan& plan, const std::vector<ViewRecord>& records) {
   std::vector<Cell> names;
   for (const Column& column : plan.columns) names.emplace_back(column.name);
   std::string text = csv_line(names);
-  for (const Record& record : records) text += csv_line(record.row);
+  for (const ViewRecord& record : records) text += csv_line(record.row);
   return text;
 }
 
@@ -112,13 +112,13 @@ SweepState read_records(const std::string& out_dir, const Plan& plan, const Take
 } // namespace
 
 SweepState state_of(const std::string& out_dir, const Plan& plan) {
-  return read_records(out_dir, plan, [](Record&&) {});
+  return read_records(out_dir, plan, [](ViewRecord&&) {});
 }
 
 SweepState write_tables(const std::string& out_dir, const Plan& plan) {
-  std::vector<Record> records;
+  std::vector<ViewRecord> records;
   Previews previews;
-  SweepState state = read_records(out_dir, plan, [&](Record&& record) {
+  SweepState state = read_records(out_dir, plan, [&](ViewRecord&& record) {
     previews.add(std::exchange(record.preview, {}));
     records.push_back(std::move(record));
   });
