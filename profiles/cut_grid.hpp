@@ -3,9 +3,12 @@
 #pragma once
 
 #include "dem/grid.hpp"
+#include "profiles/line_cutter.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
+
+#include <optional>
 
 namespace orograph {
 
@@ -16,6 +19,7 @@ namespace orograph {
 ///  (2) Between two vertices the profile lies in one triangle; where that isn't there is a gap. An
 ///      edge that lies in the plane is there if either of its triangles is, and level if either is.
 ///  (3) A crossing is reckoned from its edge's lower vertex (`SurfaceEdge`), exact at both ends.
+///  (4) Of a part of the profile there are all vertices in it, and those next to it.
 /// Cost a plane: O(columns + rows), and no allocation once `out` is warm.
 class GridCutter {
 public:
@@ -24,7 +28,8 @@ public:
   /// outlive the cutter.
   GridCutter(const Grid& grid, const View& view, const TriangleSet& level);
 
-  void cut(double depth_m, Profile& out) const;
+  void cut(double depth_m, Profile& out) const { cut(depth_m, {}, out); }
+  void cut(double depth_m, const URange& range, Profile& out) const;
 
   /// Depths between which the grid lies.
   double nearest_m() const { return nearest_m_; }
@@ -36,6 +41,7 @@ private:
   const TriangleSet& level_;
   double nearest_m_, farthest_m_;
   bool depth_monotone_; ///< along rows and columns, in floating point as well
+  std::optional<LineCutter> by_lines_;
 };
 
 } // namespace orograph

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace orograph {
@@ -16,6 +17,12 @@ enum class Span : std::uint8_t {
   wall   ///< straight up or down a vertical triangle that the eye sees
 };
 
+/// A part of a profile.
+struct URange {
+  double low_m = -std::numeric_limits<double>::infinity();
+  double high_m = std::numeric_limits<double>::infinity();
+};
+
 /// Vertices from left to right in the profile frame. `after[i]` tells what is between vertex i and
 /// i + 1; the last is a gap.
 struct Profile {
@@ -25,6 +32,12 @@ struct Profile {
   std::vector<Span> after;
 
   std::size_t size() const { return u_m.size(); }
+  /// What is beyond the size so far is left to be filled.
+  void resize(std::size_t count) {
+    u_m.resize(count);
+    z_m.resize(count);
+    after.resize(count);
+  }
   void clear() {
     u_m.clear();
     z_m.clear();
