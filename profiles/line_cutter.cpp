@@ -36,6 +36,9 @@ constexpr std::array<std::array<Family, 2>, 3> kFamilies{
 // share of a cell, above all rounding.
 constexpr double kBesideVertex = 1e-7;
 
+// Lines looked at beyond those that are crossed to rounding.
+constexpr int kBesideGrid = 5;
+
 constexpr int kLines = 128; // in a block, so that all of it stays in the nearest cache
 using Numbers = std::array<double, kLines + 1>;
 
@@ -343,16 +346,19 @@ void PlaneCut<Height>::mark_spans(int first, int count, const TriangleSet& level
 
 template <class Height>
 bool PlaneCut<Height>::cut(const URange& range, const TriangleSet& level, Profile& out) {
-  const LineRange in_grid = lines_in_grid(), asked = lines_in(range);
+  const LineRange in_grid = lines_in_grid();
+  LineRange asked = lines_in(range);
   if (asked.first > in_grid.last + 2 || asked.last < in_grid.first - 2) {
     out.resize(0);
     return true;
   }
+  // Some lines are always cut, so that the profile's ends need no cases of their own.
+  asked.first = std::min(asked.first, in_grid.last - kBesideGrid);
+  asked.last = std::max(asked.last, in_grid.first + kBesideGrid);
   const bool from_border = !(asked.first > in_grid.first + 2);
   const bool to_border = !(asked.last < in_grid.last - 2);
   int first = static_cast<int>(std::floor(from_border ? in_grid.first - 2 : asked.first));
   int last = static_cast<int>(std::ceil(to_border ? in_grid.last + 2 : asked.last));
-  constexpr int kBesideGrid = 5;
   for (int tries = 0; from_border && tries < kBesideGrid && !crossed(first); ++tries) ++first;
   for (int tries = 0; to_border && tries < kBesideGrid && !crossed(last); ++tries) --last;
   const std::optional<int> first_j = crossed(first), last_j = crossed(last);
