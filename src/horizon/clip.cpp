@@ -1,64 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: p is the segment that is clipped, s the source of a horizon piece, [a, b] the stretch
-// of X looked at in one step: inside p, and inside the piece.
 #include "horizon/clip.hpp"
 
+#include "horizon/clip_step.hpp"
+#include "horizon/horizon_pieces.hpp"
+
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace orograph {
 namespace {
 
-// A stretch of p above or below s; one step has at most two of them. Its ends along p are reckoned
-// only where they are asked for, since they cost a division each: `t` is the crossing's where a
-// stretch begins or ends at one.
-struct Stretch {
-  double x_begin, x_end;
-  bool above;
-  bool begins_at_crossing = false, ends_at_crossing = false;
-};
-
-struct Step {
-  int count = 1;
-  std::array<Stretch, 2> stretches;
-  bool tied = false;
-  double t = 0; ///< of the crossing
-};
-
-// What [a, b] of p is against the piece. Where p is tied to it, `above` is whether to draw p there.
 Step resolve(const Segment& p, const HorizonPiece& piece, double a, double b,
              const ClipOptions& options) {
-  using enum Standing::Kind;
-  const auto whole = [&](bool above) { return Step{1, {Stretch{a, b, above}}}; };
-  if (is_sky(piece)) return whole(true);
-  const bool exact = options.role == Role::occluder;
-  const Standing standing = compare(p, piece.source, exact ? TieTolerance{} : options.tolerance);
-  if (standing.kind == tied) {
-    Step step = whole(!exact && !piece.inked);
-    step.tied = true;
-    return step;
-  }
-  if (standing.kind == above || standing.kind == below) return whole(standing.kind == above);
-  const bool first_above = standing.kind == above_then_below;
-  // A crossing may round to where a horizon has fragmented: then, too, its place along p is its
-  // own.
-  if (standing.x <= a)
-    return {1, {Stretch{a, b, !first_above, standing.x == a, false}}, false, standing.t};
-  if (standing.x >= b)
-    return {1, {Stretch{a, b, first_above, false, standing.x == b}}, false, standing.t};
-  return {2,
-          {Stretch{a, standing.x, first_above, false, true},
-           Stretch{standing.x, b, !first_above, true, false}},
-          false,
-          standing.t};
+  return resolve(p, piece, a, b, options.role == Role::occluder, options.tolerance);
 }
 
 Piece piece_of(const Segment& p, std::uint32_t number, const Step& step, const Stretch& s) {
-  const bool from_crossing = s.begins_at_crossing && s.x_begin != p.x0;
-  const bool to_crossing = s.ends_at_crossing && s.x_end != p.x1;
-  return {number, s.x_begin, s.x_end, from_crossing ? step.t : parameter_at(p, s.x_begin),
-          to_crossing ? step.t : parameter_at(p, s.x_end)};
+  return {number, s.x_begin, s.x_end, t_begin(p, step, s), t_end(p, step, s)};
 }
 
 // The horizon along a stretch after the step.
@@ -75,17 +33,6 @@ HorizonPiece raised(const Segment& p, bool inked, const HorizonPiece& piece, con
     after.inked = inked;
   }
   return after;
-}
-
-bool continues(const HorizonPiece& left, const HorizonPiece& right) {
-  return left.source.id == right.source.id && left.inked == right.inked;
-}
-
-void append(Horizon& horizon, const HorizonPiece& piece, bool collapse) {
-  if (collapse && !horizon.empty() && continues(horizon.back(), piece))
-    horizon.back().x_end = piece.x_end;
-  else
-    horizon.push_back(piece);
 }
 
 void append(std::vector<Piece>& pieces, const Piece& piece) {
@@ -228,29 +175,6 @@ void clip_list(const List& list, Horizon& horizon, const ClipOptions& options,
   walk(list, horizon, options, workspace, writer);
   workspace.pieces_collapsed += workspace.next.size();
   horizon.swap(workspace.next);
-}
-
-// Marks a part of horizon[at] as inked; what is collapsed stays collapsed.
-void ink(Horizon& horizon, std::size_t at, double begin, double end, bool collapse) {
-  HorizonPiece before = horizon[at], after = horizon[at];
-  before.x_end = horizon[at].x_begin = begin;
-  after.x_begin = horizon[at].x_end = end;
-  horizon[at].inked = true;
-  const auto place = [&](std::size_t i) {
-    return horizon.begin() + static_cast<std::ptrdiff_t>(i);
-  };
-  if (after.x_begin < after.x_end) {
-    horizon.insert(place(at + 1), after);
-  } else if (collapse && at + 1 < horizon.size() && continues(horizon[at], horizon[at + 1])) {
-    horizon[at].x_end = horizon[at + 1].x_end;
-    horizon.erase(place(at + 1));
-  }
-  if (before.x_begin < before.x_end) {
-    horizon.insert(place(at), before);
-  } else if (collapse && at > 0 && continues(horizon[at - 1], horizon[at])) {
-    horizon[at - 1].x_end = horizon[at].x_end;
-    horizon.erase(place(at));
-  }
 }
 
 // What is compared changes the horizon only where it is tied and drawn, which is rare: the horizon

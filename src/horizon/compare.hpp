@@ -6,6 +6,7 @@
 #include "geometry/segment.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace orograph {
 
@@ -32,15 +33,35 @@ struct Standing {
   double t = 0; ///< the same along p, 0 at p's left end and 1 at its right end
 };
 
-/// REQUIRES that p and s share a range of X of positive length, and that s isn't the sky.
-/// `tied` where the greatest difference over the shared range is within the tolerance.
-Standing compare(const Segment& p, const Segment& s, const TieTolerance& tolerance);
-
 /// Where abscissa x is along p: 0 at its left end and 1 at its right end, exactly.
 inline double parameter_at(const Segment& p, double x) {
   if (x <= p.x0) return 0;
   if (x >= p.x1) return 1;
   return (x - p.x0) / (p.x1 - p.x0);
+}
+
+/// REQUIRES that p and s share a range of X of positive length, and that s isn't the sky.
+/// `tied` where the greatest difference over the shared range is within the tolerance.
+inline Standing compare(const Segment& p, const Segment& s, const TieTolerance& tolerance) {
+  using enum Standing::Kind;
+  const double low = std::max(p.x0, s.x0), high = std::min(p.x1, s.x1);
+  const double at_low = height_difference(p, s, low), at_high = height_difference(p, s, high);
+
+  const double greatest = std::max(std::abs(at_low), std::abs(at_high));
+  if (greatest == 0) return {tied};
+  if (greatest <= tolerance.greatest_y &&
+      std::abs(at_low) <= tolerance.at(low, height_at(p, low)) &&
+      std::abs(at_high) <= tolerance.at(high, height_at(p, high)))
+    return {tied};
+  if (at_low >= 0 && at_high >= 0) return {above};
+  if (at_low <= 0 && at_high <= 0) return {below};
+
+  // The parameter comes from the differences, not from the rounded x: on a steep segment one ulp of
+  // x is a long way (docs/how-it-works.md).
+  const double share = at_low / (at_low - at_high);
+  const double x = std::min(low + share * (high - low), high);
+  const double t_low = parameter_at(p, low), t_high = parameter_at(p, high);
+  return {at_low > 0 ? above_then_below : below_then_above, x, t_low + share * (t_high - t_low)};
 }
 
 } // namespace orograph

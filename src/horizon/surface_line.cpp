@@ -3,6 +3,7 @@
 #include "horizon/surface_line.hpp"
 
 #include "horizon/compare.hpp"
+#include "horizon/horizon_pieces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,38 +51,50 @@ double nearness_rounding_at(const SurfaceLine& line, double x) {
   return line.rounding_m * nearness * (nearness + (1 + std::abs(x)) * slope);
 }
 
-// The first piece that reaches to or beyond x.
-Horizon::const_iterator piece_at(const Horizon& horizon, double x) {
-  return std::partition_point(horizon.begin(), horizon.end(),
-                              [&](const HorizonPiece& piece) { return piece.x_end < x; });
-}
-
-double greatest_height(const Horizon& horizon, double x, double beside) {
+template <class AnyHorizon>
+double greatest_height(const AnyHorizon& horizon, double x, double beside) {
   double height = -std::numeric_limits<double>::infinity();
-  for (auto piece = piece_at(horizon, x - beside);
-       piece != horizon.end() && piece->x_begin <= x + beside; ++piece)
+  for (auto piece = pieces_from(horizon, x - beside); piece && piece->x_begin <= x + beside;
+       ++piece)
     if (!is_sky(*piece))
       height =
           std::max(height, height_at(piece->source, std::clamp(x, piece->x_begin, piece->x_end)));
   return height;
 }
 
-double height_at(const Horizon& horizon, double x) {
-  const auto piece = piece_at(horizon, x);
+template <class AnyHorizon>
+double height_of(const AnyHorizon& horizon, double x) {
+  const auto piece = pieces_from(horizon, x);
   return is_sky(*piece) ? -std::numeric_limits<double>::infinity() : height_at(piece->source, x);
 }
 
 // What an upright line has to be above.
-double height_before(const SurfaceLine& line, const Horizon& horizon) {
+template <class AnyHorizon>
+double height_before(const SurfaceLine& line, const AnyHorizon& horizon) {
   const double x = line.source.x0;
   return line.vertical()
-             ? std::min(height_at(horizon, x - line.beside), height_at(horizon, x + line.beside))
+             ? std::min(height_of(horizon, x - line.beside), height_of(horizon, x + line.beside))
              : greatest_height(horizon, x, line.beside);
 }
 
-bool is_below(const SurfaceLine& line, const Horizon& horizon) {
-  for (auto piece = piece_at(horizon, line.begin);
-       piece != horizon.end() && piece->x_begin < line.end; ++piece) {
+// Whether all of it is below by bounds alone.
+bool is_far_below(const SurfaceLine&, const Horizon&) {
+  return false;
+}
+bool is_far_below(const SurfaceLine& line, const BlockedHorizon& horizon) {
+  const double height =
+      std::max(height_at(line.source, line.begin), height_at(line.source, line.end));
+  const auto& blocks = horizon.blocks();
+  for (std::size_t i = horizon.block_at(line.begin);
+       i < blocks.size() && blocks[i].x_begin < line.end; ++i)
+    if (!(height < blocks[i].low)) return false;
+  return true;
+}
+
+template <class AnyHorizon>
+bool is_below(const SurfaceLine& line, const AnyHorizon& horizon) {
+  if (is_far_below(line, horizon)) return true;
+  for (auto piece = pieces_from(horizon, line.begin); piece && piece->x_begin < line.end; ++piece) {
     if (is_sky(*piece)) return false;
     for (const double x : {std::max(line.begin, piece->x_begin), std::min(line.end, piece->x_end)})
       if (height_at(line.source, x) > height_at(piece->source, x)) return false;
@@ -89,13 +102,12 @@ bool is_below(const SurfaceLine& line, const Horizon& horizon) {
   return true;
 }
 
-template <class Take>
-void above_horizon(const SurfaceLine& line, const Horizon& horizon, const TieTolerance& tolerance,
-                   const Take& take) {
+template <class AnyHorizon, class Take>
+void above_horizon(const SurfaceLine& line, const AnyHorizon& horizon,
+                   const TieTolerance& tolerance, const Take& take) {
   using enum Standing::Kind;
   const Segment& source = line.source;
-  for (auto piece = piece_at(horizon, line.begin);
-       piece != horizon.end() && piece->x_begin < line.end; ++piece) {
+  for (auto piece = pieces_from(horizon, line.begin); piece && piece->x_begin < line.end; ++piece) {
     const Stretch part{parameter_at(source, std::max(line.begin, piece->x_begin)),
                        parameter_at(source, std::min(line.end, piece->x_end))};
     if (part.empty()) continue;
@@ -178,8 +190,9 @@ void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t 
   hidden_.push_back({behind, t_at(stretch.begin), t_at(stretch.end)});
 }
 
+template <class AnyHorizon>
 std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceLine>& lines,
-                                                            const Horizon& horizon,
+                                                            const AnyHorizon& horizon,
                                                             const TieTolerance& tolerance) {
   parts_.clear();
   std::erase_if(lines, [&](const SurfaceLine& line) {
@@ -231,5 +244,10 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
   }
   return parts_;
 }
+
+template std::span<const VisibleLinePart>
+SlabHorizon::visible_parts(std::vector<SurfaceLine>&, const Horizon&, const TieTolerance&);
+template std::span<const VisibleLinePart>
+SlabHorizon::visible_parts(std::vector<SurfaceLine>&, const BlockedHorizon&, const TieTolerance&);
 
 } // namespace orograph

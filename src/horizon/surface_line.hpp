@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/segment.hpp"
+#include "horizon/blocked_horizon.hpp"
 #include "horizon/compare.hpp"
 #include "horizon/horizon.hpp"
 
@@ -54,8 +55,9 @@ public:
   /// lines share, each of "nearer" and "higher" changes at most once, so hidden stretches are found
   /// in closed form; ends that two lines share count as exactly equal. Lines that are wholly below
   /// `horizon` are dropped from `lines` first.
+  template <class AnyHorizon> // Horizon or BlockedHorizon
   std::span<const VisibleLinePart> visible_parts(std::vector<SurfaceLine>& lines,
-                                                 const Horizon& horizon,
+                                                 const AnyHorizon& horizon,
                                                  const TieTolerance& tolerance = {});
 
 private:

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "horizon/blocked_horizon.hpp"
+
+#include "horizon/clip_step.hpp"
+#include "horizon/horizon_pieces.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace orograph {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void set_bounds(HorizonBlock& block) {
+  block.low = kInfinity;
+  block.high = -kInfinity;
+  for (const HorizonPiece& piece : block.pieces) {
+    if (is_sky(piece)) {
+      block.low = -kInfinity;
+      continue;
+    }
+    const double a = height_at(piece.source, piece.x_begin),
+                 b = height_at(piece.source, piece.x_end);
+    block.low = std::min({block.low, a, b});
+    block.high = std::max({block.high, a, b});
+  }
+}
+
+} // namespace
+
+BlockedHorizon::BlockedHorizon(double x_begin, double x_end, std::size_t count)
+    : x_begin_(x_begin), blocks_per_x_(static_cast<double>(count) / (x_end - x_begin)) {
+  HorizonPiece sky = initial_horizon().front();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double next = x_begin + static_cast<double>(i + 1) / blocks_per_x_;
+    sky.x_end = i + 1 < count ? next : kInfinity;
+    blocks_.push_back({sky.x_begin, sky.x_end, -kInfinity, -kInfinity, {sky}});
+    sky.x_begin = sky.x_end;
+  }
+}
+
+std::size_t BlockedHorizon::block_at(double x) const {
+  const double last = static_cast<double>(blocks_.size() - 1);
+  auto block = static_cast<std::size_t>(std::clamp((x - x_begin_) * blocks_per_x_, 0.0, last));
+  while (x < blocks_[block].x_begin) --block;
+  while (x >= blocks_[block].x_end) ++block;
+  return block;
+}
+
+void BlockedHorizon::raise(const HorizonPiece& occluder) {
+  for (std::size_t i = block_at(occluder.x_begin);
+       i < blocks_.size() && blocks_[i].x_begin < occluder.x_end; ++i)
+    raise_block(blocks_[i], occluder);
+}
+
+void BlockedHorizon::raise_block(HorizonBlock& block, const HorizonPiece& occluder) {
+  const Segment& source = occluder.source;
+  const double begin = std::max(occluder.x_begin, block.x_begin);
+  const double end = std::min(occluder.x_end, block.x_end);
+  if (!(begin < end)) return;
+  const double at_begin = height_at(source, begin), at_end = height_at(source, end);
+  if (std::max(at_begin, at_end) < block.low) return;
+  next_.clear();
+  const auto write = [&](const HorizonPiece& piece, double from, double to) {
+    if (!(from < to)) return;
+    ++pieces_uncollapsed_;
+    HorizonPiece part = piece;
+    part.x_begin = from;
+    part.x_end = to;
+    append(next_, part, true);
+  };
+  for (const HorizonPiece& piece : block.pieces) {
+    const double from = std::max(piece.x_begin, begin), to = std::min(piece.x_end, end);
+    if (!(from < to)) {
+      write(piece, piece.x_begin, piece.x_end);
+      continue;
+    }
+    write(piece, piece.x_begin, from);
+    const Step step = resolve(source, piece, from, to, true, {});
+    for (int i = 0; i < step.count; ++i) {
+      const Stretch& s = step.stretches[static_cast<std::size_t>(i)];
+      write(s.above ? occluder : piece, s.x_begin, s.x_end);
+    }
+    write(piece, to, piece.x_end);
+  }
+  pieces_collapsed_ += next_.size();
+  block.pieces.swap(next_);
+  set_bounds(block);
+}
+
+void BlockedHorizon::ink(std::size_t block, std::size_t at, double begin, double end) {
+  orograph::ink(blocks_[block].pieces, at, begin, end, true);
+}
+
+Horizon BlockedHorizon::joined() const {
+  Horizon pieces;
+  for (const HorizonBlock& block : blocks_)
+    for (const HorizonPiece& piece : block.pieces) append(pieces, piece, true);
+  return pieces;
+}
+
+std::size_t BlockedHorizon::size() const {
+  std::size_t count = 0;
+  for (const HorizonBlock& block : blocks_) count += block.pieces.size();
+  return count;
+}
+
+BlockedCursor::BlockedCursor(const BlockedHorizon& horizon, double x)
+    : horizon_(&horizon), block_(horizon.block_at(x)) {
+  const auto& blocks = horizon.blocks();
+  // Where two blocks meet, the left one's last piece reaches to x, too.
+  if (block_ > 0 && x == blocks[block_].x_begin) --block_;
+  while (blocks[block_].pieces[at_].x_end < x) ++at_;
+}
+
+} // namespace orograph

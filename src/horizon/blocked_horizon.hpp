@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A horizon in blocks of X with bounds, so that what is wholly above or below a block of it is
+// decided at once, and what raises it is copied in its block alone.
+#pragma once
+
+#include "horizon/horizon.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace orograph {
+
+/// Pieces that tile the block's X; heights between `low` and `high` (-infinity: the sky).
+struct HorizonBlock {
+  double x_begin, x_end, low, high;
+  Horizon pieces;
+};
+
+/// The same heights and sources at each X as those of `raise` (horizon/clip.hpp), but that a piece
+/// ends where its block does, and, where two occluders are equally high, either may stand. Copies
+/// of one source in neighbouring blocks are collapsed by `joined`.
+class BlockedHorizon {
+public:
+  /// The sky, in `count` blocks, equally wide in [x_begin, x_end]; the first reaches to -infinity
+  /// and the last to +infinity. REQUIRES x_begin < x_end, both finite, and count > 0.
+  BlockedHorizon(double x_begin, double x_end, std::size_t count);
+
+  const std::vector<HorizonBlock>& blocks() const { return blocks_; }
+  /// The block that holds x; where two meet, the right one.
+  std::size_t block_at(double x) const;
+
+  /// Raises it by one occluder, exactly. Cost: the pieces of the blocks that it rises above
+  /// somewhere; O(1) for blocks that are above it.
+  void raise(const HorizonPiece& occluder);
+  /// Marks a part of a block's piece number `at` as inked.
+  void ink(std::size_t block, std::size_t at, double begin, double end);
+
+  /// In one list, collapsed.
+  Horizon joined() const;
+  std::size_t size() const; ///< pieces, in all blocks
+
+  std::size_t pieces_uncollapsed() const { return pieces_uncollapsed_; } ///< as made, in all
+  std::size_t pieces_collapsed() const { return pieces_collapsed_; }     ///< as kept, in all
+
+private:
+  void raise_block(HorizonBlock& block, const HorizonPiece& occluder);
+
+  double x_begin_, blocks_per_x_;
+  std::vector<HorizonBlock> blocks_;
+  Horizon next_;
+  std::size_t pieces_uncollapsed_ = 0, pieces_collapsed_ = 0;
+};
+
+/// Goes along the pieces of one block after another.
+class BlockedCursor {
+public:
+  BlockedCursor(const BlockedHorizon& horizon, double x);
+  explicit operator bool() const { return block_ != horizon_->blocks().size(); }
+  const HorizonPiece& operator*() const { return horizon_->blocks()[block_].pieces[at_]; }
+  const HorizonPiece* operator->() const { return &**this; }
+  void operator++() {
+    if (++at_ == horizon_->blocks()[block_].pieces.size()) {
+      at_ = 0;
+      ++block_;
+    }
+  }
+
+private:
+  const BlockedHorizon* horizon_;
+  std::size_t block_, at_ = 0;
+};
+
+/// From the first piece that reaches to or beyond x.
+inline BlockedCursor pieces_from(const BlockedHorizon& horizon, double x) {
+  return {horizon, x};
+}
+
+} // namespace orograph

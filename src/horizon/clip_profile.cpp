@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "horizon/clip_profile.hpp"
+
+#include "horizon/clip_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orograph {
+namespace {
+
+Segment span_of(const ProjectedProfile& profile, std::uint32_t i) {
+  return {profile.x[i], profile.y[i], profile.x[i + 1], profile.y[i + 1], i};
+}
+
+// Joins visible stretches that meet. Ends along a span cost a division, so they are reckoned only
+// where a stretch isn't joined to the next one.
+class VisibleEnds {
+public:
+  VisibleEnds(const ProjectedProfile& profile, std::vector<VisibleRun>& out)
+      : profile_(profile), out_(out) {}
+
+  struct End {
+    std::uint32_t span;
+    double x;
+    double t; ///< NaN: as x tells
+  };
+  void take(const End& begin, const End& end) {
+    if (!open_ || begin.x != end_.x) {
+      finish();
+      begin_ = begin;
+      open_ = true;
+    }
+    end_ = end;
+  }
+  void finish() {
+    if (open_) out_.push_back({begin_.span, end_.span, t_of(begin_), t_of(end_)});
+    open_ = false;
+  }
+
+private:
+  double t_of(const End& end) const {
+    return std::isnan(end.t) ? parameter_at(span_of(profile_, end.span), end.x) : end.t;
+  }
+
+  const ProjectedProfile& profile_;
+  std::vector<VisibleRun>& out_;
+  bool open_ = false;
+  End begin_{}, end_{};
+};
+
+constexpr double kAsXTells = std::numeric_limits<double>::quiet_NaN();
+
+class RunClip {
+public:
+  RunClip(const ProjectedProfile& profile, BlockedHorizon& horizon, const TieTolerance& tolerance,
+          std::vector<VisibleRun>& visible, ProfileClipCounts& counts)
+      : profile_(profile), horizon_(horizon), tolerance_(tolerance), ends_(profile, visible),
+        counts_(counts) {}
+
+  void clip(const VertexRun& run, XRange range) {
+    const double* x = profile_.x.data();
+    const double* y = profile_.y.data();
+    const double end = std::min(range.end, x[run.last]);
+    double begin = std::max(range.begin, x[run.first]);
+    if (!(begin < end)) return;
+    // The span that begins at or before `begin` and ends behind it.
+    auto span =
+        static_cast<std::uint32_t>(std::upper_bound(x + run.first, x + run.last, begin) - x - 1);
+    for (std::size_t block = horizon_.block_at(begin); begin < end; ++block) {
+      const HorizonBlock& part = horizon_.blocks()[block];
+      const double stop = std::min(end, part.x_end);
+      double low = y[span], high = low;
+      std::uint32_t next = span;
+      do {
+        ++next;
+        low = std::min(low, y[next]);
+        high = std::max(high, y[next]);
+      } while (x[next] < stop);
+      // What is tied is nearer than this, and rounding far less.
+      const double slack = tolerance_.greatest_y + 1e-12 * (std::abs(low) + std::abs(high));
+      if (low > part.high + slack)
+        ends_.take({span, begin, kAsXTells}, {next - 1, stop, kAsXTells});
+      else if (!(high < part.low - slack))
+        clip_spans(span, begin, stop, block);
+      begin = stop;
+      span = x[next] > stop ? next - 1 : next;
+      while (span < run.last && x[span + 1] <= begin) ++span;
+    }
+    ends_.finish();
+  }
+
+private:
+  // Span after span against the pieces of one block.
+  void clip_spans(std::uint32_t span, double begin, double stop, std::size_t block) {
+    const Horizon& pieces = horizon_.blocks()[block].pieces;
+    std::size_t at = 0;
+    while (pieces[at].x_end <= begin) ++at;
+    marks_.clear();
+    for (; begin < stop; ++span) {
+      const double span_end = std::min(stop, profile_.x[span + 1]);
+      if (!(begin < span_end)) continue;
+      const Segment p = span_of(profile_, span);
+      while (begin < span_end) {
+        const HorizonPiece& piece = pieces[at];
+        const double end = std::min(span_end, piece.x_end);
+        const Step step = resolve(p, piece, begin, end, false, tolerance_);
+        ++counts_.steps;
+        counts_.ties += step.tied ? 1 : 0;
+        for (int i = 0; i < step.count; ++i) {
+          const Stretch& s = step.stretches[static_cast<std::size_t>(i)];
+          if (!s.above) continue;
+          ends_.take(
+              {span, s.x_begin, s.begins_at_crossing && s.x_begin != p.x0 ? step.t : kAsXTells},
+              {span, s.x_end, s.ends_at_crossing && s.x_end != p.x1 ? step.t : kAsXTells});
+          if (step.tied && !piece.inked) marks_.push_back({at, s.x_begin, s.x_end});
+        }
+        begin = end;
+        if (piece.x_end <= end) ++at;
+      }
+    }
+    for (auto mark = marks_.rbegin(); mark != marks_.rend(); ++mark)
+      horizon_.ink(block, mark->at, mark->begin, mark->end);
+  }
+
+  struct Mark {
+    std::size_t at;
+    double begin, end;
+  };
+
+  const ProjectedProfile& profile_;
+  BlockedHorizon& horizon_;
+  const TieTolerance& tolerance_;
+  VisibleEnds ends_;
+  ProfileClipCounts& counts_;
+  std::vector<Mark> marks_;
+};
+
+} // namespace
+
+void clip_profile(const ProjectedProfile& profile, XRange range, BlockedHorizon& horizon,
+                  const TieTolerance& tolerance, std::vector<VisibleRun>& visible,
+                  ProfileClipCounts& counts) {
+  RunClip clip(profile, horizon, tolerance, visible, counts);
+  for (const VertexRun& run : profile.runs) clip.clip(run, range);
+}
+
+} // namespace orograph
