@@ -71,7 +71,8 @@ void Check::ask(const Profile& profile, const std::vector<Segment>& segments,
   }
 }
 
-void Check::ask(const LineSweep& lines, const std::vector<LinePart>& visible, std::uint64_t count) {
+void Check::ask(const LineSweep& lines, const std::vector<LinePart>& visible, XRange range,
+                std::uint64_t count) {
   if (lines.size() == 0) return;
   for (std::uint64_t i = 0; i < count; ++i) {
     std::uint32_t line = 0;
@@ -88,6 +89,8 @@ void Check::ask(const LineSweep& lines, const std::vector<LinePart>& visible, st
     const ProfilePoint at = lines.point(line, t);
     // Cut away, or not: rounding of the place, of the cut and of the cut's own line decides.
     if (view_.is_perspective() && at.v <= view_.near_m + 4 * lines.rounding_m()) continue;
+    const double x = project(view_, at).x;
+    if (!(x >= range.begin && x <= range.end)) continue;
     const auto part = std::partition_point(visible.begin(), visible.end(), [&](const LinePart& p) {
       return p.line < line || (p.line == line && p.t_end < t);
     });

@@ -25,8 +25,9 @@ public:
   /// `count` points of a profile, of which `visible` pieces of `segments` are drawn.
   void ask(const Profile& profile, const std::vector<Segment>& segments,
            const std::vector<Piece>& visible, std::uint64_t count);
-  /// `count` points of the drawn lines, of which `visible` (by line) is drawn.
-  void ask(const LineSweep& lines, const std::vector<LinePart>& visible, std::uint64_t count);
+  /// `count` points of the drawn lines, of which `visible` (by line) is drawn; within a range of X.
+  void ask(const LineSweep& lines, const std::vector<LinePart>& visible, XRange range,
+           std::uint64_t count);
 
   const CheckReport& counts() const { return counts_; }
 

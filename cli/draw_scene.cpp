@@ -68,7 +68,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
 
   const double pen_mm = settings.pen_width_mm;
   Layer profiles = empty_layer("profiles", pen_mm, 0);
-  StrokeBuilder profile_builder(strokes, profiles);
+  ProfileLayer profile_layer{strokes, profiles};
   const bool draws_profiles = asks_for(settings, "profiles");
   const std::vector<SweptLine> lines = lines_of(terrain, scene, settings);
   watch.mark(seconds.facing);
@@ -78,7 +78,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   for (const Sector& sector : scene.sectors)
     found.push_back(sweep_sector(
         terrain, scene, sector, lines, settings, instruments,
-        draws_profiles ? &profile_builder : nullptr, {counts, seconds, drawn.check},
+        draws_profiles ? &profile_layer : nullptr, {counts, seconds, drawn.check},
         [&] { progress(++profiles_done / static_cast<double>(scene.depths_m.size())); }));
 
   watch = {};
@@ -111,7 +111,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   StrokeBuilder left_out_builder(strokes, left_out);
   draw(of_all_sectors(&SectorLines::folded), left_out_builder);
   drawn.left_out.silhouette_jump_mm = length_mm(left_out);
-  drawn.left_out.min_stroke_mm = profile_builder.left_out_mm();
+  drawn.left_out.min_stroke_mm = profile_layer.left_out_mm;
   if (draws_profiles) drawing.layers.push_back(std::move(profiles));
   add_lines(of_kind(lines, visible, LineKind::edge), "edges", kEdgeWeight, kEdgeGrey);
   add_lines(of_kind(lines, visible, LineKind::shore), "shores", kShoreWeight, 0);

@@ -22,7 +22,7 @@ public:
   /// All other lines; `visible` by line.
   virtual void see(const Sector& sector, const LineSweep& lines,
                    const std::vector<LinePart>& visible) = 0;
-  /// The horizon behind the profile that was seen last.
+  /// The horizon behind the profile that was seen last; only where it is kept in one list.
   virtual void see_horizon(const Sector&, const Horizon&) {}
 };
 
@@ -30,9 +30,14 @@ struct Instruments {
   LineObserver* observer = nullptr;
   bool collapse = true;          ///< join horizon pieces of one source
   bool single_precision = false; ///< round projected profiles to float before they are clipped
+  bool one_list = false;         ///< keep the horizon in one list, so that it can be seen
+  bool beyond_page = false;      ///< look at what is beside the page as well
   /// Gets every occluder but profiles, hidden ones too, before the profile that it stands in front
   /// of is seen.
   std::vector<HorizonPiece>* occluders = nullptr;
+
+  /// Whether the horizon is to be kept in one list, profile after profile.
+  bool needs_list() const { return one_list || !collapse || single_precision || occluders; }
 };
 
 /// Each coordinate becomes the nearest float. Segments that have no extent in X then are left out.

@@ -28,26 +28,6 @@ double position_rounding_m(const Surface& surface, const View& view) {
   return 16 * std::numeric_limits<double>::epsilon() * (reach + length(view.depth_origin_m));
 }
 
-// Joins parts of one line that are no farther apart than `gap` says of the line.
-template <class Gap>
-void join(std::vector<LinePart>& parts, const Gap& gap) {
-  std::sort(parts.begin(), parts.end(), [](const LinePart& a, const LinePart& b) {
-    return a.line != b.line ? a.line < b.line : a.t_begin < b.t_begin;
-  });
-  std::size_t count = 0;
-  for (const LinePart& part : parts) {
-    if (count > 0 && parts[count - 1].line == part.line &&
-        parts[count - 1].t_end >= part.t_begin - gap(part.line))
-      parts[count - 1].t_end = std::max(parts[count - 1].t_end, part.t_end);
-    else
-      parts[count++] = part;
-  }
-  parts.resize(count);
-}
-void join(std::vector<LinePart>& parts) {
-  join(parts, [](std::uint32_t) { return kSameShare; });
-}
-
 bool raises(const SurfaceLine& line) {
   return line.hides && line.begin < line.end && !line.upright();
 }
@@ -66,19 +46,32 @@ ProfileLine line_in(const Surface& surface, const Sector& sector, SurfaceEdge ed
   return line;
 }
 
+// A line's upper end in X, and the horizon beside an upright one, is rounded by less than this at
+// x.
+double margin(const View& view, double x, double from_m, double rounding_m) {
+  if (std::isinf(x)) return 0;
+  return 4 * rounding_m *
+         (view.is_perspective() ? (1 + std::abs(x)) / from_m : 1 + std::abs(view.x_per_v));
+}
+
 } // namespace
 
 LineSweep::LineSweep(const Surface& surface, const Sector& sector,
-                     const std::vector<SweptLine>& lines, double from_m,
-                     const TieTolerance& tolerance)
-    : view_(sector.view), lines_(lines), from_m_(from_m), tolerance_(tolerance),
+                     const std::vector<SweptLine>& lines, std::vector<std::uint32_t> which,
+                     XRange range, double from_m, const TieTolerance& tolerance)
+    : surface_(surface), sector_(sector), view_(sector.view), lines_(lines),
+      which_(std::move(which)), range_(range), from_m_(from_m), tolerance_(tolerance),
       rounding_m_(position_rounding_m(surface, sector.view)),
       slabs_(
-          static_cast<std::uint32_t>(lines.size()),
-          [&surface, &sector, &lines](std::uint32_t i) {
-            return line_in(surface, sector, lines[i].edge);
-          },
-          from_m) {}
+          static_cast<std::uint32_t>(which_.size()),
+          [this](std::uint32_t i) { return whole(which_[i]); }, from_m) {
+  beside_range_ = {range.begin - margin(view_, range.begin, from_m, rounding_m_),
+                   range.end + margin(view_, range.end, from_m, rounding_m_)};
+}
+
+ProfileLine LineSweep::whole(std::uint32_t i) const {
+  return line_in(surface_, sector_, lines_[i].edge);
+}
 
 LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLine& whole) const {
   double t0 = 0, t1 = 1;
@@ -121,32 +114,31 @@ bool LineSweep::in_plane(const ProfileLine& whole, double depth_m) const {
          std::abs(whole.to.v - depth_m) <= rounding_m_;
 }
 
-// Before what is hidden is dropped.
-void LineSweep::record_slab(double to_m) {
-  record_->insert(record_->end(), record_in_last_plane_.begin(), record_in_last_plane_.end());
-  record_in_last_plane_.clear();
-  for (const SurfaceLine& line : in_slab_)
-    if (raises(line))
-      (in_plane(slabs_.line(line_number(line)), to_m) ? record_in_last_plane_ : *record_)
-          .push_back(occluder_of(line));
+// Whether any of it is left.
+bool LineSweep::cut_to_range(SurfaceLine& line) const {
+  if (line.upright()) return line.source.x0 >= range_.begin && line.source.x0 <= range_.end;
+  line.begin = std::max(line.begin, beside_range_.begin);
+  line.end = std::min(line.end, beside_range_.end);
+  return line.begin < line.end;
 }
 
-void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspace, bool collapse) {
-  raise(in_last_plane_, horizon, workspace, collapse);
+void LineSweep::begin_slab(double to_m) {
   in_slab_.clear();
   for (const SlabPiece& piece : slabs_.next(to_m)) {
-    const Projected p = project_line(piece.line, piece.whole);
+    const std::uint32_t number = which_[piece.line];
+    const Projected p = project_line(number, piece.whole);
     SurfaceLine line{p.source,
                      nearness(view_, p.left),
                      nearness(view_, p.right),
                      project(view_, piece.begin).x,
                      project(view_, piece.end).x,
-                     lines_[piece.line].hides,
-                     lines_[piece.line].drawn,
+                     lines_[number].hides,
+                     lines_[number].drawn,
                      p.beside,
                      rounding_m_ / 4, // which is generous: what is farther apart is told apart
                      view_.is_perspective(),
-                     lines_[piece.line].covers};
+                     lines_[number].covers,
+                     in_plane(piece.whole, to_m)};
     if (line.upright()) {
       // Shares of the way along the picture, from shares of the way along the edge.
       const auto share = [&](ProfilePoint at) {
@@ -160,26 +152,33 @@ void LineSweep::take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspac
       line.end = vertical ? 1 : share(piece.end);
     }
     if (line.begin > line.end) std::swap(line.begin, line.end);
-    in_slab_.push_back(line);
+    if (cut_to_range(line)) in_slab_.push_back(line);
   }
 
-  if (record_) record_slab(to_m);
+  if (!record_) return;
+  // Before what is hidden is dropped.
+  record_->insert(record_->end(), record_in_last_plane_.begin(), record_in_last_plane_.end());
+  record_in_last_plane_.clear();
+  for (const SurfaceLine& line : in_slab_)
+    if (raises(line))
+      (line.in_last_plane ? record_in_last_plane_ : *record_).push_back(occluder_of(line));
+}
 
-  for (const auto& [index, t_begin, t_end] :
-       slab_horizon_.visible_parts(in_slab_, horizon, tolerance_)) {
+void LineSweep::add_visible(std::span<const VisibleLinePart> visible) {
+  for (const auto& [index, t_begin, t_end] : visible) {
     const std::uint32_t number = line_number(in_slab_[index]);
-    const Projected p = project_line(number, slabs_.line(number));
+    const Projected p = project_line(number, whole(number));
     const auto [begin, end] = std::minmax({along_edge(p, t_begin), along_edge(p, t_end)});
     parts_.push_back({number, begin, end});
   }
+}
 
+void LineSweep::end_slab() {
   occluders_.clear();
   in_last_plane_.clear();
   for (const SurfaceLine& line : in_slab_)
     if (raises(line))
-      (in_plane(slabs_.line(line_number(line)), to_m) ? in_last_plane_ : occluders_)
-          .push_back(occluder_of(line));
-  raise(occluders_, horizon, workspace, collapse);
+      (line.in_last_plane ? in_last_plane_ : occluders_).push_back(occluder_of(line));
 }
 
 std::vector<LinePart> LineSweep::skyline(const Horizon& horizon) const {
@@ -188,45 +187,42 @@ std::vector<LinePart> LineSweep::skyline(const Horizon& horizon) const {
     if (is_sky(piece) || !(piece.source.id & kLineBit)) continue;
     const auto number = static_cast<std::uint32_t>(piece.source.id & ~kLineBit);
     if (lines_[number].kind != LineKind::silhouette || !lines_[number].drawn) continue;
-    const Projected p = project_line(number, slabs_.line(number));
+    const Projected p = project_line(number, whole(number));
     const auto [begin, end] = std::minmax({along_edge(p, parameter_at(p.source, piece.x_begin)),
                                            along_edge(p, parameter_at(p.source, piece.x_end))});
     parts.push_back({number, begin, end});
   }
   join(parts);
-  // What is tied with another line may be of the horizon and not be drawn.
-  return without(parts, without(parts, parts_));
-}
-
-void LineSweep::finish() {
-  join(parts_);
-  // Where two occluders meet, rounding may leave a slit between them.
-  std::erase_if(parts_, [](const LinePart& p) { return p.t_end - p.t_begin <= kSameShare; });
-}
-
-std::vector<LinePart> without(const std::vector<LinePart>& parts,
-                              const std::vector<LinePart>& taken) {
-  std::vector<LinePart> rest;
-  rest.reserve(parts.size());
-  auto first = taken.begin();
-  for (const LinePart& part : parts) {
-    while (first != taken.end() && first->line < part.line) ++first;
-    double begin = part.t_begin;
-    const auto keep = [&](double end) {
-      if (end > begin + kSameShare) rest.push_back({part.line, begin, end});
-    };
-    for (auto t = first; t != taken.end() && t->line == part.line; ++t) {
-      keep(std::min(t->t_begin, part.t_end));
-      begin = std::max(begin, t->t_end);
-    }
-    keep(part.t_end);
-  }
-  return rest;
+  return parts;
 }
 
 ProfilePoint LineSweep::point(std::uint32_t line, double t) const {
-  const ProfileLine whole = slabs_.line(line);
-  return point_between(whole.from, whole.to, t);
+  const ProfileLine ends = whole(line);
+  return point_between(ends.from, ends.to, t);
+}
+
+std::vector<std::vector<std::uint32_t>> lines_by_range(const Surface& surface, const Sector& sector,
+                                                       const std::vector<SweptLine>& lines,
+                                                       std::span<const XRange> ranges,
+                                                       double from_m) {
+  std::vector<std::vector<std::uint32_t>> out(ranges.size());
+  const View& view = sector.view;
+  const double rounding_m = position_rounding_m(surface, view);
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    auto [from, to] = line_in(surface, sector, lines[i].edge);
+    if (std::min(from.v, to.v) < from_m) {
+      if (!(std::max(from.v, to.v) >= from_m)) continue;
+      (from.v < to.v ? from : to) = point_between(from, to, (from_m - from.v) / (to.v - from.v));
+    }
+    const double a = project(view, from).x, b = project(view, to).x;
+    const double low = std::min(a, b) - margin(view, a, from_m, rounding_m);
+    const double high = std::max(a, b) + margin(view, b, from_m, rounding_m);
+    const auto first = std::partition_point(ranges.begin(), ranges.end(),
+                                            [&](const XRange& range) { return range.end < low; });
+    for (auto range = first; range != ranges.end() && range->begin <= high; ++range)
+      out[static_cast<std::size_t>(range - ranges.begin())].push_back(i);
+  }
+  return out;
 }
 
 void join_sectors(const Surface& surface, const View& view, const std::vector<SweptLine>& lines,

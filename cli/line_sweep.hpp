@@ -2,13 +2,15 @@
 // Lines on the surface other than profiles, swept front to back: silhouettes, shores, the border.
 #pragma once
 
+#include "cli/line_parts.hpp"
 #include "cli/scene.hpp"
 #include "draw/stroke_builder.hpp"
-#include "horizon/clip.hpp"
+#include "horizon/clip_profile.hpp"
 #include "horizon/surface_line.hpp"
 #include "profiles/slab_lines.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace orograph {
@@ -24,41 +26,41 @@ struct SweptLine {
   bool covers; ///< ground in front of it ends there, above what else is at its place
 };
 
-/// A visible part of a line; along its edge, 0 at `edge.from` and 1 at `edge.to`.
-struct LinePart {
-  std::uint32_t line;
-  double t_begin, t_end;
-};
-
 /// Takes lines slab by slab: collects what is visible of those that are drawn, and raises the
 /// horizon by those that hide.
 class LineSweep {
 public:
-  /// REQUIRES that surface, sector and lines outlive the sweep. `from_m` is where the first slab
-  /// begins.
+  /// Takes the lines of the numbers `which`, within `range` of X. REQUIRES that surface, sector and
+  /// lines outlive the sweep. `from_m` is where the first slab begins.
   LineSweep(const Surface& surface, const Sector& sector, const std::vector<SweptLine>& lines,
-            double from_m, const TieTolerance& tolerance);
+            std::vector<std::uint32_t> which, XRange range, double from_m,
+            const TieTolerance& tolerance);
 
   /// The slab up to the plane at `to_m`. `horizon` is made of what stands in front of the slab, and
   /// then of what stands in the slab as well, but for lines that lie in its last plane: they hide
-  /// only what is behind that plane. Without `collapse` the horizon fragments.
-  void take_slab(double to_m, Horizon& horizon, ClipWorkspace& workspace, bool collapse = true);
+  /// only what is behind that plane. `raise` raises the horizon by a list of occluders.
+  template <class AnyHorizon, class Raise>
+  void take_slab(double to_m, AnyHorizon& horizon, const Raise& raise) {
+    raise(in_last_plane_, horizon);
+    begin_slab(to_m);
+    add_visible(slab_horizon_.visible_parts(in_slab_, horizon, tolerance_));
+    end_slab();
+    raise(occluders_, horizon);
+  }
   /// From now on every occluder, hidden ones too, is added to `all` when it raises the horizon.
   void record(std::vector<HorizonPiece>& all) { record_ = &all; }
 
-  /// After the last slab, to be called once: joins the visible parts across slabs.
-  void finish();
-  /// All visible parts, by line. REQUIRES `finish`.
+  /// What was visible so far, slab by slab.
   const std::vector<LinePart>& visible_parts() const { return parts_; }
-  /// The visible parts of silhouettes that `horizon`, the one behind everything, is made of.
-  /// REQUIRES `finish`.
+  /// The parts of drawn silhouettes that `horizon`, the one behind everything, is made of, visible
+  /// or not.
   std::vector<LinePart> skyline(const Horizon& horizon) const;
 
   /// Bound on the rounding of u and v.
   double rounding_m() const { return rounding_m_; }
   const SweptLine& line(std::uint32_t i) const { return lines_[i]; }
   std::size_t size() const { return lines_.size(); }
-  ProfileLine whole(std::uint32_t i) const { return slabs_.line(i); }
+  ProfileLine whole(std::uint32_t i) const;
   /// The point at a place along a line.
   ProfilePoint point(std::uint32_t line, double t) const;
 
@@ -73,11 +75,18 @@ private:
   };
   Projected project_line(std::uint32_t line, const ProfileLine& whole) const;
   bool in_plane(const ProfileLine& whole, double depth_m) const;
-  void record_slab(double to_m);
+  bool cut_to_range(SurfaceLine& line) const;
+  void begin_slab(double to_m);
+  void add_visible(std::span<const VisibleLinePart> visible);
+  void end_slab();
   double along_edge(const Projected& projected, double share) const;
 
+  const Surface& surface_;
+  const Sector& sector_;
   const View& view_;
   const std::vector<SweptLine>& lines_;
+  std::vector<std::uint32_t> which_;
+  XRange range_, beside_range_; ///< the second with what is beside the first by rounding
   double from_m_;
   TieTolerance tolerance_;
   double rounding_m_; ///< bound on the rounding of u and v
@@ -90,9 +99,11 @@ private:
   std::vector<LinePart> parts_;
 };
 
-/// What is left of `parts` without `taken`; both by line.
-std::vector<LinePart> without(const std::vector<LinePart>& parts,
-                              const std::vector<LinePart>& taken);
+/// For each of the ranges the numbers of the lines that reach into it.
+std::vector<std::vector<std::uint32_t>> lines_by_range(const Surface& surface, const Sector& sector,
+                                                       const std::vector<SweptLine>& lines,
+                                                       std::span<const XRange> ranges,
+                                                       double from_m);
 
 /// Brings the parts of several sectors, a vector after another, in order by line, and joins those
 /// that only the strip between the sectors parts; `strip_m` wide to either side, 0 where what is in

@@ -4,20 +4,6 @@
 #include "profiles/project_profile.hpp"
 
 namespace orograph {
-namespace {
-
-// Whether vertex `from` and a later one are one point of the profile: only spans without any extent
-// in X, which have no segment, lie between them.
-bool joined(const Profile& profile, std::uint32_t from, std::uint32_t to) {
-  if (from > to) return false;
-  for (std::uint32_t i = from; i < to; ++i)
-    if (profile.after[i] == Span::gap || profile.after[i] == Span::wall ||
-        profile.u_m[i] < profile.u_m[i + 1])
-      return false;
-  return true;
-}
-
-} // namespace
 
 StrokePoint ProfileStrokes::point(const Profile& profile, std::uint32_t left, double t) const {
   const auto at = [&](std::uint32_t i) {
@@ -29,23 +15,34 @@ StrokePoint ProfileStrokes::point(const Profile& profile, std::uint32_t left, do
 }
 
 void ProfileStrokes::add(const Profile& profile, std::int32_t number,
-                         const std::vector<Segment>& segments, const std::vector<Piece>& visible) {
-  bool open = false, at_vertex = false;
+                         std::span<const VisibleRun> visible) {
+  const double depth_m = sector_.behind ? -profile.depth_m : profile.depth_m;
+  bool open = false;
   std::uint32_t open_vertex = 0; // where the open stroke ends, if it ends at a vertex
-  for (const Piece& piece : visible) {
-    const std::uint32_t left = left_vertex(segments[piece.segment]);
-    if (profile.after[left] == Span::level && !draws_level_) continue;
-    if (!(open && at_vertex && piece.t_begin <= 0 && joined(profile, open_vertex, left))) {
-      if (open) builder_.end();
-      builder_.begin(number, sector_.behind ? -profile.depth_m : profile.depth_m);
-      builder_.add(point(profile, left, piece.t_begin));
-      open = true;
+  bool at_vertex = false;
+  const auto close = [&] {
+    if (open) builder_.end();
+    open = false;
+  };
+  for (const VisibleRun& run : visible)
+    for (std::uint32_t span = run.first; span <= run.last; ++span) {
+      const double t_begin = span == run.first ? run.t_begin : 0;
+      const double t_end = span == run.last ? run.t_end : 1;
+      if (profile.after[span] == Span::level && !draws_level_) {
+        close();
+        continue;
+      }
+      if (!(open && at_vertex && t_begin <= 0 && open_vertex == span)) {
+        close();
+        builder_.begin(number, depth_m);
+        builder_.add(point(profile, span, t_begin));
+        open = true;
+      }
+      builder_.add(point(profile, span, t_end));
+      at_vertex = t_end >= 1;
+      open_vertex = span + 1;
     }
-    builder_.add(point(profile, left, piece.t_end));
-    at_vertex = piece.t_end >= 1;
-    open_vertex = left + 1;
-  }
-  if (open) builder_.end();
+  close();
 }
 
 } // namespace orograph

@@ -4,24 +4,24 @@
 
 #include "cli/scene.hpp"
 #include "draw/stroke_builder.hpp"
-#include "horizon/clip.hpp"
+#include "horizon/clip_profile.hpp"
 #include "profiles/profile.hpp"
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 namespace orograph {
 
-/// Feeds the visible pieces of one profile after another to a builder: pieces that meet are one
-/// stroke, and level ground is left out where its shores are drawn instead.
+/// Feeds the visible runs of one profile after another to a builder: runs that meet are one stroke,
+/// and level ground is left out where its shores are drawn instead.
 class ProfileStrokes {
 public:
   /// Of profiles of a sector of `view`. REQUIRES that all outlive this.
   ProfileStrokes(const View& view, const Sector& sector, bool draws_level, StrokeBuilder& builder)
       : view_(view), sector_(sector), draws_level_(draws_level), builder_(builder) {}
 
-  void add(const Profile& profile, std::int32_t number, const std::vector<Segment>& segments,
-           const std::vector<Piece>& visible);
+  /// `visible` in order along the profile.
+  void add(const Profile& profile, std::int32_t number, std::span<const VisibleRun> visible);
 
 private:
   StrokePoint point(const Profile& profile, std::uint32_t left, double t) const;

@@ -30,11 +30,18 @@ struct SweepCounts {
   std::optional<CheckReport>& check; ///< where the settings ask for it
 };
 
+/// What profiles are drawn to.
+struct ProfileLayer {
+  const StrokeSettings& settings;
+  Layer& layer;
+  double left_out_mm = 0; ///< strokes that were too short
+};
+
 /// `lines` are those of the scene (`lines_of`), for all of its sectors. The visible parts of
 /// profiles go to `profiles`, if there is one. `profile_done` is called after each profile.
 SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Sector& sector,
                          const std::vector<SweptLine>& lines, const RenderSettings& settings,
-                         const Instruments& instruments, StrokeBuilder* profiles,
+                         const Instruments& instruments, ProfileLayer* profiles,
                          const SweepCounts& counts, const std::function<void()>& profile_done);
 
 } // namespace orograph

@@ -21,4 +21,38 @@ void project_profile(const Profile& profile, std::uint32_t number, const View& v
   }
 }
 
+void project_profile(const Profile& profile, std::uint32_t number, const View& view,
+                     ProjectedProfile& out, std::vector<Segment>& uprights) {
+  const std::size_t count = profile.size();
+  out.x.resize(count);
+  out.y.resize(count);
+  out.runs.clear();
+  uprights.clear();
+  // `project`, with what is the same for all taken out of the loop.
+  const double v = profile.depth_m;
+  if (view.is_perspective()) {
+    const double per_depth = 1 / v;
+    for (std::size_t i = 0; i < count; ++i) {
+      out.x[i] = profile.u_m[i] * per_depth;
+      out.y[i] = (profile.z_m[i] - view.eye_z_m) * per_depth;
+    }
+  } else {
+    const double aside = v * view.x_per_v, above = v * view.y_per_v;
+    for (std::size_t i = 0; i < count; ++i) {
+      out.x[i] = profile.u_m[i] + aside;
+      out.y[i] = profile.z_m[i] * view.y_per_z + above;
+    }
+  }
+  const auto is_ground = [](Span span) { return span == Span::slope || span == Span::level; };
+  for (std::uint32_t i = 0; i + 1 < count; ++i) {
+    if (profile.after[i] == Span::wall)
+      uprights.push_back(
+          {out.x[i], out.y[i], out.x[i], out.y[i + 1], (std::uint64_t{number} << 32U) | i, 0});
+    if (!is_ground(profile.after[i])) continue;
+    const std::uint32_t first = i;
+    while (i + 2 < count && is_ground(profile.after[i + 1])) ++i;
+    out.runs.push_back({first, i + 1});
+  }
+}
+
 } // namespace orograph

@@ -2,6 +2,7 @@
 // From a profile to source segments in the visibility plane.
 #pragma once
 
+#include "geometry/projected_profile.hpp"
 #include "geometry/segment.hpp"
 #include "profiles/profile.hpp"
 #include "view/view.hpp"
@@ -16,6 +17,10 @@ namespace orograph {
 /// after rounding, have no segment. REQUIRES profile.depth_m > 0 in perspective.
 void project_profile(const Profile& profile, std::uint32_t number, const View& view,
                      std::vector<Segment>& out, std::vector<Segment>& uprights);
+
+/// The same as vertices, all of them, and the runs between gaps and walls; and those along walls.
+void project_profile(const Profile& profile, std::uint32_t number, const View& view,
+                     ProjectedProfile& out, std::vector<Segment>& uprights);
 
 inline std::uint32_t left_vertex(const Segment& segment) {
   return static_cast<std::uint32_t>(segment.id);

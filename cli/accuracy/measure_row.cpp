@@ -103,8 +103,11 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
   const bool exact = row.settings.arithmetic == Arithmetic::exact;
   const auto run = [&](const RenderSettings& with, LineObserver* observer) {
     if (exact) return draw_exactly(terrain, scene, observer);
-    const Instruments instruments{observer, row.settings.collapse,
-                                  row.settings.arithmetic == Arithmetic::float32};
+    const Instruments instruments{.observer = observer,
+                                  .collapse = row.settings.collapse,
+                                  .single_precision =
+                                      row.settings.arithmetic == Arithmetic::float32,
+                                  .beyond_page = true};
     return draw_scene(
         terrain, scene, with, [](double) {}, instruments);
   };
@@ -113,8 +116,8 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
   RenderSettings unsimplified = render;
   unsimplified.simplify_mm = 0;
   InkMeter lengths(terrain.surface, scene, render, kNever, full_heights);
-  const DrawnScene whole =
-      draw_scene(terrain, scene, unsimplified, [](double) {}, {&lengths, true, false});
+  const DrawnScene whole = draw_scene(terrain, scene, unsimplified, [](double) {},
+                                      {.observer = &lengths, .beyond_page = true});
   check_not_empty(whole, render);
 
   // Profiles get the points that were asked for, whether other lines are drawn too or not: rows

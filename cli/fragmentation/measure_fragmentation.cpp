@@ -146,7 +146,8 @@ FragmentationRun timed(const MeasuredScene& s, bool collapse, int repeats) {
   for (int i = 0; i < repeats; ++i) {
     FragmentationRun once;
     SizeMeter meter(once);
-    const Totals totals = run(s, {&meter, collapse, false, nullptr}, meter);
+    const Totals totals =
+        run(s, {.observer = &meter, .collapse = collapse, .one_list = true}, meter);
     once.work = totals.counts.pieces_before_collapse;
     once.seconds = std::min(out.seconds, totals.seconds.clip);
     out = std::move(once);
@@ -183,7 +184,9 @@ void measure_row(FragmentationRow& row, const FragmentationSettings& settings,
   FragmentationRun counted;
   SizeMeter meter(counted);
   std::vector<HorizonPiece> occluders;
-  row.segments = run(measured, {&meter, true, false, &occluders}, meter).counts.segments;
+  row.segments =
+      run(measured, {.observer = &meter, .one_list = true, .occluders = &occluders}, meter)
+          .counts.segments;
   row.visible = meter.visible();
   row.occluders = surface ? occluders.size() : row.segments;
   row.collapsed = timed(measured, true, settings.repeats);
@@ -191,7 +194,7 @@ void measure_row(FragmentationRow& row, const FragmentationSettings& settings,
     row.fragmented = timed(measured, false, settings.repeats);
   if (row.occluders <= static_cast<std::uint64_t>(settings.exact_segments)) {
     LeastMeter exact(row.least.emplace(), surface, render.visibility_tolerance_mm);
-    run(measured, {&exact, true, false, &exact.occluders()}, exact);
+    run(measured, {.observer = &exact, .one_list = true, .occluders = &exact.occluders()}, exact);
     exact.finish();
   }
 }

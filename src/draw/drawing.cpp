@@ -66,4 +66,14 @@ std::optional<std::string> find_fault(const Drawing& drawing) {
   return {};
 }
 
+void append(Layer& layer, const Layer& other) {
+  const auto offset = static_cast<std::uint32_t>(layer.page_mm.size());
+  layer.page_mm.insert(layer.page_mm.end(), other.page_mm.begin(), other.page_mm.end());
+  layer.map.insert(layer.map.end(), other.map.begin(), other.map.end());
+  for (Stroke stroke : other.strokes) {
+    stroke.first_point += offset;
+    layer.strokes.push_back(stroke);
+  }
+}
+
 } // namespace orograph

@@ -44,7 +44,15 @@ struct Layer {
   std::span<const Vec2> points(const Stroke& s) const {
     return std::span(page_mm).subspan(s.first_point, s.point_count);
   }
+  /// Takes the strokes away.
+  void clear() {
+    page_mm.clear();
+    map.clear();
+    strokes.clear();
+  }
 };
+/// Adds another layer's strokes behind those of `layer`.
+void append(Layer& layer, const Layer& other);
 
 /// The step of page coordinates in every format: 4 decimals of a millimetre, a hundredth of what a
 /// plotter can do.

@@ -51,10 +51,21 @@ std::size_t BlockedHorizon::block_at(double x) const {
 void BlockedHorizon::raise(const HorizonPiece& occluder) {
   for (std::size_t i = block_at(occluder.x_begin);
        i < blocks_.size() && blocks_[i].x_begin < occluder.x_end; ++i)
-    raise_block(blocks_[i], occluder);
+    raise_block(i, occluder);
 }
 
-void BlockedHorizon::raise_block(HorizonBlock& block, const HorizonPiece& occluder) {
+// Of the collapsed pieces, those of a block and of its ends.
+std::size_t BlockedHorizon::size_at(std::size_t number) const {
+  const Horizon& pieces = blocks_[number].pieces;
+  std::size_t ends = 0; // that are none
+  if (number > 0) ends += continues(blocks_[number - 1].pieces.back(), pieces.front()) ? 1 : 0;
+  if (number + 1 < blocks_.size())
+    ends += continues(pieces.back(), blocks_[number + 1].pieces.front()) ? 1 : 0;
+  return 2 + pieces.size() - ends;
+}
+
+void BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occluder) {
+  HorizonBlock& block = blocks_[number];
   const Segment& source = occluder.source;
   const double begin = std::max(occluder.x_begin, block.x_begin);
   const double end = std::min(occluder.x_end, block.x_end);
@@ -85,12 +96,16 @@ void BlockedHorizon::raise_block(HorizonBlock& block, const HorizonPiece& occlud
     write(piece, to, piece.x_end);
   }
   pieces_collapsed_ += next_.size();
+  const std::size_t before = size_at(number);
   block.pieces.swap(next_);
+  size_ += size_at(number) - before;
   set_bounds(block);
 }
 
 void BlockedHorizon::ink(std::size_t block, std::size_t at, double begin, double end) {
+  const std::size_t before = size_at(block);
   orograph::ink(blocks_[block].pieces, at, begin, end, true);
+  size_ += size_at(block) - before;
 }
 
 Horizon BlockedHorizon::joined() const {
@@ -98,12 +113,6 @@ Horizon BlockedHorizon::joined() const {
   for (const HorizonBlock& block : blocks_)
     for (const HorizonPiece& piece : block.pieces) append(pieces, piece, true);
   return pieces;
-}
-
-std::size_t BlockedHorizon::size() const {
-  std::size_t count = 0;
-  for (const HorizonBlock& block : blocks_) count += block.pieces.size();
-  return count;
 }
 
 BlockedCursor::BlockedCursor(const BlockedHorizon& horizon, double x)

@@ -37,17 +37,19 @@ public:
 
   /// In one list, collapsed.
   Horizon joined() const;
-  std::size_t size() const; ///< pieces, in all blocks
+  std::size_t size() const { return size_; } ///< pieces, collapsed
 
   std::size_t pieces_uncollapsed() const { return pieces_uncollapsed_; } ///< as made, in all
   std::size_t pieces_collapsed() const { return pieces_collapsed_; }     ///< as kept, in all
 
 private:
-  void raise_block(HorizonBlock& block, const HorizonPiece& occluder);
+  void raise_block(std::size_t number, const HorizonPiece& occluder);
+  std::size_t size_at(std::size_t number) const;
 
   double x_begin_, blocks_per_x_;
   std::vector<HorizonBlock> blocks_;
   Horizon next_;
+  std::size_t size_ = 1;
   std::size_t pieces_uncollapsed_ = 0, pieces_collapsed_ = 0;
 };
 

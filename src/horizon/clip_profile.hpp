@@ -3,6 +3,7 @@
 // profile, vertex after vertex, against a horizon in blocks.
 #pragma once
 
+#include "geometry/projected_profile.hpp"
 #include "horizon/blocked_horizon.hpp"
 #include "horizon/compare.hpp"
 
@@ -11,17 +12,6 @@
 #include <vector>
 
 namespace orograph {
-
-/// Vertices `first` to `last` of a profile, with ground between each and the next.
-struct VertexRun {
-  std::uint32_t first, last;
-};
-
-/// A profile in the visibility plane: X never falls along a run.
-struct ProjectedProfile {
-  std::vector<double> x, y;
-  std::vector<VertexRun> runs;
-};
 
 /// A visible stretch of a profile: from the span behind vertex `first`, at the share `t_begin` of
 /// it, to the span behind vertex `last`, at `t_end`.

@@ -35,6 +35,8 @@ struct SurfaceLine {
   double rounding_m = 0;
   bool perspective = false; ///< how nearness is reckoned
   bool covers = false;
+  /// Lies in the slab's last plane: hides only what is behind that.
+  bool in_last_plane = false;
 
   bool upright() const { return source.x0 == source.x1; }
   bool vertical() const { return upright() && nearness0 == nearness1; }

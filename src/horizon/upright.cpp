@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "horizon/upright.hpp"
 
+#include "horizon/blocked_horizon.hpp"
+#include "horizon/horizon_pieces.hpp"
+
 #include <algorithm>
 #include <limits>
 
 namespace orograph {
 namespace {
 
-double height_of(const Horizon& horizon, double x) {
-  const auto piece = std::partition_point(horizon.begin(), horizon.end(),
-                                          [&](const HorizonPiece& p) { return p.x_end < x; });
+template <class AnyHorizon>
+double height_of(const AnyHorizon& horizon, double x) {
+  const auto piece = pieces_from(horizon, x);
   return is_sky(*piece) ? -std::numeric_limits<double>::infinity() : height_at(piece->source, x);
 }
 
 } // namespace
 
-std::vector<Piece> visible_uprights(std::span<const Segment> uprights, const Horizon& horizon,
+template <class AnyHorizon>
+std::vector<Piece> visible_uprights(std::span<const Segment> uprights, const AnyHorizon& horizon,
                                     double beside) {
   std::vector<Piece> visible;
   for (std::uint32_t i = 0; i < uprights.size(); ++i) {
@@ -31,6 +35,10 @@ std::vector<Piece> visible_uprights(std::span<const Segment> uprights, const Hor
   }
   return visible;
 }
+
+template std::vector<Piece> visible_uprights(std::span<const Segment>, const Horizon&, double);
+template std::vector<Piece> visible_uprights(std::span<const Segment>, const BlockedHorizon&,
+                                             double);
 
 void insert_uprights(std::span<const Segment> uprights, std::span<const Piece> visible_uprights,
                      std::vector<Segment>& segments, std::vector<Piece>& visible) {

@@ -13,7 +13,8 @@ namespace orograph {
 /// above `horizon`, as pieces numbered by `uprights`. Where the horizon has a step at that X, its
 /// lower side counts: the wall's own top stands on the higher one. `beside` is what is that close
 /// in X counts as being at it.
-std::vector<Piece> visible_uprights(std::span<const Segment> uprights, const Horizon& horizon,
+template <class AnyHorizon> // Horizon or BlockedHorizon
+std::vector<Piece> visible_uprights(std::span<const Segment> uprights, const AnyHorizon& horizon,
                                     double beside);
 
 /// Puts uprights and their visible pieces where they belong among a profile's segments and pieces:

@@ -76,7 +76,8 @@ std::vector<std::uint32_t> brute_force(const FragmentationRow& row, const Terrai
   EnvelopeCounter counter(row.occluder == Occluder::surface);
   const Scene scene = place_scene(terrain, render);
   REQUIRE(scene.sectors.size() == 1);
-  draw_scene(terrain, scene, render, [](double) {}, {&counter, true, false, &counter.occluders});
+  draw_scene(terrain, scene, render, [](double) {},
+             {.observer = &counter, .one_list = true, .occluders = &counter.occluders});
   return counter.after;
 }
 

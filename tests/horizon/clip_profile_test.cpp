@@ -137,6 +137,7 @@ TEST_CASE("profiles clipped by blocks show what clip shows, whole and in ranges"
         clip(scene[i], list_horizon, compared, workspace);
         REQUIRE(visible == runs_of(workspace.visible, as));
         REQUIRE(in_ranges == visible);
+        REQUIRE(blocks.size() == list_horizon.size());
         REQUIRE(same_pieces(blocks.joined(), list_horizon));
         runs_seen += visible.size();
         steps += counts.steps;

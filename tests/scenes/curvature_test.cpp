@@ -84,7 +84,7 @@ double highest_y(const Terrain& terrain, const RenderSettings& settings) {
   } seen;
   const Scene scene = place_scene(terrain, settings);
   REQUIRE(scene.curvature.applied);
-  draw_scene(terrain, scene, settings, [](double) {}, {&seen, true, false});
+  draw_scene(terrain, scene, settings, [](double) {}, {.observer = &seen, .beyond_page = true});
   return seen.highest;
 }
 
@@ -282,9 +282,11 @@ TEST_CASE("and a grid and its TIN are the same there, to the bit") {
     as_tin.surface = tin_of(grid_of(scene.terrain));
     Scene placed = place_scene(scene.terrain, scene.settings);
     Seen by_grid, by_tin;
-    draw_scene(scene.terrain, placed, scene.settings, [](double) {}, {&by_grid, true, false});
+    draw_scene(scene.terrain, placed, scene.settings, [](double) {},
+               {.observer = &by_grid, .beyond_page = true});
     placed.border = border_edges(std::get<Tin>(as_tin.surface));
-    draw_scene(as_tin, placed, scene.settings, [](double) {}, {&by_tin, true, false});
+    draw_scene(as_tin, placed, scene.settings, [](double) {},
+               {.observer = &by_tin, .beyond_page = true});
     CAPTURE(seed, scene.what);
     REQUIRE(by_grid.parts.size() == by_tin.parts.size());
     REQUIRE(std::memcmp(by_grid.parts.data(), by_tin.parts.data(),

@@ -120,7 +120,8 @@ std::optional<Seen> seen_of(RandomScene scene) {
     stand_on_earth(scene.terrain, scene.settings);
     const Scene placed = place_scene(scene.terrain, scene.settings);
     Seen seen;
-    draw_scene(scene.terrain, placed, scene.settings, [](double) {}, {&seen, true, false});
+    draw_scene(scene.terrain, placed, scene.settings, [](double) {},
+               {.observer = &seen, .beyond_page = true});
     return seen;
   } catch (const Error&) {
     return std::nullopt;
@@ -226,11 +227,11 @@ TEST_CASE("a grid in degrees and the TIN of its triangles are one drawing, bit f
       Terrain as_tin = scene.terrain;
       as_tin.surface = tin_of(grid_of(scene.terrain));
       Seen by_grid, by_tin;
-      const DrawnScene grid_drawn =
-          draw_scene(scene.terrain, placed, scene.settings, [](double) {}, {&by_grid, true, false});
+      const DrawnScene grid_drawn = draw_scene(scene.terrain, placed, scene.settings, [](double) {},
+                                               {.observer = &by_grid, .beyond_page = true});
       placed.border = border_edges(std::get<Tin>(as_tin.surface));
-      const DrawnScene tin_drawn =
-          draw_scene(as_tin, placed, scene.settings, [](double) {}, {&by_tin, true, false});
+      const DrawnScene tin_drawn = draw_scene(as_tin, placed, scene.settings, [](double) {},
+                                              {.observer = &by_tin, .beyond_page = true});
       REQUIRE(are_same(by_grid.parts, by_tin.parts));
       REQUIRE(grid_drawn.drawing.layers.size() == tin_drawn.drawing.layers.size());
       for (std::size_t i = 0; i < grid_drawn.drawing.layers.size(); ++i)

@@ -68,14 +68,14 @@ void compare_in(const Terrain& as_grid, const Terrain& as_tin, const RenderSetti
   const Tin& tin = std::get<Tin>(as_tin.surface);
   Scene scene = place_scene(as_grid, settings);
   Seen by_grid, by_tin;
-  const DrawnScene drawn_grid =
-      draw_scene(as_grid, scene, settings, [](double) {}, {&by_grid, true, false});
+  const DrawnScene drawn_grid = draw_scene(as_grid, scene, settings, [](double) {},
+                                           {.observer = &by_grid, .beyond_page = true});
   // The same view and plan; what belongs to the surface is the TIN's own.
   scene.border = border_edges(tin);
   if (settings.flat == FlatGround::shore)
     scene.level = find_level_ground(tin, smallest_water_m2(grid));
-  const DrawnScene drawn_tin =
-      draw_scene(as_tin, scene, settings, [](double) {}, {&by_tin, true, false});
+  const DrawnScene drawn_tin = draw_scene(as_tin, scene, settings, [](double) {},
+                                          {.observer = &by_tin, .beyond_page = true});
   REQUIRE(by_grid.parts.size() == by_tin.parts.size());
   std::size_t different = 0;
   for (std::size_t i = 0; i < by_grid.parts.size(); ++i) {

@@ -171,7 +171,7 @@ TEST_CASE("what is visible doesn't depend on the plate, its window or its turn")
       const Scene placed = place_scene(scene.terrain, settings);
       if (placed.sectors.size() > 1) continue; // cut at another near plane
       draw_scene(scene.terrain, placed, settings, [](double) {},
-                 {&seen.emplace_back(), true, false});
+                 {.observer = &seen.emplace_back(), .beyond_page = true});
     }
     for (std::size_t i = 1; i < seen.size(); ++i) {
       CAPTURE(seed, scene.what, parallel, i);

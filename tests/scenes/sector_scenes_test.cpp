@@ -233,7 +233,8 @@ TEST_CASE("what is visible doesn't depend on pitch, roll or field, to the bit") 
       }
       const Scene& placed = *found;
       Seen seen;
-      draw_scene(scene.terrain, placed, settings, [](double) {}, {&seen, true, false});
+      draw_scene(scene.terrain, placed, settings, [](double) {},
+                 {.observer = &seen, .beyond_page = true});
       auto& parts = first[shows_beside(placed.view) ? 1 : 0];
       CAPTURE(seed, scene.what, i);
       if (parts.empty()) {

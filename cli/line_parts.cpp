@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/line_parts.hpp"
+
+#include <algorithm>
+
+namespace orograph {
+namespace {
+
+// Shares of one edge that were reckoned on both sides of a slab's plane are equal to rounding.
+constexpr double kSameShare = 1e-12;
+
+} // namespace
+
+void join(std::vector<LinePart>& parts, const std::function<double(std::uint32_t)>& gap) {
+  std::sort(parts.begin(), parts.end(), [](const LinePart& a, const LinePart& b) {
+    return a.line != b.line ? a.line < b.line : a.t_begin < b.t_begin;
+  });
+  std::size_t count = 0;
+  for (const LinePart& part : parts) {
+    if (count > 0 && parts[count - 1].line == part.line &&
+        parts[count - 1].t_end >= part.t_begin - (gap ? gap(part.line) : kSameShare))
+      parts[count - 1].t_end = std::max(parts[count - 1].t_end, part.t_end);
+    else
+      parts[count++] = part;
+  }
+  parts.resize(count);
+  std::erase_if(parts, [](const LinePart& p) { return p.t_end - p.t_begin <= kSameShare; });
+}
+
+std::vector<LinePart> without(const std::vector<LinePart>& parts,
+                              const std::vector<LinePart>& taken) {
+  std::vector<LinePart> rest;
+  rest.reserve(parts.size());
+  auto first = taken.begin();
+  for (const LinePart& part : parts) {
+    while (first != taken.end() && first->line < part.line) ++first;
+    double begin = part.t_begin;
+    const auto keep = [&](double end) {
+      if (end > begin + kSameShare) rest.push_back({part.line, begin, end});
+    };
+    for (auto t = first; t != taken.end() && t->line == part.line; ++t) {
+      keep(std::min(t->t_begin, part.t_end));
+      begin = std::max(begin, t->t_end);
+    }
+    keep(part.t_end);
+  }
+  return rest;
+}
+
+std::vector<LinePart> shared(const std::vector<LinePart>& parts,
+                             const std::vector<LinePart>& others) {
+  return without(parts, without(parts, others));
+}
+
+} // namespace orograph

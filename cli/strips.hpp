@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ranges of X that don't depend on each other.
+#pragma once
+
+#include "cli/scene.hpp"
+#include "horizon/clip_profile.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace orograph {
+
+struct Strip {
+  XRange range;       ///< what it shows
+  XRange core;        ///< finite; where its horizon has blocks
+  std::size_t blocks; ///< of its horizon
+};
+
+/// What the page shows of a sector's visibility plane; without ends where it shows rays beside the
+/// eye.
+XRange page_range(const Sector& sector);
+
+/// Strips that tile `range`, left to right, with about the same number of cut vertices in each. A
+/// function of the scene and the sector alone, never of how many cores there are.
+/// REQUIRES range.begin < range.end.
+std::vector<Strip> plan_strips(const Scene& scene, const Sector& sector, XRange range);
+
+} // namespace orograph
