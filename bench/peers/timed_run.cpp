@@ -18,6 +18,8 @@
 
 namespace {
 
+constexpr rlim_t kMost_bytes = rlim_t{8} << 30U; // of address space: others work here too
+
 volatile std::sig_atomic_t timed_out = 0;
 pid_t child = 0;
 
@@ -43,6 +45,8 @@ int main(int count, char** arguments) {
   child = fork();
   if (child == 0) {
     setpgid(0, 0); // so that what it starts can be killed with it
+    const rlimit most{kMost_bytes, kMost_bytes};
+    setrlimit(RLIMIT_AS, &most);
     dup2(STDERR_FILENO, STDOUT_FILENO);
     execvp(arguments[2], arguments + 2);
     std::perror(arguments[2]);
@@ -62,10 +66,15 @@ int main(int count, char** arguments) {
   const std::chrono::duration<double> wall = Clock::now() - begin;
   alarm(0);
   if (timed_out) {
-    std::puts("timeout");
+    std::printf(">%d s\n", limit_s);
+    return 0;
+  }
+  const bool well = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (!well && used.ru_maxrss > static_cast<long>(kMost_bytes / 1024 / 10 * 8)) {
+    std::puts(">8 GiB");
     return 0;
   }
   std::printf("%.4f %.4f %ld\n", wall.count(), seconds(used.ru_utime) + seconds(used.ru_stime),
               used.ru_maxrss);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : 1;
+  return well ? 0 : 1;
 }
