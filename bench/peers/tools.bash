@@ -45,7 +45,7 @@ declare -A tolerances_mm=(
 
 # command_of TOOL: sets `output` and `run`, the command that is measured.
 command_of() {
-  local heights=$work/$name.heights sizes=("$columns" "$rows" "$column_m" "$row_m")
+  local heights=$work/$name.heights shape=("$columns" "$rows" "$column_m" "$row_m")
   local orthographic=(--projection orthographic --view-from "180/$elevation" --spacing "${row_m}m"
     --exaggeration 1 --quiet --overwrite)
   output=$work/$name-$1
@@ -62,22 +62,18 @@ command_of() {
     ncar) output+=.ncgm && run=("$built/ncar" "$heights" "$output" "$elevation") ;;
     gle)
       output+=.eps
-      run=("$programs/gle.sh" "$work/$name.z" "$output" "$elevation" "${sizes[@]}" "$lowest_m"
+      run=("$programs/gle.sh" "$work/$name.z" "$output" "$elevation" "${shape[@]}" "$lowest_m"
         "$highest_m")
       ;;
-    gmt-qm) output+=.ps && run=("$programs/gmt.sh" m "$dem" "$output" "$elevation" "${sizes[@]}") ;;
-    gmt-qmx) output+=.ps && run=("$programs/gmt.sh" mx "$dem" "$output" "$elevation" "${sizes[@]}") ;;
+    gmt-qm) output+=.ps && run=("$programs/gmt.sh" m "$dem" "$output" "$elevation" "${shape[@]}") ;;
+    gmt-qmx) output+=.ps && run=("$programs/gmt.sh" mx "$dem" "$output" "$elevation" "${shape[@]}") ;;
     r-persp) output+=.ps && run=(Rscript "$programs/persp.R" "$heights" "$output" "$elevation") ;;
     gnuplot)
       output+=.svg
-      run=(gnuplot -c "$programs/gnuplot.gp" "$heights" "$output" "$elevation" "${sizes[@]}")
+      run=(gnuplot -c "$programs/gnuplot.gp" "$heights" "$output" "$elevation" "${shape[@]}")
       ;;
     occ-poly) output+=.txt && run=("$built/occ" poly "$heights" "$output" "$elevation") ;;
     occ-exact) output+=.txt && run=("$built/occ" exact "$heights" "$output" "$elevation") ;;
-    *)
-      echo "compare: error: no tool '$1': ${all_tools[*]} are there" >&2
-      return 2
-      ;;
   esac
 }
 

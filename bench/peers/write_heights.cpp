@@ -31,6 +31,9 @@ std::vector<float> from_the_south(const Grid& grid) {
 }
 
 void write(const Grid& grid, const std::string& dem, const std::string& path) {
+  if (grid.is_on_earth())
+    throw Error(dem + " is in degrees, which most peers don't know",
+                "bring it to a map in metres with gdalwarp -t_srs");
   const PlaneLattice& plane = grid.plane();
   if (plane.column_step_m.y != 0 || plane.row_step_m.x != 0)
     throw Error(dem + " is rotated", "bring it to the map's axes with gdalwarp");
