@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one view costs: facing, and cut, project and clip in nanoseconds a cut vertex, over cutting
+// alone and over reading all heights once, on one core and on two. One profile a grid row, the
+// surface hides. All in one process, in turn; the least of several rounds.
+//
+//   view_cost [VERTICES [ROUNDS]]     4000 and 3 unless told otherwise
+#include "cli/draw_scene.hpp"
+#include "cli/scene.hpp"
+#include "cli/stopwatch.hpp"
+#include "profiles/cut_surface.hpp"
+
+#include <oneapi/tbb/global_control.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+#include "bench/scenes.hpp"
+
+using namespace orograph;
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+template <class Act>
+double seconds_of(const Act& act) {
+  double seconds = 0;
+  Stopwatch watch;
+  act();
+  watch.mark(seconds);
+  return seconds;
+}
+
+struct Cost {
+  double facing = kNever, cut = kNever, project = kNever, clip = kNever, layout = kNever,
+         whole = kNever;
+  CountsReport counts;
+
+  double sum() const { return cut + project + clip; }
+};
+
+Cost draw(const Terrain& terrain, const Scene& scene, const RenderSettings& settings,
+          std::size_t threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  Cost cost;
+  DrawnScene drawn;
+  cost.whole = seconds_of([&] { drawn = draw_scene(terrain, scene, settings, [](double) {}); });
+  const SecondsReport& s = drawn.seconds;
+  cost.facing = s.facing;
+  cost.cut = s.cut;
+  cost.project = s.project;
+  cost.clip = s.clip;
+  cost.layout = s.layout;
+  cost.counts = drawn.counts;
+  return cost;
+}
+
+double cut_alone(const Terrain& terrain, const Scene& scene) {
+  const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles, scene.border);
+  Profile profile;
+  return seconds_of([&] {
+    for (const double depth_m : scene.depths_m) cutter.cut(depth_m, profile);
+  });
+}
+
+double read_once(const Terrain& terrain) {
+  double sum = 0;
+  const double seconds = seconds_of([&] {
+    std::visit(
+        [&](const auto& heights) {
+          float four[4] = {};
+          for (std::size_t i = 0; i + 4 <= heights.size(); i += 4)
+            for (std::size_t k = 0; k < 4; ++k) four[k] += static_cast<float>(heights[i + k]);
+          for (const float part : four) sum += static_cast<double>(part);
+        },
+        std::get<Grid>(terrain.surface).heights_m);
+  });
+  return sum != 0 ? seconds : kNever;
+}
+
+void keep_less(Cost& least, const Cost& cost) {
+  if (cost.sum() < least.sum()) {
+    const double whole = std::min(least.whole, cost.whole);
+    least = cost;
+    least.whole = whole;
+  } else {
+    least.whole = std::min(least.whole, cost.whole);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const int vertices = argc > 1 ? std::atoi(argv[1]) : 4000;
+  const int rounds = argc > 2 ? std::atoi(argv[2]) : 3;
+  Terrain terrain;
+  terrain.surface = fractal_terrain(vertices);
+  for (const double elevation : {5.0, 25.0, 60.0})
+    for (const double azimuth : {180.0, 213.0}) {
+      RenderSettings settings;
+      settings.from_azimuth = Angle::degrees(azimuth);
+      settings.from_elevation = Angle::degrees(elevation);
+      settings.plan = GroundSpacing{cell_size_m(terrain.surface)};
+      settings.layers = {"profiles"};
+      const Scene scene = place_scene(terrain, settings);
+      Cost one, two;
+      double cut_s = kNever, read_s = kNever;
+      for (int round = 0; round < rounds; ++round) {
+        keep_less(one, draw(terrain, scene, settings, 1));
+        keep_less(two, draw(terrain, scene, settings, 2));
+        cut_s = std::min(cut_s, cut_alone(terrain, scene));
+        read_s = std::min(read_s, read_once(terrain));
+      }
+      const double ns = 1e9 / static_cast<double>(one.counts.cut_vertices);
+      std::printf(
+          "from %3g/%-2g %4zu profiles, %.1fM vertices: cut %.2f + project %.2f + clip %.2f "
+          "= %.2f ns a vertex; / cutting alone %.2f; / reading %.1f\n",
+          azimuth, elevation, scene.depths_m.size(),
+          1e-6 * static_cast<double>(one.counts.cut_vertices), one.cut * ns, one.project * ns,
+          one.clip * ns, one.sum() * ns, one.sum() / cut_s, one.sum() / read_s);
+      std::printf("    facing %.0f ms, layout %.0f ms, all %.0f ms; one core / two %.2f\n",
+                  1e3 * one.facing, 1e3 * one.layout, 1e3 * one.whole, one.whole / two.whole);
+      std::fflush(stdout);
+    }
+}
