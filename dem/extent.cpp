@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/extent.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -118,17 +122,38 @@ struct Found {
   }
 };
 
+// What a block of a map plane has.
+struct PlaneBlock {
+  Box3 box;
+  double sum = 0;
+  std::size_t count = 0;
+};
+
+template <class Value>
+PlaneBlock block_on_plane(const Grid& grid, const Heights<Value>& heights, const Block& block) {
+  const auto found = heights_in(grid, heights, block);
+  if (found.count == 0) return {};
+  const bool all_valid = found.count == static_cast<std::size_t>(block.columns) * block.rows;
+  const Box2 ground = ground_box(grid, heights, block, all_valid);
+  return {{{ground.low.x, ground.low.y, found.low}, {ground.high.x, ground.high.y, found.high}},
+          found.sum,
+          found.count};
+}
+
+// Looked at on all cores, added up in order: the mean is the same on any number of them.
 template <class Value>
 void find_on_plane(const Grid& grid, const Heights<Value>& heights, Found& out) {
-  for (const Block& block : blocks_of(grid)) {
-    const auto found = heights_in(grid, heights, block);
-    if (found.count == 0) continue;
-    const bool all_valid = found.count == static_cast<std::size_t>(block.columns) * block.rows;
-    const Box2 ground = ground_box(grid, heights, block, all_valid);
-    out.add(block,
-            {{ground.low.x, ground.low.y, found.low}, {ground.high.x, ground.high.y, found.high}},
-            found.sum, found.count);
-  }
+  const std::vector<Block> blocks = blocks_of(grid);
+  std::vector<PlaneBlock> found(blocks.size());
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), 256),
+                      [&](const tbb::blocked_range<std::size_t>& some) {
+                        for (std::size_t i = some.begin(); i < some.end(); ++i)
+                          found[i] = block_on_plane(grid, heights, blocks[i]);
+                      });
+  });
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    if (found[i].count > 0) out.add(blocks[i], found[i].box, found[i].sum, found[i].count);
 }
 
 // One row of vertices on the ellipsoid.
