@@ -75,7 +75,7 @@ void append_runs(const Grid& grid, const Heights<Height>& heights, int row,
 // Of all rows, in order; found on all cores.
 template <class Height>
 std::vector<Run> runs_of(const Grid& grid, const Heights<Height>& heights) {
-  constexpr std::size_t kCellsOfTask = 1 << 18;
+  constexpr std::size_t kCellsOfTask = 1 << 14;
   const int rows = std::max(grid.rows - 1, 0);
   const int rows_of_task =
       static_cast<int>(kCellsOfTask / static_cast<std::size_t>(std::max(grid.columns, 1))) + 1;
