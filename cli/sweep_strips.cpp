@@ -4,9 +4,9 @@
 // of several kinds for the threads.
 #include "cli/sweep_strips.hpp"
 
-#include "cli/on_all_cores.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/strips.hpp"
+#include "geometry/on_all_cores.hpp"
 #include "horizon/upright.hpp"
 #include "profiles/project_profile.hpp"
 

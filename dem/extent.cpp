@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/extent.hpp"
 
+#include "geometry/on_all_cores.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,10 +31,10 @@ struct BlockHeights {
 };
 
 // A lane for each column, because a single running minimum or sum has to be taken in order and
-// therefore doesn't vectorize. Comparisons with NaN are false.
-template <class Value>
-BlockHeights<Value> heights_in(const Grid& grid, const Heights<Value>& heights,
-                               const Block& block) {
+// therefore doesn't vectorize. Comparisons with NaN are false. Where `kGaps` is false a NaN makes
+// its lane's sum NaN, which is a third of the work.
+template <bool kGaps, class Value>
+BlockHeights<Value> lanes_of(const Grid& grid, const Heights<Value>& heights, const Block& block) {
   std::array<Value, side> low, high;
   std::array<double, side> sum{};
   std::array<int, side> count{};
@@ -41,14 +43,15 @@ BlockHeights<Value> heights_in(const Grid& grid, const Heights<Value>& heights,
   for (int row = block.row; row < block.row + block.rows; ++row) {
     const Value* h = heights.data() + grid.index(block.column, row);
     for (int i = 0; i < block.columns; ++i) {
-      const bool valid = !std::isnan(h[i]);
+      const bool valid = !kGaps || !std::isnan(h[i]);
       low[i] = h[i] < low[i] ? h[i] : low[i];
       high[i] = h[i] > high[i] ? h[i] : high[i];
       sum[i] += static_cast<double>(valid ? h[i] : Value{0});
-      count[i] += valid;
+      if constexpr (kGaps) count[i] += valid;
     }
   }
   BlockHeights<Value> all;
+  if constexpr (!kGaps) all.count = static_cast<std::size_t>(block.columns) * block.rows;
   for (int i = 0; i < block.columns; ++i) {
     all.low = std::min(all.low, low[i]);
     all.high = std::max(all.high, high[i]);
@@ -56,6 +59,13 @@ BlockHeights<Value> heights_in(const Grid& grid, const Heights<Value>& heights,
     all.count += static_cast<std::size_t>(count[i]);
   }
   return all;
+}
+
+template <class Value>
+BlockHeights<Value> heights_in(const Grid& grid, const Heights<Value>& heights,
+                               const Block& block) {
+  const BlockHeights<Value> all = lanes_of<false>(grid, heights, block);
+  return std::isnan(all.sum) ? lanes_of<true>(grid, heights, block) : all;
 }
 
 // Box of the valid vertices' positions. Positions are monotone in column and row, rounding
@@ -118,17 +128,37 @@ struct Found {
   }
 };
 
+// What a block of a map plane has.
+struct PlaneBlock {
+  Box3 box;
+  double sum = 0;
+  std::size_t count = 0;
+};
+
+template <class Value>
+PlaneBlock block_on_plane(const Grid& grid, const Heights<Value>& heights, const Block& block) {
+  const auto found = heights_in(grid, heights, block);
+  if (found.count == 0) return {};
+  const bool all_valid = found.count == static_cast<std::size_t>(block.columns) * block.rows;
+  const Box2 ground = ground_box(grid, heights, block, all_valid);
+  return {{{ground.low.x, ground.low.y, found.low}, {ground.high.x, ground.high.y, found.high}},
+          found.sum,
+          found.count};
+}
+
+// Looked at on all cores, added up in order: the mean is the same on any number of them.
 template <class Value>
 void find_on_plane(const Grid& grid, const Heights<Value>& heights, Found& out) {
-  for (const Block& block : blocks_of(grid)) {
-    const auto found = heights_in(grid, heights, block);
-    if (found.count == 0) continue;
-    const bool all_valid = found.count == static_cast<std::size_t>(block.columns) * block.rows;
-    const Box2 ground = ground_box(grid, heights, block, all_valid);
-    out.add(block,
-            {{ground.low.x, ground.low.y, found.low}, {ground.high.x, ground.high.y, found.high}},
-            found.sum, found.count);
-  }
+  const std::vector<Block> blocks = blocks_of(grid);
+  std::vector<PlaneBlock> found(blocks.size());
+  constexpr std::size_t kBlocksOfTask = 256;
+  on_all_cores((blocks.size() + kBlocksOfTask - 1) / kBlocksOfTask, [&](std::size_t task) {
+    const std::size_t end = std::min(blocks.size(), (task + 1) * kBlocksOfTask);
+    for (std::size_t i = task * kBlocksOfTask; i < end; ++i)
+      found[i] = block_on_plane(grid, heights, blocks[i]);
+  });
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    if (found[i].count > 0) out.add(blocks[i], found[i].box, found[i].sum, found[i].count);
 }
 
 // One row of vertices on the ellipsoid.

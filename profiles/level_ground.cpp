@@ -4,6 +4,8 @@
 // where a lower triangle meets the upper one south of it, by union-find.
 #include "profiles/level_ground.hpp"
 
+#include "geometry/on_all_cores.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -17,7 +19,9 @@ struct Run {
 
 class Sets {
 public:
-  void add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); }
+  explicit Sets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
   std::uint32_t find(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
@@ -28,9 +32,18 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
+// Whether a cell from `first` to `end` may have a level triangle: most of the ground has none, and
+// without branches that is told several times as fast.
 template <class Height>
-void append_runs(const Grid& grid, const Heights<Height>& heights, int row, std::vector<Run>& runs,
-                 Sets& sets) {
+bool may_be_level(const Height* north, const Height* south, int first, int end) {
+  int equal = 0;
+  for (int c = first; c < end; ++c) equal |= north[c] == south[c + 1]; // NaN equals nothing
+  return equal != 0;
+}
+
+template <class Height>
+void append_runs(const Grid& grid, const Heights<Height>& heights, int row,
+                 std::vector<Run>& runs) {
   const Height* north = &heights[grid.index(0, row)];
   const Height* south = &heights[grid.index(0, row + 1)];
   std::int32_t begin = -1;
@@ -38,17 +51,43 @@ void append_runs(const Grid& grid, const Heights<Height>& heights, int row, std:
     if (level && begin < 0) begin = triangle;
     if (!level && begin >= 0) {
       runs.push_back({row, begin, triangle});
-      sets.add();
       begin = -1;
     }
   };
+  constexpr int kCellsAtOnce = 64;
   const int cells = grid.columns - 1;
-  for (int c = 0; c < cells; ++c) {
-    const bool diagonal = north[c] == south[c + 1]; // NaN equals nothing
-    take(2 * c, diagonal && south[c] == north[c]);
-    take(2 * c + 1, diagonal && north[c + 1] == north[c]);
+  for (int first = 0; first < cells; first += kCellsAtOnce) {
+    const int end = std::min(first + kCellsAtOnce, cells);
+    if (!may_be_level(north, south, first, end)) {
+      take(2 * first, false);
+      continue;
+    }
+    for (int c = first; c < end; ++c) {
+      const bool diagonal = north[c] == south[c + 1];
+      take(2 * c, diagonal && south[c] == north[c]);
+      take(2 * c + 1, diagonal && north[c + 1] == north[c]);
+    }
   }
   take(2 * cells, false);
+}
+
+// Of all rows, in order; found on all cores.
+template <class Height>
+std::vector<Run> runs_of(const Grid& grid, const Heights<Height>& heights) {
+  constexpr std::size_t kCellsOfTask = 1 << 14;
+  const int rows = std::max(grid.rows - 1, 0);
+  const int rows_of_task =
+      static_cast<int>(kCellsOfTask / static_cast<std::size_t>(std::max(grid.columns, 1))) + 1;
+  std::vector<std::vector<Run>> of_tasks(
+      static_cast<std::size_t>((rows + rows_of_task - 1) / rows_of_task));
+  on_all_cores(of_tasks.size(), [&](std::size_t task) {
+    const int first = static_cast<int>(task) * rows_of_task;
+    for (int row = first; row < std::min(first + rows_of_task, rows); ++row)
+      append_runs(grid, heights, row, of_tasks[task]);
+  });
+  std::vector<Run> runs;
+  for (const std::vector<Run>& some : of_tasks) runs.insert(runs.end(), some.begin(), some.end());
+  return runs;
 }
 
 // The first column at or after `triangle` whose triangle of this half is not before it.
@@ -79,14 +118,13 @@ SurfaceEdge edge(const Grid& grid, int c0, int r0, int c1, int r1) {
 
 template <class Height>
 LevelGround find(const Grid& grid, const Heights<Height>& heights, std::size_t smallest) {
-  std::vector<Run> runs;
-  Sets sets;
-  std::size_t north = 0, south = 0;
-  for (int row = 0; row + 1 < grid.rows; ++row) {
-    append_runs(grid, heights, row, runs, sets);
-    join_rows(runs, north, south, runs.size(), sets);
+  const std::vector<Run> runs = runs_of(grid, heights);
+  Sets sets(runs.size());
+  for (std::size_t north = 0, end = 0; end < runs.size();) {
+    const std::size_t south = end;
+    while (end < runs.size() && runs[end].row == runs[south].row) ++end;
+    if (runs[north].row + 1 == runs[south].row) join_rows(runs, north, south, end, sets);
     north = south;
-    south = runs.size();
   }
 
   std::vector<std::size_t> size(runs.size(), 0);

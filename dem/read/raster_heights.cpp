@@ -50,11 +50,10 @@ Value comparable(const std::optional<double>& nodata) {
 
 // Plain loops that vectorize; NaN fails the comparison with max.
 template <class Value>
-void to_metres(std::vector<Value>& values, std::size_t count, const HeightCode& code) {
+void to_metres(Value* value, std::size_t count, const HeightCode& code) {
   constexpr Value max = std::numeric_limits<Value>::max();
   constexpr Value none = std::numeric_limits<Value>::quiet_NaN();
   const Value nodata = comparable<Value>(code.nodata);
-  Value* value = values.data();
   if (!code.changes_values()) {
     for (std::size_t i = 0; i < count; ++i)
       value[i] = (std::abs(value[i]) <= max) & (value[i] != nodata) ? value[i] : none;
@@ -68,13 +67,16 @@ void to_metres(std::vector<Value>& values, std::size_t count, const HeightCode& 
   }
 }
 
+std::ptrdiff_t place_of(const RasterWindow& at, const GridOrder& order) {
+  return order.start + at.pixel * order.per_pixel + at.line * order.per_line;
+}
+
 template <class Value>
 void put(const std::vector<Value>& tile, const RasterWindow& at, const GridOrder& order,
          std::vector<Value>& heights) {
   for (int line = 0; line < at.lines; ++line) {
     const Value* from = tile.data() + std::ptrdiff_t{line} * at.pixels;
-    Value* to = heights.data() + order.start + at.pixel * order.per_pixel +
-                (at.line + line) * order.per_line;
+    Value* to = heights.data() + place_of(at, order) + line * order.per_line;
     if (order.per_pixel == 1)
       std::copy_n(from, at.pixels, to);
     else
@@ -88,8 +90,7 @@ void put_beside(const std::vector<Value>& tile, const RasterWindow& at, const Gr
                 std::vector<Value>& heights, HeightDifferences& differences) {
   for (int line = 0; line < at.lines; ++line) {
     const Value* from = tile.data() + std::ptrdiff_t{line} * at.pixels;
-    Value* to = heights.data() + order.start + at.pixel * order.per_pixel +
-                (at.line + line) * order.per_line;
+    Value* to = heights.data() + place_of(at, order) + line * order.per_line;
     for (int pixel = 0; pixel < at.pixels; ++pixel) {
       Value& there = to[pixel * order.per_pixel];
       if (std::isnan(there)) {
@@ -119,6 +120,8 @@ public:
   void read(const GridOrder& order, const HeightCode& code, std::vector<Value>& heights,
             HeightDifferences* differences) {
     const TileSize size = tile_size(band_);
+    // As the file has them: then they are read to their place without a way round.
+    const bool is_in_rows = order.per_pixel == 1 && order.per_line > 0;
     std::vector<Value> tile;
     // Tiles are counted from the raster's corner, not the window's, to hold whole blocks.
     const int first_pixel = window_.pixel - window_.pixel % size.pixels;
@@ -131,11 +134,15 @@ public:
         RasterWindow at{std::max(pixel, window_.pixel), std::max(line, window_.line), 0, 0};
         at.pixels = std::min(size.pixels, end_pixel - pixel) - (at.pixel - pixel);
         at.lines = std::min(size.lines, end_line - line) - (at.line - line);
-        const std::size_t count = static_cast<std::size_t>(at.pixels) * at.lines;
-        tile.resize(std::max(tile.size(), count));
-        read_tile(at, tile, count, code);
-        at.pixel -= window_.pixel;
-        at.line -= window_.line;
+        const RasterWindow in_window{at.pixel - window_.pixel, at.line - window_.line, at.pixels,
+                                     at.lines};
+        if (is_in_rows && !differences) {
+          read_tile(at, heights.data() + place_of(in_window, order), order.per_line, code);
+          continue;
+        }
+        tile.resize(std::max(tile.size(), static_cast<std::size_t>(at.pixels) * at.lines));
+        read_tile(at, tile.data(), at.pixels, code);
+        at = in_window;
         if (differences)
           put_beside(tile, at, order, heights, *differences);
         else
@@ -144,22 +151,27 @@ public:
   }
 
 private:
+  // To rows that begin `stride` values apart.
   template <class Value>
-  void read_tile(const RasterWindow& at, std::vector<Value>& tile, std::size_t count,
-                 const HeightCode& code) {
-    fetch(band_, at, tile.data(), sizeof(Value) == sizeof(float) ? GDT_Float32 : GDT_Float64);
-    to_metres(tile, count, code);
+  void read_tile(const RasterWindow& at, Value* to, std::ptrdiff_t stride, const HeightCode& code) {
+    fetch(band_, at, to, sizeof(Value) == sizeof(float) ? GDT_Float32 : GDT_Float64,
+          stride * static_cast<std::ptrdiff_t>(sizeof(Value)));
+    const auto pixels = static_cast<std::size_t>(at.pixels);
+    for (int line = 0; line < at.lines; ++line) to_metres(to + line * stride, pixels, code);
     if (!mask_) return;
-    mask_tile_.resize(std::max(mask_tile_.size(), count));
-    fetch(*mask_, at, mask_tile_.data(), GDT_Byte);
-    for (std::size_t i = 0; i < count; ++i)
-      if (mask_tile_[i] == 0) tile[i] = std::numeric_limits<Value>::quiet_NaN();
+    mask_tile_.resize(std::max(mask_tile_.size(), pixels * static_cast<std::size_t>(at.lines)));
+    fetch(*mask_, at, mask_tile_.data(), GDT_Byte, at.pixels);
+    const unsigned char* mask = mask_tile_.data();
+    for (int line = 0; line < at.lines; ++line)
+      for (int pixel = 0; pixel < at.pixels; ++pixel)
+        if (*mask++ == 0) to[line * stride + pixel] = std::numeric_limits<Value>::quiet_NaN();
   }
 
-  void fetch(GDALRasterBand& band, const RasterWindow& at, void* to, GDALDataType type) {
+  void fetch(GDALRasterBand& band, const RasterWindow& at, void* to, GDALDataType type,
+             std::ptrdiff_t bytes_a_line) {
     GdalMessages messages;
     if (band.RasterIO(GF_Read, at.pixel, at.line, at.pixels, at.lines, to, at.pixels, at.lines,
-                      type, 0, 0, nullptr) == CE_None)
+                      type, 0, bytes_a_line, nullptr) == CE_None)
       return;
     throw Error(fmt::format("{} can't be read ({})", path_, messages.last_failure()),
                 "the file seems to be truncated or damaged, fetch it again");
@@ -192,6 +204,12 @@ HeightCode height_code(GDALRasterBand& band, double unit_m) {
 bool fits_float(GDALRasterBand& band) {
   const GDALDataType type = band.GetRasterDataType();
   return type == GDT_Float32 || GDALGetDataTypeSizeBits(type) <= 16;
+}
+
+bool has_unwritten_blocks(GDALRasterBand& band, const RasterWindow& window) {
+  return (band.GetDataCoverageStatus(window.pixel, window.line, window.pixels, window.lines, 0,
+                                     nullptr) &
+          GDAL_DATA_COVERAGE_STATUS_EMPTY) != 0;
 }
 
 void read_heights(GDALRasterBand& band, const RasterWindow& window, const GridOrder& order,

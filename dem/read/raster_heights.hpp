@@ -38,6 +38,10 @@ struct HeightDifferences {
   double greatest_m = 0;
 };
 
+/// Whether the window has blocks that the file doesn't hold because they were never written. GDAL
+/// asks the file system of each block.
+bool has_unwritten_blocks(GDALRasterBand& band, const RasterWindow& window);
+
 /// Reads the window, each of the file's blocks once, to the places in `heights` that the order
 /// names. A mask that the file holds makes NaN as nodata does. With `differences` only places that
 /// are NaN take a height, else all do. Throws Error if a read fails, as it does in a truncated

@@ -4,6 +4,7 @@
 #include "dem/read/gdal_messages.hpp"
 #include "dem/read/open_raster.hpp"
 #include "dem/read/raster_frame.hpp"
+#include "dem/read/raster_shares.hpp"
 
 #include <gdal_priv.h>
 
@@ -23,18 +24,10 @@ GDALRasterBand& band_of(const RasterSource& source, const ReadOptions& options) 
   return *dataset->GetRasterBand(options.band);
 }
 
-// Blocks that were never written read as nodata, or as 0 where the file has none: perhaps a sea,
-// perhaps a writer that was killed.
-void note_unwritten(GDALRasterBand& band, const RasterWindow& window, RasterSource& source) {
-  const int status = band.GetDataCoverageStatus(window.pixel, window.line, window.pixels,
-                                                window.lines, 0, nullptr);
-  if (!source.code.nodata && (status & GDAL_DATA_COVERAGE_STATUS_EMPTY))
-    source.notes.push_back("Parts of the file were never written: their heights are taken as 0.");
-}
-
 } // namespace
 
-RasterSource open_source(const std::string& path, const ReadOptions& options) {
+RasterSource open_source(const std::string& path, const ReadOptions& options,
+                         const std::function<void(const RasterSource&)>& on_lattice) {
   GdalMessages messages;
   RasterSource source;
   source.path = path;
@@ -44,16 +37,18 @@ RasterSource open_source(const std::string& path, const ReadOptions& options) {
   GDALRasterBand& band = height_band(*source.full, path, options.band);
   source.has_place = has_georeference(*source.full);
   source.lattice = raster_lattice(*source.full, path, source.notes);
+  source.order = grid_order(source.lattice);
+  source.in_float = fits_float(band);
+  if (on_lattice) on_lattice(source);
   source.map = raster_map_frame(*source.full, band, path, box_of(source.lattice).centre(),
                                 options.height_unit, source.notes);
   source.code = height_code(band, source.map.height_unit_m);
-  source.in_float = fits_float(band);
   if (options.overview) {
     source.overview = open_overview(path, options.open_options, band, *options.overview, messages);
     source.lattice = coarser(source.lattice, source.overview->GetRasterXSize(),
                              source.overview->GetRasterYSize());
+    source.order = grid_order(source.lattice);
   }
-  source.order = grid_order(source.lattice);
   return source;
 }
 
@@ -74,11 +69,24 @@ void open_again(RasterSource& source, const ReadOptions& options) {
 void read_part(RasterSource& source, const ReadOptions& options, const RasterWindow& part,
                int width, int column, int row, ReadHeights& heights,
                HeightDifferences* differences) {
-  GDALRasterBand& band = band_of(source, options);
   const RasterWindow window = raster_window(source.order, part);
-  read_heights(band, window, order_within(source.order, part, width, column, row), source.code,
-               source.path, heights, differences);
-  note_unwritten(band, window, source);
+  const GridOrder order = order_within(source.order, part, width, column, row);
+  const auto file = differences ? std::nullopt : shared_file(source, options);
+  const SharesRead shares =
+      file ? read_in_shares(*file, window, order, source.code, heights) : SharesRead{};
+  if (shares.all_well) {
+    if (shares.has_unwritten) note_unwritten(source);
+    return;
+  }
+  GDALRasterBand& band = band_of(source, options);
+  read_heights(band, window, order, source.code, source.path, heights, differences);
+  if (!source.code.nodata && has_unwritten_blocks(band, window)) note_unwritten(source);
+}
+
+// They read as nodata, or as 0 where the file has none: perhaps a sea, perhaps a writer that was
+// killed.
+void note_unwritten(RasterSource& source) {
+  source.notes.push_back("Parts of the file were never written: their heights are taken as 0.");
 }
 
 } // namespace orograph

@@ -8,6 +8,7 @@
 #include "dem/read/read_options.hpp"
 #include "dem/terrain.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,11 @@ struct RasterSource {
   std::vector<std::string> notes;
 };
 
-/// Opens a raster. Throws Error as `read_raster` does, before any height is read.
-RasterSource open_source(const std::string& path, const ReadOptions& options);
+/// Opens a raster. Throws Error as `read_raster` does, before any height is read. `on_lattice` is
+/// called once the file's lattice is known, before its CRS is looked at: understanding one takes
+/// GDAL 20 ms, in which other cores can do something.
+RasterSource open_source(const std::string& path, const ReadOptions& options,
+                         const std::function<void(const RasterSource&)>& on_lattice = {});
 
 /// Files are closed while others are read: there may be more of them than may be open at once.
 void close(RasterSource& source);
@@ -37,5 +41,8 @@ void open_again(RasterSource& source, const ReadOptions& options);
 void read_part(RasterSource& source, const ReadOptions& options, const RasterWindow& part,
                int width, int column, int row, ReadHeights& heights,
                HeightDifferences* differences);
+
+/// Adds the note that a part of the file was never written.
+void note_unwritten(RasterSource& source);
 
 } // namespace orograph

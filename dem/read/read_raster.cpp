@@ -2,9 +2,11 @@
 #include "dem/read/read_raster.hpp"
 
 #include "dem/read/crs_frame.hpp"
+#include "dem/read/early_heights.hpp"
 #include "dem/read/fill_voids.hpp"
 #include "dem/read/in_brief.hpp"
 #include "dem/read/join_tiles.hpp"
+#include "dem/read/large_pages.hpp"
 #include "dem/read/lonlat.hpp"
 #include "dem/read/raster_source.hpp"
 #include "dem/read/same_terrain.hpp"
@@ -103,7 +105,13 @@ Grid empty_grid(const GridOrder& order, const MapFrame& map,
 
 template <class Value>
 std::vector<Value> no_heights(std::size_t count) {
-  return std::vector<Value>(count, std::numeric_limits<Value>::quiet_NaN());
+  std::vector<Value> heights;
+  fill_on_large_pages(heights, count, std::numeric_limits<Value>::quiet_NaN());
+  return heights;
+}
+
+void set_heights(Grid& grid, ReadHeights heights) {
+  std::visit([&](auto& read) { grid.heights_m = Heights(std::move(read)); }, heights);
 }
 
 RasterWindow common(const RasterWindow& a, const RasterWindow& b) {
@@ -133,8 +141,17 @@ HeightDifferences read_joined(std::vector<RasterSource>& sources, const JoinedTi
               joined.places.size() > 1 ? &differences : nullptr);
     if (!was_open) close(source);
   }
-  std::visit([&](auto& read) { grid.heights_m = Heights(std::move(read)); }, heights);
+  set_heights(grid, std::move(heights));
   return differences;
+}
+
+// Of a single file, whether they are there.
+bool take_early(EarlyHeights& early, RasterSource& source, Grid& grid) {
+  auto heights = early.take(source.code, grid.columns, grid.rows);
+  if (!heights) return false;
+  if (heights->has_unwritten) note_unwritten(source);
+  set_heights(grid, std::move(heights->values));
+  return true;
 }
 
 JoinedTiles join(const std::vector<RasterSource>& sources, std::optional<int> overview) {
@@ -175,8 +192,12 @@ void note_filled(const FilledVoids& voids, double cells, std::vector<std::string
 
 Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) {
   std::vector<RasterSource> sources;
+  EarlyHeights early;
+  const auto begin_early = [&](const RasterSource& source) {
+    if (paths.size() == 1) early.begin(source, options);
+  };
   for (const std::string& path : paths) {
-    sources.push_back(open_source(path, options));
+    sources.push_back(open_source(path, options, begin_early));
     if (paths.size() > 1) close(sources.back());
   }
   check_same_terrain(sources);
@@ -197,7 +218,9 @@ Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) 
   terrain.map.origin = order.first;
   set_centre(terrain.map, box_of(part_of(lattice, window)).centre());
   Grid grid = empty_grid(order, terrain.map, paths);
-  const HeightDifferences differences = read_joined(sources, joined, window, options, grid);
+  HeightDifferences differences;
+  if (!take_early(early, sources.front(), grid))
+    differences = read_joined(sources, joined, window, options, grid);
   terrain.notes = notes_of(sources);
   note_differences(differences, terrain.notes);
   if (options.fill_voids)

@@ -36,13 +36,14 @@ public:
 private:
   ByteSink(int descriptor, std::string name);
   void write_out(std::string_view bytes) noexcept;
+  std::size_t begin_to_store(std::size_t written) noexcept;
 
   int descriptor_ = -1;
   bool owns_descriptor_ = true;
   int error_number_ = 0;
   std::string name_;
   std::string waiting_;
-  std::uint64_t size_ = 0;
+  std::uint64_t size_ = 0, written_ = 0;
 };
 
 } // namespace orograph

@@ -1,34 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SVG: one user unit is one millimetre; one Inkscape layer for each layer, one path for each
 // stroke.
+#include "draw/page_number.hpp"
 #include "draw/writers.hpp"
 #include "draw/xml_text.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace orograph {
 namespace {
 
-// Page coordinates reach five digits before the point; a hostile drawing's may reach 309.
-using Number = std::array<char, 320>;
-
-// With 4 decimals, trailing zeros trimmed.
-std::string_view printed(double value_mm, Number& buffer) {
-  char* end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value_mm,
-                            std::chars_format::fixed, 4)
-                  .ptr;
-  while (end[-1] == '0') --end;
-  if (end[-1] == '.') --end;
-  return {buffer.data(), end};
-}
-
 std::string printed(double value_mm) {
-  Number buffer;
-  return std::string(printed(value_mm, buffer));
+  std::array<char, kPageNumberBytes> text;
+  return {text.data(), print_page_number(value_mm, text.data())};
 }
 
 std::string header(const Drawing& drawing) {
@@ -58,33 +49,70 @@ std::string layer_start(const Layer& layer, std::size_t number) {
                      number, xml_escaped(layer.name), colour, width);
 }
 
+// Texts of up to so many points are made side by side.
+constexpr std::size_t kPointsOfText = 1 << 14;
+constexpr std::size_t kTextsAtOnce = 8;
+
+// The strokes from `first` on that make one text.
+std::span<const Stroke> strokes_of_text(const Layer& layer, std::size_t first) {
+  std::size_t end = first, points = 0;
+  while (end < layer.strokes.size() && (end == first || points < kPointsOfText))
+    points += layer.strokes[end++].point_count;
+  return std::span(layer.strokes).subspan(first, end - first);
+}
+
 void append_path(std::string& text, std::span<const Vec2> points) {
-  Number buffer;
+  std::array<char, 4096> buffer;
+  constexpr std::size_t kPointBytes = 2 * kPageNumberBytes + 2;
+  char* at = buffer.data();
   char command = 'M';
   text += "<path d=\"";
   for (std::size_t i = 0; i < points.size(); ++i) {
-    text += i < 2 ? command : ' ';
+    if (buffer.data() + buffer.size() - at < static_cast<std::ptrdiff_t>(kPointBytes)) {
+      text.append(buffer.data(), at);
+      at = buffer.data();
+    }
+    *at++ = i < 2 ? command : ' ';
     command = 'L';
-    text += printed(points[i].x, buffer);
-    text += ',';
-    text += printed(points[i].y, buffer);
+    at = print_page_number(points[i].x, at);
+    *at++ = ',';
+    at = print_page_number(points[i].y, at);
   }
+  text.append(buffer.data(), at);
   text += "\"/>\n";
+}
+
+std::string text_of(std::span<const Stroke> strokes, const Layer& layer) {
+  std::string text;
+  for (const Stroke& stroke : strokes) append_path(text, layer.points(stroke));
+  return text;
+}
+
+// On all cores, and out in order. False once the sink takes no more: it remembers why.
+bool write_strokes(const Layer& layer, ByteSink& out) {
+  const std::span<const Stroke> first = strokes_of_text(layer, 0);
+  if (first.size() == layer.strokes.size()) return out.append(text_of(first, layer));
+  std::array<std::string, kTextsAtOnce> texts;
+  for (std::size_t taken = 0; taken < layer.strokes.size();) {
+    std::vector<std::span<const Stroke>> of_texts;
+    while (of_texts.size() < kTextsAtOnce && taken < layer.strokes.size()) {
+      of_texts.push_back(strokes_of_text(layer, taken));
+      taken += of_texts.back().size();
+    }
+    on_all_cores(of_texts.size(), [&](std::size_t k) { texts[k] = text_of(of_texts[k], layer); });
+    for (std::size_t k = 0; k < of_texts.size(); ++k)
+      if (!out.append(texts[k])) return false;
+  }
+  return true;
 }
 
 } // namespace
 
 void write_svg(const Drawing& drawing, ByteSink& out) {
   out.append(header(drawing));
-  std::string text;
   for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
-    const Layer& layer = drawing.layers[i];
-    out.append(layer_start(layer, i + 1));
-    for (const Stroke& stroke : layer.strokes) {
-      text.clear();
-      append_path(text, layer.points(stroke));
-      if (!out.append(text)) return; // the sink remembers why
-    }
+    out.append(layer_start(drawing.layers[i], i + 1));
+    if (!write_strokes(drawing.layers[i], out)) return;
     out.append("</g>\n");
   }
   out.append("</svg>\n");

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SVG: well-formed, in millimetres, strokes only.
+#include "draw/round_drawing.hpp"
 #include "draw/write_drawing.hpp"
 #include "tests/catch.hpp"
 #include "tests/draw/made_drawing.hpp"
+#include "tests/support/random.hpp"
 
 #include <cpl_minixml.h>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <string>
 
 using namespace orograph;
 
@@ -58,4 +64,41 @@ TEST_CASE("title, description and layer names stay text, whatever is in them") {
   CHECK(std::string(CPLGetXMLValue(root, "=svg.desc", "")) == "a > b ]]> <!--");
   CHECK(std::string(CPLGetXMLValue(root, "=svg.g.inkscape:label", "")) == "1 \"><x y=\"");
   CPLDestroyXMLNode(root);
+}
+
+TEST_CASE("an SVG of many texts has every stroke once and in order, however many cores print it") {
+  // Strokes of few and of very many points, in several layers.
+  Drawing drawing = small_drawing();
+  Random random(5);
+  for (Layer& layer : drawing.layers)
+    for (int s = 0; s < 400; ++s) {
+      Stroke stroke;
+      stroke.first_point = static_cast<std::uint32_t>(layer.page_mm.size());
+      stroke.point_count = static_cast<std::uint32_t>(s == 7 ? 40000 : random.whole(2, 400));
+      for (std::uint32_t i = 0; i < stroke.point_count; ++i)
+        layer.page_mm.push_back({rounded_to_page_step(random.between(7, 141)),
+                                 rounded_to_page_step(random.between(7, 203))});
+      layer.strokes.push_back(stroke);
+    }
+  std::string paths;
+  for (const Layer& layer : drawing.layers)
+    for (const Stroke& stroke : layer.strokes) {
+      const auto points = layer.points(stroke);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        paths += fmt::format("{}{},{}",
+                             i == 0   ? "M"
+                             : i == 1 ? "L"
+                                      : " ",
+                             points[i].x, points[i].y);
+      paths += '\n';
+    }
+  const std::string svg = svg_of(drawing);
+  std::string found;
+  for (std::size_t at = 0; (at = svg.find("d=\"M", at)) != svg.npos;) {
+    const std::size_t end = svg.find('"', at += 3);
+    found += svg.substr(at, end - at) + '\n';
+  }
+  CHECK(found == paths);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  CHECK(svg_of(drawing) == svg);
 }

@@ -57,6 +57,34 @@ std::vector<DirectedEdge> shores_by_triangles(const std::vector<GridTriangle>& t
   return shores;
 }
 
+// How many regions there are.
+std::size_t check_against_flood(const Grid& grid, std::size_t smallest) {
+  const auto triangles = triangles_of(grid);
+  const Flooded expected = flood(grid, triangles, smallest);
+
+  const LevelGround found = find_level_ground(grid, smallest);
+  REQUIRE(found.regions == expected.regions);
+  REQUIRE(found.triangles.empty() == (expected.regions == 0));
+  if (expected.regions > 0) {
+    std::size_t there = 0, marked = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const auto& [vertices, column, row, half] = triangles[i];
+      REQUIRE(found.triangles.has(grid_triangle(grid, column, row, half)) == expected.level[i]);
+      there += expected.level[i];
+    }
+    for (int row = 0; row + 1 < grid.rows; ++row)
+      for (int column = 0; column + 1 < grid.columns; ++column)
+        for (const Half half : {Half::lower, Half::upper})
+          marked += found.triangles.has(grid_triangle(grid, column, row, half));
+    REQUIRE(marked == there);
+  }
+  std::vector<DirectedEdge> shores;
+  for (const SurfaceEdge& edge : found.shores) shores.emplace_back(edge.from, edge.to);
+  std::sort(shores.begin(), shores.end());
+  REQUIRE(shores == shores_by_triangles(triangles, expected.level));
+  return found.regions;
+}
+
 } // namespace
 
 TEST_CASE("level ground and its shores are what a flood fill finds") {
@@ -71,32 +99,35 @@ TEST_CASE("level ground and its shores are what a flood fill finds") {
     heights.in_double = random.chance(0.5);
     const Grid grid = made_grid(random, {random.whole(2, 12), random.whole(2, 12)}, heights);
     const auto smallest = static_cast<std::size_t>(random.pick({1, 2, 3, 8, 30}));
-    const auto triangles = triangles_of(grid);
-    const Flooded expected = flood(grid, triangles, smallest);
-
-    const LevelGround found = find_level_ground(grid, smallest);
-    REQUIRE(found.regions == expected.regions);
-    REQUIRE(found.triangles.empty() == (expected.regions == 0));
-    regions += found.regions;
-    if (expected.regions > 0) {
-      std::size_t there = 0, marked = 0;
-      for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const auto& [vertices, column, row, half] = triangles[i];
-        REQUIRE(found.triangles.has(grid_triangle(grid, column, row, half)) == expected.level[i]);
-        there += expected.level[i];
-      }
-      for (int row = 0; row + 1 < grid.rows; ++row)
-        for (int column = 0; column + 1 < grid.columns; ++column)
-          for (const Half half : {Half::lower, Half::upper})
-            marked += found.triangles.has(grid_triangle(grid, column, row, half));
-      REQUIRE(marked == there);
-    }
-    std::vector<DirectedEdge> shores;
-    for (const SurfaceEdge& edge : found.shores) shores.emplace_back(edge.from, edge.to);
-    std::sort(shores.begin(), shores.end());
-    REQUIRE(shores == shores_by_triangles(triangles, expected.level));
+    regions += check_against_flood(grid, smallest);
   }
   REQUIRE(regions > 1500); // the scenes do have level ground
+}
+
+TEST_CASE("level ground on wide slopes, looked at in several parts, is what a flood fill finds") {
+  std::size_t regions = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    const int columns = random.whole(180, 260), rows = random.whole(150, 200);
+    Grid grid{columns, rows, PlaneLattice{{}, {1, 0}, {0, -1}}, std::vector<float>()};
+    std::vector<float> heights(grid.size());
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column)
+        heights[grid.index(column, row)] = static_cast<float>(1 + row + 3 * column);
+    for (int lake = 0; lake < 40; ++lake) { // some over others, some up to the border
+      const int west = random.whole(0, columns - 2), north = random.whole(0, rows - 2);
+      const int east = std::min(columns - 1, west + random.whole(1, 90));
+      const int south = std::min(rows - 1, north + random.whole(1, 60));
+      const float height = static_cast<float>(-random.whole(1, 3));
+      for (int row = north; row <= south; ++row)
+        for (int column = west; column <= east; ++column)
+          if (!random.chance(0.001)) heights[grid.index(column, row)] = height;
+    }
+    grid.heights_m = heights;
+    regions += check_against_flood(grid, static_cast<std::size_t>(random.pick({1, 30})));
+  }
+  REQUIRE(regions > 40);
 }
 
 TEST_CASE("water has at least 500 triangles and a five-thousandth of the grid") {
