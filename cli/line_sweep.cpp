@@ -38,8 +38,8 @@ std::uint32_t line_number(const SurfaceLine& line) {
   return static_cast<std::uint32_t>(line.source.id & ~kLineBit);
 }
 
-ProfileLine line_in(const Surface& surface, const Sector& sector, SurfaceEdge edge) {
-  ProfileLine line = line_of(surface, sector.view, edge);
+ProfileLine line_in(const EdgeEnds& ends, const Sector& sector, SurfaceEdge edge) {
+  ProfileLine line = ends(edge);
   const double near_m = sector.view.near_m;
   if (sector.keeps_strip && std::abs(line.from.v) <= near_m && std::abs(line.to.v) <= near_m)
     line.from.v = line.to.v = kNearPlanesAhead * near_m;
@@ -59,7 +59,7 @@ double margin(const View& view, double x, double from_m, double rounding_m) {
 LineSweep::LineSweep(const Surface& surface, const Sector& sector,
                      const std::vector<SweptLine>& lines, std::vector<std::uint32_t> which,
                      XRange range, double from_m, const TieTolerance& tolerance)
-    : surface_(surface), sector_(sector), view_(sector.view), lines_(lines),
+    : ends_(surface, sector.view), sector_(sector), view_(sector.view), lines_(lines),
       which_(std::move(which)), range_(range), from_m_(from_m), tolerance_(tolerance),
       rounding_m_(position_rounding_m(surface, sector.view)),
       slabs_(
@@ -70,7 +70,7 @@ LineSweep::LineSweep(const Surface& surface, const Sector& sector,
 }
 
 ProfileLine LineSweep::whole(std::uint32_t i) const {
-  return line_in(surface_, sector_, lines_[i].edge);
+  return line_in(ends_, sector_, lines_[i].edge);
 }
 
 LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLine& whole) const {
@@ -78,12 +78,18 @@ LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLi
   const auto& [from, to] = whole;
   if (std::min(from.v, to.v) < from_m_) // what is nearer has no picture
     (from.v < to.v ? t0 : t1) = (from_m_ - from.v) / (to.v - from.v);
-  Projected out{{}, t0, t1, point_between(from, to, t0), point_between(from, to, t1), rounding_m_};
-  Vec2 left = project(view_, out.left), right = project(view_, out.right);
-  if (view_.is_perspective())
-    out.beside *= (1 + std::abs(left.x)) / std::min(out.left.v, out.right.v);
-  else
+  const ProfilePoint p0 = point_between(from, to, t0), p1 = point_between(from, to, t1);
+  Projected out{{}, t0, t1, p0, p1, nearness(view_, p0), nearness(view_, p1), rounding_m_};
+  Vec2 left, right;
+  if (view_.is_perspective()) { // `project`, whose one division is that of nearness
+    left = {p0.u * out.nearness_left, (p0.z - view_.eye_z_m) * out.nearness_left};
+    right = {p1.u * out.nearness_right, (p1.z - view_.eye_z_m) * out.nearness_right};
+    out.beside *= (1 + std::abs(left.x)) * std::max(out.nearness_left, out.nearness_right);
+  } else {
+    left = project(view_, p0);
+    right = project(view_, p1);
     out.beside *= 1 + std::abs(view_.x_per_v);
+  }
   // A line that runs straight away from the eye is told from one that doesn't by more than
   // rounding, which would make one visible by turns.
   const bool upright = std::abs(left.x - right.x) <= out.beside;
@@ -93,6 +99,7 @@ LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLi
   if (upright ? turned : left.x > right.x) {
     std::swap(out.t_left, out.t_right);
     std::swap(out.left, out.right);
+    std::swap(out.nearness_left, out.nearness_right);
     std::swap(left, right);
   }
   if (upright) right.x = left.x;
@@ -122,16 +129,34 @@ bool LineSweep::cut_to_range(SurfaceLine& line) const {
   return line.begin < line.end;
 }
 
-void LineSweep::begin_slab(double to_m) {
+// By bounds alone: all of it is below all of the horizon's blocks that it reaches.
+bool LineSweep::is_hidden(const ProfileLine& line, const BlockedHorizon& horizon) const {
+  if (std::min(line.from.v, line.to.v) < from_m_) return false;
+  const Vec2 a = project(view_, line.from), b = project(view_, line.to);
+  const double beside = margin(view_, std::max(std::abs(a.x), std::abs(b.x)),
+                               std::min(line.from.v, line.to.v), rounding_m_);
+  const double begin = std::max(std::min(a.x, b.x) - beside, beside_range_.begin),
+               end = std::min(std::max(a.x, b.x) + beside, beside_range_.end);
+  const double height = std::max(a.y, b.y);
+  const auto& blocks = horizon.blocks();
+  for (std::size_t i = horizon.block_at(begin); i < blocks.size() && blocks[i].x_begin <= end; ++i)
+    if (!(height < blocks[i].low)) return false;
+  return true;
+}
+
+void LineSweep::begin_slab(double to_m, const SlabLines::Hidden& hidden) {
   in_slab_.clear();
-  for (const SlabPiece& piece : slabs_.next(to_m)) {
+  for (const SlabPiece& piece : slabs_.next(to_m, hidden)) {
     const std::uint32_t number = which_[piece.line];
     const Projected p = project_line(number, piece.whole);
+    const auto x_at = [&](double t, ProfilePoint at) {
+      return t == p.t_left ? p.source.x0 : t == p.t_right ? p.source.x1 : project(view_, at).x;
+    };
     SurfaceLine line{p.source,
-                     nearness(view_, p.left),
-                     nearness(view_, p.right),
-                     project(view_, piece.begin).x,
-                     project(view_, piece.end).x,
+                     p.nearness_left,
+                     p.nearness_right,
+                     x_at(piece.t_begin, piece.begin),
+                     x_at(piece.t_end, piece.end),
                      lines_[number].hides,
                      lines_[number].drawn,
                      p.beside,
@@ -208,8 +233,9 @@ std::vector<std::vector<std::uint32_t>> lines_by_range(const Surface& surface, c
   std::vector<std::vector<std::uint32_t>> out(ranges.size());
   const View& view = sector.view;
   const double rounding_m = position_rounding_m(surface, view);
+  const EdgeEnds ends(surface, view);
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
-    auto [from, to] = line_in(surface, sector, lines[i].edge);
+    auto [from, to] = line_in(ends, sector, lines[i].edge);
     if (std::min(from.v, to.v) < from_m) {
       if (!(std::max(from.v, to.v) >= from_m)) continue;
       (from.v < to.v ? from : to) = point_between(from, to, (from_m - from.v) / (to.v - from.v));

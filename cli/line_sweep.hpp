@@ -7,10 +7,12 @@
 #include "draw/stroke_builder.hpp"
 #include "horizon/clip_profile.hpp"
 #include "horizon/surface_line.hpp"
+#include "profiles/edge_ends.hpp"
 #include "profiles/slab_lines.hpp"
 
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace orograph {
@@ -42,7 +44,10 @@ public:
   template <class AnyHorizon, class Raise>
   void take_slab(double to_m, AnyHorizon& horizon, const Raise& raise) {
     raise(in_last_plane_, horizon);
-    begin_slab(to_m);
+    SlabLines::Hidden hidden;
+    if constexpr (std::is_same_v<AnyHorizon, BlockedHorizon>)
+      hidden = [&](const ProfileLine& line) { return is_hidden(line, horizon); };
+    begin_slab(to_m, hidden);
     add_visible(slab_horizon_.visible_parts(in_slab_, horizon, tolerance_));
     end_slab();
     raise(occluders_, horizon);
@@ -52,6 +57,8 @@ public:
 
   /// What was visible so far, slab by slab.
   const std::vector<LinePart>& visible_parts() const { return parts_; }
+  /// X that is looked at: the range, and what is beside it by rounding.
+  XRange looked_at() const { return beside_range_; }
   /// The parts of drawn silhouettes that `horizon`, the one behind everything, is made of, visible
   /// or not.
   std::vector<LinePart> skyline(const Horizon& horizon) const;
@@ -71,17 +78,19 @@ private:
     Segment source;
     double t_left, t_right; ///< along the edge, at the source's ends
     ProfilePoint left, right;
+    double nearness_left, nearness_right;
     double beside; ///< rounding of X
   };
   Projected project_line(std::uint32_t line, const ProfileLine& whole) const;
   bool in_plane(const ProfileLine& whole, double depth_m) const;
   bool cut_to_range(SurfaceLine& line) const;
-  void begin_slab(double to_m);
+  bool is_hidden(const ProfileLine& line, const BlockedHorizon& horizon) const;
+  void begin_slab(double to_m, const SlabLines::Hidden& hidden);
   void add_visible(std::span<const VisibleLinePart> visible);
   void end_slab();
   double along_edge(const Projected& projected, double share) const;
 
-  const Surface& surface_;
+  EdgeEnds ends_;
   const Sector& sector_;
   const View& view_;
   const std::vector<SweptLine>& lines_;

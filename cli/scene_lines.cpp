@@ -8,8 +8,29 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 namespace orograph {
+
+namespace {
+
+// Finds edges that are asked for in order in a list that is in order.
+class EdgesInOrder {
+public:
+  explicit EdgesInOrder(const std::vector<SurfaceEdge>& edges) : edges_(edges) {}
+
+  std::optional<std::size_t> find(SurfaceEdge edge) {
+    while (at_ < edges_.size() && edges_[at_] < edge) ++at_;
+    if (at_ == edges_.size() || edges_[at_] != edge) return std::nullopt;
+    return at_;
+  }
+
+private:
+  const std::vector<SurfaceEdge>& edges_;
+  std::size_t at_ = 0;
+};
+
+} // namespace
 
 bool asks_for(const RenderSettings& settings, std::string_view layer) {
   if (layer == "voids" && settings.void_edges) return true;
@@ -35,36 +56,37 @@ std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
   };
   const std::vector<SurfaceEdge> behind_walls = edges_behind_walls(terrain.surface, scene.view);
   const std::vector<SurfaceEdge> all_brinks = brinks(terrain.surface, scene.border, scene.view);
-  std::vector<SurfaceEdge> hiding;
-  const auto add_hiding = [&](SurfaceEdge edge, LineKind kind, bool is_drawn) {
-    if (is_drawn && std::binary_search(behind_walls.begin(), behind_walls.end(), edge))
-      is_drawn = false;
-    lines.push_back({edge, kind, surface, is_drawn,
-                     std::binary_search(all_brinks.begin(), all_brinks.end(), edge)});
-    hiding.push_back(edge);
-    if (is_drawn) drawn.push_back(edge);
+  const bool draws_more = asks_for(settings, "shores") || asks_for(settings, "edges");
+  std::vector<bool> hides(all_brinks.size()); // of brinks: is there as another line, too
+  const auto add_hiding = [&](SurfaceEdge edge, LineKind kind, bool is_drawn, EdgesInOrder& walls,
+                              EdgesInOrder& brinks_on) {
+    if (is_drawn && walls.find(edge)) is_drawn = false;
+    const std::optional<std::size_t> brink = brinks_on.find(edge);
+    if (brink) hides[*brink] = true;
+    lines.push_back({edge, kind, surface, is_drawn, brink.has_value()});
+    if (is_drawn && draws_more) drawn.push_back(edge);
   };
   drawn = behind_walls; // not to be drawn at all
-  if (surface || silhouettes)
-    for (const SurfaceEdge& edge : silhouette_edges(terrain.surface, scene.view))
-      add_hiding(edge, LineKind::silhouette, silhouettes);
+  if (surface || silhouettes) {
+    const std::vector<SurfaceEdge> edges = silhouette_edges(terrain.surface, scene.view);
+    lines.reserve(edges.size() + scene.border.size());
+    EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
+    for (const SurfaceEdge& edge : edges)
+      add_hiding(edge, LineKind::silhouette, silhouettes, walls, brinks_on);
+  }
   if (surface || border || voids) {
     const std::vector<bool> of_void = border || voids ? around_voids(terrain.surface, scene.border)
                                                       : std::vector<bool>(scene.border.size());
+    EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
     for (std::size_t i = 0; i < scene.border.size(); ++i) {
       const LineKind kind = of_void[i] ? LineKind::void_edge : LineKind::border;
-      add_hiding(scene.border[i].edge, kind, of_void[i] ? voids : border);
+      add_hiding(scene.border[i].edge, kind, of_void[i] ? voids : border, walls, brinks_on);
     }
   }
   // The foot of a wall that the eye sees hides nothing, but what may hang there beneath it.
-  if (surface) {
-    std::vector<SurfaceEdge> feet;
-    std::sort(hiding.begin(), hiding.end());
-    std::set_difference(all_brinks.begin(), all_brinks.end(), hiding.begin(), hiding.end(),
-                        std::back_inserter(feet));
-    for (const SurfaceEdge& edge : feet)
-      lines.push_back({edge, LineKind::silhouette, true, false, true});
-  }
+  if (surface)
+    for (std::size_t i = 0; i < all_brinks.size(); ++i)
+      if (!hides[i]) lines.push_back({all_brinks[i], LineKind::silhouette, true, false, true});
   std::sort(drawn.begin(), drawn.end());
   if (asks_for(settings, "shores")) add_drawn(scene.level.shores, LineKind::shore);
   if (asks_for(settings, "edges")) add_drawn(edges_of(terrain.surface), LineKind::edge);

@@ -16,7 +16,7 @@ constexpr double kVerticesAStrip = 600;
 constexpr std::size_t kMostStrips = 64;
 // Tried from 2 to 32: with fewer vertices in a block the blocks themselves cost, with more the
 // bounds decide less.
-constexpr double kVerticesABlock = 8;
+constexpr double kVerticesABlock = 2;
 constexpr std::size_t kMostBlocks = 1U << 16U;
 // Beyond this, where the page doesn't end, one block holds all.
 constexpr double kFarAside = 8;

@@ -33,9 +33,11 @@ double beside_wall(double x, const View& view, double depth_m, double rounding_m
 class StripSweep {
 public:
   StripSweep(const SectorInWork& work, const Strip& strip, std::vector<std::uint32_t> which)
-      : work_(work), strip_(strip), horizon_(strip.core.begin, strip.core.end, strip.blocks),
+      : work_(work), strip_(strip),
         lines_(work.terrain.surface, work.sector, work.lines, std::move(which), strip.range,
                work.from_m, work.tolerance),
+        horizon_(strip.core.begin, strip.core.end, strip.blocks, lines_.looked_at().begin,
+                 lines_.looked_at().end),
         plane_m_(std::max(work.sector.nearest_m, work.from_m)) {
     thickness_m_ = slab_thickness_m(work, plane_m_);
   }
@@ -90,8 +92,8 @@ private:
 
   const SectorInWork& work_;
   Strip strip_;
-  BlockedHorizon horizon_;
   LineSweep lines_;
+  BlockedHorizon horizon_;
   double plane_m_, thickness_m_ = 0;
   ProfileClipCounts counts_;
   double seconds_ = 0;

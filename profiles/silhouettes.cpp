@@ -1,27 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/silhouettes.hpp"
 
+#include "geometry/on_all_cores.hpp"
 #include "profiles/earth_row_facing.hpp"
 #include "profiles/plane_row_facing.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace orograph {
 namespace {
 
+// Of the rows of cells from `first` to `end`, in order.
 template <class RowFacing>
-std::vector<SurfaceEdge> find(const Grid& grid, RowFacing facing) {
+void find(const Grid& grid, RowFacing& facing, int first, int end,
+          std::vector<SurfaceEdge>& edges) {
   const std::vector<std::uint8_t>&lower = facing.lower, &upper = facing.upper;
   const std::size_t cells = lower.size();
   std::vector<std::uint8_t> north_lower(cells, 0);
-  std::vector<SurfaceEdge> edges;
   const auto add_if = [&](std::uint8_t a, std::uint8_t b, CellVertex from, CellVertex to,
                           CellVertex left, CellVertex right) {
     if (!are_seen_and_turned(a, b) || !facing.may_be_ridge(from, to, left, right)) return;
     edges.push_back({static_cast<std::uint32_t>(grid.index(from.column, from.row)),
                      static_cast<std::uint32_t>(grid.index(to.column, to.row))});
   };
-  for (int row = 0; row + 1 < grid.rows; ++row) {
+  if (first > 0) {
+    facing.reckon(first - 1);
+    north_lower = lower;
+  }
+  for (int row = first; row < end; ++row) {
     facing.reckon(row);
     std::uint8_t west_upper = 0;
     for (std::size_t i = 0; i < cells; ++i) {
@@ -38,6 +45,24 @@ std::vector<SurfaceEdge> find(const Grid& grid, RowFacing facing) {
     }
     north_lower = lower;
   }
+}
+
+template <class MakeFacing>
+std::vector<SurfaceEdge> find_on_all_cores(const Grid& grid, const MakeFacing& make_facing) {
+  constexpr int kRowsOfTask = 64; // of which one is reckoned twice
+  const int rows = grid.rows - 1;
+  std::vector<std::vector<SurfaceEdge>> of_tasks(
+      static_cast<std::size_t>((rows + kRowsOfTask - 1) / kRowsOfTask));
+  on_all_cores(of_tasks.size(), [&](std::size_t task) {
+    const int first = static_cast<int>(task) * kRowsOfTask;
+    auto facing = make_facing();
+    find(grid, facing, first, std::min(first + kRowsOfTask, rows), of_tasks[task]);
+  });
+  std::size_t count = 0;
+  for (const auto& some : of_tasks) count += some.size();
+  std::vector<SurfaceEdge> edges;
+  edges.reserve(count);
+  for (const auto& some : of_tasks) edges.insert(edges.end(), some.begin(), some.end());
   return edges;
 }
 
@@ -46,8 +71,9 @@ std::vector<SurfaceEdge> find(const Grid& grid, RowFacing facing) {
 std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view) {
   return std::visit(
       [&](const auto& heights) {
-        return grid.is_on_earth() ? find(grid, EarthRowFacing(grid, heights, view))
-                                  : find(grid, PlaneRowFacing(grid, heights, view));
+        return grid.is_on_earth()
+                   ? find_on_all_cores(grid, [&] { return EarthRowFacing(grid, heights, view); })
+                   : find_on_all_cores(grid, [&] { return PlaneRowFacing(grid, heights, view); });
       },
       grid.heights_m);
 }

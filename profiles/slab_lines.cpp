@@ -54,12 +54,13 @@ SlabLines::SlabLines(std::uint32_t count, LineOf line_of, double from_m)
 }
 
 // Adds the line's piece up to `to_m`; tells whether the line goes on behind it.
-bool SlabLines::cut(std::uint32_t i, double to_m) {
+bool SlabLines::cut(std::uint32_t i, double to_m, const Hidden& hidden) {
   const ProfileLine line = line_of_(i);
   const auto& [from, to] = line;
   const auto [nearest, farthest] = std::minmax(from.v, to.v);
   if (nearest > to_m) return true;
   if (farthest < from_m_ || (farthest == from_m_ && nearest < farthest)) return false;
+  if (hidden && nearest >= from_m_ && hidden(line)) return false;
   const auto t_at = [&, &a = from, &b = to](double depth) {
     return std::clamp((depth - a.v) / (b.v - a.v), 0.0, 1.0);
   };
@@ -73,12 +74,12 @@ bool SlabLines::cut(std::uint32_t i, double to_m) {
   return farthest > to_m;
 }
 
-std::span<const SlabPiece> SlabLines::next(double to_m) {
+std::span<const SlabPiece> SlabLines::next(double to_m, const Hidden& hidden) {
   pieces_.clear();
-  std::erase_if(active_, [&](std::uint32_t i) { return !cut(i, to_m); });
+  std::erase_if(active_, [&](std::uint32_t i) { return !cut(i, to_m, hidden); });
   for (; waiting_ < bucket_end_.size() && bucket_begin_m_[waiting_] <= to_m; ++waiting_)
     for (; begun_ < bucket_end_[waiting_]; ++begun_)
-      if (cut(by_depth_[begun_], to_m)) active_.push_back(by_depth_[begun_]);
+      if (cut(by_depth_[begun_], to_m, hidden)) active_.push_back(by_depth_[begun_]);
   from_m_ = to_m;
   return pieces_;
 }

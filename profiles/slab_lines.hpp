@@ -42,13 +42,15 @@ public:
   SlabLines(std::uint32_t count, LineOf line_of, double from_m);
 
   /// The pieces in the slab from the last plane to the one at `to_m`, which is in it, in no
-  /// particular order. REQUIRES that `to_m` never falls. The span is valid until the next call.
-  std::span<const SlabPiece> next(double to_m);
+  /// particular order. Lines that begin in the slab and are `hidden` as a whole are left out for
+  /// good. REQUIRES that `to_m` never falls. The span is valid until the next call.
+  using Hidden = std::function<bool(const ProfileLine&)>;
+  std::span<const SlabPiece> next(double to_m, const Hidden& hidden = {});
 
   ProfileLine line(std::uint32_t i) const { return line_of_(i); }
 
 private:
-  bool cut(std::uint32_t line, double to_m);
+  bool cut(std::uint32_t line, double to_m, const Hidden& hidden);
 
   LineOf line_of_;
   std::vector<std::uint32_t> by_depth_;   ///< lines, by bucket of their nearer end

@@ -12,29 +12,26 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-void set_bounds(HorizonBlock& block) {
-  block.low = kInfinity;
-  block.high = -kInfinity;
-  for (const HorizonPiece& piece : block.pieces) {
-    if (is_sky(piece)) {
-      block.low = -kInfinity;
-      continue;
-    }
-    const double a = height_at(piece.source, piece.x_begin),
-                 b = height_at(piece.source, piece.x_end);
-    block.low = std::min({block.low, a, b});
-    block.high = std::max({block.high, a, b});
+double lowest(const Horizon& pieces) {
+  double low = kInfinity;
+  for (const HorizonPiece& piece : pieces) {
+    if (is_sky(piece)) return -kInfinity;
+    low = std::min(
+        {low, height_at(piece.source, piece.x_begin), height_at(piece.source, piece.x_end)});
   }
+  return low;
 }
 
 } // namespace
 
-BlockedHorizon::BlockedHorizon(double x_begin, double x_end, std::size_t count)
+BlockedHorizon::BlockedHorizon(double x_begin, double x_end, std::size_t count, double first,
+                               double last)
     : x_begin_(x_begin), blocks_per_x_(static_cast<double>(count) / (x_end - x_begin)) {
   HorizonPiece sky = initial_horizon().front();
+  sky.x_begin = first;
   for (std::size_t i = 0; i < count; ++i) {
     const double next = x_begin + static_cast<double>(i + 1) / blocks_per_x_;
-    sky.x_end = i + 1 < count ? next : kInfinity;
+    sky.x_end = i + 1 < count ? next : last;
     blocks_.push_back({sky.x_begin, sky.x_end, -kInfinity, -kInfinity, {sky}});
     sky.x_begin = sky.x_end;
   }
@@ -43,8 +40,8 @@ BlockedHorizon::BlockedHorizon(double x_begin, double x_end, std::size_t count)
 std::size_t BlockedHorizon::block_at(double x) const {
   const double last = static_cast<double>(blocks_.size() - 1);
   auto block = static_cast<std::size_t>(std::clamp((x - x_begin_) * blocks_per_x_, 0.0, last));
-  while (x < blocks_[block].x_begin) --block;
-  while (x >= blocks_[block].x_end) ++block;
+  while (block > 0 && x < blocks_[block].x_begin) --block;
+  while (block + 1 < blocks_.size() && x >= blocks_[block].x_end) ++block;
   return block;
 }
 
@@ -71,8 +68,16 @@ void BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
   const double end = std::min(occluder.x_end, block.x_end);
   if (!(begin < end)) return;
   const double at_begin = height_at(source, begin), at_end = height_at(source, end);
-  if (std::max(at_begin, at_end) < block.low) return;
+  const double highest = std::max(at_begin, at_end);
+  if (highest < block.low) return;
+  Horizon& pieces = block.pieces;
+  // Pieces i to k - 1 meet the occluder; one more on either side may collapse with what is new.
+  std::size_t i = 0;
+  while (pieces[i].x_end <= begin) ++i;
+  std::size_t k = i;
+  bool rises = false;
   next_.clear();
+  if (i > 0) next_.push_back(pieces[i - 1]);
   const auto write = [&](const HorizonPiece& piece, double from, double to) {
     if (!(from < to)) return;
     ++pieces_uncollapsed_;
@@ -81,25 +86,34 @@ void BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
     part.x_end = to;
     append(next_, part, true);
   };
-  for (const HorizonPiece& piece : block.pieces) {
+  for (; k < pieces.size() && pieces[k].x_begin < end; ++k) {
+    const HorizonPiece& piece = pieces[k];
     const double from = std::max(piece.x_begin, begin), to = std::min(piece.x_end, end);
-    if (!(from < to)) {
-      write(piece, piece.x_begin, piece.x_end);
-      continue;
-    }
     write(piece, piece.x_begin, from);
     const Step step = resolve(source, piece, from, to, true, {});
-    for (int i = 0; i < step.count; ++i) {
-      const Stretch& s = step.stretches[static_cast<std::size_t>(i)];
+    for (int n = 0; n < step.count; ++n) {
+      const Stretch& s = step.stretches[static_cast<std::size_t>(n)];
+      rises = rises || s.above;
       write(s.above ? occluder : piece, s.x_begin, s.x_end);
     }
     write(piece, to, piece.x_end);
   }
+  if (!rises) return;
+  if (k < pieces.size()) append(next_, pieces[k++], true);
+  if (i > 0) --i;
   pieces_collapsed_ += next_.size();
   const std::size_t before = size_at(number);
-  block.pieces.swap(next_);
+  const auto place = pieces.begin() + static_cast<std::ptrdiff_t>(i);
+  const std::size_t old = k - i, kept = std::min(old, next_.size());
+  std::copy_n(next_.begin(), kept, place);
+  const auto behind = place + static_cast<std::ptrdiff_t>(kept);
+  if (next_.size() > old)
+    pieces.insert(behind, next_.begin() + static_cast<std::ptrdiff_t>(kept), next_.end());
+  else
+    pieces.erase(behind, behind + static_cast<std::ptrdiff_t>(old - kept));
   size_ += size_at(number) - before;
-  set_bounds(block);
+  block.high = std::max(block.high, highest);
+  block.low = lowest(pieces);
 }
 
 void BlockedHorizon::ink(std::size_t block, std::size_t at, double begin, double end) {

@@ -6,6 +6,7 @@
 #include "horizon/horizon.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace orograph {
@@ -21,12 +22,15 @@ struct HorizonBlock {
 /// of one source in neighbouring blocks are collapsed by `joined`.
 class BlockedHorizon {
 public:
-  /// The sky, in `count` blocks, equally wide in [x_begin, x_end]; the first reaches to -infinity
-  /// and the last to +infinity. REQUIRES x_begin < x_end, both finite, and count > 0.
-  BlockedHorizon(double x_begin, double x_end, std::size_t count);
+  /// The sky, in `count` blocks, equally wide in [x_begin, x_end]; the first begins at `first` and
+  /// the last ends at `last`, and nothing beyond is looked at. REQUIRES
+  /// first <= x_begin < x_end <= last, the two in the middle finite, and count > 0.
+  BlockedHorizon(double x_begin, double x_end, std::size_t count,
+                 double first = -std::numeric_limits<double>::infinity(),
+                 double last = std::numeric_limits<double>::infinity());
 
   const std::vector<HorizonBlock>& blocks() const { return blocks_; }
-  /// The block that holds x; where two meet, the right one.
+  /// The block that holds x, or is nearest to it; where two meet, the right one.
   std::size_t block_at(double x) const;
 
   /// Raises it by one occluder, exactly. Cost: the pieces of the blocks that it rises above

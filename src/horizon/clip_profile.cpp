@@ -101,11 +101,19 @@ private:
     for (; begin < stop; ++span) {
       const double span_end = std::min(stop, profile_.x[span + 1]);
       if (!(begin < span_end)) continue;
-      const Segment p = span_of(profile_, span);
+      const Span p = span_at(span);
       while (begin < span_end) {
         const HorizonPiece& piece = pieces[at];
         const double end = std::min(span_end, piece.x_end);
-        const Step step = resolve(p, piece, begin, end, false, tolerance_);
+        const int side = clear_side(p, piece, begin, end);
+        if (side != 0) {
+          if (side > 0) ends_.take({span, begin, kAsXTells}, {span, end, kAsXTells});
+          begin = end;
+          if (piece.x_end <= end) ++at;
+          continue;
+        }
+        const Segment source = span_of(profile_, span);
+        const Step step = resolve(source, piece, begin, end, false, tolerance_);
         ++counts_.steps;
         counts_.ties += step.tied ? 1 : 0;
         for (int i = 0; i < step.count; ++i) {
@@ -122,6 +130,30 @@ private:
     }
     for (auto mark = marks_.rbegin(); mark != marks_.rend(); ++mark)
       horizon_.ink(block, mark->at, mark->begin, mark->end);
+  }
+
+  struct Span {
+    double x0, y0, x1, y1;
+  };
+  Span span_at(std::uint32_t i) const {
+    return {profile_.x[i], profile_.y[i], profile_.x[i + 1], profile_.y[i + 1]};
+  }
+  // Whether all of p from begin to end is above the piece (1) or below it (-1) by more than any tie
+  // or rounding; 0 where `resolve` has to tell. Without its divisions.
+  int clear_side(const Span& p, const HorizonPiece& piece, double begin, double end) const {
+    if (is_sky(piece)) return 1;
+    const Segment& s = piece.source;
+    const double width = p.x1 - p.x0;
+    const auto above = [&](double x) {
+      return p.y0 * (p.x1 - x) + p.y1 * (x - p.x0) - (s.y0 + (x - s.x0) * s.slope) * width;
+    };
+    const double at_begin = above(begin), at_end = above(end);
+    const double slack = (tolerance_.greatest_y + 1e-11 * (std::abs(p.y0) + std::abs(p.y1) +
+                                                           std::abs(s.y0) + std::abs(s.y1))) *
+                         width;
+    if (at_begin > slack && at_end > slack) return 1;
+    if (at_begin < -slack && at_end < -slack) return -1;
+    return 0;
   }
 
   struct Mark {
