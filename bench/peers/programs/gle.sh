@@ -14,7 +14,7 @@ size 27.7 20
 begin surface
    size 27.7 20
    data "$dem"
-   cube off xlen 15 ylen $length zlen $height
+   cube off xlen $length ylen 15 zlen $height
    xaxis off
    yaxis off
    zaxis min $lowest max $highest off
