@@ -3,6 +3,7 @@
 
 #include "dem/extent.hpp"
 #include "draw/chain.hpp"
+#include "geometry/on_all_cores.hpp"
 #include "view/sectors.hpp"
 
 #include <algorithm>
@@ -230,14 +231,14 @@ std::vector<std::vector<std::uint32_t>> lines_by_range(const Surface& surface, c
                                                        const std::vector<SweptLine>& lines,
                                                        std::span<const XRange> ranges,
                                                        double from_m) {
-  std::vector<std::vector<std::uint32_t>> out(ranges.size());
+  using Numbers = std::vector<std::uint32_t>;
   const View& view = sector.view;
   const double rounding_m = position_rounding_m(surface, view);
   const EdgeEnds ends(surface, view);
-  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+  const auto find = [&](std::uint32_t i, std::vector<Numbers>& found) {
     auto [from, to] = line_in(ends, sector, lines[i].edge);
     if (std::min(from.v, to.v) < from_m) {
-      if (!(std::max(from.v, to.v) >= from_m)) continue;
+      if (!(std::max(from.v, to.v) >= from_m)) return;
       (from.v < to.v ? from : to) = point_between(from, to, (from_m - from.v) / (to.v - from.v));
     }
     const double a = project(view, from).x, b = project(view, to).x;
@@ -246,8 +247,21 @@ std::vector<std::vector<std::uint32_t>> lines_by_range(const Surface& surface, c
     const auto first = std::partition_point(ranges.begin(), ranges.end(),
                                             [&](const XRange& range) { return range.end < low; });
     for (auto range = first; range != ranges.end() && range->begin <= high; ++range)
-      out[static_cast<std::size_t>(range - ranges.begin())].push_back(i);
-  }
+      found[static_cast<std::size_t>(range - ranges.begin())].push_back(i);
+  };
+  constexpr std::size_t kLinesOfTask = 1U << 14U;
+  std::vector<std::vector<Numbers>> of_tasks((lines.size() + kLinesOfTask - 1) / kLinesOfTask);
+  on_all_cores(of_tasks.size(), [&](std::size_t task) {
+    of_tasks[task].resize(ranges.size());
+    const std::size_t end = std::min(lines.size(), (task + 1) * kLinesOfTask);
+    for (std::size_t i = task * kLinesOfTask; i < end; ++i)
+      find(static_cast<std::uint32_t>(i), of_tasks[task]);
+  });
+  std::vector<Numbers> out(ranges.size());
+  on_all_cores(ranges.size(), [&](std::size_t range) {
+    for (const auto& found : of_tasks)
+      out[range].insert(out[range].end(), found[range].begin(), found[range].end());
+  });
   return out;
 }
 

@@ -14,9 +14,9 @@ namespace {
 // A strip costs some 0.2 microseconds a slab, as much as forty vertices: 600 make that little.
 constexpr double kVerticesAStrip = 600;
 constexpr std::size_t kMostStrips = 64;
-// Tried from 2 to 32: with fewer vertices in a block the blocks themselves cost, with more the
+// Tried from 2 to 16: with fewer vertices in a block the blocks themselves cost, with more the
 // bounds decide less.
-constexpr double kVerticesABlock = 2;
+constexpr double kVerticesABlock = 4;
 constexpr std::size_t kMostBlocks = 1U << 16U;
 // Beyond this, where the page doesn't end, one block holds all.
 constexpr double kFarAside = 8;

@@ -39,13 +39,13 @@ StrokeBuilder::Place StrokeBuilder::place_of(const StrokePoint& point) const {
   const double slack = kInPlane * w;
   const PlaneValues values{x - low.x * w,  high.x * w - x,    y - low.y * w,
                            high.y * w - y, w + depth + slack, slack - depth};
-  return {values, w > 0 && *std::min_element(values.begin(), values.begin() + 4) >= -slack &&
-                      values[4] >= 0 && values[5] >= 0};
+  const bool inside = w > 0 && values[0] >= -slack && values[1] >= -slack && values[2] >= -slack &&
+                      values[3] >= -slack && values[4] >= 0 && values[5] >= 0;
+  return {page, values, inside};
 }
 
-void StrokeBuilder::append(const StrokePoint& point) {
+void StrokeBuilder::append(const StrokePoint& point, const Vec3& page) {
   // A point cut at the frame may round to just outside of it.
-  const Vec3 page = settings_.to_page.of(point.plane);
   if (!(page.z > 0)) return; // the eye itself
   const Box2& frame = settings_.frame_mm;
   page_mm_.push_back({std::clamp(page.x / page.z, frame.low.x, frame.high.x),
@@ -56,9 +56,9 @@ void StrokeBuilder::append(const StrokePoint& point) {
 void StrokeBuilder::add(const StrokePoint& point) {
   const Place place = place_of(point);
   if (!has_last_) {
-    if (place.inside) append(point);
+    if (place.inside) append(point, place.page);
   } else if (place.inside && last_place_.inside) {
-    append(point);
+    append(point, place.page);
   } else {
     const auto shares = clip_by_planes(last_place_.values, place.values);
     if (shares && shares->begin < shares->end) {
@@ -83,9 +83,10 @@ bool StrokeBuilder::is_long_enough() {
   if (page_mm_.size() < 2) return false;
   if (settings_.min_stroke_mm <= 0) return true;
   double length_mm = 0;
-  for (std::size_t i = 1; i < page_mm_.size(); ++i)
+  for (std::size_t i = 1; i < page_mm_.size(); ++i) {
     length_mm += length(page_mm_[i] - page_mm_[i - 1]);
-  if (length_mm >= settings_.min_stroke_mm) return true;
+    if (length_mm >= settings_.min_stroke_mm) return true;
+  }
   left_out_mm_ += length_mm;
   return false;
 }

@@ -53,11 +53,13 @@ public:
 
 private:
   struct Place {
+    Vec3 page;          ///< in homogeneous coordinates
     PlaneValues values; ///< of the view volume's planes
     bool inside;
   };
   Place place_of(const StrokePoint& point) const;
-  void append(const StrokePoint& point);
+  void append(const StrokePoint& point) { append(point, settings_.to_page.of(point.plane)); }
+  void append(const StrokePoint& point, const Vec3& page);
   bool is_long_enough();
   void flush();
 
