@@ -20,9 +20,10 @@
 namespace orograph {
 namespace {
 
-// Vertices in a batch, so that it stays in the cache of one core: some 40 bytes each.
-constexpr double kVerticesABatch = 16384;
-constexpr std::size_t kMostProfiles = 256;
+// A batch is small, so that it stays in the cache: some 40 bytes a vertex. But as long as it is in
+// work, each of its profiles is a task of its own, and the threads wait for each other behind it.
+constexpr double kVerticesABatch = 32768;
+constexpr double kLeastProfiles = 8, kMostProfiles = 256;
 
 // What is that close in X to a profile's way along a wall counts as being at it.
 double beside_wall(double x, const View& view, double depth_m, double rounding_m) {
@@ -107,8 +108,7 @@ std::size_t batch_size(const Scene& scene, const Sector& sector) {
   const auto& box = scene.extent.box;
   const double across_m = std::hypot(box.high.x - box.low.x, box.high.y - box.low.y);
   const double vertices = 2 * across_m / scene.cell_m + 1;
-  const double count =
-      std::clamp(kVerticesABatch / vertices, 1.0, static_cast<double>(kMostProfiles));
+  const double count = std::clamp(kVerticesABatch / vertices, kLeastProfiles, kMostProfiles);
   return std::max<std::size_t>(1,
                                std::min(static_cast<std::size_t>(count), sector.profiles.size()));
 }

@@ -11,10 +11,6 @@
 namespace orograph {
 namespace {
 
-// Rounding puts a point of a plane on either side of it: a picture that fills the frame touches its
-// sides (in mm), and along the front and back plane, where they cut the terrain, lines lie in them.
-constexpr double kInPlane = 1e-9;
-
 StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) {
   return {a.plane + share * (b.plane - a.plane), point_between(a.scene, b.scene, share)};
 }
@@ -24,12 +20,11 @@ StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) {
 void StrokeBuilder::begin(std::int32_t profile, double depth_m) {
   stroke_.profile = profile;
   stroke_.depth_m = depth_m;
-  has_last_ = false;
+  last_.reset();
 }
 
-// Left, right, above, below, back, front. That w >= 0 follows from back and front.
-StrokeBuilder::Place StrokeBuilder::place_of(const StrokePoint& point) const {
-  const Vec3 page = settings_.to_page.of(point.plane);
+// That w >= 0 follows from back and front.
+PlaneValues StrokeBuilder::plane_values(const StrokePoint& point, const Vec3& page) const {
   const auto& [x, y, w] = page;
   const auto& [low, high] = settings_.frame_mm;
   double depth = -0.5 * w;
@@ -37,46 +32,36 @@ StrokeBuilder::Place StrokeBuilder::place_of(const StrokePoint& point) const {
     depth = d->per_u * point.scene.u + d->per_v * point.scene.v + d->per_z * point.scene.z +
             d->at_origin;
   const double slack = kInPlane * w;
-  const PlaneValues values{x - low.x * w,  high.x * w - x,    y - low.y * w,
-                           high.y * w - y, w + depth + slack, slack - depth};
-  const bool inside = w > 0 && values[0] >= -slack && values[1] >= -slack && values[2] >= -slack &&
-                      values[3] >= -slack && values[4] >= 0 && values[5] >= 0;
-  return {page, values, inside};
+  return {x - low.x * w,  high.x * w - x,    y - low.y * w,
+          high.y * w - y, w + depth + slack, slack - depth};
 }
 
-void StrokeBuilder::append(const StrokePoint& point, const Vec3& page) {
-  // A point cut at the frame may round to just outside of it.
-  if (!(page.z > 0)) return; // the eye itself
-  const Box2& frame = settings_.frame_mm;
-  page_mm_.push_back({std::clamp(page.x / page.z, frame.low.x, frame.high.x),
-                      std::clamp(page.y / page.z, frame.low.y, frame.high.y)});
-  if (settings_.to_map) scene_.push_back(point.scene);
-}
-
-void StrokeBuilder::add(const StrokePoint& point) {
-  const Place place = place_of(point);
-  if (!has_last_) {
-    if (place.inside) append(point, place.page);
-  } else if (place.inside && last_place_.inside) {
-    append(point, place.page);
+void StrokeBuilder::add_clipped(const StrokePoint& point) {
+  const Vec3 page = settings_.to_page.of(point.plane);
+  const PlaneValues values = plane_values(point, page);
+  const bool inside = is_in_frame(page) && values[4] >= 0 && values[5] >= 0;
+  if (!last_) {
+    if (inside) append(point, page);
+  } else if (inside && last_->inside) {
+    append(point, page);
   } else {
-    const auto shares = clip_by_planes(last_place_.values, place.values);
+    const PlaneValues last_values =
+        plane_values(last_->point, settings_.to_page.of(last_->point.plane));
+    const auto shares = clip_by_planes(last_values, values);
     if (shares && shares->begin < shares->end) {
-      if (!last_place_.inside) append(between(last_, point, shares->begin));
-      append(place.inside ? point : between(last_, point, shares->end));
-    } else if (place.inside) {
-      append(point); // on the frame itself: nothing of the line so far, but it may go on
+      if (!last_->inside) append(between(last_->point, point, shares->begin));
+      append(inside ? point : between(last_->point, point, shares->end));
+    } else if (inside) {
+      append(point, page); // on the frame itself: nothing of the line so far, but it may go on
     }
-    if (!place.inside) flush();
+    if (!inside) flush();
   }
-  last_ = point;
-  last_place_ = place;
-  has_last_ = true;
+  last_ = {point, inside};
 }
 
 void StrokeBuilder::end() {
   flush();
-  has_last_ = false;
+  last_.reset();
 }
 
 bool StrokeBuilder::is_long_enough() {

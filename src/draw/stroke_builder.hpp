@@ -7,6 +7,7 @@
 #include "geometry/homography.hpp"
 #include "geometry/profile_point.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -45,30 +46,58 @@ public:
 
   /// A new polyline begins; `profile` and `depth_m` as in Stroke.
   void begin(std::int32_t profile, double depth_m);
-  void add(const StrokePoint& point);
+  void add(const StrokePoint& point) {
+    // From inside to inside, as nearly always: there is nothing to clip.
+    const Vec3 page = settings_.to_page.of(point.plane);
+    if (!settings_.depth && last_ && last_->inside && is_in_frame(page)) {
+      append(point, page);
+      last_->point = point;
+      return;
+    }
+    add_clipped(point);
+  }
   void end();
 
   /// Length of the strokes that were too short.
   double left_out_mm() const { return left_out_mm_; }
 
 private:
-  struct Place {
-    Vec3 page;          ///< in homogeneous coordinates
-    PlaneValues values; ///< of the view volume's planes
-    bool inside;
+  // Rounding puts a point of a plane on either side of it: a picture that fills the frame touches
+  // its sides (in mm), and along the front and back plane, where they cut the terrain, lines lie in
+  // them.
+  static constexpr double kInPlane = 1e-9;
+
+  struct Last {
+    StrokePoint point;
+    bool inside; ///< in the view volume
   };
-  Place place_of(const StrokePoint& point) const;
+  // In homogeneous page coordinates; what is in a side's plane, to rounding, is inside.
+  bool is_in_frame(const Vec3& page) const {
+    const auto& [x, y, w] = page;
+    const auto& [low, high] = settings_.frame_mm;
+    const double slack = kInPlane * w;
+    return w > 0 && x - low.x * w >= -slack && high.x * w - x >= -slack &&
+           y - low.y * w >= -slack && high.y * w - y >= -slack;
+  }
+  // Values of the view volume's planes: left, right, above, below, back, front.
+  PlaneValues plane_values(const StrokePoint& point, const Vec3& page) const;
+  void add_clipped(const StrokePoint& point);
   void append(const StrokePoint& point) { append(point, settings_.to_page.of(point.plane)); }
-  void append(const StrokePoint& point, const Vec3& page);
+  void append(const StrokePoint& point, const Vec3& page) {
+    if (!(page.z > 0)) return; // the eye itself
+    // A point cut at the frame may round to just outside of it.
+    const Box2& frame = settings_.frame_mm;
+    page_mm_.push_back({std::clamp(page.x / page.z, frame.low.x, frame.high.x),
+                        std::clamp(page.y / page.z, frame.low.y, frame.high.y)});
+    if (settings_.to_map) scene_.push_back(point.scene);
+  }
   bool is_long_enough();
   void flush();
 
   const StrokeSettings& settings_;
   Layer& layer_;
   Stroke stroke_;
-  bool has_last_ = false;
-  StrokePoint last_;
-  Place last_place_{};
+  std::optional<Last> last_;
   std::vector<Vec2> page_mm_;
   std::vector<ProfilePoint> scene_;
   std::vector<std::uint32_t> kept_;
