@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cli/line_sweep.hpp"
+#include "cli/strips.hpp"
 #include "horizon/clip.hpp"
 #include "profiles/profile.hpp"
 
@@ -32,6 +33,7 @@ struct Instruments {
   bool single_precision = false; ///< round projected profiles to float before they are clipped
   bool one_list = false;         ///< keep the horizon in one list, so that it can be seen
   bool beyond_page = false;      ///< look at what is beside the page as well
+  double vertices_a_strip = kVerticesAStrip;
   /// Gets every occluder but profiles, hidden ones too, before the profile that it stands in front
   /// of is seen.
   std::vector<HorizonPiece>* occluders = nullptr;

@@ -11,8 +11,6 @@
 namespace orograph {
 namespace {
 
-// A strip costs some 0.2 microseconds a slab, as much as forty vertices: 600 make that little.
-constexpr double kVerticesAStrip = 600;
 constexpr std::size_t kMostStrips = 64;
 // Tried from 2 to 16: with fewer vertices in a block the blocks themselves cost, with more the
 // bounds decide less.
@@ -113,11 +111,12 @@ XRange page_range(const Sector& sector) {
   return {range.begin - beside, range.end + beside};
 }
 
-std::vector<Strip> plan_strips(const Scene& scene, const Sector& sector, XRange range) {
+std::vector<Strip> plan_strips(const Scene& scene, const Sector& sector, XRange range,
+                               double vertices_a_strip) {
   const Work work = work_of(scene, sector, range);
   const double sum = work.sum();
   const auto count = static_cast<std::size_t>(
-      std::clamp(std::round(sum / kVerticesAStrip), 1.0, static_cast<double>(kMostStrips)));
+      std::clamp(std::round(sum / vertices_a_strip), 1.0, static_cast<double>(kMostStrips)));
   const double blocks = std::clamp(work.most / kVerticesABlock, static_cast<double>(count),
                                    static_cast<double>(kMostBlocks));
   const double width = work.core.end - work.core.begin;

@@ -7,6 +7,7 @@
 #include "cli/stopwatch.hpp"
 #include "cli/strips.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "horizon/horizon_pieces.hpp"
 #include "horizon/upright.hpp"
 #include "profiles/project_profile.hpp"
 
@@ -86,7 +87,9 @@ private:
   }
   void take_slab(double to_m) {
     lines_.take_slab(to_m, horizon_,
-                     [](const std::vector<HorizonPiece>& occluders, BlockedHorizon& horizon) {
+                     [](std::vector<HorizonPiece>& occluders, BlockedHorizon& horizon) {
+                       // Of equally high ones the first stands, as in `orograph::raise`.
+                       std::sort(occluders.begin(), occluders.end(), is_raised_before);
                        for (const HorizonPiece& occluder : occluders) horizon.raise(occluder);
                      });
   }
@@ -140,7 +143,8 @@ SweptSector sweep_strips(const SectorInWork& work, const LayOut& lay_out, const 
                          CountsReport& counts, SecondsReport& seconds) {
   Stopwatch watch;
   const Sector& sector = work.sector;
-  const std::vector<Strip> plan = plan_strips(work.scene, sector, work.range);
+  const std::vector<Strip> plan =
+      plan_strips(work.scene, sector, work.range, work.vertices_a_strip);
   std::vector<XRange> ranges;
   for (const Strip& strip : plan) ranges.push_back(strip.range);
   auto which = lines_by_range(work.terrain.surface, sector, work.lines, ranges, work.from_m);

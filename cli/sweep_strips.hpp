@@ -21,9 +21,10 @@ struct SectorInWork {
   const std::vector<SweptLine>& lines;
   const SurfaceCutter& cutter;
   const TieTolerance& tolerance;
-  double from_m;          ///< depth from which on terrain is looked at
-  XRange range;           ///< of X that is asked for
-  bool whole_profiles;    ///< whether profiles are cut beyond it as well, for those who watch
+  double from_m;       ///< depth from which on terrain is looked at
+  XRange range;        ///< of X that is asked for
+  bool whole_profiles; ///< whether profiles are cut beyond it as well, for those who watch
+  double vertices_a_strip;
   std::uint32_t near_cut; ///< number of the near plane's cut, which no profile has
 };
 

@@ -216,9 +216,7 @@ void clip(std::span<const Segment> segments, Horizon& horizon, const ClipOptions
 void raise(std::vector<HorizonPiece>& occluders, Horizon& horizon, ClipWorkspace& workspace,
            bool collapse) {
   if (occluders.empty()) return;
-  std::sort(occluders.begin(), occluders.end(), [](const HorizonPiece& a, const HorizonPiece& b) {
-    return a.x_begin != b.x_begin ? a.x_begin < b.x_begin : a.source.id < b.source.id;
-  });
+  std::sort(occluders.begin(), occluders.end(), is_raised_before);
   auto& chains = workspace.chains;
   for (auto& pieces : chains) pieces.clear();
   std::size_t used = 0;

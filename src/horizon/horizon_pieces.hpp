@@ -13,6 +13,12 @@ inline bool continues(const HorizonPiece& left, const HorizonPiece& right) {
   return left.source.id == right.source.id && left.inked == right.inked;
 }
 
+/// The order in which occluders of one slab raise a horizon: it tells which of equally high ones
+/// stands.
+inline bool is_raised_before(const HorizonPiece& a, const HorizonPiece& b) {
+  return a.x_begin != b.x_begin ? a.x_begin < b.x_begin : a.source.id < b.source.id;
+}
+
 inline void append(Horizon& pieces, const HorizonPiece& piece, bool collapse) {
   if (collapse && !pieces.empty() && continues(pieces.back(), piece))
     pieces.back().x_end = piece.x_end;

@@ -72,12 +72,12 @@ double lift_per_m2(const Ellipsoid& ellipsoid, double lat_deg, double refraction
 }
 
 // The sea along a geodesic from the eye, in cells of about `cell_m`, with a vertex at its end.
-struct Strip {
+struct SeaStrip {
   DegreeLattice lattice;
   int end_column, end_row;
 };
-Strip strip_of_sea(const Eye& eye, double azimuth_deg, double length_m, double cell_m, int beyond,
-                   const Ellipsoid& ellipsoid) {
+SeaStrip strip_of_sea(const Eye& eye, double azimuth_deg, double length_m, double cell_m,
+                      int beyond, const Ellipsoid& ellipsoid) {
   const GeographicLib::Geodesic geodesic(ellipsoid.semi_major_axis_m, ellipsoid.flattening());
   double lat_deg = 0, lon_deg = 0;
   geodesic.Direct(eye.lat_deg, eye.lon_deg, azimuth_deg, length_m, lat_deg, lon_deg);
@@ -89,7 +89,7 @@ Strip strip_of_sea(const Eye& eye, double azimuth_deg, double length_m, double c
   const auto cells = [](double from, double to, double step) {
     return static_cast<int>(std::ceil((to - from) / step));
   };
-  Strip strip;
+  SeaStrip strip;
   DegreeLattice& l = strip.lattice;
   l.lon_step_deg = east_deg;
   l.lat_step_deg = -north_deg;
@@ -189,7 +189,7 @@ TEST_CASE("the drawn sea ends at the ellipsoid's horizon, along the meridian and
           const double lift = lift_per_m2({}, lat_deg, refraction);
           const double away_m = std::sqrt(2 * 6371000 / (1 - refraction) * height_m);
           const double cell_m = away_m / 100;
-          const Strip strip = strip_of_sea(eye, azimuth_deg, 1.15 * away_m, cell_m, 3, {});
+          const SeaStrip strip = strip_of_sea(eye, azimuth_deg, 1.15 * away_m, cell_m, 3, {});
           const Vec2 forward = direction_of_azimuth(Angle::degrees(azimuth_deg));
           const double dip_deg =
               -kRadian_deg *
@@ -224,7 +224,7 @@ TEST_CASE("the drawn sea ends at the ellipsoid's horizon, along the meridian and
 TEST_CASE("from 9 km the sea's horizon dips by 3.0437 degrees on a sphere") {
   const Eye eye{7.3, 46, 9000};
   const double away_m = std::sqrt(2 * 6371000.0 * 9000), cell_m = away_m / 200;
-  const Strip strip = strip_of_sea(eye, 0, 1.15 * away_m, cell_m, 3, kSphere);
+  const SeaStrip strip = strip_of_sea(eye, 0, 1.15 * away_m, cell_m, 3, kSphere);
   Terrain terrain = earth_terrain(
       strip.lattice, [](double, double) { return 0; }, kSphere);
   double highest = -1;
@@ -258,7 +258,7 @@ TEST_CASE("a mountain shows up to its limiting distance, and is drawn at its pla
           const double limit_m = limiting_distance_m(radius_m, eye_m, mountain_m);
           for (const double times : {1 - kLimitingShare, 1 + kLimitingShare}) {
             const double away_m = times * limit_m, cell_m = limit_m / 400;
-            const Strip strip = strip_of_sea(eye, azimuth_deg, away_m, cell_m, 4, {});
+            const SeaStrip strip = strip_of_sea(eye, azimuth_deg, away_m, cell_m, 4, {});
             Terrain terrain = earth_terrain(strip.lattice, [](double, double) { return 0; });
             Grid& grid = std::get<Grid>(terrain.surface);
             std::get<Heights<double>>(grid.heights_m)

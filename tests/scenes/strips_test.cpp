@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sectors swept in strips of X, with the horizon in blocks, against the same with one horizon in
+// one list: the same drawing to the bit, however many strips there are. Only where plateaus are
+// seen exactly edge-on, so that several occluders are equally high at one place, another of them
+// may be kept, and the line there be drawn as another or as a part of another.
+#include "cli/draw_scene.hpp"
+#include "cli/scene.hpp"
+#include "tests/catch.hpp"
+#include "tests/scenes/random_scene.hpp"
+#include "tests/scenes/random_tin_scene.hpp"
+#include "tests/support/random.hpp"
+
+#include <algorithm>
+
+using namespace orograph;
+
+namespace {
+
+// Unoptimized and sanitized builds are there to find other things.
+#ifdef NDEBUG
+constexpr std::uint64_t kScenes = 400;
+#else
+constexpr std::uint64_t kScenes = 30;
+#endif
+
+bool same_strokes(const Layer& a, const Layer& b) {
+  return a.name == b.name && a.page_mm == b.page_mm && a.map == b.map &&
+         std::equal(a.strokes.begin(), a.strokes.end(), b.strokes.begin(), b.strokes.end(),
+                    [](const Stroke& s, const Stroke& t) {
+                      return s.first_point == t.first_point && s.point_count == t.point_count &&
+                             s.profile == t.profile;
+                    });
+}
+
+// The first layer that differs, or nothing.
+std::string difference(const Drawing& a, const Drawing& b) {
+  if (a.layers.size() != b.layers.size()) return "the number of layers";
+  for (std::size_t i = 0; i < a.layers.size(); ++i)
+    if (!same_strokes(a.layers[i], b.layers[i])) return a.layers[i].name;
+  return "";
+}
+
+struct Tally {
+  std::size_t strips = 0, points = 0;
+  std::size_t edge_on = 0, others = 0; ///< scenes that differ: all, and not from elevation 0
+};
+
+void check_strips(const Terrain& terrain, const RenderSettings& settings, Tally& tally) {
+  const Scene scene = place_scene(terrain, settings);
+  const auto draw = [&](const Instruments& instruments) {
+    return draw_scene(
+               terrain, scene, settings, [](double) {}, instruments)
+        .drawing;
+  };
+  const Drawing in_list = draw({.one_list = true});
+  bool same = true;
+  for (const double vertices_a_strip : {1e9, 30.0, 2.0})
+    same = same && difference(draw({.beyond_page = true, .vertices_a_strip = vertices_a_strip}),
+                              in_list) == "";
+  if (!same) tally.others += scene.view.elevation.in_degrees() == 0 ? 0 : 1;
+  tally.edge_on += same ? 0 : 1;
+  for (const Sector& sector : scene.sectors)
+    tally.strips += plan_strips(scene, sector, page_range(sector), 2).size();
+  for (const Layer& layer : in_list.layers) tally.points += layer.page_mm.size();
+}
+
+} // namespace
+
+TEST_CASE("strips leave no trace in drawings of grids") {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    RandomScene scene = random_scene(seed);
+    INFO(scene.what);
+    scene.settings.simplify_mm = seed % 2 ? 0.02 : 0;
+    scene.settings.layers = {"profiles", "silhouettes", "skyline", "border", "shores", "edges"};
+    check_strips(scene.terrain, scene.settings, tally);
+  }
+  WARN(tally.strips << " strips, " << tally.points << " points; " << tally.edge_on
+                    << " scenes differ, " << tally.others << " not from elevation 0");
+  CHECK(tally.edge_on <= kScenes / 50);
+  CHECK(tally.others == 0);
+  CHECK(tally.strips > 7 * kScenes);
+}
+
+TEST_CASE("nor in those of TINs with walls") {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    const RandomTinScene scene = random_tin_scene(seed);
+    INFO(scene.what);
+    check_strips(scene.terrain, scene.settings, tally);
+  }
+  WARN(tally.strips << " strips, " << tally.points << " points; " << tally.edge_on
+                    << " scenes differ, " << tally.others << " not from elevation 0");
+  CHECK(tally.edge_on <= kScenes / 50);
+  CHECK(tally.others == 0);
+  CHECK(tally.strips > 7 * kScenes);
+}
