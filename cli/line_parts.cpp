@@ -4,13 +4,6 @@
 #include <algorithm>
 
 namespace orograph {
-namespace {
-
-// Shares of one edge that were reckoned on both sides of a slab's plane are equal to rounding.
-constexpr double kSameShare = 1e-12;
-
-} // namespace
-
 void join(std::vector<LinePart>& parts, const std::function<double(std::uint32_t)>& gap) {
   std::sort(parts.begin(), parts.end(), [](const LinePart& a, const LinePart& b) {
     return a.line != b.line ? a.line < b.line : a.t_begin < b.t_begin;

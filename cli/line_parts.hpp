@@ -14,6 +14,9 @@ struct LinePart {
   double t_begin, t_end;
 };
 
+/// Shares of one edge that were reckoned on both sides of a slab's plane are equal to rounding.
+constexpr double kSameShare = 1e-12;
+
 /// Brings parts in order by line and along it. Those that overlap, meet, or are no farther apart
 /// than `gap` says of the line (shares; rounding, if it isn't given), become one. Slits that
 /// rounding leaves where two occluders meet are dropped.

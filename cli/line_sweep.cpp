@@ -16,9 +16,6 @@ namespace {
 // Lines' sources are told from profiles' segments by the highest bit of their id.
 constexpr std::uint64_t kLineBit = std::uint64_t{1} << 63U;
 
-// Shares of one edge that were reckoned on both sides of a slab's plane are equal to rounding.
-constexpr double kSameShare = 1e-12;
-
 double nearness(const View& view, ProfilePoint p) {
   return view.is_perspective() ? 1 / p.v : -p.v;
 }
@@ -47,8 +44,7 @@ ProfileLine line_in(const EdgeEnds& ends, const Sector& sector, SurfaceEdge edge
   return line;
 }
 
-// A line's upper end in X, and the horizon beside an upright one, is rounded by less than this at
-// x.
+// More than X is rounded by at x, or looked at beside an upright line, from this depth on.
 double margin(const View& view, double x, double from_m, double rounding_m) {
   if (std::isinf(x)) return 0;
   return 4 * rounding_m *

@@ -8,8 +8,6 @@
 #include "cli/strips.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "horizon/horizon_pieces.hpp"
-#include "horizon/upright.hpp"
-#include "profiles/project_profile.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,11 +24,6 @@ namespace {
 constexpr double kVerticesABatch = 32768;
 constexpr double kLeastProfiles = 8, kMostProfiles = 256;
 
-// What is that close in X to a profile's way along a wall counts as being at it.
-double beside_wall(double x, const View& view, double depth_m, double rounding_m) {
-  return view.is_perspective() ? rounding_m * (1 + std::abs(x)) / depth_m : rounding_m;
-}
-
 // One strip, front to back.
 class StripSweep {
 public:
@@ -40,9 +33,7 @@ public:
                work.from_m, work.tolerance),
         horizon_(strip.core.begin, strip.core.end, strip.blocks, lines_.looked_at().begin,
                  lines_.looked_at().end),
-        plane_m_(std::max(work.sector.nearest_m, work.from_m)) {
-    thickness_m_ = slab_thickness_m(work, plane_m_);
-  }
+        planes_(work) {}
 
   void raise(const std::vector<Segment>& segments) {
     for (const Segment& s : segments)
@@ -56,19 +47,14 @@ public:
     take_slabs(depth_m);
     visible.clear();
     clip_profile(profile.projected, strip_.range, horizon_, work_.tolerance, visible, counts_);
-    for (const Segment& upright : profile.uprights) {
-      if (upright.x0 < strip_.range.begin || upright.x0 >= strip_.range.end) continue;
-      const double beside =
-          beside_wall(upright.x0, work_.sector.view, depth_m, lines_.rounding_m());
-      for (const Piece& piece : visible_uprights(std::span(&upright, 1), horizon_, beside))
-        visible.push_back({left_vertex(upright), left_vertex(upright), piece.t_begin, piece.t_end});
-    }
+    add_visible_uprights(profile, work_.sector.view, strip_.range, horizon_, lines_.rounding_m(),
+                         visible);
     watch.mark(seconds_);
   }
 
   void finish() {
     Stopwatch watch;
-    if (plane_m_ < work_.sector.farthest_m) take_slabs(work_.sector.farthest_m);
+    if (planes_.last_m() < work_.sector.farthest_m) take_slabs(work_.sector.farthest_m);
     take_slab(std::numeric_limits<double>::infinity());
     watch.mark(seconds_);
   }
@@ -80,10 +66,7 @@ public:
 
 private:
   void take_slabs(double to_m) {
-    const double count = std::ceil((to_m - plane_m_) / thickness_m_);
-    for (int i = 1; i < count; ++i) take_slab(plane_m_ + (to_m - plane_m_) * (i / count));
-    take_slab(to_m);
-    plane_m_ = to_m;
+    planes_.take_to(to_m, [&](double plane_m) { take_slab(plane_m); });
   }
   void take_slab(double to_m) {
     lines_.take_slab(to_m, horizon_,
@@ -98,13 +81,9 @@ private:
   Strip strip_;
   LineSweep lines_;
   BlockedHorizon horizon_;
-  double plane_m_, thickness_m_ = 0;
+  SlabPlanes planes_;
   ProfileClipCounts counts_;
   double seconds_ = 0;
-};
-
-struct ProfileSeconds {
-  double cut = 0, project = 0, layout = 0;
 };
 
 std::size_t batch_size(const Scene& scene, const Sector& sector) {
@@ -122,127 +101,146 @@ URange u_range(const View& view, XRange range, double depth_m) {
   return {range.begin - depth_m * view.x_per_v, range.end - depth_m * view.x_per_v};
 }
 
-// Where the near plane cuts the terrain, a section begins: the cut hides.
-std::vector<Segment> near_cut(const SectorInWork& work) {
-  std::vector<Segment> segments, uprights;
-  if (!work.sector.view.is_perspective()) return segments;
-  Profile cut;
-  work.cutter.cut(work.sector.view.near_m, {}, cut);
-  project_profile(cut, work.near_cut, work.sector.view, segments, uprights);
-  return segments;
-}
+// All strips and profiles of a sector.
+class BatchSweep {
+public:
+  BatchSweep(const SectorInWork& work, const LayOut& lay_out)
+      : work_(work), lay_out_(lay_out), size_(batch_size(work.scene, work.sector)) {
+    const std::vector<Strip> plan =
+        plan_strips(work.scene, work.sector, work.range, work.vertices_a_strip);
+    std::vector<XRange> ranges;
+    for (const Strip& strip : plan) ranges.push_back(strip.range);
+    auto which = lines_by_range(work.terrain.surface, work.sector, work.lines, ranges, work.from_m);
+    const std::vector<Segment> cut = near_cut(work);
+    strips_.resize(plan.size());
+    on_all_cores(plan.size(), [&](std::size_t i) {
+      strips_[i] = std::make_unique<StripSweep>(work, plan[i], std::move(which[i]));
+      strips_[i]->raise(cut);
+    });
+    for (auto& batch : batches_) batch.resize(size_);
+  }
+
+  void sweep(const Show& show, CountsReport& counts) {
+    const std::size_t batch_count = (work_.sector.profiles.size() + size_ - 1) / size_;
+    for (std::size_t round = 0; round < batch_count + 2; ++round) {
+      auto &cutting = batches_[round % 3], &clipping = batches_[(round + 2) % 3],
+           &laying = batches_[(round + 1) % 3];
+      const std::size_t to_cut = in_batch(round), to_clip = round >= 1 ? in_batch(round - 1) : 0,
+                        to_lay = round >= 2 ? in_batch(round - 2) : 0;
+      const std::size_t strip_tasks = to_clip > 0 ? strips_.size() : 0;
+      on_all_cores(strip_tasks + to_cut + to_lay, [&](std::size_t task) {
+        if (task < strip_tasks)
+          clip(clipping, to_clip, task);
+        else if (task < strip_tasks + to_cut)
+          cut(cutting[task - strip_tasks], round * size_ + task - strip_tasks);
+        else
+          lay_out(laying[task - strip_tasks - to_cut]);
+      });
+      for (std::size_t i = 0; i < to_lay; ++i) {
+        count(laying[i].profile, counts);
+        show(laying[i].profile);
+      }
+    }
+    on_all_cores(strips_.size(), [&](std::size_t i) { strips_[i]->finish(); });
+  }
+
+  SweptSector found() const {
+    SweptSector out;
+    for (const auto& strip : strips_) {
+      const auto& parts = strip->lines().visible_parts();
+      out.visible.insert(out.visible.end(), parts.begin(), parts.end());
+      const std::vector<LinePart> skyline = strip->lines().skyline(strip->horizon().joined());
+      out.skyline.insert(out.skyline.end(), skyline.begin(), skyline.end());
+    }
+    join(out.visible);
+    join(out.skyline);
+    out.skyline = shared(out.skyline, out.visible);
+    return out;
+  }
+
+  void add_to(CountsReport& counts, SecondsReport& seconds) const {
+    for (const auto& strip : strips_) {
+      counts.ties += strip->counts().ties;
+      counts.pieces_before_collapse += strip->horizon().pieces_uncollapsed();
+      counts.pieces_after_collapse += strip->horizon().pieces_collapsed();
+      seconds.clip += strip->seconds();
+    }
+    for (const auto& batch : batches_)
+      for (const Timed& timed : batch) {
+        seconds.cut += timed.cut_s;
+        seconds.project += timed.project_s;
+        seconds.layout += timed.layout_s;
+      }
+  }
+
+private:
+  struct Timed {
+    ProfileInWork profile;
+    double cut_s = 0, project_s = 0, layout_s = 0;
+  };
+
+  std::size_t in_batch(std::size_t batch) const {
+    const std::size_t all = work_.sector.profiles.size();
+    return batch * size_ < all ? std::min(size_, all - batch * size_) : 0;
+  }
+
+  void cut(Timed& timed, std::size_t number) const {
+    Stopwatch watch;
+    ProfileInWork& profile = timed.profile;
+    const View& view = work_.sector.view;
+    profile.planned = work_.sector.profiles[number];
+    profile.by_strip.resize(strips_.size());
+    profile.horizon_sizes.resize(strips_.size());
+    const double depth_m = profile.planned.depth_m;
+    const URange range = work_.whole_profiles ? URange{} : u_range(view, work_.range, depth_m);
+    work_.cutter.cut(depth_m, range, profile.profile);
+    watch.mark(timed.cut_s);
+    project_profile(profile.profile, static_cast<std::uint32_t>(profile.planned.number), view,
+                    profile.projected, profile.uprights);
+    watch.mark(timed.project_s);
+  }
+
+  void clip(std::vector<Timed>& batch, std::size_t count, std::size_t strip) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      ProfileInWork& profile = batch[i].profile;
+      strips_[strip]->take(profile, profile.by_strip[strip]);
+      profile.horizon_sizes[strip] = strips_[strip]->horizon().size();
+    }
+  }
+
+  void lay_out(Timed& timed) const {
+    Stopwatch watch;
+    join_strips(timed.profile);
+    lay_out_(timed.profile);
+    watch.mark(timed.layout_s);
+  }
+
+  static void count(const ProfileInWork& profile, CountsReport& counts) {
+    counts.cut_vertices += profile.profile.size();
+    for (const VertexRun& run : profile.projected.runs) counts.segments += run.last - run.first;
+    const auto& sizes = profile.horizon_sizes;
+    counts.largest_horizon = std::max(
+        counts.largest_horizon, std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0}));
+  }
+
+  const SectorInWork& work_;
+  const LayOut& lay_out_;
+  std::size_t size_; ///< profiles in a batch
+  std::vector<std::unique_ptr<StripSweep>> strips_;
+  std::array<std::vector<Timed>, 3> batches_;
+};
 
 } // namespace
-
-double slab_thickness_m(const SectorInWork& work, double nearest_m) {
-  constexpr double kMostSlabs = 1e5;
-  return std::max(work.scene.cell_m, (work.sector.farthest_m - nearest_m) / kMostSlabs);
-}
 
 SweptSector sweep_strips(const SectorInWork& work, const LayOut& lay_out, const Show& show,
                          CountsReport& counts, SecondsReport& seconds) {
   Stopwatch watch;
-  const Sector& sector = work.sector;
-  const std::vector<Strip> plan =
-      plan_strips(work.scene, sector, work.range, work.vertices_a_strip);
-  std::vector<XRange> ranges;
-  for (const Strip& strip : plan) ranges.push_back(strip.range);
-  auto which = lines_by_range(work.terrain.surface, sector, work.lines, ranges, work.from_m);
-  std::vector<std::unique_ptr<StripSweep>> strips(plan.size());
-  const std::vector<Segment> cut = near_cut(work);
-  on_all_cores(plan.size(), [&](std::size_t i) {
-    strips[i] = std::make_unique<StripSweep>(work, plan[i], std::move(which[i]));
-    strips[i]->raise(cut);
-  });
+  BatchSweep sweep(work, lay_out);
   watch.mark(seconds.facing);
-
-  const std::size_t size = batch_size(work.scene, sector);
-  const std::size_t profile_count = sector.profiles.size();
-  const std::size_t batch_count = (profile_count + size - 1) / size;
-  struct Timed {
-    ProfileInWork work;
-    ProfileSeconds seconds;
-  };
-  std::array<std::vector<Timed>, 3> batches;
-  for (auto& batch : batches) batch.resize(size);
-  const auto in_batch = [&](std::size_t batch) {
-    return batch < batch_count ? std::min(size, profile_count - batch * size) : 0;
-  };
-  const auto cut_one = [&](Timed& timed, std::size_t number) {
-    Stopwatch own;
-    ProfileInWork& profile = timed.work;
-    profile.planned = sector.profiles[number];
-    profile.by_strip.resize(plan.size());
-    profile.horizon_sizes.resize(plan.size());
-    const double depth_m = profile.planned.depth_m;
-    const URange range = work.whole_profiles ? URange{} : u_range(sector.view, work.range, depth_m);
-    work.cutter.cut(depth_m, range, profile.profile);
-    own.mark(timed.seconds.cut);
-    project_profile(profile.profile, static_cast<std::uint32_t>(profile.planned.number),
-                    sector.view, profile.projected, profile.uprights);
-    own.mark(timed.seconds.project);
-  };
-  const auto clip_batch = [&](std::vector<Timed>& batch, std::size_t count, std::size_t strip) {
-    for (std::size_t i = 0; i < count; ++i) {
-      ProfileInWork& profile = batch[i].work;
-      strips[strip]->take(profile, profile.by_strip[strip]);
-      profile.horizon_sizes[strip] = strips[strip]->horizon().size();
-    }
-  };
-  const auto lay_out_one = [&](Timed& timed) {
-    Stopwatch own;
-    join_strips(timed.work);
-    lay_out(timed.work);
-    own.mark(timed.seconds.layout);
-  };
-  for (std::size_t round = 0; round < batch_count + 2; ++round) {
-    auto &cutting = batches[round % 3], &clipping = batches[(round + 2) % 3],
-         &laying = batches[(round + 1) % 3];
-    const std::size_t to_cut = in_batch(round), to_clip = round >= 1 ? in_batch(round - 1) : 0,
-                      to_lay = round >= 2 ? in_batch(round - 2) : 0;
-    const std::size_t strip_tasks = to_clip > 0 ? strips.size() : 0;
-    on_all_cores(strip_tasks + to_cut + to_lay, [&](std::size_t task) {
-      if (task < strip_tasks)
-        clip_batch(clipping, to_clip, task);
-      else if (task < strip_tasks + to_cut)
-        cut_one(cutting[task - strip_tasks], round * size + task - strip_tasks);
-      else
-        lay_out_one(laying[task - strip_tasks - to_cut]);
-    });
-    for (std::size_t i = 0; i < to_lay; ++i) {
-      counts.cut_vertices += laying[i].work.profile.size();
-      const auto& sizes = laying[i].work.horizon_sizes;
-      counts.largest_horizon = std::max(
-          counts.largest_horizon, std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0}));
-      for (const VertexRun& run : laying[i].work.projected.runs)
-        counts.segments += run.last - run.first;
-      show(laying[i].work);
-    }
-  }
+  sweep.sweep(show, counts);
+  sweep.add_to(counts, seconds);
   watch = {};
-  on_all_cores(strips.size(), [&](std::size_t i) { strips[i]->finish(); });
-  for (const auto& batch : batches)
-    for (const Timed& timed : batch) {
-      seconds.cut += timed.seconds.cut;
-      seconds.project += timed.seconds.project;
-      seconds.layout += timed.seconds.layout;
-    }
-
-  SweptSector out;
-  for (const auto& strip : strips) {
-    const auto& parts = strip->lines().visible_parts();
-    out.visible.insert(out.visible.end(), parts.begin(), parts.end());
-    const std::vector<LinePart> skyline = strip->lines().skyline(strip->horizon().joined());
-    out.skyline.insert(out.skyline.end(), skyline.begin(), skyline.end());
-    counts.ties += strip->counts().ties;
-    counts.pieces_before_collapse += strip->horizon().pieces_uncollapsed();
-    counts.pieces_after_collapse += strip->horizon().pieces_collapsed();
-    seconds.clip += strip->seconds();
-  }
-  watch = {};
-  join(out.visible);
-  join(out.skyline);
-  out.skyline = shared(out.skyline, out.visible);
+  SweptSector out = sweep.found();
   watch.mark(seconds.layout);
   return out;
 }

@@ -7,7 +7,6 @@
 #include "profiles/cut_grid.hpp"
 #include "profiles/cut_tin.hpp"
 
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -25,14 +24,7 @@ public:
   void cut(double depth_m, Profile& out) const { cut(depth_m, {}, out); }
   /// At least the part of the profile in `range`, with the vertices next to it.
   void cut(double depth_m, const URange& range, Profile& out) const {
-    std::visit(
-        [&]<class Cutter_>(const Cutter_& cutter) {
-          if constexpr (std::is_same_v<Cutter_, GridCutter>)
-            cutter.cut(depth_m, range, out);
-          else
-            cutter.cut(depth_m, out);
-        },
-        cutter_);
+    std::visit([&](const auto& cutter) { cutter.cut(depth_m, range, out); }, cutter_);
   }
 
   /// Depths between which the surface lies.

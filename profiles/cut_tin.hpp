@@ -30,6 +30,8 @@ public:
   TinCutter(const Tin& tin, const View& view, const TriangleSet& level);
 
   void cut(double depth_m, Profile& out) const;
+  /// All of it, whatever the range.
+  void cut(double depth_m, const URange&, Profile& out) const { cut(depth_m, out); }
 
   /// Depths between which the TIN lies.
   double nearest_m() const { return nearest_m_; }

@@ -36,8 +36,7 @@ PlaneValues StrokeBuilder::plane_values(const StrokePoint& point, const Vec3& pa
           high.y * w - y, w + depth + slack, slack - depth};
 }
 
-void StrokeBuilder::add_clipped(const StrokePoint& point) {
-  const Vec3 page = settings_.to_page.of(point.plane);
+void StrokeBuilder::add_clipped(const StrokePoint& point, const Vec3& page) {
   const PlaneValues values = plane_values(point, page);
   const bool inside = is_in_frame(page) && values[4] >= 0 && values[5] >= 0;
   if (!last_) {

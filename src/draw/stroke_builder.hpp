@@ -54,7 +54,7 @@ public:
       last_->point = point;
       return;
     }
-    add_clipped(point);
+    add_clipped(point, page);
   }
   void end();
 
@@ -81,7 +81,7 @@ private:
   }
   // Values of the view volume's planes: left, right, above, below, back, front.
   PlaneValues plane_values(const StrokePoint& point, const Vec3& page) const;
-  void add_clipped(const StrokePoint& point);
+  void add_clipped(const StrokePoint& point, const Vec3& page);
   void append(const StrokePoint& point) { append(point, settings_.to_page.of(point.plane)); }
   void append(const StrokePoint& point, const Vec3& page) {
     if (!(page.z > 0)) return; // the eye itself

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep_in_list.hpp"
+
+#include "cli/stopwatch.hpp"
+#include "horizon/clip.hpp"
+
+#include <limits>
+#include <numeric>
+
+namespace orograph {
+
+SweptSector sweep_in_list(const SectorInWork& work, bool surface, const Instruments& instruments,
+                          const LayOut& lay_out, const Show& show, CountsReport& counts,
+                          SecondsReport& seconds) {
+  Stopwatch watch;
+  const Sector& sector = work.sector;
+  const View& view = sector.view;
+  std::vector<std::uint32_t> all(work.lines.size());
+  std::iota(all.begin(), all.end(), 0U);
+  LineSweep sweep(work.terrain.surface, sector, work.lines, std::move(all), work.range, work.from_m,
+                  work.tolerance);
+  if (instruments.occluders) sweep.record(*instruments.occluders);
+  const ClipOptions options{surface ? Role::compared : Role::drawn_occluder, work.tolerance,
+                            instruments.collapse};
+  Horizon horizon = initial_horizon();
+  ClipWorkspace workspace;
+  std::vector<Segment> segments, uprights;
+  ProfileInWork profile;
+  profile.by_strip.resize(1);
+  if (surface) {
+    const std::vector<Segment> cut = near_cut(work);
+    if (!cut.empty()) clip(cut, horizon, {Role::occluder, {}, instruments.collapse}, workspace);
+    if (instruments.occluders)
+      for (const Segment& s : cut) instruments.occluders->push_back({s.x0, s.x1, s, false});
+  }
+  watch.mark(seconds.facing);
+
+  SlabPlanes planes(work);
+  const auto take_slab = [&](double to_m) {
+    sweep.take_slab(to_m, horizon, [&](std::vector<HorizonPiece>& occluders, Horizon& raised) {
+      raise(occluders, raised, workspace, instruments.collapse);
+    });
+  };
+  // Where profiles hide, a slab is what lies between two of them.
+  const auto take_slabs = [&](double to_m) {
+    if (surface)
+      planes.take_to(to_m, take_slab);
+    else
+      take_slab(to_m);
+  };
+  double last_m = planes.last_m();
+  for (const PlannedProfile& planned : sector.profiles) {
+    const double depth_m = last_m = planned.depth_m;
+    profile.planned = planned;
+    take_slabs(depth_m);
+    watch.mark(seconds.clip);
+    work.cutter.cut(depth_m, profile.profile);
+    watch.mark(seconds.cut);
+    const auto number = static_cast<std::uint32_t>(planned.number);
+    project_profile(profile.profile, number, view, profile.projected, profile.uprights);
+    project_profile(profile.profile, number, view, segments, uprights);
+    if (instruments.single_precision) round_to_float(segments);
+    watch.mark(seconds.project);
+    auto& visible = profile.by_strip.front();
+    visible.clear();
+    add_visible_uprights(profile, view, work.range, horizon, sweep.rounding_m(), visible);
+    clip(segments, horizon, options, workspace);
+    for (const Piece& piece : workspace.visible) {
+      const std::uint32_t vertex = left_vertex(segments[piece.segment]);
+      visible.push_back({vertex, vertex, piece.t_begin, piece.t_end});
+    }
+    watch.mark(seconds.clip);
+    join_strips(profile);
+    lay_out(profile);
+    watch.mark(seconds.layout);
+    show(profile);
+    if (instruments.observer) instruments.observer->see_horizon(sector, horizon);
+    counts.cut_vertices += profile.profile.size();
+    counts.segments += segments.size();
+    counts.largest_horizon = std::max<std::uint64_t>(counts.largest_horizon, horizon.size());
+    watch = {};
+  }
+  if (last_m < sector.farthest_m) take_slabs(sector.farthest_m);
+  take_slab(std::numeric_limits<double>::infinity());
+  watch.mark(seconds.clip);
+  counts.ties += workspace.ties;
+  counts.pieces_before_collapse += workspace.pieces_uncollapsed;
+  counts.pieces_after_collapse += workspace.pieces_collapsed;
+  SweptSector out{sweep.visible_parts(), sweep.skyline(horizon)};
+  join(out.visible);
+  out.skyline = shared(out.skyline, out.visible);
+  watch.mark(seconds.layout);
+  return out;
+}
+
+} // namespace orograph
