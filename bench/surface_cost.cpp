@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "bench/one_a_row.hpp"
 #include "data_samples/terrains.hpp"
 
 using namespace orograph;
@@ -49,11 +50,7 @@ int main(int argc, char** argv) {
   terrain.surface = make_terrain(MadeTerrain::fractal_alps, vertices);
   for (const double elevation : {5.0, 20.0})
     for (const double azimuth : {180.0, 213.0}) {
-      RenderSettings settings;
-      settings.from_azimuth = Angle::degrees(azimuth);
-      settings.from_elevation = Angle::degrees(elevation);
-      settings.plan = GroundSpacing{cell_size_m(terrain.surface)};
-      settings.layers = {"profiles"};
+      const RenderSettings settings = one_profile_a_row(terrain.surface, azimuth, elevation);
       const Scene scene = place_scene(terrain, settings);
       const double infinity = std::numeric_limits<double>::infinity();
       Cost profiles{infinity, 0, 0, 0}, surface = profiles;

@@ -20,6 +20,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "bench/one_a_row.hpp"
 #include "bench/scenes.hpp"
 #include "data_samples/terrains.hpp"
 
@@ -29,11 +30,11 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-template <class Act>
-double seconds_of(const Act& act) {
+template <class Run>
+double seconds_of(const Run& run) {
   double seconds = 0;
   Stopwatch watch;
-  act();
+  run();
   watch.mark(seconds);
   return seconds;
 }
@@ -98,11 +99,7 @@ void keep_less(Cost& least, const Cost& cost) {
 void measure(const Terrain& terrain, int rounds) {
   for (const double elevation : {5.0, 25.0, 60.0})
     for (const double azimuth : {180.0, 213.0}) {
-      RenderSettings settings;
-      settings.from_azimuth = Angle::degrees(azimuth);
-      settings.from_elevation = Angle::degrees(elevation);
-      settings.plan = GroundSpacing{cell_size_m(terrain.surface)};
-      settings.layers = {"profiles"};
+      const RenderSettings settings = one_profile_a_row(terrain.surface, azimuth, elevation);
       const Scene scene = place_scene(terrain, settings);
       Cost one, two;
       double cut_s = kNever, read_s = kNever;
