@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,8 +27,8 @@ struct EyeInCells {
   double column, row, height;
 };
 
-// `exaggeration` is what the heights that it is compared with still have to be multiplied by.
-inline EyeInCells eye_in_cells(const Grid& grid, const View& view, double exaggeration) {
+// Its height is one before exaggeration.
+inline EyeInCells eye_in_cells(const Grid& grid, const View& view) {
   const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
   const double area = cross(column_step_m, row_step_m);
   const auto solve = [&](Vec2 v) {
@@ -38,20 +39,18 @@ inline EyeInCells eye_in_cells(const Grid& grid, const View& view, double exagge
     return {back.x, back.y, 0};
   }
   const Vec2 at = solve(view.depth_origin_m - first_vertex_m);
-  return {at.x, at.y, view.eye_z_m / exaggeration};
+  return {at.x, at.y, view.eye_z_m / view.exaggeration};
 }
 
-// The facing of a row of cells. Loops over a row are plain arithmetic without branches, for the
-// vector units, and the rounding bound is one for the row, from its greatest height and gradients.
+// The facing of a row of cells. The loop over a row is plain arithmetic without branches, for the
+// vector units; in float, where heights are.
 template <class Height>
 class PlaneRowFacing {
 public:
   PlaneRowFacing(const Grid& grid, const Heights<Height>& heights, const View& view)
       : lower(static_cast<std::size_t>(grid.columns) - 1), upper(lower.size()), grid_(grid),
-        lattice_(grid.plane()), heights_(heights), view_(view),
-        exaggeration_(view.drop.any() ? 1 : view.exaggeration),
-        eye_(eye_in_cells(grid, view, exaggeration_)), mirrored_(grid.plane().is_mirrored()),
-        lower_sign_(lower.size()), upper_sign_(lower.size()) {
+        lattice_(grid.plane()), heights_(heights), view_(view), eye_(eye_in_cells(grid, view)),
+        mirrored_(grid.plane().is_mirrored()) {
     // Vertices are rounded to metres, which moves them, in cells, by ulps of how far they are from
     // the origin; a gradient is off by as much, and counts as far as the eye is away.
     cells_away_ = 4.0 * (grid.columns + grid.rows);
@@ -67,22 +66,22 @@ public:
 
   /// Of the cells from column `first` to `end`.
   void reckon(int row, int first, int end) {
-    if (!view_.drop.any()) {
-      reckon(row, first, end, &heights_[grid_.index(0, row)], &heights_[grid_.index(0, row + 1)],
-             0);
-      return;
-    }
-    // What sinks is not a plane over cells any more: heights as the profile frame has them.
-    take_rows(row);
-    // The drop grows with the square of the distance: along a row it is greatest at one of its
-    // ends.
-    double greatest_drop = 0;
-    for (const int c : {first, end})
-      for (const int r : {row, row + 1}) {
-        const ProfilePoint p = vertex(c, r);
-        greatest_drop = std::max(greatest_drop, std::abs(view_.drop.at(p.u, p.v)));
-      }
-    reckon(row, first, end, north_z_.data(), south_z_.data(), greatest_drop);
+    const SignTerms terms = terms_of(row, first, end);
+    const Height* const north = &heights_[grid_.index(0, row)];
+    const Height* const south = &heights_[grid_.index(0, row + 1)];
+    // More roundings than those below, of what is rounded to float first; and ulps of the
+    // vertices' places count for nothing in float.
+    constexpr double kOfFloat = 32.0 * std::numeric_limits<float>::epsilon();
+    const double of_double = 16 * std::numeric_limits<double>::epsilon() * cells_away_;
+    if (std::is_same_v<Height, float> && 100 * of_double < kOfFloat)
+      sign_bits<float>(north, south, first, end, terms, kOfFloat, &lower[0], &upper[0]);
+    else
+      sign_bits<double>(north, south, first, end, terms, of_double, &lower[0], &upper[0]);
+    std::uint8_t doubt = 0; // in a loop of its own, over bytes alone
+    for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(end); ++c)
+      doubt |=
+          static_cast<std::uint8_t>((lower[c] & (lower[c] >> 1U)) | (upper[c] & (upper[c] >> 1U)));
+    if (doubt & 1U) settle(row, first, end);
   }
 
   // The two triangles at an edge make a parallelogram: it is a ridge where its middle is higher
@@ -112,72 +111,106 @@ private:
     return 8 * std::abs(view_.drop.at(p.u, p.v));
   }
 
-  void take_rows(int row) {
-    if (next_row_ == row + 1) return;
-    if (next_row_ != row) take_row(row, south_z_);
-    std::swap(north_z_, south_z_);
-    take_row(row + 1, south_z_);
-    next_row_ = row + 1;
-  }
-  void take_row(int row, std::vector<double>& z) const {
-    const Height* heights = &heights_[grid_.index(0, row)];
-    z.resize(static_cast<std::size_t>(grid_.columns));
-    for (int c = 0; c < grid_.columns; ++c) {
-      const double height = heights[c];
-      z[static_cast<std::size_t>(c)] = to_profile_frame(view_, lattice_.vertex_m(c, row, height)).z;
+  // k0 + k1 * x + k2 * x * x, where x is counted from a range's first cell.
+  struct Parabola {
+    double k0 = 0, k1 = 0, k2 = 0;
+    double bound(double x) const { return std::abs(k0) + std::abs(k1) * x + std::abs(k2) * x * x; }
+  };
+  // A sign is constant + per_height * h0 + per_c * gc + per_r * gr, and what the ground sinks:
+  // its parabola. In perspective per_c grows along the row.
+  struct SignTerms {
+    double constant, per_height, first_per_c, step_per_c, per_r;
+    Parabola lower, upper;
+    // Of the bound on rounding, before its factor: what counts always, and what gc and gr count;
+    // the eye's place is rounded aslant of the grid, so that the two count alike.
+    double least, reach;
+  };
+  SignTerms terms_of(int row, int first, int end) const {
+    SignTerms terms{};
+    if (view_.is_perspective()) {
+      const double per_r = row - eye_.row;
+      terms = {eye_.height, -1, -eye_.column, 1, per_r, {}, {}, 0, 1.0 * end};
+    } else {
+      const double scale = -view_.y_per_z * view_.exaggeration;
+      terms = {view_.y_per_v, 0, scale * eye_.column, 0, scale * eye_.row, {}, {}, 0, 0};
     }
+    terms.reach += std::abs(terms.first_per_c) + std::abs(terms.per_r) + std::abs(eye_.row);
+    terms.least = std::abs(terms.constant);
+    if (view_.drop.any()) {
+      terms.lower = sunk(row, first, end, terms, 0, 1);
+      terms.upper = sunk(row, first, end, terms, 1, 0);
+      const double cells = end - first;
+      terms.least += std::max(terms.lower.bound(cells), terms.upper.bound(cells));
+    }
+    return terms;
   }
 
-  template <class AnyHeight>
-  void reckon(int row, int first, int end, const AnyHeight* north, const AnyHeight* south,
-              double greatest_drop) {
-    const bool perspective = view_.is_perspective();
-    // A sign is constant + per_height * h0 + per_c * gc + per_r * gr, where per_c grows along the
-    // row in perspective.
-    const double scale = perspective ? 1 : -view_.y_per_z * exaggeration_;
-    const double constant = perspective ? eye_.height : view_.y_per_v;
-    const double per_height = perspective ? -1 : 0;
-    const double per_r = perspective ? row - eye_.row : scale * eye_.row;
-    const double first_per_c = perspective ? -eye_.column : scale * eye_.column;
-    const double step_per_c = perspective ? 1 : 0;
-    double greatest_height = greatest_drop, greatest_gc = 0, greatest_gr = 0;
-    const auto take = [](double& greatest, double value) {
-      value = std::abs(value);
-      greatest = value > greatest ? value : greatest; // a missing height is never greater
+  // By how much a triangle's sign changes as its vertices sink: a square form of the place, and
+  // differences of it times what is linear in the column. The triangle lies between its cell's
+  // north-western vertex, the south-eastern one, and the one at (column, row_down) from the first.
+  Parabola sunk(int row, int first, int end, const SignTerms& terms, int column, int down) const {
+    const auto drop = [&](double c, double r) {
+      const Vec2 at = lattice_.first_vertex_m + c * lattice_.column_step_m +
+                      r * lattice_.row_step_m - view_.depth_origin_m;
+      return view_.drop.at(dot(at, view_.right), dot(at, view_.forward)) / view_.exaggeration;
     };
-    for (int c = first; c < end; ++c) {
-      const double nw = north[c], ne = north[c + 1], sw = south[c], se = south[c + 1];
-      const double per_c = first_per_c + step_per_c * c, level = constant + per_height * nw;
-      lower_sign_[static_cast<std::size_t>(c)] = level + per_c * (se - sw) + per_r * (sw - nw);
-      upper_sign_[static_cast<std::size_t>(c)] = level + per_c * (ne - nw) + per_r * (se - ne);
-      take(greatest_height, std::abs(nw) + greatest_drop);
-      take(greatest_gc, ne - nw);
-      take(greatest_gc, se - sw);
-      take(greatest_gr, sw - nw);
-      take(greatest_gr, se - ne);
-    }
-    // 16 ulp for some eight roundings, of the terms and of the eye's own place.
-    const double reach_c = std::abs(first_per_c) + step_per_c * end;
-    const double reach_r = std::abs(per_r) + std::abs(eye_.row);
-    const double bound =
-        16 * std::numeric_limits<double>::epsilon() * cells_away_ *
-        (std::abs(constant) + greatest_height + greatest_gc * reach_c + greatest_gr * reach_r);
-    const auto begin = static_cast<std::size_t>(first), past = static_cast<std::size_t>(end);
-    for (std::size_t c = begin; c < past; ++c) {
-      lower[c] = bits(lower_sign_[c], bound);
-      upper[c] = bits(upper_sign_[c], bound);
-    }
-    std::uint8_t doubt = 0; // in a loop of its own, over bytes alone
-    for (std::size_t c = begin; c < past; ++c)
-      doubt |=
-          static_cast<std::uint8_t>((lower[c] & (lower[c] >> 1U)) | (upper[c] & (upper[c] >> 1U)));
-    if (doubt & 1U) settle(row, first, end);
+    const auto at = [&](double x) {
+      const double c = first + x, r = row;
+      const double d = drop(c, r), across = drop(c + 1, r + 1), third = drop(c + column, r + down);
+      const double d_c = column > 0 ? third - d : across - third,
+                   d_r = column > 0 ? across - third : third - d;
+      return -terms.per_height * d - (terms.first_per_c + terms.step_per_c * c) * d_c -
+             terms.per_r * d_r;
+    };
+    const double cells = end - first;
+    const double f0 = at(0), f1 = at(0.5 * cells), f2 = at(cells);
+    return {f0, (4 * f1 - 3 * f0 - f2) / cells, 2 * (f0 - 2 * f1 + f2) / (cells * cells)};
   }
 
-  // A missing height makes both comparisons false.
-  static std::uint8_t bits(double sign, double bound) {
-    return static_cast<std::uint8_t>((sign >= -bound ? kMayFace : 0) |
-                                     (sign <= bound ? kMayTurn : 0));
+  // What the signs of a row's triangles may be, from column `first` to `end`. The bound is
+  // `rounding`, for some eight roundings of the terms and of the eye's own place, times all terms
+  // without their signs.
+  template <class Real>
+  static void sign_bits(const Height* north, const Height* south, int first, int end,
+                        const SignTerms& terms, double rounding, std::uint8_t* __restrict lower,
+                        std::uint8_t* __restrict upper) {
+    struct Sunk {
+      Real k0, k1, k2;
+      explicit Sunk(const Parabola& p)
+          : k0(static_cast<Real>(p.k0)), k1(static_cast<Real>(p.k1)), k2(static_cast<Real>(p.k2)) {}
+      Real at(Real x) const { return k0 + x * (k1 + k2 * x); }
+    };
+    const Sunk sunk_lower(terms.lower), sunk_upper(terms.upper);
+    const Real constant = static_cast<Real>(terms.constant),
+               per_height = static_cast<Real>(terms.per_height),
+               first_per_c = static_cast<Real>(terms.first_per_c),
+               step_per_c = static_cast<Real>(terms.step_per_c),
+               per_r = static_cast<Real>(terms.per_r);
+    const Real reach = static_cast<Real>(rounding * terms.reach),
+               least = static_cast<Real>(rounding * terms.least),
+               of_height = static_cast<Real>(rounding);
+    for (int c = first; c < end; ++c) {
+      const Real nw = static_cast<Real>(north[c]), ne = static_cast<Real>(north[c + 1]),
+                 sw = static_cast<Real>(south[c]), se = static_cast<Real>(south[c + 1]);
+      const Real south_c = se - sw, north_c = ne - nw, west_r = sw - nw, east_r = se - ne;
+      const Real per_c = first_per_c + step_per_c * static_cast<Real>(c);
+      const Real level = constant + per_height * nw, slack = least + of_height * std::abs(nw);
+      const Real x = static_cast<Real>(c - first);
+      const Real below = level + per_c * south_c + per_r * west_r + sunk_lower.at(x);
+      const Real above = level + per_c * north_c + per_r * east_r + sunk_upper.at(x);
+      const Real of_below = slack + reach * (std::abs(south_c) + std::abs(west_r)),
+                 of_above = slack + reach * (std::abs(north_c) + std::abs(east_r));
+      lower[c] = bits(below, of_below, nw + sw + se);
+      upper[c] = bits(above, of_above, nw + ne + se);
+    }
+  }
+  // None where the heights' sum isn't a number; both where the sign isn't, since it is beyond what
+  // a float can be. Without branches.
+  template <class Real>
+  static std::uint8_t bits(Real sign, Real bound, Real heights) {
+    const int may_face = !(sign < -bound), may_turn = !(sign > bound),
+              is_there = heights == heights;
+    return static_cast<std::uint8_t>((may_face * kMayFace + may_turn * kMayTurn) * is_there);
   }
 
   // Asks again of the triangles in doubt.
@@ -199,13 +232,9 @@ private:
   const PlaneLattice& lattice_;
   const Heights<Height>& heights_;
   const View& view_;
-  double exaggeration_; ///< of the heights that are reckoned with
   EyeInCells eye_;
   bool mirrored_; ///< columns and rows turn the other way
   double cells_away_;
-  std::vector<double> lower_sign_, upper_sign_;
-  std::vector<double> north_z_, south_z_; ///< where the ground sinks
-  int next_row_ = -1;                     ///< whose heights `south_z_` holds
 };
 
 } // namespace orograph

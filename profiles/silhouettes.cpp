@@ -7,12 +7,43 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 namespace orograph {
 namespace {
 
 using CellRange = std::pair<int, int>; // columns of cells
+
+constexpr std::size_t kEight = 8; // bytes that are looked at in one
+
+// Cells where not all that meet at the north-western vertex face one way; elsewhere, as nearly
+// everywhere, there is no silhouette. A loop without branches, for the vector units.
+void mark_mixed(const std::uint8_t* __restrict lower, const std::uint8_t* __restrict upper,
+                const std::uint8_t* __restrict north_lower, int begin, int past,
+                std::uint8_t* __restrict mixed) {
+  constexpr std::uint8_t kBoth = kMayFace | kMayTurn;
+  mixed[begin] = (lower[begin] | upper[begin] | north_lower[begin]) == kBoth ? 1 : 0;
+  for (int i = begin + 1; i < past; ++i) {
+    const auto together =
+        static_cast<std::uint8_t>(lower[i] | upper[i] | north_lower[i] | upper[i - 1]);
+    mixed[i] = together == kBoth ? 1 : 0;
+  }
+}
+
+// Calls take(c) with each marked cell of a range, in order. REQUIRES `kEight` bytes behind it.
+template <class Take>
+void for_each_marked(const std::vector<std::uint8_t>& marks, int begin, int past,
+                     const Take& take) {
+  for (int c = begin; c < past; c += static_cast<int>(kEight)) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, &marks[static_cast<std::size_t>(c)], kEight);
+    if (eight == 0) continue;
+    const int end = std::min(past, c + static_cast<int>(kEight));
+    for (int at = c; at < end; ++at)
+      if (marks[static_cast<std::size_t>(at)] != 0) take(at);
+  }
+}
 
 // Of the rows of cells from `first` to `end`, in order.
 template <class RowFacing>
@@ -22,6 +53,7 @@ void find(const Grid& grid, const SeenGround& ground, RowFacing& facing, int fir
   const std::size_t cells = lower.size();
   // Cells that aren't looked at have no bits, and their edges are no silhouettes.
   std::vector<std::uint8_t> north_lower(cells, 0);
+  std::vector<std::uint8_t> mixed(cells + kEight, 0);
   std::vector<CellRange> ranges;
   int ranges_of = -1; // row of blocks
   const auto reckon = [&](int row) {
@@ -46,20 +78,15 @@ void find(const Grid& grid, const SeenGround& ground, RowFacing& facing, int fir
   for (int row = first; row < end; ++row) {
     reckon(row);
     for (const auto& [begin, past] : ranges) {
-      std::uint8_t west_upper = 0;
-      for (int c = begin; c < past; ++c) {
+      mark_mixed(&lower[0], &upper[0], &north_lower[0], begin, past, &mixed[0]);
+      for_each_marked(mixed, begin, past, [&](int c) {
         const auto i = static_cast<std::size_t>(c);
-        // Where all that meet here face one way, as nearly everywhere, there is no silhouette.
-        const auto together =
-            static_cast<std::uint8_t>(lower[i] | upper[i] | north_lower[i] | west_upper);
-        if (together == (kMayFace | kMayTurn)) {
-          const int r = row;
-          add_if(north_lower[i], upper[i], {c, r}, {c + 1, r}, {c, r - 1}, {c + 1, r + 1});
-          add_if(west_upper, lower[i], {c, r}, {c, r + 1}, {c + 1, r + 1}, {c - 1, r});
-          add_if(lower[i], upper[i], {c, r}, {c + 1, r + 1}, {c + 1, r}, {c, r + 1});
-        }
-        west_upper = upper[i];
-      }
+        const int r = row;
+        const std::uint8_t west_upper = c > begin ? upper[i - 1] : 0;
+        add_if(north_lower[i], upper[i], {c, r}, {c + 1, r}, {c, r - 1}, {c + 1, r + 1});
+        add_if(west_upper, lower[i], {c, r}, {c, r + 1}, {c + 1, r + 1}, {c - 1, r});
+        add_if(lower[i], upper[i], {c, r}, {c + 1, r + 1}, {c + 1, r}, {c, r + 1});
+      });
     }
     north_lower = lower;
   }
