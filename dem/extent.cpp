@@ -15,7 +15,9 @@
 namespace orograph {
 namespace {
 
-constexpr int side = 32; // of a block, in vertices
+constexpr int side = 32;      // of a block, in vertices
+constexpr int group_side = 8; // in blocks
+constexpr int tile_side = 8;  // in vertices
 
 struct Block {
   int column, row;   // of its first vertex
@@ -98,17 +100,42 @@ std::vector<Block> blocks_of(const Grid& grid) {
   return blocks;
 }
 
+// Squares of blocks, without those that have no block.
+std::vector<BlockGroup> groups_of(const Grid& grid, const std::vector<Block>& blocks,
+                                  const std::vector<Box3>& boxes) {
+  constexpr int across = group_side * side; // in vertices
+  const int columns = (grid.columns + across - 1) / across,
+            rows = (grid.rows + across - 1) / across;
+  std::vector<BlockGroup> groups(static_cast<std::size_t>(columns) *
+                                 static_cast<std::size_t>(rows));
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const auto [column, row] = std::pair(blocks[i].column / across, blocks[i].row / across);
+    groups[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column)]
+        .add(i, boxes[i]);
+  }
+  std::erase_if(groups, [](const BlockGroup& group) { return group.blocks.empty(); });
+  return groups;
+}
+
+// In small squares one after the other, so that points which follow each other lie close together.
 std::vector<Vec3> points_in(const Grid& grid, const Block& block, std::vector<Vec3> points) {
   points.clear();
-  std::visit(
-      [&](const auto& lattice, const auto& heights) {
-        for (int row = block.row; row < block.row + block.rows; ++row)
-          for (int column = block.column; column < block.column + block.columns; ++column) {
-            const double height = heights[grid.index(column, row)];
-            if (!std::isnan(height)) points.push_back(lattice.vertex_m(column, row, height));
-          }
-      },
-      grid.lattice, grid.heights_m);
+  const int end_column = block.column + block.columns, end_row = block.row + block.rows;
+  const auto take = [&](int first_column, int first_row) {
+    std::visit(
+        [&](const auto& lattice, const auto& heights) {
+          for (int row = first_row; row < std::min(first_row + tile_side, end_row); ++row)
+            for (int column = first_column; column < std::min(first_column + tile_side, end_column);
+                 ++column) {
+              const double height = heights[grid.index(column, row)];
+              if (!std::isnan(height)) points.push_back(lattice.vertex_m(column, row, height));
+            }
+        },
+        grid.lattice, grid.heights_m);
+  };
+  for (int row = block.row; row < end_row; row += tile_side)
+    for (int column = block.column; column < end_column; column += tile_side) take(column, row);
   return points;
 }
 
@@ -260,6 +287,7 @@ SurfaceExtent extent_of(const Grid& grid) {
       grid.heights_m);
   SurfaceExtent& extent = found.extent;
   extent.mean_height_m = found.sum / static_cast<double>(extent.valid);
+  extent.blocks.groups = groups_of(grid, found.occupied, extent.blocks.boxes);
   extent.blocks.points = [&grid, occupied = std::move(found.occupied),
                           buffer = std::vector<Vec3>()](std::size_t i) mutable {
     buffer = points_in(grid, occupied[i], std::move(buffer));
