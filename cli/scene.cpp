@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -84,6 +85,23 @@ void place_view_file(Scene& scene, const ViewFile& file, const MapFrame& map, do
   if (!file.cuts()) return;
   const auto [per_u, per_v, per_z, at_origin] = volume_depth(phigs, frame_of(phigs));
   scene.depth = VolumeDepth{per_u, per_v, per_z, at_origin};
+}
+
+// Those between which the terrain lies. A TIN's are its vertices': its cutter has more to make.
+void find_depths(Scene& scene, const Surface& surface) {
+  if (const Tin* tin = std::get_if<Tin>(&surface)) {
+    scene.nearest_m = std::numeric_limits<double>::infinity();
+    scene.farthest_m = -scene.nearest_m;
+    for (const Vec3& vertex : tin->vertices_m) {
+      const double depth_m = to_profile_frame(scene.view, vertex).v;
+      scene.nearest_m = std::min(scene.nearest_m, depth_m);
+      scene.farthest_m = std::max(scene.farthest_m, depth_m);
+    }
+    return;
+  }
+  const SurfaceCutter cutter(surface, scene.view, scene.level.triangles, scene.border);
+  scene.nearest_m = cutter.nearest_m();
+  scene.farthest_m = cutter.farthest_m();
 }
 
 // View and page, on ground that sinks by `drop`.
@@ -191,23 +209,36 @@ double exaggeration_of(const RenderSettings& settings, const Box3& terrain) {
   return settings.has_eye() ? 1 : chosen_exaggeration(terrain);
 }
 
+TerrainFacts facts_of(const Terrain& terrain, FlatGround flat) {
+  const Surface& surface = terrain.surface;
+  TerrainFacts facts;
+  facts.extent = extent_of(surface);
+  facts.cell_m = cell_size_m(surface);
+  facts.border = std::visit([&](const auto& s) { return border_of(s, facts.extent); }, surface);
+  facts.outline = std::visit([&](const auto& s) { return outline_of(s, facts.border); }, surface);
+  if (flat == FlatGround::shore)
+    facts.water = std::visit([](const auto& s) { return find_water(s); }, surface);
+  return facts;
+}
+
 Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
+  return place_scene(terrain, facts_of(terrain, settings.flat), settings);
+}
+
+Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettings& settings) {
   const Surface& surface = terrain.surface;
   Scene scene;
-  scene.extent = extent_of(surface);
-  scene.cell_m = cell_size_m(surface);
-  scene.border = std::visit([&](const auto& s) { return border_of(s, scene.extent); }, surface);
-  if (settings.flat == FlatGround::shore)
-    scene.level = std::visit([](const auto& s) { return find_water(s); }, surface);
+  scene.extent = std::move(facts.extent);
+  scene.cell_m = facts.cell_m;
+  scene.border = std::move(facts.border);
+  scene.level = std::move(facts.water);
 
   scene.exaggeration_chosen = !settings.exaggeration && !settings.view;
   const std::optional<EarthFrame>& earth = terrain.map.earth;
   scene.exaggeration = earth ? earth->exaggeration : exaggeration_of(settings, scene.extent.box);
   // On the ellipsoid heights went to their place exaggerated.
   const double exaggeration = earth ? 1 : scene.exaggeration;
-  const std::vector<OutlineEdge> outline =
-      std::visit([&](const auto& s) { return outline_of(s, scene.border); }, surface);
-  const TerrainShape shape{scene.extent.blocks, outline, scene.extent.box,
+  const TerrainShape shape{scene.extent.blocks, facts.outline, scene.extent.box,
                            scene.extent.mean_height_m, scene.cell_m};
   const auto place = [&](const EarthDrop& drop) {
     place_on_earth(scene, terrain, settings, shape, exaggeration, drop);
@@ -230,9 +261,7 @@ Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
     keep_off_the_ground(scene.view, *under_eye_m, scene.cell_m);
   }
 
-  const SurfaceCutter cutter(surface, scene.view, scene.level.triangles, scene.border);
-  scene.nearest_m = cutter.nearest_m();
-  scene.farthest_m = cutter.farthest_m();
+  find_depths(scene, surface);
   scene.plan = settings.plan.value_or(PageSpacing{kPenWidthsApart * settings.pen_width_mm});
   scene.depths_m =
       plan_depths(scene.plan, plan_ground(scene, under_eye_m), scene.view, scene.to_page);

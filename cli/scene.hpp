@@ -69,9 +69,24 @@ double chosen_exaggeration(const Box3& terrain);
 /// the world as it is.
 double exaggeration_of(const RenderSettings& settings, const Box3& terrain);
 
-/// REQUIRES that the terrain outlives the scene. Throws Error as `place_eye`, `place_view` and
-/// `plan_depths` do,
-/// and where the eye is under the ground.
+/// What placing has to know of a terrain, whatever the view: found once, it does for all views of
+/// the same terrain. Most of what placing costs.
+struct TerrainFacts {
+  SurfaceExtent extent;
+  double cell_m = 0; ///< the terrain's finest ground detail
+  std::vector<BorderEdge> border;
+  std::vector<OutlineEdge> outline; ///< the border on the ground
+  LevelGround water;                ///< empty where it is drawn like any other ground
+};
+
+/// REQUIRES that the terrain outlives the facts, and stays where it is. Cost: two passes over the
+/// heights, a third where some are missing.
+TerrainFacts facts_of(const Terrain& terrain, FlatGround flat);
+
+/// REQUIRES that the terrain outlives the scene; `facts` are those of this terrain, for
+/// `settings.flat`. Throws Error as `place_eye`, `place_view` and `plan_depths` do, and where the
+/// eye is under the ground.
 Scene place_scene(const Terrain& terrain, const RenderSettings& settings);
+Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettings& settings);
 
 } // namespace orograph

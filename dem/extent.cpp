@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/extent.hpp"
 
+#include "dem/block_heights.hpp"
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
@@ -15,58 +16,9 @@
 namespace orograph {
 namespace {
 
-constexpr int side = 32; // of a block, in vertices
-
-struct Block {
-  int column, row;   // of its first vertex
-  int columns, rows; // less than `side` at the grid's end
-};
-
-template <class Value>
-struct BlockHeights {
-  Value low = std::numeric_limits<Value>::infinity();
-  Value high = -std::numeric_limits<Value>::infinity();
-  double sum = 0;
-  std::size_t count = 0;
-};
-
-// A lane for each column, because a single running minimum or sum has to be taken in order and
-// therefore doesn't vectorize. Comparisons with NaN are false. Where `kGaps` is false a NaN makes
-// its lane's sum NaN, which is a third of the work.
-template <bool kGaps, class Value>
-BlockHeights<Value> lanes_of(const Grid& grid, const Heights<Value>& heights, const Block& block) {
-  std::array<Value, side> low, high;
-  std::array<double, side> sum{};
-  std::array<int, side> count{};
-  low.fill(std::numeric_limits<Value>::infinity());
-  high.fill(-std::numeric_limits<Value>::infinity());
-  for (int row = block.row; row < block.row + block.rows; ++row) {
-    const Value* h = heights.data() + grid.index(block.column, row);
-    for (int i = 0; i < block.columns; ++i) {
-      const bool valid = !kGaps || !std::isnan(h[i]);
-      low[i] = h[i] < low[i] ? h[i] : low[i];
-      high[i] = h[i] > high[i] ? h[i] : high[i];
-      sum[i] += static_cast<double>(valid ? h[i] : Value{0});
-      if constexpr (kGaps) count[i] += valid;
-    }
-  }
-  BlockHeights<Value> all;
-  if constexpr (!kGaps) all.count = static_cast<std::size_t>(block.columns) * block.rows;
-  for (int i = 0; i < block.columns; ++i) {
-    all.low = std::min(all.low, low[i]);
-    all.high = std::max(all.high, high[i]);
-    all.sum += sum[i];
-    all.count += static_cast<std::size_t>(count[i]);
-  }
-  return all;
-}
-
-template <class Value>
-BlockHeights<Value> heights_in(const Grid& grid, const Heights<Value>& heights,
-                               const Block& block) {
-  const BlockHeights<Value> all = lanes_of<false>(grid, heights, block);
-  return std::isnan(all.sum) ? lanes_of<true>(grid, heights, block) : all;
-}
+constexpr int side = kBlockSide;
+constexpr int group_side = 8; // in blocks
+constexpr int tile_side = 8;  // in vertices
 
 // Box of the valid vertices' positions. Positions are monotone in column and row, rounding
 // included, so that the corners tell it where every vertex is valid.
@@ -98,17 +50,42 @@ std::vector<Block> blocks_of(const Grid& grid) {
   return blocks;
 }
 
+// Squares of blocks, without those that have no block.
+std::vector<BlockGroup> groups_of(const Grid& grid, const std::vector<Block>& blocks,
+                                  const std::vector<Box3>& boxes) {
+  constexpr int across = group_side * side; // in vertices
+  const int columns = (grid.columns + across - 1) / across,
+            rows = (grid.rows + across - 1) / across;
+  std::vector<BlockGroup> groups(static_cast<std::size_t>(columns) *
+                                 static_cast<std::size_t>(rows));
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const auto [column, row] = std::pair(blocks[i].column / across, blocks[i].row / across);
+    groups[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column)]
+        .add(i, boxes[i]);
+  }
+  std::erase_if(groups, [](const BlockGroup& group) { return group.blocks.empty(); });
+  return groups;
+}
+
+// In small squares one after the other, so that points which follow each other lie close together.
 std::vector<Vec3> points_in(const Grid& grid, const Block& block, std::vector<Vec3> points) {
   points.clear();
-  std::visit(
-      [&](const auto& lattice, const auto& heights) {
-        for (int row = block.row; row < block.row + block.rows; ++row)
-          for (int column = block.column; column < block.column + block.columns; ++column) {
-            const double height = heights[grid.index(column, row)];
-            if (!std::isnan(height)) points.push_back(lattice.vertex_m(column, row, height));
-          }
-      },
-      grid.lattice, grid.heights_m);
+  const int end_column = block.column + block.columns, end_row = block.row + block.rows;
+  const auto take = [&](int first_column, int first_row) {
+    std::visit(
+        [&](const auto& lattice, const auto& heights) {
+          for (int row = first_row; row < std::min(first_row + tile_side, end_row); ++row)
+            for (int column = first_column; column < std::min(first_column + tile_side, end_column);
+                 ++column) {
+              const double height = heights[grid.index(column, row)];
+              if (!std::isnan(height)) points.push_back(lattice.vertex_m(column, row, height));
+            }
+        },
+        grid.lattice, grid.heights_m);
+  };
+  for (int row = block.row; row < end_row; row += tile_side)
+    for (int column = block.column; column < end_column; column += tile_side) take(column, row);
   return points;
 }
 
@@ -128,37 +105,47 @@ struct Found {
   }
 };
 
-// What a block of a map plane has.
-struct PlaneBlock {
-  Box3 box;
-  double sum = 0;
-  std::size_t count = 0;
-};
-
 template <class Value>
-PlaneBlock block_on_plane(const Grid& grid, const Heights<Value>& heights, const Block& block) {
-  const auto found = heights_in(grid, heights, block);
-  if (found.count == 0) return {};
+Box3 box_on_plane(const Grid& grid, const Heights<Value>& heights, const Block& block,
+                  const BlockHeights<Value>& found) {
   const bool all_valid = found.count == static_cast<std::size_t>(block.columns) * block.rows;
   const Box2 ground = ground_box(grid, heights, block, all_valid);
-  return {{{ground.low.x, ground.low.y, found.low}, {ground.high.x, ground.high.y, found.high}},
-          found.sum,
-          found.count};
+  return {{ground.low.x, ground.low.y, found.low}, {ground.high.x, ground.high.y, found.high}};
+}
+
+// Blocks that are looked at together: side by side, [begin, end).
+struct BlockRange {
+  std::size_t begin, end;
+};
+std::vector<BlockRange> side_by_side(const std::vector<Block>& blocks) {
+  std::vector<BlockRange> ranges;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (blocks[i].column % (kBlocksTogether * side) == 0) ranges.push_back({i, i});
+    ranges.back().end = i + 1;
+  }
+  return ranges;
 }
 
 // Looked at on all cores, added up in order: the mean is the same on any number of them.
 template <class Value>
 void find_on_plane(const Grid& grid, const Heights<Value>& heights, Found& out) {
   const std::vector<Block> blocks = blocks_of(grid);
-  std::vector<PlaneBlock> found(blocks.size());
-  constexpr std::size_t kBlocksOfTask = 256;
-  on_all_cores((blocks.size() + kBlocksOfTask - 1) / kBlocksOfTask, [&](std::size_t task) {
-    const std::size_t end = std::min(blocks.size(), (task + 1) * kBlocksOfTask);
-    for (std::size_t i = task * kBlocksOfTask; i < end; ++i)
-      found[i] = block_on_plane(grid, heights, blocks[i]);
+  const std::vector<BlockRange> ranges = side_by_side(blocks);
+  std::vector<BlockHeights<Value>> found(blocks.size());
+  std::vector<Box3> boxes(blocks.size());
+  constexpr std::size_t kRangesOfTask = 32;
+  on_all_cores((ranges.size() + kRangesOfTask - 1) / kRangesOfTask, [&](std::size_t task) {
+    const std::size_t end = std::min(ranges.size(), (task + 1) * kRangesOfTask);
+    for (std::size_t i = task * kRangesOfTask; i < end; ++i) {
+      const auto [first, last] = ranges[i];
+      heights_of_blocks(grid, heights, std::span(blocks).subspan(first, last - first),
+                        std::span(found).subspan(first, last - first));
+      for (std::size_t k = first; k < last; ++k)
+        if (found[k].count > 0) boxes[k] = box_on_plane(grid, heights, blocks[k], found[k]);
+    }
   });
   for (std::size_t i = 0; i < blocks.size(); ++i)
-    if (found[i].count > 0) out.add(blocks[i], found[i].box, found[i].sum, found[i].count);
+    if (found[i].count > 0) out.add(blocks[i], boxes[i], found[i].sum, found[i].count);
 }
 
 // One row of vertices on the ellipsoid.
@@ -260,6 +247,7 @@ SurfaceExtent extent_of(const Grid& grid) {
       grid.heights_m);
   SurfaceExtent& extent = found.extent;
   extent.mean_height_m = found.sum / static_cast<double>(extent.valid);
+  extent.blocks.groups = groups_of(grid, found.occupied, extent.blocks.boxes);
   extent.blocks.points = [&grid, occupied = std::move(found.occupied),
                           buffer = std::vector<Vec3>()](std::size_t i) mutable {
     buffer = points_in(grid, occupied[i], std::move(buffer));

@@ -10,6 +10,7 @@ namespace orograph {
 namespace {
 
 constexpr std::size_t kBlock = 1024; // vertices
+constexpr std::size_t kGroup = 64;   // blocks
 
 // A TIN of walls alone has no ground: then all vertices count alike.
 double mean_height_m(const Tin& tin) {
@@ -38,6 +39,8 @@ SurfaceExtent extent_of(const Tin& tin) {
     Box3 box;
     for (const Vec3& vertex : block(i)) box.include(vertex);
     extent.blocks.boxes.push_back(box);
+    if (i % kGroup == 0) extent.blocks.groups.emplace_back();
+    extent.blocks.groups.back().add(i, box);
     extent.box.include(box.low);
     extent.box.include(box.high);
   }

@@ -36,6 +36,14 @@ double beside_no_eye(double depth, const View& view) {
                                                                 : depth;
 }
 
+// length(a) < way, for which squares mostly do.
+bool is_shorter(Vec2 a, double way) {
+  constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+  const double square = dot(a, a), asked = way * way;
+  if (std::abs(square - asked) > kRounding * asked) return square < asked;
+  return length(a) < way;
+}
+
 class PagePath {
 public:
   PagePath(const PlanGround& ground, const DepthRange& range, const View& view,
@@ -76,11 +84,12 @@ public:
     const double on_page_mm = page_mm(enters_, leaves_);
     if (way_mm > on_page_mm)
       return leaves_ + (farthest_ - leaves_) * std::min(1.0, (way_mm - on_page_mm) / after_mm());
+    const Vec2 begin = page_at(enters_);
     double low = enters_, high = leaves_;
     for (int step = 0; step < 100 && low < high; ++step) {
       const double middle = 0.5 * (low + high);
       if (middle <= low || middle >= high) break;
-      (page_mm(enters_, middle) < way_mm ? low : high) = middle;
+      (is_shorter(page_at(middle) - begin, way_mm) ? low : high) = middle;
     }
     return 0.5 * (low + high);
   }

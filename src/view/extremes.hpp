@@ -5,29 +5,74 @@
 #include "geometry/blocked_points.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
-#include <numeric>
+#include <span>
 #include <vector>
 
 namespace orograph {
 
-/// Greatest value of `f(Vec3)` over all points; -infinity where there are none. `bound(Box3)` is no
-/// less than `f` anywhere in a box: blocks whose bound stays below what was found are skipped.
-/// Cost: a bound a block, and the points of a few blocks.
+/// A value of a function over points, and the point that has it.
+struct Extreme {
+  double value = -std::numeric_limits<double>::infinity();
+  Vec3 at;
+
+  template <class Function>
+  void take(const Function& f, Vec3 point) {
+    if (const double there = f(point); there > value) *this = {there, point};
+  }
+};
+
+/// Of several points that lie close together; a box of them is bounded before they are looked at.
+constexpr std::size_t kPointsBounded = 64;
+
+/// Takes those points of a block that may be greater than what was found.
 template <class Function, class Bound>
-double greatest(const BlockedPoints& blocked, const Function& f, const Bound& bound_of) {
-  const std::size_t count = blocked.boxes.size();
-  std::vector<double> bound(count);
-  for (std::size_t i = 0; i < count; ++i) bound[i] = bound_of(blocked.boxes[i]);
-  std::vector<std::size_t> heap(count);
-  std::iota(heap.begin(), heap.end(), std::size_t{0});
-  const auto lower = [&](std::size_t a, std::size_t b) { return bound[a] < bound[b]; };
-  std::make_heap(heap.begin(), heap.end(), lower);
-  double best = -std::numeric_limits<double>::infinity();
-  while (!heap.empty() && bound[heap.front()] > best) {
-    for (const Vec3& point : blocked.points(heap.front())) best = std::max(best, f(point));
+void take_greatest(std::span<const Vec3> points, const Function& f, const Bound& bound_of,
+                   Extreme& best) {
+  for (; !points.empty(); points = points.subspan(std::min(kPointsBounded, points.size()))) {
+    const auto some = points.first(std::min(kPointsBounded, points.size()));
+    Box3 box;
+    for (const Vec3& point : some) box.include(point);
+    if (!(bound_of(box) > best.value)) continue;
+    for (const Vec3& point : some) best.take(f, point);
+  }
+}
+
+/// Greatest value of `f(Vec3)` over all points; -infinity where there are none. `bound(Box3)` is no
+/// less than `f` anywhere in a box: groups and blocks whose bound stays below what was found are
+/// skipped. `best` is to start with the value at one of the points, if one is known that is likely
+/// to be nearly the greatest.
+/// Cost: a bound a group and for the blocks of a few groups, and the points of a few blocks.
+template <class Function, class Bound>
+Extreme greatest(const BlockedPoints& blocked, const Function& f, const Bound& bound_of,
+                 Extreme best) {
+  struct Part {
+    double bound;
+    std::uint32_t index;
+    bool group;
+  };
+  std::vector<Part> heap;
+  const auto lower = [](const Part& a, const Part& b) { return a.bound < b.bound; };
+  const auto add = [&](const Box3& box, std::size_t index, bool group) {
+    const double bound = bound_of(box);
+    if (!(bound > best.value)) return;
+    heap.push_back({bound, static_cast<std::uint32_t>(index), group});
+    std::push_heap(heap.begin(), heap.end(), lower);
+  };
+  const auto& [boxes, groups, points] = blocked;
+  for (std::size_t i = 0; i < groups.size(); ++i) add(groups[i].box, i, true);
+  if (groups.empty())
+    for (std::size_t i = 0; i < boxes.size(); ++i) add(boxes[i], i, false);
+  while (!heap.empty() && heap.front().bound > best.value) {
+    const Part part = heap.front();
     std::pop_heap(heap.begin(), heap.end(), lower);
     heap.pop_back();
+    if (part.group) {
+      for (const std::uint32_t block : groups[part.index].blocks) add(boxes[block], block, false);
+    } else {
+      take_greatest(points(part.index), f, bound_of, best);
+    }
   }
   return best;
 }
@@ -43,11 +88,12 @@ inline Vec3 corner_of(const Box3& box, int i) {
 /// so does this, if that is so at a point and not only at a box's corner.
 template <class Function>
 double greatest(const BlockedPoints& blocked, const Function& f) {
-  return greatest(blocked, f, [&](const Box3& box) {
+  const auto at_corners = [&](const Box3& box) {
     double most = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < 8; ++i) most = std::max(most, f(corner_of(box, i)));
     return most;
-  });
+  };
+  return greatest(blocked, f, at_corners, {}).value;
 }
 
 } // namespace orograph

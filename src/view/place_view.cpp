@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace orograph {
 namespace {
@@ -59,17 +60,33 @@ struct PictureCoordinate {
       most_drop = std::max(most_drop, drop);
     }
     double most = -kInfinity;
-    for (const ProfilePoint& p : corners)
-      for (const double drop : {least_drop, most_drop})
-        most = std::max(most, of({p.u, p.v, p.z - drop}));
+    for (const ProfilePoint& p : corners) most = std::max(most, of({p.u, p.v, p.z - least_drop}));
+    if (most_drop == least_drop) return most;
+    for (const ProfilePoint& p : corners) most = std::max(most, of({p.u, p.v, p.z - most_drop}));
     return most;
   }
 };
 
+// The points that bounded the picture when it was last measured: likely to be nearly those that
+// bound it from another distance.
+struct PictureEnds {
+  std::array<std::optional<Vec3>, 4> points;
+
+  std::optional<Vec3>& of(const PictureCoordinate& coordinate) {
+    return points[static_cast<std::size_t>(2 * coordinate.row + (coordinate.sign > 0))];
+  }
+};
+
 // The greatest over the terrain.
-double greatest(const TerrainShape& terrain, const PictureCoordinate& coordinate) {
-  return greatest(terrain.points, coordinate,
-                  [&](const Box3& box) { return coordinate.bound(box); });
+double greatest(const TerrainShape& terrain, const PictureCoordinate& coordinate,
+                PictureEnds& ends) {
+  std::optional<Vec3>& end = ends.of(coordinate);
+  Extreme known;
+  if (end) known.take(coordinate, *end);
+  const Extreme found = greatest(
+      terrain.points, coordinate, [&](const Box3& box) { return coordinate.bound(box); }, known);
+  end = found.at;
+  return found.value;
 }
 
 double lowest_near_edge(const View& view, std::span<const OutlineEdge> outline) {
@@ -87,9 +104,9 @@ double lowest_near_edge(const View& view, std::span<const OutlineEdge> outline) 
 }
 
 // The picture's bounding box. REQUIRES that all ground has a picture.
-Box2 picture_box(const View& view, const TerrainShape& terrain) {
+Box2 picture_box(const View& view, const TerrainShape& terrain, PictureEnds& ends) {
   const auto most = [&](int row, double sign) {
-    return sign * greatest(terrain, PictureCoordinate{view, -kInfinity, row, sign});
+    return sign * greatest(terrain, PictureCoordinate{view, -kInfinity, row, sign}, ends);
   };
   Box2 box{{most(0, -1), 0}, {most(0, 1), most(1, 1)}};
   // "Lowest at the near edge" holds along the vertical of the visibility plane only, and in front
@@ -116,14 +133,15 @@ void put_eye_at_distance(View& view, double distance) {
 // else take in all from straight down to the eye's own height.
 enum class Fitted { width_in_front, longer_side };
 
-double picture_size(View& view, const TerrainShape& terrain, double distance, Fitted fitted) {
+double picture_size(View& view, const TerrainShape& terrain, double distance, Fitted fitted,
+                    PictureEnds& ends) {
   put_eye_at_distance(view, distance);
   const bool in_front = fitted == Fitted::width_in_front;
   const double nearest_m = in_front ? view.near_m : -kInfinity;
   const auto extent = [&](int row) {
-    const double most = greatest(terrain, PictureCoordinate{view, nearest_m, row, 1});
+    const double most = greatest(terrain, PictureCoordinate{view, nearest_m, row, 1}, ends);
     if (most == kInfinity) return kInfinity;
-    return most + greatest(terrain, PictureCoordinate{view, nearest_m, row, -1});
+    return most + greatest(terrain, PictureCoordinate{view, nearest_m, row, -1}, ends);
   };
   return in_front ? extent(0) : std::max(extent(0), extent(1));
 }
@@ -131,21 +149,24 @@ double picture_size(View& view, const TerrainShape& terrain, double distance, Fi
 // The distance at which the picture is as large as asked, or none if it would be larger even where
 // all ground is just in front of the eye. Size falls with distance; bisection on its logarithm.
 std::optional<double> distance_for_size(View& view, const TerrainShape& terrain, double size,
-                                        Fitted fitted) {
+                                        Fitted fitted, PictureEnds& ends) {
+  const auto size_at = [&](double distance) {
+    return picture_size(view, terrain, distance, fitted, ends);
+  };
   double low = 0.5 * terrain.cell_m, high = terrain.cell_m;
-  while (picture_size(view, terrain, high, fitted) > size) {
+  while (size_at(high) > size) {
     low = high;
     high *= 2;
     if (!(high < 1e300)) return std::nullopt;
   }
-  if (picture_size(view, terrain, low, fitted) < size) return low; // less than a cell wide
+  if (size_at(low) < size) return low; // less than a cell wide
   for (int step = 0; step < 60 && high > low * (1 + 1e-9); ++step) {
     const double middle = std::sqrt(low * high);
-    (picture_size(view, terrain, middle, fitted) > size ? low : high) = middle;
+    (size_at(middle) > size ? low : high) = middle;
   }
   // Where the size jumps from infinite to less than asked, ground was behind the near plane, not
   // too wide.
-  if (picture_size(view, terrain, high, fitted) < 0.999 * size) return std::nullopt;
+  if (size_at(high) < 0.999 * size) return std::nullopt;
   return high;
 }
 
@@ -158,12 +179,13 @@ void set_elevation(View& view, Angle elevation) {
   view.to_picture = picture_of(view);
 }
 
-void frame_perspective(View& view, const ViewRequest& request, const TerrainShape& terrain) {
+void frame_perspective(View& view, const ViewRequest& request, const TerrainShape& terrain,
+                       PictureEnds& ends) {
   const double size = 2 * tan(0.5 * request.field_of_view.value_or(kDefaultField));
   for (const Fitted fitted : {Fitted::width_in_front, Fitted::longer_side}) {
     if (request.distance_m) {
-      if (picture_size(view, terrain, *request.distance_m, fitted) < kInfinity) return;
-    } else if (const auto found = distance_for_size(view, terrain, size, fitted)) {
+      if (picture_size(view, terrain, *request.distance_m, fitted, ends) < kInfinity) return;
+    } else if (const auto found = distance_for_size(view, terrain, size, fitted, ends)) {
       put_eye_at_distance(view, *found);
       return;
     }
@@ -256,8 +278,9 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
     if (greatest(terrain.points, in_front_of_picture) <= 0)
       throw Error("all of the terrain is behind the eye", "turn the view towards it");
   } else {
-    if (view.is_perspective()) frame_perspective(view, request, terrain);
-    view.window = picture_box(view, terrain);
+    PictureEnds ends;
+    if (view.is_perspective()) frame_perspective(view, request, terrain, ends);
+    view.window = picture_box(view, terrain, ends);
   }
   view.near_m = near_plane_m(view, terrain.cell_m);
   return view;

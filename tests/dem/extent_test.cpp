@@ -3,6 +3,8 @@
 #include "dem/extent.hpp"
 #include "tests/catch.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -83,6 +85,24 @@ void check_against_brute_force(const Grid& grid) {
   CHECK(block == extent.blocks.boxes.size());
 }
 
+// Every block in one group, whose box is just that of its blocks.
+void check_groups(const BlockedPoints& blocks) {
+  std::vector<int> seen(blocks.boxes.size(), 0);
+  for (const BlockGroup& group : blocks.groups) {
+    CHECK(!group.blocks.empty());
+    CHECK(group.blocks.size() <= 64);
+    Box3 box;
+    for (const std::uint32_t block : group.blocks) {
+      ++seen.at(block);
+      box.include(blocks.boxes[block].low);
+      box.include(blocks.boxes[block].high);
+    }
+    CHECK(group.box.low == box.low);
+    CHECK(group.box.high == box.high);
+  }
+  CHECK(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
+}
+
 } // namespace
 
 TEST_CASE("boxes, mean and points of blocks are those of brute force") {
@@ -110,4 +130,18 @@ TEST_CASE("points of blocks reuse one buffer") {
   const SurfaceExtent extent = extent_of(grid);
   const Vec3* first = extent.blocks.points(0).data();
   for (std::size_t i = 0; i < 4; ++i) CHECK(extent.blocks.points(i).data() == first);
+}
+
+TEST_CASE("each block is in one group") {
+  for (const double gaps : {0., 0.5, 0.9995}) {
+    check_against_brute_force(scattered_grid<float>(600, 290, gaps));
+    check_groups(extent_of(scattered_grid<float>(600, 290, gaps)).blocks);
+  }
+  check_groups(extent_of(scattered_grid<double>(257, 2, 0)).blocks);
+  Tin tin;
+  for (int i = 0; i < 70000; ++i) tin.vertices_m.push_back({1.0 * i, 7.0 * (i % 13), 0.5 * i});
+  tin.triangles.push_back({0, 1, 2});
+  const SurfaceExtent extent = extent_of(tin);
+  CHECK(extent.blocks.groups.size() == 2);
+  check_groups(extent.blocks);
 }

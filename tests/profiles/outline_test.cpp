@@ -18,6 +18,11 @@ std::vector<DirectedEdge> directed(const std::vector<BorderEdge>& border) {
   return edges;
 }
 
+bool is_in_order(const std::vector<BorderEdge>& border) {
+  return std::is_sorted(border.begin(), border.end(),
+                        [](const BorderEdge& a, const BorderEdge& b) { return a.edge < b.edge; });
+}
+
 } // namespace
 
 TEST_CASE("the border is the edges with one triangle, which is on their left") {
@@ -34,8 +39,13 @@ TEST_CASE("the border is the edges with one triangle, which is on their left") {
 
     const std::vector<BorderEdge> border = border_edges(grid, false);
     for (const BorderEdge& b : border) REQUIRE(b.edge.from < b.edge.to);
+    REQUIRE(is_in_order(border));
     REQUIRE(directed(border) == expected);
-    if (heights.missing == 0) REQUIRE(directed(border_edges(grid, true)) == expected);
+    if (heights.missing == 0) {
+      const std::vector<BorderEdge> hull = border_edges(grid, true);
+      REQUIRE(is_in_order(hull));
+      REQUIRE(directed(hull) == expected);
+    }
 
     const std::vector<OutlineEdge> outline = outline_of(grid, border);
     REQUIRE(outline.size() == border.size());
@@ -44,5 +54,19 @@ TEST_CASE("the border is the edges with one triangle, which is on their left") {
       REQUIRE(outline[i].from == vertex_m(grid, left ? edge.from : edge.to));
       REQUIRE(outline[i].to == vertex_m(grid, left ? edge.to : edge.from));
     }
+  }
+}
+
+TEST_CASE("few heights missing in long rows") {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    const GridLattice lattice =
+        turned_lattice(random.whole(60, 330), random.whole(2, 8), {10, 12}, 0);
+    GridHeights heights;
+    heights.missing = random.pick({0.0, 0.0005, 0.002, 0.01});
+    heights.in_double = random.chance(0.5);
+    const Grid grid = made_grid(random, lattice, heights);
+    REQUIRE(directed(border_edges(grid, false)) == outline_by_triangles(grid));
   }
 }
