@@ -230,10 +230,12 @@ TEST_CASE("points at one depth are drawn as one by one, to the bit") {
     settings.simplify_mm = random.pick({0.0, 0.02});
     settings.min_stroke_mm = random.pick({0.0, 30.0});
     if (random.chance(0.3)) settings.to_map = [](ProfilePoint p) { return Vec3{p.u, p.v, p.z}; };
-    if (random.chance(0.2)) settings.depth = VolumeDepth{0.01, -0.1, 0, 0.2};
+    if (random.chance(0.2)) settings.depth = VolumeDepth{0.1, -0.1, 0, 0.2};
     const bool perspective = random.chance(0.6);
-    settings.to_page = perspective ? camera(random.pick({0.3, -0.9, 0.0}), 150)
-                                   : Homography{{10, 0, 100, 0, -10, 70, 0, 0, 1}};
+    // The shorter camera sees so wide that what is behind it would be in the frame as well.
+    settings.to_page = perspective
+                           ? camera(random.pick({0.3, -0.9, 0.0}), random.pick({150.0, 20.0}))
+                           : Homography{{10, 0, 100, 0, -10, 70, 0, 0, 1}};
     const double depth_m = random.pick({4.0, -4.0}); // behind the eye
     const PointsAtDepth depth =
         perspective ? PointsAtDepth{depth_m < 0 ? -1. : 1., depth_m, 0, 1, -2, depth_m}
@@ -243,13 +245,13 @@ TEST_CASE("points at one depth are drawn as one by one, to the bit") {
     const bool whole = random.chance(0.3);
     Layer one_by_one, at_once;
     StrokeBuilder first(settings, one_by_one), second(settings, at_once);
-    for (int polyline = 0; polyline < 3; ++polyline) {
+    for (int polyline = 0; polyline < 5; ++polyline) {
       std::vector<double> u, z;
       double at = random.between(-reach, reach);
-      for (int i = random.pick({1, 127, 128, 129, 300, 700}); i > 0; --i) {
+      for (int i = random.pick({1, 3, 6, 127, 128, 129, 300, 700}); i > 0; --i) {
         at = std::clamp(at + random.between(-0.1, 0.1) * reach, -reach, reach);
-        u.push_back(whole ? std::round(random.between(-reach, reach)) : at);
-        z.push_back(whole ? std::round(at) : at + random.between(-1, 1));
+        u.push_back(whole ? std::round(at) : at);
+        z.push_back(whole ? std::round(random.between(-reach, reach)) : at + random.between(-1, 1));
       }
       first.begin(polyline, depth_m);
       second.begin(polyline, depth_m);
