@@ -8,6 +8,7 @@
 #include "draw/round_drawing.hpp"
 #include "draw/stroke_builder.hpp"
 #include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <utility>
 
@@ -35,6 +36,14 @@ double length_mm(const Layer& layer) {
   }
   return sum;
 }
+
+// A layer on its way to the page: what is still to be drawn in it, and what was left out.
+struct LineLayer {
+  Layer layer;
+  std::vector<LinePart> parts;
+  double left_out_mm = 0;
+  RoundingCounts dropped = {};
+};
 
 std::vector<LinePart> of_kind(const std::vector<SweptLine>& lines,
                               const std::vector<LinePart>& parts, LineKind kind) {
@@ -96,39 +105,42 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
                    scene.sectors.front().keeps_strip ? view.near_m : 0, all);
     return all;
   };
+  std::vector<LineLayer> layers; // in drawing order
+  if (draws_profiles) layers.push_back({std::move(profiles), {}});
+  const auto add_lines = [&](const std::string& name, double weight, double grey,
+                             std::vector<LinePart> parts) {
+    if (asks_for(settings, name))
+      layers.push_back({empty_layer(name, weight * pen_mm, grey), std::move(parts)});
+  };
   const std::vector<LinePart> visible = of_all_sectors(&SectorLines::visible);
+  const auto visible_of = [&](LineKind kind) { return of_kind(lines, visible, kind); };
+  add_lines("edges", kEdgeWeight, kEdgeGrey, visible_of(LineKind::edge));
+  add_lines("shores", kShoreWeight, 0, visible_of(LineKind::shore));
+  add_lines("border", kBorderWeight, kBorderGrey, visible_of(LineKind::border));
+  add_lines("voids", kBorderWeight, kBorderGrey, visible_of(LineKind::void_edge));
+  add_lines("silhouettes", kSilhouetteWeight, 0, visible_of(LineKind::silhouette));
+  add_lines("skyline", kSkylineWeight, 0, of_all_sectors(&SectorLines::skyline));
+  LineLayer folded{{}, of_all_sectors(&SectorLines::folded)};
+  on_all_cores(layers.size() + 1, [&](std::size_t i) {
+    LineLayer& task = i < layers.size() ? layers[i] : folded;
+    StrokeBuilder builder(strokes, task.layer);
+    draw_parts(terrain.surface, view, lines, task.parts, builder);
+    task.left_out_mm = builder.left_out_mm();
+    if (&task != &folded) task.dropped = round_to_page_step(task.layer);
+  });
+  drawn.left_out.silhouette_jump_mm = length_mm(folded.layer);
+
   Drawing& drawing = drawn.drawing;
   drawing.page = scene.page;
   drawing.crs_wkt = map.crs_wkt;
-  const auto draw = [&](const std::vector<LinePart>& parts, StrokeBuilder& builder) {
-    draw_parts(terrain.surface, view, lines, parts, builder);
-  };
-  const auto add_lines = [&](const std::vector<LinePart>& parts, const std::string& name,
-                             double weight, double grey) {
-    if (!asks_for(settings, name)) return;
-    Layer layer = empty_layer(name, weight * pen_mm, grey);
-    StrokeBuilder builder(strokes, layer);
-    draw(parts, builder);
-    drawn.left_out.min_stroke_mm += builder.left_out_mm();
-    drawing.layers.push_back(std::move(layer));
-  };
-  Layer left_out;
-  StrokeBuilder left_out_builder(strokes, left_out);
-  draw(of_all_sectors(&SectorLines::folded), left_out_builder);
-  drawn.left_out.silhouette_jump_mm = length_mm(left_out);
   drawn.left_out.min_stroke_mm = profile_layer.left_out_mm;
-  if (draws_profiles) drawing.layers.push_back(std::move(profiles));
-  add_lines(of_kind(lines, visible, LineKind::edge), "edges", kEdgeWeight, kEdgeGrey);
-  add_lines(of_kind(lines, visible, LineKind::shore), "shores", kShoreWeight, 0);
-  add_lines(of_kind(lines, visible, LineKind::border), "border", kBorderWeight, kBorderGrey);
-  add_lines(of_kind(lines, visible, LineKind::void_edge), "voids", kBorderWeight, kBorderGrey);
-  add_lines(of_kind(lines, visible, LineKind::silhouette), "silhouettes", kSilhouetteWeight, 0);
-  add_lines(of_all_sectors(&SectorLines::skyline), "skyline", kSkylineWeight, 0);
-  for (Layer& layer : drawing.layers) {
-    const RoundingCounts dropped = round_to_page_step(layer);
+  for (LineLayer& of_lines : layers) {
+    drawn.left_out.min_stroke_mm += of_lines.left_out_mm;
+    const RoundingCounts& dropped = of_lines.dropped;
     counts.dropped_strokes += dropped.empty_strokes + dropped.repeated_strokes;
-    counts.strokes += layer.strokes.size();
-    counts.points += layer.page_mm.size();
+    counts.strokes += of_lines.layer.strokes.size();
+    counts.points += of_lines.layer.page_mm.size();
+    drawing.layers.push_back(std::move(of_lines.layer));
   }
   watch.mark(seconds.layout);
   return drawn;

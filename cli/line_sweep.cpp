@@ -284,17 +284,22 @@ void draw_parts(const Surface& surface, const View& view, const std::vector<Swep
   for (const auto& [line, t_begin, t_end] : parts)
     links.push_back({t_begin <= 0 ? lines[line].edge.from : kLooseEnd,
                      t_end >= 1 ? lines[line].edge.to : kLooseEnd});
-  for (const auto& pieces : chain(links)) {
+  const EdgeEnds ends(surface, view);
+  const Chains chains = chain(links);
+  for (std::size_t i = 0; i < chains.size(); ++i) {
     builder.begin(-1, std::numeric_limits<double>::quiet_NaN());
-    const auto add = [&](const ChainedPiece& piece, bool at_end) {
-      const LinePart& part = parts[piece.piece];
-      const ProfileLine whole = line_of(surface, view, lines[part.line].edge);
-      const ProfilePoint at =
-          point_between(whole.from, whole.to, at_end ? part.t_end : part.t_begin);
-      builder.add({project_homogeneous(view, at), at});
-    };
-    add(pieces.front(), pieces.front().turned);
-    for (const ChainedPiece& piece : pieces) add(piece, !piece.turned);
+    bool is_first = true;
+    for (const auto& [piece, turned] : chains[i]) {
+      const LinePart& part = parts[piece];
+      const ProfileLine whole = ends(lines[part.line].edge);
+      const auto add = [&](double t) {
+        const ProfilePoint at = point_between(whole.from, whole.to, t);
+        builder.add({project_homogeneous(view, at), at});
+      };
+      if (is_first) add(turned ? part.t_end : part.t_begin);
+      add(turned ? part.t_begin : part.t_end);
+      is_first = false;
+    }
     builder.end();
   }
 }

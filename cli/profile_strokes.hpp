@@ -24,8 +24,6 @@ public:
   void add(const Profile& profile, std::int32_t number, std::span<const VisibleRun> visible);
 
 private:
-  StrokePoint point(const Profile& profile, std::uint32_t left, double t) const;
-
   const View& view_;
   const Sector& sector_;
   bool draws_level_;

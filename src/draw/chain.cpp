@@ -2,6 +2,7 @@
 #include "draw/chain.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace orograph {
 namespace {
@@ -9,24 +10,44 @@ namespace {
 // End number 2 * piece is the piece's begin, 2 * piece + 1 its end.
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
+struct EndAtVertex {
+  std::uint64_t vertex;
+  std::uint32_t end;
+};
+
+// By vertex, and of the same vertex in the order that they came in: by 11 bits at a time, from the
+// lowest on.
+void sort_by_vertex(std::vector<EndAtVertex>& ends) {
+  constexpr unsigned bits = 11;
+  constexpr std::uint64_t mask = (1U << bits) - 1;
+  std::uint64_t highest = 0;
+  for (const EndAtVertex& end : ends) highest = std::max(highest, end.vertex);
+  std::vector<EndAtVertex> sorted(ends.size());
+  for (unsigned shift = 0; shift < 64 && highest >> shift > 0; shift += bits) {
+    std::array<std::uint32_t, mask + 2> first{};
+    for (const EndAtVertex& end : ends) ++first[(end.vertex >> shift & mask) + 1];
+    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+    for (const EndAtVertex& end : ends) sorted[first[end.vertex >> shift & mask]++] = end;
+    ends.swap(sorted);
+  }
+}
+
 std::vector<std::uint32_t> partners_of(std::span<const ChainLink> links) {
-  const auto vertex = [&](std::uint32_t end) {
-    return end % 2 == 0 ? links[end / 2].begin : links[end / 2].end;
-  };
-  std::vector<std::uint32_t> ends;
-  for (std::uint32_t end = 0; end < 2 * links.size(); ++end)
-    if (vertex(end) != kLooseEnd) ends.push_back(end);
-  std::sort(ends.begin(), ends.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return vertex(a) != vertex(b) ? vertex(a) < vertex(b) : a < b;
-  });
+  std::vector<EndAtVertex> ends;
+  ends.reserve(2 * links.size());
+  for (std::uint32_t piece = 0; piece < links.size(); ++piece) {
+    if (links[piece].begin != kLooseEnd) ends.push_back({links[piece].begin, 2 * piece});
+    if (links[piece].end != kLooseEnd) ends.push_back({links[piece].end, 2 * piece + 1});
+  }
+  sort_by_vertex(ends);
   std::vector<std::uint32_t> partner(2 * links.size(), kNone);
   for (std::size_t i = 0; i + 1 < ends.size();) {
-    if (vertex(ends[i]) != vertex(ends[i + 1])) {
+    if (ends[i].vertex != ends[i + 1].vertex) {
       ++i;
       continue;
     }
-    partner[ends[i]] = ends[i + 1];
-    partner[ends[i + 1]] = ends[i];
+    partner[ends[i].end] = ends[i + 1].end;
+    partner[ends[i + 1].end] = ends[i].end;
     i += 2;
   }
   return partner;
@@ -34,17 +55,18 @@ std::vector<std::uint32_t> partners_of(std::span<const ChainLink> links) {
 
 } // namespace
 
-std::vector<std::vector<ChainedPiece>> chain(std::span<const ChainLink> links) {
+Chains chain(std::span<const ChainLink> links) {
   const std::vector<std::uint32_t> partner = partners_of(links);
   std::vector<bool> used(links.size(), false);
-  std::vector<std::vector<ChainedPiece>> chains;
+  Chains chains;
+  chains.pieces.reserve(links.size());
   const auto walk = [&](std::uint32_t entry) {
-    auto& pieces = chains.emplace_back();
     while (entry != kNone && !used[entry / 2]) {
       used[entry / 2] = true;
-      pieces.push_back({entry / 2, entry % 2 == 1});
+      chains.pieces.push_back({entry / 2, entry % 2 == 1});
       entry = partner[entry ^ 1U];
     }
+    chains.ends.push_back(static_cast<std::uint32_t>(chains.pieces.size()));
   };
   for (std::uint32_t end = 0; end < partner.size(); ++end)
     if (partner[end] == kNone && !used[end / 2]) walk(end);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace orograph {
@@ -19,6 +20,19 @@ namespace orograph {
 struct StrokePoint {
   Vec3 plane; ///< in the visibility plane, in homogeneous coordinates (X w, Y w, w)
   ProfilePoint scene;
+};
+
+/// From the u and z of points at one depth, as a profile has them, to those of both of their
+/// places.
+struct PointsAtDepth {
+  double u_sign; ///< -1 where the profile's frame looks the other way than the scene's
+  double v;      ///< of all points, in the scene
+  double aside, per_z, above, w; ///< in the plane X w is u + aside and Y w is per_z z + above
+
+  StrokePoint at(double u, double z) const {
+    const double scene_u = u_sign * u;
+    return {{scene_u + aside, per_z * z + above, w}, {scene_u, v, z}};
+  }
 };
 
 /// Where in a view volume's depth a point of the scene is: between -w at the back plane and 0 at
@@ -56,6 +70,8 @@ public:
     }
     add_clipped(point, page);
   }
+  /// The same of many points at once, in order along the polyline: a quarter of the time.
+  void add(const PointsAtDepth& depth, std::span<const double> u_m, std::span<const double> z_m);
   void end();
 
   /// Length of the strokes that were too short.
@@ -91,6 +107,8 @@ private:
                         std::clamp(page.y / page.z, frame.low.y, frame.high.y)});
     if (settings_.to_map) scene_.push_back(point.scene);
   }
+  bool append_inside(const PointsAtDepth& depth, std::span<const double> u_m,
+                     std::span<const double> z_m);
   bool is_long_enough();
   void flush();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Open addressing with linear probing; a stroke is hashed from the end that comes first by its
-// coordinates, so a stroke and its reverse meet in one slot.
+// Open addressing with linear probing; a stroke's hash is the sum of its points', so a stroke and
+// its reverse meet in one slot.
 #include "draw/stroke_set.hpp"
 
 #include <algorithm>
@@ -9,31 +9,18 @@
 namespace orograph {
 namespace {
 
-bool comes_first(Vec2 a, Vec2 b) {
-  return a.x < b.x || (a.x == b.x && a.y < b.y);
-}
-
-bool is_hashed_forwards(std::span<const Vec2> points) {
-  for (std::size_t i = 0, j = points.size() - 1; i < j; ++i, --j)
-    if (points[i] != points[j]) return comes_first(points[i], points[j]);
-  return true;
-}
-
-// The finalizer of MurmurHash3 over a running sum: every bit of a coordinate reaches every slot.
-std::uint64_t mixed(std::uint64_t hash, double coordinate) {
-  hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * 0xff51afd7ed558ccdULL;
-  hash = (hash ^ (hash >> 33)) * 0xc4ceb9fe1a85ec53ULL;
-  return hash ^ (hash >> 33);
+// Every bit of a coordinate reaches every bit, by odd multipliers (those of MurmurHash3's finalizer
+// and the golden ratio's).
+std::uint64_t hash_of(Vec2 p) {
+  std::uint64_t hash = std::bit_cast<std::uint64_t>(p.x) * 0x9e3779b97f4a7c15ULL;
+  hash = (hash ^ (hash >> 32) ^ std::bit_cast<std::uint64_t>(p.y)) * 0xff51afd7ed558ccdULL;
+  return (hash ^ (hash >> 32)) * 0xc4ceb9fe1a85ec53ULL;
 }
 
 std::uint64_t hash_of(std::span<const Vec2> points) {
-  std::uint64_t hash = points.size();
-  const auto add = [&](Vec2 p) { hash = mixed(mixed(hash, p.x), p.y); };
-  if (is_hashed_forwards(points))
-    for (const Vec2 p : points) add(p);
-  else
-    std::for_each(points.rbegin(), points.rend(), add);
-  return hash;
+  std::uint64_t sum = 0;
+  for (const Vec2 p : points) sum += hash_of(p);
+  return sum ^ (sum >> 32);
 }
 
 bool are_equal(std::span<const Vec2> a, std::span<const Vec2> b) {

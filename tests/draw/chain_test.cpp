@@ -10,8 +10,6 @@ using namespace orograph;
 
 namespace {
 
-using Chains = std::vector<std::vector<ChainedPiece>>;
-
 std::uint64_t entry_of(const std::vector<ChainLink>& links, const ChainedPiece& piece) {
   return piece.turned ? links[piece.piece].end : links[piece.piece].begin;
 }
@@ -21,7 +19,8 @@ std::uint64_t exit_of(const std::vector<ChainLink>& links, const ChainedPiece& p
 
 void check_chains(const std::vector<ChainLink>& links, const Chains& chains) {
   std::vector<int> used(links.size(), 0);
-  for (const auto& pieces : chains) {
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    const auto pieces = chains[c];
     REQUIRE(!pieces.empty());
     for (const ChainedPiece& piece : pieces) ++used[piece.piece];
     for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
@@ -35,7 +34,8 @@ void check_chains(const std::vector<ChainLink>& links, const Chains& chains) {
   // As long as can be: of the ends at a vertex at most one isn't joined to another there. A ring
   // joins its own two ends.
   std::map<std::uint64_t, int> ends;
-  for (const auto& pieces : chains) {
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    const auto pieces = chains[c];
     const std::uint64_t first = entry_of(links, pieces.front()),
                         last = exit_of(links, pieces.back());
     if (first == last) continue;
@@ -47,12 +47,27 @@ void check_chains(const std::vector<ChainLink>& links, const Chains& chains) {
 }
 
 bool same(const Chains& a, const Chains& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
-    return std::equal(p.begin(), p.end(), q.begin(), q.end(),
-                      [](const ChainedPiece& x, const ChainedPiece& y) {
-                        return x.piece == y.piece && x.turned == y.turned;
-                      });
-  });
+  return a.ends == b.ends &&
+         std::equal(a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(),
+                    [](const ChainedPiece& x, const ChainedPiece& y) {
+                      return x.piece == y.piece && x.turned == y.turned;
+                    });
+}
+
+// By the definition of their pairs: at each vertex, with a map.
+std::map<std::uint32_t, std::uint32_t> paired_ends(const std::vector<ChainLink>& links) {
+  std::map<std::uint64_t, std::uint32_t> waiting;
+  std::map<std::uint32_t, std::uint32_t> pairs;
+  for (std::uint32_t end = 0; end < 2 * links.size(); ++end) {
+    const std::uint64_t vertex = end % 2 == 0 ? links[end / 2].begin : links[end / 2].end;
+    if (vertex == kLooseEnd) continue;
+    const auto [other, is_first] = waiting.emplace(vertex, end);
+    if (is_first) continue;
+    pairs[end] = other->second;
+    pairs[other->second] = end;
+    waiting.erase(other);
+  }
+  return pairs;
 }
 
 } // namespace
@@ -62,16 +77,25 @@ TEST_CASE("chains hold every piece once and go on at shared vertices, as far as 
     Random random(seed);
     INFO("seed " << seed);
     const int vertices = random.pick({1, 3, 10, 60});
+    // Vertex numbers of every size.
+    const std::uint64_t apart = random.pick<std::uint64_t>({1, 97, 2048, 4096001, 1ULL << 57U});
     std::vector<ChainLink> links;
     for (int i = random.whole(0, 40); i > 0; --i) {
       const auto end = [&] {
         return random.chance(0.15) ? kLooseEnd
-                                   : static_cast<std::uint64_t>(random.whole(0, vertices));
+                                   : apart * static_cast<std::uint64_t>(random.whole(0, vertices));
       };
       links.push_back({end(), end()});
     }
     const Chains chains = chain(links);
     check_chains(links, chains);
+    const auto pairs = paired_ends(links);
+    for (std::size_t c = 0; c < chains.size(); ++c)
+      for (std::size_t i = 0; i + 1 < chains[c].size(); ++i) {
+        const ChainedPiece from = chains[c][i], to = chains[c][i + 1];
+        REQUIRE(pairs.at(2 * from.piece + (from.turned ? 0 : 1)) ==
+                2 * to.piece + (to.turned ? 1 : 0));
+      }
     REQUIRE(same(chains, chain(links)));
   }
 }

@@ -98,6 +98,26 @@ TEST_CASE("a simplified polyline stays within the tolerance, both ways") {
   }
 }
 
+TEST_CASE("points hardly farther from the start than the tolerance hold a line as well") {
+  std::size_t left_out = 0;
+  for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    std::vector<Vec2> points{{0, 0}};
+    double distance = 1;
+    for (int i = random.whole(2, 6); i > 0; --i) {
+      distance += random.between(0, 0.15);
+      const double angle = random.between(-1.6, 1.6);
+      points.push_back({distance * std::cos(angle), distance * std::sin(angle)});
+    }
+    std::vector<std::uint32_t> kept;
+    simplify(points, 1, kept);
+    REQUIRE(farthest(points, chosen(points, kept)) <= 1 + 1e-12);
+    left_out += points.size() - kept.size();
+  }
+  REQUIRE(left_out > 20000);
+}
+
 TEST_CASE("no tolerance keeps every point") {
   Random random(4);
   for (const double tolerance : {0.0, -1.0}) {

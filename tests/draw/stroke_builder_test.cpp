@@ -219,3 +219,62 @@ TEST_CASE("strokes end at the front and back plane, and lines in a plane stay wh
     scene.points.push_back(seen({1.0 * i, 2 + (i % 2 ? 1e-12 : -1e-12), 0}, false));
   CHECK(drawn(scene).map.size() == 30);
 }
+
+TEST_CASE("points at one depth are drawn as one by one, to the bit") {
+  std::size_t strokes = 0, points = 0;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    StrokeSettings settings;
+    settings.frame_mm = {{10, 10}, {190, 140}};
+    settings.simplify_mm = random.pick({0.0, 0.02});
+    settings.min_stroke_mm = random.pick({0.0, 30.0});
+    if (random.chance(0.3)) settings.to_map = [](ProfilePoint p) { return Vec3{p.u, p.v, p.z}; };
+    if (random.chance(0.2)) settings.depth = VolumeDepth{0.1, -0.1, 0, 0.2};
+    const bool perspective = random.chance(0.6);
+    // The shorter camera sees so wide that what is behind it would be in the frame as well.
+    settings.to_page = perspective
+                           ? camera(random.pick({0.3, -0.9, 0.0}), random.pick({150.0, 20.0}))
+                           : Homography{{10, 0, 100, 0, -10, 70, 0, 0, 1}};
+    const double depth_m = random.pick({4.0, -4.0}); // behind the eye
+    const PointsAtDepth depth =
+        perspective ? PointsAtDepth{depth_m < 0 ? -1. : 1., depth_m, 0, 1, -2, depth_m}
+                    : PointsAtDepth{1, depth_m, 0.5, 0.9, 0.3 * depth_m, 1};
+    // Far inside the frame, about its sides, on them, or nearly all outside.
+    const double reach = random.pick({1.0, 5.0, 9.0, 40.0});
+    const bool whole = random.chance(0.3);
+    Layer one_by_one, at_once;
+    StrokeBuilder first(settings, one_by_one), second(settings, at_once);
+    for (int polyline = 0; polyline < 5; ++polyline) {
+      std::vector<double> u, z;
+      double at = random.between(-reach, reach);
+      for (int i = random.pick({1, 3, 6, 127, 128, 129, 300, 700}); i > 0; --i) {
+        at = std::clamp(at + random.between(-0.1, 0.1) * reach, -reach, reach);
+        u.push_back(whole ? std::round(at) : at);
+        z.push_back(whole ? std::round(random.between(-reach, reach)) : at + random.between(-1, 1));
+      }
+      first.begin(polyline, depth_m);
+      second.begin(polyline, depth_m);
+      for (std::size_t i = 0; i < u.size(); ++i) first.add(depth.at(u[i], z[i]));
+      // In parts, some of them empty or of one point.
+      for (std::size_t done = 0; done < u.size();) {
+        const auto most = static_cast<int>(std::min<std::size_t>(u.size() - done, 400));
+        const auto count = static_cast<std::size_t>(random.whole(0, most));
+        second.add(depth, std::span(u).subspan(done, count), std::span(z).subspan(done, count));
+        done += count;
+      }
+      first.end();
+      second.end();
+    }
+    REQUIRE(one_by_one.strokes.size() == at_once.strokes.size());
+    for (std::size_t i = 0; i < at_once.strokes.size(); ++i)
+      REQUIRE(one_by_one.strokes[i].point_count == at_once.strokes[i].point_count);
+    REQUIRE(one_by_one.page_mm == at_once.page_mm);
+    REQUIRE(one_by_one.map == at_once.map);
+    REQUIRE(first.left_out_mm() == second.left_out_mm());
+    strokes += at_once.strokes.size();
+    points += at_once.page_mm.size();
+  }
+  REQUIRE(strokes > 1000);
+  REQUIRE(points > 100000);
+}
