@@ -18,22 +18,13 @@
 #include <string>
 #include <string_view>
 
+#include "bench/grounds.hpp"
 #include "bench/one_a_row.hpp"
-#include "bench/scenes.hpp"
 #include "bench/stages/stages.hpp"
-#include "data_samples/terrains.hpp"
 
 using namespace orograph;
 
 namespace {
-
-struct Ground {
-  const char* name;
-  Grid (*made)(int vertices);
-};
-constexpr std::array kGrounds{
-    Ground{"smooth", [](int n) { return make_terrain(MadeTerrain::fractal_alps, n); }},
-    Ground{"rough", fractal_terrain}};
 
 struct From {
   double azimuth_deg, elevation_deg;
