@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <latch>
 #include <memory>
 #include <new>
 #include <thread>
@@ -20,11 +21,13 @@ struct alignas(256) Aligned {
   std::array<char, 300> bytes; // 512 with the padding
 };
 
-// By threads side by side, 24 bytes at a time.
+// By threads that begin together, 24 bytes at a time.
 void allocate(int threads, int times) {
   std::vector<std::thread> all;
+  std::latch begin(threads);
   for (int i = 0; i < threads; ++i)
-    all.emplace_back([times] {
+    all.emplace_back([times, &begin] {
+      begin.arrive_and_wait();
       for (int k = 0; k < times; ++k) ::operator delete(::operator new(24));
     });
   for (std::thread& thread : all) thread.join();
@@ -59,9 +62,9 @@ TEST_CASE("allocations of several threads are all counted", "[bench]") {
     allocate(4, times);
     return allocations_so_far() - before;
   };
-  const Allocations none = counted(0), all = counted(20000); // threads themselves need some
-  CHECK(all.count - none.count == 80000);
-  CHECK(all.bytes - none.bytes == 80000 * 24);
+  const Allocations none = counted(0), all = counted(1000000); // threads themselves need some
+  CHECK(all.count - none.count == 4000000);
+  CHECK(all.bytes - none.bytes == 4000000 * 24);
 }
 
 #ifndef __SANITIZE_ADDRESS__ // which ends the program then

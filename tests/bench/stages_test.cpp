@@ -63,7 +63,7 @@ TEST_CASE("lines taken stage by stage are those of the sweep in strips", "[bench
   for (const auto& [azimuth_deg, elevation_deg] : {std::pair{180., 25.}, {182., 5.}}) {
     const StagedView view = wide_view(azimuth_deg, elevation_deg);
     RenderSettings drawing = view.settings;
-    drawing.layers = {"silhouettes"};
+    drawing.layers = {"silhouettes", "border"}; // some of which is in the last plane
     const std::vector<SweptLine> lines = lines_of(view.terrain, view.scene, drawing);
     SweepMeters meters;
     SweepFound found = sweep_front_to_back(view, lines, meters, [](const ProfileInWork&) {});
