@@ -118,8 +118,10 @@ void measure(const char* name, const Terrain& terrain, int rounds, CsvFile& csv)
           azimuth, elevation, scene.depths_m.size(),
           1e-6 * static_cast<double>(one.counts.cut_vertices), one.cut * ns, one.project * ns,
           one.clip * ns, one.sum() * ns, one.sum() / cut_s, one.sum() / read_s);
-      std::printf("    facing %.0f ms, layout %.0f ms, all %.0f ms; one core / two %.2f\n",
-                  1e3 * one.facing, 1e3 * one.layout, 1e3 * one.whole, one.whole / two.whole);
+      std::printf("    looked at %.2f of the ground; facing %.0f ms, layout %.0f ms, all %.0f ms; "
+                  "one core / two %.2f\n",
+                  one.counts.looked_at, 1e3 * one.facing, 1e3 * one.layout, 1e3 * one.whole,
+                  one.whole / two.whole);
       std::fflush(stdout);
       csv.add(fmt::format("{},{},{},{},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},"
                           "{:.6f},{:.6f}",

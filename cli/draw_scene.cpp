@@ -2,6 +2,7 @@
 #include "cli/draw_scene.hpp"
 
 #include "cli/scene_lines.hpp"
+#include "cli/sector_ground.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/sweep_sector.hpp"
 #include "draw/round_drawing.hpp"
@@ -70,15 +71,19 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   Layer profiles = empty_layer("profiles", pen_mm, 0);
   ProfileLayer profile_layer{strokes, profiles};
   const bool draws_profiles = asks_for(settings, "profiles");
-  const std::vector<SweptLine> lines = lines_of(terrain, scene, settings);
+  const std::vector<SeenGround> ground = ground_of_sectors(terrain, scene, settings, instruments);
+  const std::optional<SeenGround> all_ground = joined(ground);
+  const std::vector<SweptLine> lines =
+      lines_of(terrain, scene, settings, all_ground ? &*all_ground : nullptr);
+  if (all_ground) counts.looked_at = all_ground->share();
   watch.mark(seconds.facing);
 
   double profiles_done = 0;
   std::vector<SectorLines> found;
-  for (const Sector& sector : scene.sectors)
+  for (std::size_t i = 0; i < scene.sectors.size(); ++i)
     found.push_back(sweep_sector(
-        terrain, scene, sector, lines, settings, instruments,
-        draws_profiles ? &profile_layer : nullptr, {counts, seconds, drawn.check},
+        terrain, scene, scene.sectors[i], lines, ground.empty() ? nullptr : &ground[i], settings,
+        instruments, draws_profiles ? &profile_layer : nullptr, {counts, seconds, drawn.check},
         [&] { progress(++profiles_done / static_cast<double>(scene.depths_m.size())); }));
 
   watch = {};

@@ -33,6 +33,7 @@ struct Instruments {
   bool single_precision = false; ///< round projected profiles to float before they are clipped
   bool one_list = false;         ///< keep the horizon in one list, so that it can be seen
   bool beyond_page = false;      ///< look at what is beside the page as well
+  bool hidden_ground = false;    ///< look at ground that is hidden as a whole as well
   double vertices_a_strip = kVerticesAStrip;
   /// Gets every occluder but profiles, hidden ones too, before the profile that it stands in front
   /// of is seen.
@@ -40,6 +41,7 @@ struct Instruments {
 
   /// Whether the horizon is to be kept in one list, profile after profile.
   bool needs_list() const { return one_list || !collapse || single_precision || occluders; }
+  bool looks_everywhere() const { return needs_list() || beyond_page || hidden_ground || observer; }
 };
 
 /// Each coordinate becomes the nearest float. Segments that have no extent in X then are left out.

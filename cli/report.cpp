@@ -133,7 +133,8 @@ Json json_of(const CountsReport& counts) {
           {"points", counts.points},
           {"ties", counts.ties},
           {"dropped_strokes", counts.dropped_strokes},
-          {"turned_over", counts.turned_over}};
+          {"turned_over", counts.turned_over},
+          {"looked_at", counts.looked_at}};
 }
 
 Json json_of(const CheckReport& check) {

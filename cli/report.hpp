@@ -88,6 +88,7 @@ struct CountsReport {
   std::uint64_t pieces_before_collapse = 0, pieces_after_collapse = 0, largest_horizon = 0;
   std::uint64_t strokes = 0, points = 0, ties = 0, dropped_strokes = 0;
   std::uint64_t turned_over = 0; ///< triangles that the ellipsoid turns over in plan
+  double looked_at = 1;          ///< share of the ground that wasn't passed over as a whole
 };
 
 /// Random points asked of the ray walk (`--check`).

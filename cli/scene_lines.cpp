@@ -38,7 +38,7 @@ bool asks_for(const RenderSettings& settings, std::string_view layer) {
 }
 
 std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
-                                const RenderSettings& settings) {
+                                const RenderSettings& settings, const SeenGround* ground) {
   // With the seed's occluders only what is drawn of the profiles hides.
   const bool surface = settings.occluder == Occluder::surface;
   const bool silhouettes = asks_for(settings, "silhouettes") || asks_for(settings, "skyline");
@@ -68,7 +68,7 @@ std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
   };
   drawn = behind_walls; // not to be drawn at all
   if (surface || silhouettes) {
-    const std::vector<SurfaceEdge> edges = silhouette_edges(terrain.surface, scene.view);
+    const std::vector<SurfaceEdge> edges = silhouette_edges(terrain.surface, scene.view, ground);
     lines.reserve(edges.size() + scene.border.size());
     EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
     for (const SurfaceEdge& edge : edges)

@@ -4,6 +4,7 @@
 
 #include "cli/line_sweep.hpp"
 #include "cli/scene.hpp"
+#include "profiles/seen_ground.hpp"
 
 #include <string_view>
 #include <vector>
@@ -12,9 +13,10 @@ namespace orograph {
 
 bool asks_for(const RenderSettings& settings, std::string_view layer);
 
-/// All lines that hide or are drawn: silhouettes, the border and that of voids, shores.
+/// All lines that hide or are drawn: silhouettes, the border and that of voids, shores. Silhouettes
+/// only of `ground`, where that isn't all.
 std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
-                                const RenderSettings& settings);
+                                const RenderSettings& settings, const SeenGround* ground = nullptr);
 
 /// The parts of silhouettes behind which the ground comes up again within a share of the depth
 /// (`--silhouette-jump`): folds of a slope, not ridges. In a parallel view, which has no eye to be

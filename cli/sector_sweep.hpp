@@ -10,6 +10,7 @@
 #include "horizon/upright.hpp"
 #include "profiles/cut_surface.hpp"
 #include "profiles/project_profile.hpp"
+#include "profiles/seen_ground.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,9 +28,10 @@ struct SectorInWork {
   const std::vector<SweptLine>& lines;
   const SurfaceCutter& cutter;
   const TieTolerance& tolerance;
-  double from_m;       ///< depth from which on terrain is looked at
-  XRange range;        ///< of X that is asked for
-  bool whole_profiles; ///< whether profiles are cut beyond it as well, for those who watch
+  double from_m;            ///< depth from which on terrain is looked at
+  XRange range;             ///< of X that is asked for
+  bool whole_profiles;      ///< whether profiles are cut beyond it as well, for those who watch
+  const SeenGround* ground; ///< what is looked at, where that isn't all
   double vertices_a_strip;
 };
 

@@ -16,9 +16,10 @@
 
 namespace orograph {
 SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Sector& sector,
-                         const std::vector<SweptLine>& lines, const RenderSettings& settings,
-                         const Instruments& instruments, ProfileLayer* profiles,
-                         const SweepCounts& found, const std::function<void()>& profile_done) {
+                         const std::vector<SweptLine>& lines, const SeenGround* ground,
+                         const RenderSettings& settings, const Instruments& instruments,
+                         ProfileLayer* profiles, const SweepCounts& found,
+                         const std::function<void()>& profile_done) {
   auto& [counts, seconds, check_counts] = found;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Stopwatch watch;
@@ -42,6 +43,7 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
                           in_list || instruments.beyond_page ? XRange{-kInfinity, kInfinity}
                                                              : page_range(sector),
                           watched,
+                          ground,
                           instruments.vertices_a_strip};
   const LayOut lay_out = [&](ProfileInWork& profile) {
     if (!profiles) return;

@@ -9,6 +9,7 @@
 #include "cli/scene.hpp"
 #include "dem/terrain.hpp"
 #include "draw/stroke_builder.hpp"
+#include "profiles/seen_ground.hpp"
 
 #include <functional>
 #include <optional>
@@ -37,11 +38,13 @@ struct ProfileLayer {
   double left_out_mm = 0; ///< strokes that were too short
 };
 
-/// `lines` are those of the scene (`lines_of`), for all of its sectors. The visible parts of
+/// `lines` are those of the scene (`lines_of`), for all of its sectors; `ground` is what the sector
+/// looks at, where that isn't all. The visible parts of
 /// profiles go to `profiles`, if there is one. `profile_done` is called after each profile.
 SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Sector& sector,
-                         const std::vector<SweptLine>& lines, const RenderSettings& settings,
-                         const Instruments& instruments, ProfileLayer* profiles,
-                         const SweepCounts& counts, const std::function<void()>& profile_done);
+                         const std::vector<SweptLine>& lines, const SeenGround* ground,
+                         const RenderSettings& settings, const Instruments& instruments,
+                         ProfileLayer* profiles, const SweepCounts& counts,
+                         const std::function<void()>& profile_done);
 
 } // namespace orograph

@@ -15,6 +15,8 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -118,6 +120,7 @@ public:
       strips_[i]->raise(cut);
     });
     for (auto& batch : batches_) batch.resize(size_);
+    if (work.ground) over_blocks_.emplace(std::get<Grid>(work.terrain.surface), work.sector.view);
   }
 
   void sweep(const Show& show, CountsReport& counts) {
@@ -176,6 +179,7 @@ public:
 private:
   struct Timed {
     ProfileInWork profile;
+    std::vector<URange> parts;
     double cut_s = 0, project_s = 0, layout_s = 0;
   };
 
@@ -192,8 +196,10 @@ private:
     profile.by_strip.resize(strips_.size());
     profile.horizon_sizes.resize(strips_.size());
     const double depth_m = profile.planned.depth_m;
-    const URange range = work_.whole_profiles ? URange{} : u_range(view, work_.range, depth_m);
-    work_.cutter.cut(depth_m, range, profile.profile);
+    timed.parts.assign(1, work_.whole_profiles ? URange{} : u_range(view, work_.range, depth_m));
+    if (over_blocks_)
+      over_blocks_->seen_parts(depth_m, URange(timed.parts.front()), *work_.ground, timed.parts);
+    work_.cutter.cut(depth_m, timed.parts, profile.profile);
     watch.mark(timed.cut_s);
     project_profile(profile.profile, static_cast<std::uint32_t>(profile.planned.number), view,
                     profile.projected, profile.uprights);
@@ -225,6 +231,7 @@ private:
 
   const SectorInWork& work_;
   const LayOut& lay_out_;
+  std::optional<PlaneOverBlocks> over_blocks_;
   std::size_t size_; ///< profiles in a batch
   std::vector<std::unique_ptr<StripSweep>> strips_;
   std::array<std::vector<Timed>, 3> batches_;

@@ -27,7 +27,7 @@ public:
 
   void cut(double depth_m, Profile& out) const;
   /// All of it, whatever the range.
-  void cut(double depth_m, const URange&, Profile& out) const { cut(depth_m, out); }
+  void cut(double depth_m, std::span<const URange>, Profile& out) const { cut(depth_m, out); }
 
   /// Depths between which the grid's triangles lie.
   double nearest_m() const { return border_.nearest_m(); }

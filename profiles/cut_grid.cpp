@@ -37,14 +37,13 @@ GridCutter::GridCutter(const Grid& grid, const View& view, const TriangleSet& le
     by_lines_.emplace(grid, view, level, depth_monotone_ && diagonals_too ? 0 : rounding);
 }
 
-void GridCutter::cut(double depth_m, const URange& range, Profile& out) const {
+void GridCutter::cut(double depth_m, std::span<const URange> ranges, Profile& out) const {
   out.depth_m = depth_m;
-  if (!(depth_m >= nearest_m_ && depth_m <= farthest_m_)) {
-    out.clear();
-    return;
-  }
+  out.clear();
+  if (!(depth_m >= nearest_m_ && depth_m <= farthest_m_)) return;
   const GridPlane plane{depth_m, depth_m > nearest_m_};
-  if (by_lines_ && by_lines_->cut(plane, range, out)) return;
+  const auto by_lines = [&](const URange& range) { return by_lines_->cut(plane, range, out); };
+  if (by_lines_ && std::all_of(ranges.begin(), ranges.end(), by_lines)) return;
   out.clear();
   walk_grid(grid_, view_, level_, plane, depth_monotone_, out);
 }

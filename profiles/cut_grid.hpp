@@ -9,6 +9,7 @@
 #include "view/view.hpp"
 
 #include <optional>
+#include <span>
 
 namespace orograph {
 
@@ -19,7 +20,8 @@ namespace orograph {
 ///  (2) Between two vertices the profile lies in one triangle; where that isn't there is a gap. An
 ///      edge that lies in the plane is there if either of its triangles is, and level if either is.
 ///  (3) A crossing is reckoned from its edge's lower vertex (`SurfaceEdge`), exact at both ends.
-///  (4) Of a part of the profile there are all vertices in it, and those next to it.
+///  (4) Of parts of the profile there are all vertices in them, and those next to them; more of it
+///      may be there, and gaps for what isn't.
 /// Cost a plane: O(columns + rows), and no allocation once `out` is warm.
 class GridCutter {
 public:
@@ -28,8 +30,9 @@ public:
   /// outlive the cutter.
   GridCutter(const Grid& grid, const View& view, const TriangleSet& level);
 
-  void cut(double depth_m, Profile& out) const { cut(depth_m, {}, out); }
-  void cut(double depth_m, const URange& range, Profile& out) const;
+  void cut(double depth_m, Profile& out) const { cut(depth_m, kAllOfProfile, out); }
+  /// The parts in `ranges`, which rise and are farther apart than 8 cells.
+  void cut(double depth_m, std::span<const URange> ranges, Profile& out) const;
 
   /// Depths between which the grid lies.
   double nearest_m() const { return nearest_m_; }

@@ -7,6 +7,7 @@
 #include "profiles/cut_grid.hpp"
 #include "profiles/cut_tin.hpp"
 
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -21,10 +22,10 @@ public:
                 const std::vector<BorderEdge>& border)
       : cutter_(cutter_of(surface, view, level, border)) {}
 
-  void cut(double depth_m, Profile& out) const { cut(depth_m, {}, out); }
-  /// At least the part of the profile in `range`, with the vertices next to it.
-  void cut(double depth_m, const URange& range, Profile& out) const {
-    std::visit([&](const auto& cutter) { cutter.cut(depth_m, range, out); }, cutter_);
+  void cut(double depth_m, Profile& out) const { cut(depth_m, kAllOfProfile, out); }
+  /// At least the parts of the profile in `ranges`, as GridCutter has them.
+  void cut(double depth_m, std::span<const URange> ranges, Profile& out) const {
+    std::visit([&](const auto& cutter) { cutter.cut(depth_m, ranges, out); }, cutter_);
   }
 
   /// Depths between which the surface lies.

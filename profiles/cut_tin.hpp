@@ -9,6 +9,8 @@
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
+#include <span>
+
 namespace orograph {
 
 /// Cuts one TIN for one view, plane after plane, in any order; the profile is that of `GridCutter`,
@@ -31,7 +33,7 @@ public:
 
   void cut(double depth_m, Profile& out) const;
   /// All of it, whatever the range.
-  void cut(double depth_m, const URange&, Profile& out) const { cut(depth_m, out); }
+  void cut(double depth_m, std::span<const URange>, Profile& out) const { cut(depth_m, out); }
 
   /// Depths between which the TIN lies.
   double nearest_m() const { return nearest_m_; }

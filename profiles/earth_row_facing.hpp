@@ -30,17 +30,17 @@ public:
 
   std::vector<std::uint8_t> lower, upper; ///< bits, a cell each
 
-  void reckon(int row) {
-    if (row != next_row_) take_row(row, south_);
-    std::swap(north_, south_);
-    take_row(row + 1, south_);
-    next_row_ = row + 1;
-    const double bound = view_.is_perspective() ? reckon_signs<true>() : reckon_signs<false>();
-    for (std::size_t c = 0; c < lower.size(); ++c) {
+  /// Of the cells from column `first` to `end`.
+  void reckon(int row, int first, int end) {
+    take_rows(row);
+    const auto begin = static_cast<std::size_t>(first), past = static_cast<std::size_t>(end);
+    const double bound =
+        view_.is_perspective() ? reckon_signs<true>(begin, past) : reckon_signs<false>(begin, past);
+    for (std::size_t c = begin; c < past; ++c) {
       lower[c] = bits(lower_sign_[c], bound);
       upper[c] = bits(upper_sign_[c], bound);
     }
-    for (std::size_t c = 0; c < lower.size(); ++c) {
+    for (std::size_t c = begin; c < past; ++c) {
       const int column = static_cast<int>(c);
       const auto at = [&](int right, int down) { return vertex(column + right, row + down); };
       if (lower[c] == (kMayFace | kMayTurn))
@@ -66,6 +66,13 @@ private:
     return to_profile_frame(view_, grid_.earth().vertex_m(column, row, height));
   }
 
+  void take_rows(int row) {
+    if (next_row_ == row + 1) return;
+    if (next_row_ != row) take_row(row, south_);
+    std::swap(north_, south_);
+    take_row(row + 1, south_);
+    next_row_ = row + 1;
+  }
   void take_row(int row, Row& out) const {
     const std::size_t count = out.u.size();
     grid_.earth().row_vertices_m(row, {&heights_[grid_.index(0, row)], count}, out.u, out.v, out.z);
@@ -82,7 +89,7 @@ private:
 
   // Returns the bound on their rounding.
   template <bool is_perspective>
-  double reckon_signs() {
+  double reckon_signs(std::size_t begin, std::size_t past) {
     const double *nu = north_.u.data(), *nv = north_.v.data(), *nz = north_.z.data();
     const double *su = south_.u.data(), *sv = south_.v.data(), *sz = south_.z.data();
     double* __restrict lower_sign = lower_sign_.data();
@@ -94,8 +101,7 @@ private:
       value = std::abs(value);
       most = value > most ? value : most; // a missing vertex is never farther
     };
-    const std::size_t cells = lower_sign_.size();
-    for (std::size_t c = 0; c < cells; ++c) {
+    for (std::size_t c = begin; c < past; ++c) {
       const ProfilePoint eye =
           is_perspective ? ProfilePoint{-nu[c], -nv[c], eye_z - nz[c]} : to_viewer;
       const ProfilePoint down{su[c] - nu[c], sv[c] - nv[c], sz[c] - nz[c]};

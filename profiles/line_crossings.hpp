@@ -55,17 +55,17 @@ void fill_crossings(const Block& l, int count, double depth, double* u, double* 
   }
 }
 
-// Around a vertex in the plane all edges cross at that vertex: it is there once. Crossings an ulp
-// apart may round to the wrong order. False where a span between vertices would have to be asked of
-// other triangles as well.
-inline bool drop_repeats(bool special, Profile& out) {
+// Of the vertices from number `begin` on. Around a vertex in the plane all edges cross at that
+// vertex: it is there once. Crossings an ulp apart may round to the wrong order. False where a span
+// between vertices would have to be asked of other triangles as well.
+inline bool drop_repeats(bool special, std::size_t begin, Profile& out) {
   const double *u = out.u_m.data(), *z = out.z_m.data();
   const std::size_t count = out.size();
   bool rises = true;
-  for (std::size_t m = 1; m < count; ++m) rises = rises & (u[m] > u[m - 1]);
+  for (std::size_t m = begin + 1; m < count; ++m) rises = rises & (u[m] > u[m - 1]);
   if (rises) return true;
-  std::size_t kept = 0;
-  for (std::size_t m = 1; m < count; ++m) {
+  std::size_t kept = begin;
+  for (std::size_t m = begin + 1; m < count; ++m) {
     const bool again =
         u[m] == u[kept] && (z[m] == z[kept] || (std::isnan(z[m]) && std::isnan(z[kept])));
     if (again && special) return false;

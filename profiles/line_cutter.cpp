@@ -280,10 +280,7 @@ template <class Height>
 bool PlaneCut<Height>::cut(const URange& range, const TriangleSet& level, Profile& out) {
   const LineRange in_grid = lines_in_grid();
   LineRange asked = lines_in(range);
-  if (asked.first > in_grid.last + 2 || asked.last < in_grid.first - 2) {
-    out.resize(0);
-    return true;
-  }
+  if (asked.first > in_grid.last + 2 || asked.last < in_grid.first - 2) return true;
   // Some lines are always cut, so that the profile's ends need no cases of their own.
   asked.first = std::min(asked.first, in_grid.last - kBesideGrid);
   asked.last = std::max(asked.last, in_grid.first + kBesideGrid);
@@ -300,9 +297,11 @@ bool PlaneCut<Height>::cut(const URange& range, const TriangleSet& level, Profil
   const bool leaves = to_border && has(last + 1, *last_j + 1);
   const std::size_t begin = enters ? 1 : 0,
                     count = begin + 2 * static_cast<std::size_t>(last - first) + 1;
-  out.resize(count + (leaves ? 1 : 0));
-  double *u = out.u_m.data(), *z = out.z_m.data();
-  std::fill(out.after.begin(), out.after.end(), Span::slope);
+  const std::size_t so_far = out.size();
+  out.resize(so_far + count + (leaves ? 1 : 0));
+  double *u = &out.u_m[so_far], *z = &out.z_m[so_far];
+  Span* const after = &out.after[so_far];
+  std::fill(after, after + count, Span::slope);
   if (enters) {
     const End here = end(first - 1, *first_j);
     if (rounding_m_ > 0 && in_doubt(here.v)) return false;
@@ -310,8 +309,8 @@ bool PlaneCut<Height>::cut(const URange& range, const TriangleSet& level, Profil
     const Point p = between(here, end(first, *first_j + (more ? 0 : 1)), more);
     u[0] = p.u;
     z[0] = p.z;
-    out.after[0] = span(vertex(first - 1, *first_j), vertex(first, *first_j),
-                        vertex(first, *first_j + 1), level);
+    after[0] = span(vertex(first - 1, *first_j), vertex(first, *first_j),
+                    vertex(first, *first_j + 1), level);
   }
   bool special = !level.empty();
   std::size_t at = begin;
@@ -321,7 +320,7 @@ bool PlaneCut<Height>::cut(const URange& range, const TriangleSet& level, Profil
     fill(lines, u + at, z + at);
     if (!level.empty() || is_missing(lines)) {
       special = true;
-      mark_spans(i, lines, level, &out.after[at]);
+      mark_spans(i, lines, level, after + at);
     }
     i += lines;
     at += 2 * static_cast<std::size_t>(lines);
@@ -341,11 +340,11 @@ bool PlaneCut<Height>::cut(const URange& range, const TriangleSet& level, Profil
     const Point p = between(end(last, *last_j + (more ? 1 : 0)), next, more);
     u[count] = p.u;
     z[count] = p.z;
-    out.after[count - 1] = span(vertex(last, *last_j), vertex(last, *last_j + 1),
-                                vertex(last + 1, *last_j + 1), level);
+    after[count - 1] = span(vertex(last, *last_j), vertex(last, *last_j + 1),
+                            vertex(last + 1, *last_j + 1), level);
   }
   out.after.back() = Span::gap;
-  return drop_repeats(special, out);
+  return drop_repeats(special, so_far, out);
 }
 
 } // namespace

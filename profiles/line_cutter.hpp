@@ -41,7 +41,7 @@ public:
   /// within `rounding_m` of a vertex aren't cut.
   LineCutter(const Grid& grid, const View& view, const TriangleSet& level, double rounding_m);
 
-  /// Puts the profile in the plane into `out`, bit for bit that of `walk_grid`, but for what lies
+  /// Adds the profile in the plane to `out`, bit for bit that of `walk_grid`, but for what lies
   /// farther than a few vertices outside `range`. False, with `out` undefined, where it takes that
   /// walk: where the plane holds vertices, and ground there is missing or level, and where rounding
   /// has a say in which edges are crossed. Cost: about 5 ns a vertex; no allocation once `out` is

@@ -65,25 +65,24 @@ public:
     return to_profile_frame(view_, lattice_.vertex_m(column, row, height));
   }
 
-  void reckon(int row) {
+  /// Of the cells from column `first` to `end`.
+  void reckon(int row, int first, int end) {
     if (!view_.drop.any()) {
-      reckon(row, &heights_[grid_.index(0, row)], &heights_[grid_.index(0, row + 1)], 0);
+      reckon(row, first, end, &heights_[grid_.index(0, row)], &heights_[grid_.index(0, row + 1)],
+             0);
       return;
     }
     // What sinks is not a plane over cells any more: heights as the profile frame has them.
-    if (row != next_row_) take_row(row, south_z_);
-    std::swap(north_z_, south_z_);
-    take_row(row + 1, south_z_);
-    next_row_ = row + 1;
+    take_rows(row);
     // The drop grows with the square of the distance: along a row it is greatest at one of its
     // ends.
     double greatest_drop = 0;
-    for (const int c : {0, grid_.columns - 1})
+    for (const int c : {first, end})
       for (const int r : {row, row + 1}) {
         const ProfilePoint p = vertex(c, r);
         greatest_drop = std::max(greatest_drop, std::abs(view_.drop.at(p.u, p.v)));
       }
-    reckon(row, north_z_.data(), south_z_.data(), greatest_drop);
+    reckon(row, first, end, north_z_.data(), south_z_.data(), greatest_drop);
   }
 
   // The two triangles at an edge make a parallelogram: it is a ridge where its middle is higher
@@ -113,6 +112,13 @@ private:
     return 8 * std::abs(view_.drop.at(p.u, p.v));
   }
 
+  void take_rows(int row) {
+    if (next_row_ == row + 1) return;
+    if (next_row_ != row) take_row(row, south_z_);
+    std::swap(north_z_, south_z_);
+    take_row(row + 1, south_z_);
+    next_row_ = row + 1;
+  }
   void take_row(int row, std::vector<double>& z) const {
     const Height* heights = &heights_[grid_.index(0, row)];
     z.resize(static_cast<std::size_t>(grid_.columns));
@@ -123,7 +129,8 @@ private:
   }
 
   template <class AnyHeight>
-  void reckon(int row, const AnyHeight* north, const AnyHeight* south, double greatest_drop) {
+  void reckon(int row, int first, int end, const AnyHeight* north, const AnyHeight* south,
+              double greatest_drop) {
     const bool perspective = view_.is_perspective();
     // A sign is constant + per_height * h0 + per_c * gc + per_r * gr, where per_c grows along the
     // row in perspective.
@@ -133,13 +140,12 @@ private:
     const double per_r = perspective ? row - eye_.row : scale * eye_.row;
     const double first_per_c = perspective ? -eye_.column : scale * eye_.column;
     const double step_per_c = perspective ? 1 : 0;
-    const auto cells = static_cast<int>(lower.size());
     double greatest_height = greatest_drop, greatest_gc = 0, greatest_gr = 0;
     const auto take = [](double& greatest, double value) {
       value = std::abs(value);
       greatest = value > greatest ? value : greatest; // a missing height is never greater
     };
-    for (int c = 0; c < cells; ++c) {
+    for (int c = first; c < end; ++c) {
       const double nw = north[c], ne = north[c + 1], sw = south[c], se = south[c + 1];
       const double per_c = first_per_c + step_per_c * c, level = constant + per_height * nw;
       lower_sign_[static_cast<std::size_t>(c)] = level + per_c * (se - sw) + per_r * (sw - nw);
@@ -151,20 +157,21 @@ private:
       take(greatest_gr, se - ne);
     }
     // 16 ulp for some eight roundings, of the terms and of the eye's own place.
-    const double reach_c = std::abs(first_per_c) + step_per_c * cells;
+    const double reach_c = std::abs(first_per_c) + step_per_c * end;
     const double reach_r = std::abs(per_r) + std::abs(eye_.row);
     const double bound =
         16 * std::numeric_limits<double>::epsilon() * cells_away_ *
         (std::abs(constant) + greatest_height + greatest_gc * reach_c + greatest_gr * reach_r);
-    for (std::size_t c = 0; c < lower.size(); ++c) {
+    const auto begin = static_cast<std::size_t>(first), past = static_cast<std::size_t>(end);
+    for (std::size_t c = begin; c < past; ++c) {
       lower[c] = bits(lower_sign_[c], bound);
       upper[c] = bits(upper_sign_[c], bound);
     }
     std::uint8_t doubt = 0; // in a loop of its own, over bytes alone
-    for (std::size_t c = 0; c < lower.size(); ++c)
+    for (std::size_t c = begin; c < past; ++c)
       doubt |=
           static_cast<std::uint8_t>((lower[c] & (lower[c] >> 1U)) | (upper[c] & (upper[c] >> 1U)));
-    if (doubt & 1U) settle(row);
+    if (doubt & 1U) settle(row, first, end);
   }
 
   // A missing height makes both comparisons false.
@@ -174,8 +181,8 @@ private:
   }
 
   // Asks again of the triangles in doubt.
-  void settle(int row) {
-    for (int c = 0; c < static_cast<int>(lower.size()); ++c) {
+  void settle(int row, int first, int end) {
+    for (int c = first; c < end; ++c) {
       std::uint8_t &below = lower[static_cast<std::size_t>(c)],
                    &above = upper[static_cast<std::size_t>(c)];
       if (below == (kMayFace | kMayTurn))

@@ -2,6 +2,7 @@
 // One profile: the terrain cut by a vertical plane of constant depth.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -22,6 +23,8 @@ struct URange {
   double low_m = -std::numeric_limits<double>::infinity();
   double high_m = std::numeric_limits<double>::infinity();
 };
+
+constexpr std::array<URange, 1> kAllOfProfile{};
 
 /// Vertices from left to right in the profile frame. `after[i]` tells what is between vertex i and
 /// i + 1; the last is a gap.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/surface.hpp"
+#include "profiles/seen_ground.hpp"
 #include "profiles/surface_edge.hpp"
 #include "view/view.hpp"
 
@@ -15,9 +16,12 @@ namespace orograph {
 /// Where a sign is within its rounding bound (profiles/facing.hpp) both cases are taken as
 /// possible, so that no silhouette is missed: an edge more hides nothing that isn't hidden. A grid
 /// and the TIN of its triangles have the same.
+/// Of a grid only those inside ground that is looked at, if it is told what is.
 /// Cost: one pass over the triangles, a few flops each.
-std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view);
+std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view,
+                                          const SeenGround* ground = nullptr);
 std::vector<SurfaceEdge> silhouette_edges(const Tin& tin, const View& view);
-std::vector<SurfaceEdge> silhouette_edges(const Surface& surface, const View& view);
+std::vector<SurfaceEdge> silhouette_edges(const Surface& surface, const View& view,
+                                          const SeenGround* ground = nullptr);
 
 } // namespace orograph

@@ -23,8 +23,10 @@ std::vector<SurfaceEdge> silhouette_edges(const Tin& tin, const View& view) {
   return edges;
 }
 
-std::vector<SurfaceEdge> silhouette_edges(const Surface& surface, const View& view) {
-  return std::visit([&](const auto& s) { return silhouette_edges(s, view); }, surface);
+std::vector<SurfaceEdge> silhouette_edges(const Surface& surface, const View& view,
+                                          const SeenGround* ground) {
+  if (const Tin* tin = std::get_if<Tin>(&surface)) return silhouette_edges(*tin, view);
+  return silhouette_edges(std::get<Grid>(surface), view, ground);
 }
 
 } // namespace orograph

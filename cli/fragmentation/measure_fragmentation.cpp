@@ -133,7 +133,7 @@ Totals run(const MeasuredScene& s, const Instruments& instruments, Meter& meter)
   std::optional<CheckReport> check;
   for (const Sector& sector : s.scene.sectors) {
     meter.begin_sector();
-    sweep_sector(s.terrain, s.scene, sector, s.lines, s.settings, instruments, nullptr,
+    sweep_sector(s.terrain, s.scene, sector, s.lines, nullptr, s.settings, instruments, nullptr,
                  {out.counts, seconds, check}, [] {});
     meter.end_sector();
   }

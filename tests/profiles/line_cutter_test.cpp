@@ -75,6 +75,7 @@ void check_planes(Random& random, const Grid& grid, View view, Tally& tally) {
     const double depth = random.chance(0.3) ? vertex : random.between(nearest, farthest);
     const GridPlane plane{depth, depth > nearest};
     ++tally.asked;
+    quick.clear();
     if (!cutter.cut(plane, {}, quick)) continue;
     ++tally.quick;
     walked.clear();
@@ -87,6 +88,7 @@ void check_planes(Random& random, const Grid& grid, View view, Tally& tally) {
 
     URange range{random.between(quick.u_m.front() - 5, quick.u_m.back() + 5), 0};
     range.high_m = range.low_m + random.pick({0.0, 1.0, 30.0, 1000.0});
+    part.clear();
     REQUIRE(cutter.cut(plane, range, part));
     const std::size_t at = place_of(part, quick);
     REQUIRE((part.size() == 0 || at < quick.size()));

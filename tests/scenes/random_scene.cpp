@@ -14,11 +14,11 @@ namespace orograph {
 namespace {
 
 // A window of a made terrain with a grid of its own, not square, possibly turned.
-Grid window_of(MadeTerrain made, Random& random) {
+Grid window_of(MadeTerrain made, int most, Random& random) {
   Grid grid;
-  grid.columns = random.whole(10, 36);
-  grid.rows = random.whole(10, 36);
-  const double step = side_m(made) / random.between(20, 80);
+  grid.columns = random.whole(10, most);
+  grid.rows = random.whole(10, most);
+  const double step = side_m(made) / random.between(20, 80) * (36.0 / most);
   const double turn = random.chance(0.3) ? random.between(-0.7, 0.7) : 0;
   const double row_step = random.chance(0.5) ? step : step * random.between(0.5, 2);
   grid.plane().first_vertex_m = {random.between(-1000, 1000), random.between(-1000, 1000)};
@@ -66,12 +66,12 @@ void roughen(Grid& grid, Random& random, std::string& what) {
 
 } // namespace
 
-RandomScene random_scene(std::uint64_t seed) {
+RandomScene random_scene(std::uint64_t seed, int most) {
   Random random(seed);
   RandomScene scene;
   const MadeTerrain made = all_made_terrains[seed % all_made_terrains.size()];
   scene.what = name_of(made);
-  grid_of(scene.terrain) = window_of(made, random);
+  grid_of(scene.terrain) = window_of(made, most, random);
   roughen(grid_of(scene.terrain), random, scene.what);
 
   RenderSettings& settings = scene.settings;

@@ -17,9 +17,9 @@ struct RandomScene {
   std::string what;        ///< for messages
 };
 
-/// A made terrain of 10 to 36 vertices a side, in one seed of four with holes, with plateaus, in
-/// whole metres, or all of that; seen along the grid, along its diagonal or obliquely, from 0 to 90
-/// degrees, in perspective where that can be drawn, with 5 to 40 profiles.
-RandomScene random_scene(std::uint64_t seed);
+/// A made terrain of 10 to `most` vertices a side, in one seed of four with holes, with plateaus,
+/// in whole metres, or all of that; seen along the grid, along its diagonal or obliquely, from 0 to
+/// 90 degrees, in perspective where that can be drawn, with 5 to 40 profiles.
+RandomScene random_scene(std::uint64_t seed, int most = 36);
 
 } // namespace orograph

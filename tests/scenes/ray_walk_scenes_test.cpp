@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole pipeline with the surface as occluder, asked by the ray walk: nothing drawn is hidden,
 // nothing visible is missing, in any layer.
-#include "dem/height_at.hpp"
 #include "dem/read/read_raster.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/asked_scenes.hpp"
+#include "tests/scenes/put_eye.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/support/grid_of.hpp"
-#include "tests/support/random.hpp"
 
 #include <cmath>
 
@@ -22,33 +21,6 @@ constexpr std::uint64_t kScenes = 700, kSampleProbes = 10000;
 #else
 constexpr std::uint64_t kScenes = 50, kSampleProbes = 1000;
 #endif
-
-// A view from an eye on the surface or a little above it, at a vertex or anywhere, which looks at
-// another vertex.
-void put_eye(RenderSettings& settings, const Grid& grid, Random& random) {
-  const auto anywhere = [&](bool at_vertex) -> Vec3 {
-    for (;;) {
-      const double column = random.between(1, grid.columns - 2.001);
-      const double row = random.between(1, grid.rows - 2.001);
-      Vec2 at = grid.plane().position_m(static_cast<int>(column), static_cast<int>(row));
-      if (!at_vertex)
-        at = at + (column - std::floor(column)) * grid.plane().column_step_m +
-             (row - std::floor(row)) * grid.plane().row_step_m;
-      if (const auto height = height_at(grid, at)) return {at.x, at.y, *height};
-    }
-  };
-  Vec3 eye = anywhere(random.chance(0.6)), target = anywhere(true);
-  while (std::hypot(target.x - eye.x, target.y - eye.y) < 3 * cell_size_m(grid))
-    target = anywhere(true);
-  eye.z += random.pick({0.0, 0.0, 0.001, 1.7, 200.0});
-  target.z =
-      eye.z + random.pick({0.0, 0.1, -0.1}) * length(Vec2{target.x - eye.x, target.y - eye.y});
-  settings.projection = Projection::perspective;
-  settings.exaggeration = 1;
-  settings.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 90.0}));
-  settings.eye_map = eye;
-  settings.look_at_map = target;
-}
 
 } // namespace
 

@@ -8,9 +8,8 @@
 #include "tests/catch.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/scenes/random_tin_scene.hpp"
+#include "tests/scenes/same_drawing.hpp"
 #include "tests/support/random.hpp"
-
-#include <algorithm>
 
 using namespace orograph;
 
@@ -22,23 +21,6 @@ constexpr std::uint64_t kScenes = 400;
 #else
 constexpr std::uint64_t kScenes = 30;
 #endif
-
-bool same_strokes(const Layer& a, const Layer& b) {
-  return a.name == b.name && a.page_mm == b.page_mm && a.map == b.map &&
-         std::equal(a.strokes.begin(), a.strokes.end(), b.strokes.begin(), b.strokes.end(),
-                    [](const Stroke& s, const Stroke& t) {
-                      return s.first_point == t.first_point && s.point_count == t.point_count &&
-                             s.profile == t.profile;
-                    });
-}
-
-// The first layer that differs, or nothing.
-std::string difference(const Drawing& a, const Drawing& b) {
-  if (a.layers.size() != b.layers.size()) return "the number of layers";
-  for (std::size_t i = 0; i < a.layers.size(); ++i)
-    if (!same_strokes(a.layers[i], b.layers[i])) return a.layers[i].name;
-  return "";
-}
 
 struct Tally {
   std::size_t strips = 0, points = 0;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of the ground a drawing's sectors look at.
+#pragma once
+
+#include "cli/instruments.hpp"
+#include "cli/render_settings.hpp"
+#include "cli/scene.hpp"
+#include "dem/terrain.hpp"
+#include "profiles/seen_ground.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace orograph {
+
+/// For each of the scene's sectors the blocks of the grid that it looks at. Empty where all ground
+/// is looked at: of TINs, of grids on the ellipsoid, where not all of the surface hides, and where
+/// the instruments want it.
+std::vector<SeenGround> ground_of_sectors(const Terrain& terrain, const Scene& scene,
+                                          const RenderSettings& settings,
+                                          const Instruments& instruments);
+
+/// What any of them looks at; none where all ground is looked at.
+std::optional<SeenGround> joined(const std::vector<SeenGround>& ground);
+
+} // namespace orograph

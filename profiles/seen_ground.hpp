@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which parts of a grid are looked at: in blocks of cells.
+#pragma once
+
+#include "dem/grid.hpp"
+#include "profiles/profile.hpp"
+#include "view/view.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace orograph {
+
+/// Blocks of `kSide` by `kSide` cells, fewer at the grid's end; each is looked at or not.
+struct SeenGround {
+  static constexpr int kSide = 8;
+  int columns = 0, rows = 0;      ///< of blocks
+  std::vector<std::uint8_t> seen; ///< row-major; 0 or 1
+
+  explicit SeenGround(const Grid& grid);
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+  /// Share of blocks that are looked at.
+  double share() const;
+  /// Those that the other looks at as well. REQUIRES one of the same grid.
+  void add(const SeenGround& other);
+  /// Columns of cells that are looked at in a row of blocks: from `first` to `second`, rising and
+  /// apart.
+  void cells_in_row(int block_row, int cell_columns, std::vector<std::pair<int, int>>& out) const;
+};
+
+/// Where the planes of constant depth pass a grid's blocks. REQUIRES a grid on a map plane.
+class PlaneOverBlocks {
+public:
+  PlaneOverBlocks(const Grid& grid, const View& view);
+
+  /// The parts of the profile at a depth that are within `within` and in seen blocks: rising, at
+  /// least two blocks apart. Between them there may be parts that aren't in seen blocks.
+  void seen_parts(double depth_m, const URange& within, const SeenGround& ground,
+                  std::vector<URange>& out) const;
+
+private:
+  int cells_along_,
+      cells_across_;         ///< in the grid, along the axis that the planes follow, and across
+  bool along_columns_;       ///< that axis: from column to column
+  double first_u_, first_v_; ///< of the grid's first vertex
+  double u_along_, v_along_, u_across_, v_across_; ///< in a cell
+};
+
+} // namespace orograph
