@@ -41,6 +41,7 @@ SectorInWork StagedView::work_with(const std::vector<SweptLine>& lines) const {
           view.is_perspective() ? view.near_m : -std::numeric_limits<double>::infinity(),
           page_range(sector()),
           false,
+          nullptr, // all ground
           kVerticesAStrip};
 }
 
