@@ -7,12 +7,13 @@
 // mountains with slopes as steep at every size, where nearly every cell has a silhouette at 25
 // degrees.
 //
-//   view_cost [VERTICES [ROUNDS]]     4000 and 3 unless told otherwise
+//   view_cost [--csv FILE] [VERTICES [ROUNDS]]     4000 and 3 unless told otherwise
 #include "cli/draw_scene.hpp"
 #include "cli/scene.hpp"
 #include "cli/stopwatch.hpp"
 #include "profiles/cut_surface.hpp"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "bench/csv_file.hpp"
 #include "bench/one_a_row.hpp"
 #include "bench/scenes.hpp"
 #include "data_samples/terrains.hpp"
@@ -96,7 +98,7 @@ void keep_less(Cost& least, const Cost& cost) {
   }
 }
 
-void measure(const Terrain& terrain, int rounds) {
+void measure(const char* name, const Terrain& terrain, int rounds, CsvFile& csv) {
   for (const double elevation : {5.0, 25.0, 60.0})
     for (const double azimuth : {180.0, 213.0}) {
       const RenderSettings settings = one_profile_a_row(terrain.surface, azimuth, elevation);
@@ -121,19 +123,27 @@ void measure(const Terrain& terrain, int rounds) {
                   one.counts.looked_at, 1e3 * one.facing, 1e3 * one.layout, 1e3 * one.whole,
                   one.whole / two.whole);
       std::fflush(stdout);
+      csv.add(fmt::format("{},{},{},{},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},"
+                          "{:.6f},{:.6f}",
+                          name, std::get<Grid>(terrain.surface).columns, azimuth, elevation,
+                          scene.depths_m.size(), one.counts.cut_vertices, one.facing, one.cut,
+                          one.project, one.clip, one.layout, one.whole, two.whole, cut_s, read_s));
     }
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+  CsvFile csv(csv_asked(argc, argv),
+              "terrain,side,azimuth_deg,elevation_deg,profiles,cut_vertices,facing_s,cut_s,"
+              "project_s,clip_s,layout_s,whole_s,two_cores_s,cutting_alone_s,reading_s");
   const int vertices = argc > 1 ? std::atoi(argv[1]) : 4000;
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 3;
   Terrain terrain;
   std::printf("smooth: fractal_alps, %d x %d\n", vertices, vertices);
   terrain.surface = make_terrain(MadeTerrain::fractal_alps, vertices);
-  measure(terrain, rounds);
+  measure("smooth", terrain, rounds, csv);
   std::printf("rough: fractal_terrain, %d x %d\n", vertices, vertices);
   terrain.surface = fractal_terrain(vertices);
-  measure(terrain, rounds);
+  measure("rough", terrain, rounds, csv);
 }

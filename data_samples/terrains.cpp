@@ -2,6 +2,8 @@
 // Notation: `at` in metres, p in units of a terrain's main wavelength.
 #include "data_samples/terrains.hpp"
 
+#include "geometry/on_all_cores.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -167,10 +169,12 @@ Grid make_terrain(MadeTerrain terrain, int vertices) {
   grid.plane().column_step_m = {step, 0};
   grid.plane().row_step_m = {0, -step};
   std::vector<float> heights(grid.size());
-  for (int row = 0; row < vertices; ++row)
+  on_all_cores(static_cast<std::size_t>(vertices), [&](std::size_t i) {
+    const int row = static_cast<int>(i);
     for (int column = 0; column < vertices; ++column)
       heights[grid.index(column, row)] =
           static_cast<float>(made_height_m(terrain, grid.plane().position_m(column, row)));
+  });
   grid.heights_m = std::move(heights);
   return grid;
 }
