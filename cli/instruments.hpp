@@ -41,7 +41,9 @@ struct Instruments {
 
   /// Whether the horizon is to be kept in one list, profile after profile.
   bool needs_list() const { return one_list || !collapse || single_precision || occluders; }
-  bool looks_everywhere() const { return needs_list() || beyond_page || hidden_ground || observer; }
+  /// Whether ground that is hidden or beside the page has its lines. (Profiles are whole for an
+  /// observer anyway.)
+  bool looks_everywhere() const { return needs_list() || beyond_page || hidden_ground; }
 };
 
 /// Each coordinate becomes the nearest float. Segments that have no extent in X then are left out.

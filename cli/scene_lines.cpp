@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/scene_lines.hpp"
 
+#include "geometry/on_all_cores.hpp"
 #include "profiles/ground_behind.hpp"
 #include "profiles/silhouettes.hpp"
 #include "profiles/surface_edges.hpp"
 #include "profiles/voids.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 
@@ -99,12 +101,20 @@ std::vector<LinePart> folds(const LineSweep& sweep, const std::vector<LinePart>&
   std::vector<LinePart> out;
   if (share <= 0) return out;
   const GroundBehind ground(surface, view);
-  for (const LinePart& part : parts) {
-    if (sweep.line(part.line).kind != LineKind::silhouette) continue;
+  const auto is_fold = [&](const LinePart& part) {
+    if (sweep.line(part.line).kind != LineKind::silhouette) return false;
     const ProfilePoint middle = sweep.point(part.line, 0.5 * (part.t_begin + part.t_end));
     const double depth = view.is_perspective() ? middle.v : parallel_depth_m;
-    if (ground.rises_within(sweep.line(part.line).edge, middle, share * depth)) out.push_back(part);
-  }
+    return ground.rises_within(sweep.line(part.line).edge, middle, share * depth);
+  };
+  constexpr std::size_t kPartsOfTask = 1024;
+  std::vector<std::uint8_t> folds(parts.size());
+  on_all_cores((parts.size() + kPartsOfTask - 1) / kPartsOfTask, [&](std::size_t task) {
+    const std::size_t end = std::min(parts.size(), (task + 1) * kPartsOfTask);
+    for (std::size_t i = task * kPartsOfTask; i < end; ++i) folds[i] = is_fold(parts[i]) ? 1 : 0;
+  });
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (folds[i] != 0) out.push_back(parts[i]);
   return out;
 }
 

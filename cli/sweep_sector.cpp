@@ -43,7 +43,7 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
                           in_list || instruments.beyond_page ? XRange{-kInfinity, kInfinity}
                                                              : page_range(sector),
                           watched,
-                          ground,
+                          watched ? nullptr : ground,
                           instruments.vertices_a_strip};
   const LayOut lay_out = [&](ProfileInWork& profile) {
     if (!profiles) return;

@@ -61,7 +61,10 @@ void draw_view(const SweepRun& run, std::size_t view) {
     const auto of_view =
         drawn_or_why([&] { return std::make_unique<TerrainOfView>(run.terrain, settings); });
     const Terrain& terrain = **of_view;
-    const Scene scene = drawn_or_why([&] { return place_scene(terrain, settings); });
+    const Scene scene = drawn_or_why([&] {
+      return run.facts && &terrain == &run.terrain ? place_scene(terrain, *run.facts, settings)
+                                                   : place_scene(terrain, settings);
+    });
     GroundMeter ground(scene);
     DrawnScene drawn = drawn_or_why([&] {
       DrawnScene out = draw_scene(terrain, scene, settings, [](double) {}, {.observer = &ground});

@@ -2,12 +2,14 @@
 // Views from a queue to drawings and rows.
 #pragma once
 
+#include "cli/scene.hpp"
 #include "cli/sweep/columns.hpp"
 #include "cli/sweep/plan.hpp"
 #include "cli/sweep/view_queue.hpp"
 #include "dem/terrain.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace orograph {
 
@@ -18,6 +20,7 @@ struct SweepRun {
   const ViewList& views;
   const Columns& columns;
   const Plan& plan;
+  const std::optional<TerrainFacts>& facts; ///< of the terrain as it was read, if views use it so
 };
 
 /// Draws a view: writes its drawing, and then its row. A view that can't be drawn has a row with

@@ -23,7 +23,10 @@ struct Prepared {
   explicit Prepared(const SweepSettings& settings)
       : terrain(read_terrain(settings.render.inputs, settings.render.reading)),
         views(settings, terrain.map), columns(settings, views),
-        plan(make_plan(settings, views, columns, terrain)) {}
+        plan(make_plan(settings, views, columns, terrain)) {
+    // In degrees each view has a frame of its own.
+    if (!terrain.map.earth) facts = facts_of(terrain, settings.render.flat);
+  }
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
 
@@ -31,6 +34,7 @@ struct Prepared {
   ViewList views;
   Columns columns;
   Plan plan;
+  std::optional<TerrainFacts> facts;
 };
 
 int jobs_of(const SweepSettings& settings, const Ranks& ranks) {
@@ -48,8 +52,8 @@ void sweep(const SweepSettings& settings) {
   const std::vector<std::size_t> waiting = ranks.together(
       [&] { return first ? open_folder(settings, prepared->plan) : std::vector<std::size_t>(); });
 
-  const SweepRun run{settings, prepared->terrain, prepared->views, prepared->columns,
-                     prepared->plan};
+  const SweepRun run{settings,          prepared->terrain, prepared->views,
+                     prepared->columns, prepared->plan,    prepared->facts};
   ProgressBar bar(first && shows_progress(settings.render.quiet, settings.render.progress));
   ranks.together([&] {
     ranks.share(waiting, [&](ViewQueue& queue) {
