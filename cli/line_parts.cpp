@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/line_parts.hpp"
 
+#include "geometry/sort_by_number.hpp"
+
 #include <algorithm>
 
 namespace orograph {
 void join(std::vector<LinePart>& parts, const std::function<double(std::uint32_t)>& gap) {
-  std::sort(parts.begin(), parts.end(), [](const LinePart& a, const LinePart& b) {
-    return a.line != b.line ? a.line < b.line : a.t_begin < b.t_begin;
-  });
+  sort_by_number(parts, [](const LinePart& part) { return part.line; });
+  for (auto first = parts.begin(); first != parts.end();) {
+    const auto end = std::find_if(first, parts.end(),
+                                  [&](const LinePart& part) { return part.line != first->line; });
+    if (end - first > 1)
+      std::sort(first, end,
+                [](const LinePart& a, const LinePart& b) { return a.t_begin < b.t_begin; });
+    first = end;
+  }
   std::size_t count = 0;
   for (const LinePart& part : parts) {
     if (count > 0 && parts[count - 1].line == part.line &&

@@ -47,14 +47,19 @@ std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
   const bool border = asks_for(settings, "border"), voids = asks_for(settings, "voids");
   std::vector<SweptLine> lines;
   std::vector<SurfaceEdge> drawn; // in order: an edge of several kinds is drawn as the first
+  // What was added behind `middle` in order goes where it belongs.
+  const auto merge_drawn = [&](std::size_t middle) {
+    std::inplace_merge(drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(middle),
+                       drawn.end());
+  };
   const auto add_drawn = [&](const std::vector<SurfaceEdge>& edges, LineKind kind) {
     std::vector<SurfaceEdge> news;
     std::set_difference(edges.begin(), edges.end(), drawn.begin(), drawn.end(),
                         std::back_inserter(news));
     for (const SurfaceEdge& edge : news) lines.push_back({edge, kind, false, true, false});
-    const auto middle = static_cast<std::ptrdiff_t>(drawn.size());
+    const std::size_t middle = drawn.size();
     drawn.insert(drawn.end(), news.begin(), news.end());
-    std::inplace_merge(drawn.begin(), drawn.begin() + middle, drawn.end());
+    merge_drawn(middle);
   };
   const std::vector<SurfaceEdge> behind_walls = edges_behind_walls(terrain.surface, scene.view);
   const std::vector<SurfaceEdge> all_brinks = brinks(terrain.surface, scene.border, scene.view);
@@ -73,23 +78,26 @@ std::vector<SweptLine> lines_of(const Terrain& terrain, const Scene& scene,
     const std::vector<SurfaceEdge> edges = silhouette_edges(terrain.surface, scene.view, ground);
     lines.reserve(edges.size() + scene.border.size());
     EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
+    const std::size_t middle = drawn.size();
     for (const SurfaceEdge& edge : edges)
       add_hiding(edge, LineKind::silhouette, silhouettes, walls, brinks_on);
+    merge_drawn(middle);
   }
   if (surface || border || voids) {
     const std::vector<bool> of_void = border || voids ? around_voids(terrain.surface, scene.border)
                                                       : std::vector<bool>(scene.border.size());
     EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
+    const std::size_t middle = drawn.size();
     for (std::size_t i = 0; i < scene.border.size(); ++i) {
       const LineKind kind = of_void[i] ? LineKind::void_edge : LineKind::border;
       add_hiding(scene.border[i].edge, kind, of_void[i] ? voids : border, walls, brinks_on);
     }
+    merge_drawn(middle);
   }
   // The foot of a wall that the eye sees hides nothing, but what may hang there beneath it.
   if (surface)
     for (std::size_t i = 0; i < all_brinks.size(); ++i)
       if (!hides[i]) lines.push_back({all_brinks[i], LineKind::silhouette, true, false, true});
-  std::sort(drawn.begin(), drawn.end());
   if (asks_for(settings, "shores")) add_drawn(scene.level.shores, LineKind::shore);
   if (asks_for(settings, "edges")) add_drawn(edges_of(terrain.surface), LineKind::edge);
   return lines;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "draw/chain.hpp"
 
-#include <algorithm>
-#include <array>
+#include "geometry/sort_by_number.hpp"
 
 namespace orograph {
 namespace {
@@ -15,23 +14,6 @@ struct EndAtVertex {
   std::uint32_t end;
 };
 
-// By vertex, and of the same vertex in the order that they came in: by 11 bits at a time, from the
-// lowest on.
-void sort_by_vertex(std::vector<EndAtVertex>& ends) {
-  constexpr unsigned bits = 11;
-  constexpr std::uint64_t mask = (1U << bits) - 1;
-  std::uint64_t highest = 0;
-  for (const EndAtVertex& end : ends) highest = std::max(highest, end.vertex);
-  std::vector<EndAtVertex> sorted(ends.size());
-  for (unsigned shift = 0; shift < 64 && highest >> shift > 0; shift += bits) {
-    std::array<std::uint32_t, mask + 2> first{};
-    for (const EndAtVertex& end : ends) ++first[(end.vertex >> shift & mask) + 1];
-    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-    for (const EndAtVertex& end : ends) sorted[first[end.vertex >> shift & mask]++] = end;
-    ends.swap(sorted);
-  }
-}
-
 std::vector<std::uint32_t> partners_of(std::span<const ChainLink> links) {
   std::vector<EndAtVertex> ends;
   ends.reserve(2 * links.size());
@@ -39,7 +21,7 @@ std::vector<std::uint32_t> partners_of(std::span<const ChainLink> links) {
     if (links[piece].begin != kLooseEnd) ends.push_back({links[piece].begin, 2 * piece});
     if (links[piece].end != kLooseEnd) ends.push_back({links[piece].end, 2 * piece + 1});
   }
-  sort_by_vertex(ends);
+  sort_by_number(ends, [](const EndAtVertex& end) { return end.vertex; });
   std::vector<std::uint32_t> partner(2 * links.size(), kNone);
   for (std::size_t i = 0; i + 1 < ends.size();) {
     if (ends[i].vertex != ends[i + 1].vertex) {

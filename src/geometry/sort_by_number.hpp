@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sorting many things by a whole number.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace orograph {
+
+/// Sorts by `number_of(thing)`, things of one number in the order that they came in: by 11 bits at
+/// a time, from the lowest on. Cost: two passes for each 11 bits of the greatest number; a copy of
+/// the things. REQUIRES fewer than 2^32 of them.
+template <class Thing, class NumberOf>
+void sort_by_number(std::vector<Thing>& things, const NumberOf& number_of) {
+  constexpr unsigned kBits = 11;
+  constexpr std::uint64_t kMask = (1U << kBits) - 1;
+  std::uint64_t greatest = 0;
+  for (const Thing& thing : things) greatest = std::max<std::uint64_t>(greatest, number_of(thing));
+  std::vector<Thing> sorted(things.size());
+  for (unsigned shift = 0; shift < 64 && greatest >> shift > 0; shift += kBits) {
+    const auto digit = [&](const Thing& thing) {
+      return static_cast<std::size_t>(std::uint64_t{number_of(thing)} >> shift & kMask);
+    };
+    std::array<std::uint32_t, kMask + 2> first{};
+    for (const Thing& thing : things) ++first[digit(thing) + 1];
+    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+    for (const Thing& thing : things) sorted[first[digit(thing)]++] = thing;
+    things.swap(sorted);
+  }
+}
+
+} // namespace orograph
