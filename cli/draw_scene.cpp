@@ -106,7 +106,10 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     return all;
   };
   std::vector<LineLayer> layers; // in drawing order
-  if (draws_profiles) layers.push_back({std::move(profiles), {}});
+  if (draws_profiles) {
+    layers.push_back({std::move(profiles), {}});
+    counts.dropped_strokes += profile_layer.dropped_strokes;
+  }
   const auto add_lines = [&](const std::string& name, double weight, double grey,
                              std::vector<LinePart> parts) {
     if (asks_for(settings, name))
@@ -126,7 +129,10 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     StrokeBuilder builder(strokes, task.layer);
     draw_parts(terrain.surface, view, lines, task.parts, builder);
     task.left_out_mm = builder.left_out_mm();
-    if (&task != &folded) task.dropped = round_to_page_step(task.layer);
+    // Those of profiles were rounded one by one.
+    if (&task != &folded)
+      task.dropped = draws_profiles && i == 0 ? drop_repeated_strokes(task.layer)
+                                              : round_to_page_step(task.layer);
   });
   drawn.left_out.silhouette_jump_mm = length_mm(folded.layer);
 

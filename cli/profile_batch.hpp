@@ -23,8 +23,9 @@ struct ProfileInWork {
   std::vector<std::vector<VisibleRun>> by_strip; ///< in each strip's range
   std::vector<std::size_t> horizon_sizes;        ///< of each strip, in front of the profile
   std::vector<VisibleRun> visible;               ///< along all of the profile
-  Layer strokes;
+  Layer strokes;                                 ///< rounded
   double left_out_mm = 0;
+  std::size_t dropped_strokes = 0;
 };
 
 /// Puts the strips' visible runs together: what is cut where two strips meet is one again.

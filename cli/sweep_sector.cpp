@@ -9,6 +9,7 @@
 #include "cli/sweep_in_list.hpp"
 #include "cli/sweep_strips.hpp"
 #include "cli/tie_tolerance.hpp"
+#include "draw/round_drawing.hpp"
 #include "profiles/cut_surface.hpp"
 
 #include <limits>
@@ -52,12 +53,14 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
     ProfileStrokes(scene.view, sector, settings.flat == FlatGround::draw, builder)
         .add(profile.profile, profile.planned.number, profile.visible);
     profile.left_out_mm = builder.left_out_mm();
+    profile.dropped_strokes = round_strokes(profile.strokes).empty_strokes;
   };
   const Show show = [&](ProfileInWork& profile) {
     Stopwatch own;
     if (profiles) {
       append(profiles->layer, profile.strokes);
       profiles->left_out_mm += profile.left_out_mm;
+      profiles->dropped_strokes += profile.dropped_strokes;
     }
     own.mark(seconds.layout);
     if (check) {

@@ -35,7 +35,8 @@ struct SweepCounts {
 struct ProfileLayer {
   const StrokeSettings& settings;
   Layer& layer;
-  double left_out_mm = 0; ///< strokes that were too short
+  double left_out_mm = 0;          ///< strokes that were too short
+  std::size_t dropped_strokes = 0; ///< without length when rounded
 };
 
 /// `lines` are those of the scene (`lines_of`), for all of its sectors; `ground` is what the sector

@@ -44,12 +44,13 @@ std::optional<std::string> fault_of_stroke(const Layer& layer, const Stroke& str
 std::optional<std::string> fault_of_layer(const Layer& layer, const Box2& inner) {
   if (!layer.map.empty() && layer.map.size() != layer.page_mm.size())
     return "has map points that don't match its page points";
-  StrokeSet seen(layer, layer.strokes.size());
-  for (std::uint32_t i = 0; i < layer.strokes.size(); ++i) {
+  const auto count = static_cast<std::uint32_t>(layer.strokes.size());
+  for (std::uint32_t i = 0; i < count; ++i)
     if (const auto fault = fault_of_stroke(layer, layer.strokes[i], inner))
       return fmt::format("stroke {} {}", i, *fault);
+  StrokeSet seen(layer);
+  for (std::uint32_t i = 0; i < count; ++i)
     if (!seen.insert(i)) return fmt::format("stroke {} repeats an earlier one", i);
-  }
   for (std::size_t i = 0; i < layer.map.size(); ++i)
     if (const Vec3 p = layer.map[i];
         !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))

@@ -4,7 +4,10 @@
 
 #include "draw/stroke_set.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace orograph {
 
@@ -21,10 +24,9 @@ double rounded_to_page_step(double x_mm) {
   return whole / steps_per_mm + 0.0;
 }
 
-RoundingCounts round_to_page_step(Layer& layer) {
+RoundingCounts round_strokes(Layer& layer) {
   RoundingCounts dropped;
   const bool has_map = !layer.map.empty();
-  StrokeSet seen(layer, layer.strokes.size());
   for (Vec2& p : layer.page_mm) p = {rounded_to_page_step(p.x), rounded_to_page_step(p.y)};
   std::uint32_t kept_point = 0, kept_stroke = 0;
   for (Stroke stroke : layer.strokes) {
@@ -37,21 +39,55 @@ RoundingCounts round_to_page_step(Layer& layer) {
     }
     stroke.first_point = first;
     stroke.point_count = kept_point - first;
-    layer.strokes[kept_stroke] = stroke;
-    if (stroke.point_count < 2)
+    if (stroke.point_count < 2) {
       ++dropped.empty_strokes;
-    else if (!seen.insert(kept_stroke))
-      ++dropped.repeated_strokes;
-    else {
-      ++kept_stroke;
-      continue;
+      kept_point = first;
+    } else {
+      layer.strokes[kept_stroke++] = stroke;
     }
-    kept_point = first;
   }
   dropped.points = layer.page_mm.size() - kept_point;
   layer.strokes.resize(kept_stroke);
   layer.page_mm.resize(kept_point);
   if (has_map) layer.map.resize(kept_point);
+  return dropped;
+}
+
+RoundingCounts drop_repeated_strokes(Layer& layer) {
+  std::vector<std::uint32_t> kept;
+  kept.reserve(layer.strokes.size());
+  StrokeSet seen(layer);
+  for (std::uint32_t i = 0; i < layer.strokes.size(); ++i)
+    if (seen.insert(i)) kept.push_back(i);
+  RoundingCounts dropped;
+  dropped.repeated_strokes = layer.strokes.size() - kept.size();
+  if (dropped.repeated_strokes == 0) return dropped;
+  std::uint32_t points = 0, count = 0;
+  const auto move_points = [&](auto& list, const Stroke& stroke) {
+    if (list.empty()) return;
+    const auto first = list.begin() + stroke.first_point;
+    std::copy(first, first + stroke.point_count, list.begin() + points);
+  };
+  for (const std::uint32_t i : kept) {
+    Stroke stroke = layer.strokes[i];
+    move_points(layer.page_mm, stroke);
+    move_points(layer.map, stroke);
+    stroke.first_point = points;
+    points += stroke.point_count;
+    layer.strokes[count++] = stroke;
+  }
+  dropped.points = layer.page_mm.size() - points;
+  layer.strokes.resize(count);
+  layer.page_mm.resize(points);
+  if (!layer.map.empty()) layer.map.resize(points);
+  return dropped;
+}
+
+RoundingCounts round_to_page_step(Layer& layer) {
+  RoundingCounts dropped = round_strokes(layer);
+  const RoundingCounts repeated = drop_repeated_strokes(layer);
+  dropped.points += repeated.points;
+  dropped.repeated_strokes = repeated.repeated_strokes;
   return dropped;
 }
 

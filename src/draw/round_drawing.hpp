@@ -20,10 +20,18 @@ struct RoundingCounts {
 };
 
 /// Rounds all points of the layer, then drops points equal to the one before in their stroke (a
-/// stroke keeps the map points of its two ends), then strokes without length and strokes that
-/// repeat an earlier one. Order stays. Points of no stroke go as well.
+/// stroke keeps the map points of its two ends), then strokes without length. Order stays. Points
+/// of no stroke go as well.
 /// REQUIRES: strokes in the order of their points, without overlap; `map` empty or as long as
-/// `page_mm`. Cost O(points) expected, in place, with 8 to 16 bytes for each stroke on top.
+/// `page_mm`. Cost O(points), in place.
+RoundingCounts round_strokes(Layer& layer);
+
+/// Drops strokes that repeat an earlier one. REQUIRES a layer as `round_strokes` leaves it. Cost
+/// O(points) expected, in place, with 16 to 24 bytes for each stroke on top; the points are looked
+/// at on all cores.
+RoundingCounts drop_repeated_strokes(Layer& layer);
+
+/// Both.
 RoundingCounts round_to_page_step(Layer& layer);
 
 } // namespace orograph

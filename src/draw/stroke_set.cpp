@@ -3,6 +3,8 @@
 // its reverse meet in one slot.
 #include "draw/stroke_set.hpp"
 
+#include "geometry/on_all_cores.hpp"
+
 #include <algorithm>
 #include <bit>
 
@@ -29,13 +31,22 @@ bool are_equal(std::span<const Vec2> a, std::span<const Vec2> b) {
 
 } // namespace
 
-StrokeSet::StrokeSet(const Layer& layer, std::size_t capacity)
-    : layer_(layer), slots_(std::bit_ceil(2 * capacity + 1)) {}
+StrokeSet::StrokeSet(const Layer& layer)
+    : layer_(layer), hashes_(layer.strokes.size()),
+      slots_(std::bit_ceil(2 * layer.strokes.size() + 1)) {
+  constexpr std::size_t kStrokesOfTask = 256;
+  const std::size_t count = hashes_.size();
+  on_all_cores((count + kStrokesOfTask - 1) / kStrokesOfTask, [&](std::size_t task) {
+    const std::size_t end = std::min(count, (task + 1) * kStrokesOfTask);
+    for (std::size_t i = task * kStrokesOfTask; i < end; ++i)
+      hashes_[i] = hash_of(layer.points(layer.strokes[i]));
+  });
+}
 
 bool StrokeSet::insert(std::uint32_t stroke_number) {
   const std::span<const Vec2> points = layer_.points(layer_.strokes[stroke_number]);
   const std::size_t mask = slots_.size() - 1;
-  for (std::size_t slot = hash_of(points) & mask;; slot = (slot + 1) & mask) {
+  for (std::size_t slot = hashes_[stroke_number] & mask;; slot = (slot + 1) & mask) {
     if (slots_[slot] == 0) {
       slots_[slot] = stroke_number + 1;
       return true;

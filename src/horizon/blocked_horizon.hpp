@@ -11,9 +11,12 @@
 
 namespace orograph {
 
-/// Pieces that tile the block's X; heights between `low` and `high` (-infinity: the sky).
+/// Pieces that tile the block's X, and bounds on their heights Y (-infinity: the sky): the least,
+/// and the least and greatest of Y - tilt * X, which are closer where the block is on a slope.
 struct HorizonBlock {
-  double x_begin, x_end, low, high;
+  double x_begin, x_end;
+  double low = -std::numeric_limits<double>::infinity();
+  double tilt = 0, tilted_low = low, tilted_high = low;
   Horizon pieces;
 };
 
