@@ -12,28 +12,14 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-void set_bounds(HorizonBlock& block) {
-  const Horizon& pieces = block.pieces;
-  block.low = block.tilted_low = kInfinity;
-  block.tilted_high = -kInfinity;
-  const double width = block.x_end - block.x_begin;
-  const HorizonPiece &first = pieces.front(), &last = pieces.back();
-  block.tilt =
-      is_sky(first) || is_sky(last) || !(width < kInfinity)
-          ? 0
-          : (height_at(last.source, block.x_end) - height_at(first.source, block.x_begin)) / width;
+double lowest(const Horizon& pieces) {
+  double low = kInfinity;
   for (const HorizonPiece& piece : pieces) {
-    if (is_sky(piece)) {
-      block.low = block.tilted_low = -kInfinity;
-      continue;
-    }
-    for (const double x : {piece.x_begin, piece.x_end}) {
-      const double y = height_at(piece.source, x), tilted = y - block.tilt * x;
-      block.low = std::min(block.low, y);
-      block.tilted_low = std::min(block.tilted_low, tilted);
-      block.tilted_high = std::max(block.tilted_high, tilted);
-    }
+    if (is_sky(piece)) return -kInfinity;
+    low = std::min(
+        {low, height_at(piece.source, piece.x_begin), height_at(piece.source, piece.x_end)});
   }
+  return low;
 }
 
 } // namespace
@@ -46,7 +32,7 @@ BlockedHorizon::BlockedHorizon(double x_begin, double x_end, std::size_t count, 
   for (std::size_t i = 0; i < count; ++i) {
     const double next = x_begin + static_cast<double>(i + 1) / blocks_per_x_;
     sky.x_end = i + 1 < count ? next : last;
-    blocks_.push_back({.x_begin = sky.x_begin, .x_end = sky.x_end, .pieces = {sky}});
+    blocks_.push_back({sky.x_begin, sky.x_end, -kInfinity, -kInfinity, {sky}});
     sky.x_begin = sky.x_end;
   }
 }
@@ -82,7 +68,8 @@ void BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
   const double end = std::min(occluder.x_end, block.x_end);
   if (!(begin < end)) return;
   const double at_begin = height_at(source, begin), at_end = height_at(source, end);
-  if (std::max(at_begin, at_end) < block.low) return;
+  const double highest = std::max(at_begin, at_end);
+  if (highest < block.low) return;
   Horizon& pieces = block.pieces;
   // Pieces i to k - 1 meet the occluder; one more on either side may collapse with what is new.
   std::size_t i = 0;
@@ -125,7 +112,8 @@ void BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
   else
     pieces.erase(behind, behind + static_cast<std::ptrdiff_t>(old - kept));
   size_ += size_at(number) - before;
-  set_bounds(block);
+  block.high = std::max(block.high, highest);
+  block.low = lowest(pieces);
 }
 
 void BlockedHorizon::ink(std::size_t block, std::size_t at, double begin, double end) {

@@ -11,12 +11,9 @@
 
 namespace orograph {
 
-/// Pieces that tile the block's X, and bounds on their heights Y (-infinity: the sky): the least,
-/// and the least and greatest of Y - tilt * X, which are closer where the block is on a slope.
+/// Pieces that tile the block's X; heights between `low` and `high` (-infinity: the sky).
 struct HorizonBlock {
-  double x_begin, x_end;
-  double low = -std::numeric_limits<double>::infinity();
-  double tilt = 0, tilted_low = low, tilted_high = low;
+  double x_begin, x_end, low, high;
   Horizon pieces;
 };
 

@@ -71,22 +71,18 @@ public:
     for (std::size_t block = horizon_.block_at(begin); begin < end; ++block) {
       const HorizonBlock& part = horizon_.blocks()[block];
       const double stop = std::min(end, part.x_end);
-      const double tilt = part.tilt;
-      double low = y[span] - tilt * x[span], high = low;
+      double low = y[span], high = low;
       std::uint32_t next = span;
       do {
         ++next;
-        const double tilted = y[next] - tilt * x[next];
-        low = std::min(low, tilted);
-        high = std::max(high, tilted);
+        low = std::min(low, y[next]);
+        high = std::max(high, y[next]);
       } while (x[next] < stop);
       // What is tied is nearer than this, and rounding far less.
-      const double slack = tolerance_.greatest_y +
-                           1e-12 * (std::abs(low) + std::abs(high) +
-                                    std::abs(tilt) * (std::abs(x[span]) + std::abs(x[next])));
-      if (low > part.tilted_high + slack)
+      const double slack = tolerance_.greatest_y + 1e-12 * (std::abs(low) + std::abs(high));
+      if (low > part.high + slack)
         ends_.take({span, begin, kAsXTells}, {next - 1, stop, kAsXTells});
-      else if (!(high < part.tilted_low - slack))
+      else if (!(high < part.low - slack))
         clip_spans(span, begin, stop, block);
       begin = stop;
       span = x[next] > stop ? next - 1 : next;
