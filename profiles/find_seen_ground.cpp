@@ -104,8 +104,8 @@ private:
   double x_begin_ = 0, x_end_ = 0; ///< finite; where there is terrain
   double first_plane_m_ = 0, between_m_ = 0;
   std::size_t planes_ = 0;
-  std::vector<std::uint32_t> by_plane_,
-      plane_end_; ///< blocks that are wholly behind a plane, but not the next
+  /// Blocks that are wholly behind a plane, but not the next, and where each plane's end.
+  std::vector<std::uint32_t> by_plane_, plane_end_;
 };
 
 BlockInView Finder::place_block(int column, int row, double height) const {
@@ -173,7 +173,6 @@ void Finder::place_blocks() {
 
 // Planes, and X, that hold all blocks.
 void Finder::plan_planes() {
-  between_m_ = kCellsBetween * cell_size_m(grid_);
   double nearest = kInfinity, farthest = -kInfinity;
   x_begin_ = kInfinity;
   x_end_ = -kInfinity;
@@ -192,6 +191,9 @@ void Finder::plan_planes() {
     x_end_ = std::min(x_end_, kFarAside);
   }
   if (!(nearest < farthest)) return;
+  // Cells that are much longer than wide don't make millions of planes.
+  between_m_ = kCellsBetween *
+               std::max(cell_size_m(grid_), (farthest - nearest) / (grid_.columns + grid_.rows));
   // Off the rows' own depths by a share that they don't have in common.
   first_plane_m_ = nearest + 0.382 * between_m_;
   planes_ = static_cast<std::size_t>(std::ceil((farthest - first_plane_m_) / between_m_)) + 1;
