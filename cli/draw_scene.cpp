@@ -41,6 +41,7 @@ double length_mm(const Layer& layer) {
 struct LineLayer {
   Layer layer;
   std::vector<LinePart> parts;
+  bool is_rounded = false; ///< stroke by stroke
   double left_out_mm = 0;
   RoundingCounts dropped = {};
 };
@@ -81,7 +82,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   ProfileLayer profile_layer{strokes, profiles};
   const bool draws_profiles = asks_for(settings, "profiles");
   const std::vector<SeenGround> ground = ground_of_sectors(terrain, scene, settings, instruments);
-  const std::optional<SeenGround> all_ground = joined(ground);
+  const std::optional<SeenGround> all_ground = looked_at_by_any(ground);
   const std::vector<SweptLine> lines =
       lines_of(terrain, scene, settings, all_ground ? &*all_ground : nullptr);
   if (all_ground) counts.looked_at = all_ground->share();
@@ -107,7 +108,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   };
   std::vector<LineLayer> layers; // in drawing order
   if (draws_profiles) {
-    layers.push_back({std::move(profiles), {}});
+    layers.push_back({std::move(profiles), {}, true});
     counts.dropped_strokes += profile_layer.dropped_strokes;
   }
   const auto add_lines = [&](const std::string& name, double weight, double grey,
@@ -129,10 +130,9 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     StrokeBuilder builder(strokes, task.layer);
     draw_parts(terrain.surface, view, lines, task.parts, builder);
     task.left_out_mm = builder.left_out_mm();
-    // Those of profiles were rounded one by one.
     if (&task != &folded)
-      task.dropped = draws_profiles && i == 0 ? drop_repeated_strokes(task.layer)
-                                              : round_to_page_step(task.layer);
+      task.dropped =
+          task.is_rounded ? drop_repeated_strokes(task.layer) : round_to_page_step(task.layer);
   });
   drawn.left_out.silhouette_jump_mm = length_mm(folded.layer);
 

@@ -16,17 +16,16 @@ std::vector<SeenGround> ground_of_sectors(const Terrain& terrain, const Scene& s
     return {};
   std::vector<SeenGround> out;
   for (const Sector& sector : scene.sectors) {
-    const XRange page = page_range(sector);
     const double tolerance_y =
         settings.visibility_tolerance_mm > 0
             ? tie_tolerance(sector, settings.visibility_tolerance_mm).greatest_y
             : 0;
-    out.push_back(find_seen_ground(*grid, sector.view, {page.begin, page.end, tolerance_y}));
+    out.push_back(find_seen_ground(*grid, sector.view, {page_range(sector), tolerance_y}));
   }
   return out;
 }
 
-std::optional<SeenGround> joined(const std::vector<SeenGround>& ground) {
+std::optional<SeenGround> looked_at_by_any(const std::vector<SeenGround>& ground) {
   if (ground.empty()) return std::nullopt;
   SeenGround all = ground.front();
   for (const SeenGround& other : ground) all.add(other);

@@ -20,7 +20,7 @@ std::vector<SeenGround> ground_of_sectors(const Terrain& terrain, const Scene& s
                                           const RenderSettings& settings,
                                           const Instruments& instruments);
 
-/// What any of them looks at; none where all ground is looked at.
-std::optional<SeenGround> joined(const std::vector<SeenGround>& ground);
+/// The blocks that any sector looks at; none where all ground is looked at.
+std::optional<SeenGround> looked_at_by_any(const std::vector<SeenGround>& ground);
 
 } // namespace orograph

@@ -40,8 +40,8 @@ struct ProfileLayer {
 };
 
 /// `lines` are those of the scene (`lines_of`), for all of its sectors; `ground` is what the sector
-/// looks at, where that isn't all. The visible parts of
-/// profiles go to `profiles`, if there is one. `profile_done` is called after each profile.
+/// looks at, where that isn't all. The visible parts of profiles go to `profiles`, if there is one.
+/// `profile_done` is called after each profile.
 SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Sector& sector,
                          const std::vector<SweptLine>& lines, const SeenGround* ground,
                          const RenderSettings& settings, const Instruments& instruments,

@@ -97,12 +97,6 @@ std::size_t batch_size(const Scene& scene, const Sector& sector) {
                                std::min(static_cast<std::size_t>(count), sector.profiles.size()));
 }
 
-// What is on the page of a profile's u.
-URange u_range(const View& view, XRange range, double depth_m) {
-  if (view.is_perspective()) return {range.begin * depth_m, range.end * depth_m};
-  return {range.begin - depth_m * view.x_per_v, range.end - depth_m * view.x_per_v};
-}
-
 // All strips and profiles of a sector.
 class BatchSweep {
 public:
@@ -196,9 +190,11 @@ private:
     profile.by_strip.resize(strips_.size());
     profile.horizon_sizes.resize(strips_.size());
     const double depth_m = profile.planned.depth_m;
-    timed.parts.assign(1, work_.whole_profiles ? URange{} : u_range(view, work_.range, depth_m));
+    const URange asked = work_.whole_profiles ? URange{} : u_range(view, depth_m, work_.range);
     if (over_blocks_)
-      over_blocks_->seen_parts(depth_m, URange(timed.parts.front()), *work_.ground, timed.parts);
+      over_blocks_->seen_parts(depth_m, asked, *work_.ground, timed.parts);
+    else
+      timed.parts.assign(1, asked);
     work_.cutter.cut(depth_m, timed.parts, profile.profile);
     watch.mark(timed.cut_s);
     project_profile(profile.profile, static_cast<std::uint32_t>(profile.planned.number), view,

@@ -148,8 +148,8 @@ BlockInView Finder::place_block(int column, int row, double height) const {
 }
 
 bool Finder::is_in_view(const BlockInView& block) const {
-  return block.y_high > -kInfinity && block.x_begin <= request_.x_end &&
-         block.x_end >= request_.x_begin;
+  return block.y_high > -kInfinity && block.x_begin <= request_.range.end &&
+         block.x_end >= request_.range.begin;
 }
 
 void Finder::place_blocks() {
@@ -184,8 +184,8 @@ void Finder::plan_planes() {
     x_begin_ = std::min(x_begin_, block.x_begin);
     x_end_ = std::max(x_end_, block.x_end);
   }
-  x_begin_ = std::max(x_begin_, request_.x_begin);
-  x_end_ = std::min(x_end_, request_.x_end);
+  x_begin_ = std::max(x_begin_, request_.range.begin);
+  x_end_ = std::min(x_end_, request_.range.end);
   if (view_.is_perspective()) {
     x_begin_ = std::max(x_begin_, -kFarAside);
     x_end_ = std::min(x_end_, kFarAside);
@@ -203,8 +203,8 @@ void Finder::plan_planes() {
   const auto is_asked = [&](std::size_t i) {
     const BlockInView& block = in_view_[i];
     return all_.seen[i] != 0 && block.nearest_m > first_plane_m_ &&
-           (block.x_begin >= x_begin_ || x_begin_ <= request_.x_begin) &&
-           (block.x_end <= x_end_ || x_end_ >= request_.x_end);
+           (block.x_begin >= x_begin_ || x_begin_ <= request_.range.begin) &&
+           (block.x_end <= x_end_ || x_end_ >= request_.range.end);
   };
   plane_end_.assign(planes_ + 1, 0);
   for (std::size_t i = 0; i < in_view_.size(); ++i)
@@ -280,9 +280,7 @@ void Finder::sweep_band(std::size_t band, SeenGround& seen) const {
   for (std::size_t plane = 0; plane < planes_; ++plane) {
     const double depth_m = depth_of_plane(plane);
     if (!view_.is_perspective() || depth_m > view_.near_m) {
-      const double scale = view_.is_perspective() ? depth_m : 1,
-                   aside = view_.is_perspective() ? 0 : depth_m * view_.x_per_v;
-      over_blocks_.seen_parts(depth_m, {begin * scale - aside, end * scale - aside}, seen, parts);
+      over_blocks_.seen_parts(depth_m, u_range(view_, depth_m, {begin, end}), seen, parts);
       cutter_.cut(depth_m, parts, profile);
       project_profile(profile, 0, view_, projected, uprights);
       for (const VertexRun& run : projected.runs) horizon.raise(projected, run);

@@ -4,15 +4,15 @@
 #pragma once
 
 #include "dem/grid.hpp"
+#include "geometry/projected_profile.hpp"
 #include "profiles/seen_ground.hpp"
-#include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
 namespace orograph {
 
 struct SeenGroundRequest {
-  double x_begin, x_end; ///< of the visibility plane; may be infinite
-  double tolerance_y;    ///< ground less than this under the horizon is looked at
+  XRange range;       ///< what is shown; may be infinite
+  double tolerance_y; ///< ground less than this under the horizon is looked at
 };
 
 /// Blocks of which nothing is in the range, nearer than the view's near plane, or of which all is

@@ -22,6 +22,12 @@ void project_profile(const Profile& profile, std::uint32_t number, const View& v
 void project_profile(const Profile& profile, std::uint32_t number, const View& view,
                      ProjectedProfile& out, std::vector<Segment>& uprights);
 
+/// The part of a profile whose picture is in a range of X.
+inline URange u_range(const View& view, double depth_m, XRange range) {
+  if (view.is_perspective()) return {range.begin * depth_m, range.end * depth_m};
+  return {range.begin - depth_m * view.x_per_v, range.end - depth_m * view.x_per_v};
+}
+
 inline std::uint32_t left_vertex(const Segment& segment) {
   return static_cast<std::uint32_t>(segment.id);
 }

@@ -7,6 +7,11 @@
 
 namespace orograph {
 
+/// Of the visibility plane.
+struct XRange {
+  double begin, end;
+};
+
 /// Vertices `first` to `last` of a profile, with ground between each and the next.
 struct VertexRun {
   std::uint32_t first, last;

@@ -21,10 +21,6 @@ struct VisibleRun {
   bool operator==(const VisibleRun&) const = default;
 };
 
-struct XRange {
-  double begin, end;
-};
-
 /// What was found on the way.
 struct ProfileClipCounts {
   std::size_t ties = 0;

@@ -122,7 +122,7 @@ TEST_CASE("what isn't looked at isn't seen") {
       REQUIRE(ground.size() == scene.sectors.size());
       for (std::size_t i = 0; i < ground.size(); ++i)
         ask_left_out(grid_of(made.terrain), scene.sectors[i], ground[i], random, tally);
-      tally.left_out += 1 - joined(ground)->share();
+      tally.left_out += 1 - looked_at_by_any(ground)->share();
       ++tally.scenes;
       const auto draw = [&](const Instruments& instruments) {
         return draw_scene(
@@ -172,7 +172,7 @@ TEST_CASE("nor what narrow peaks stand in front of") {
     settings.plan = ProfileCount{40};
     const Scene scene = place_scene(terrain, settings);
     const auto ground = ground_of_sectors(terrain, scene, settings, {});
-    tally.left_out += 1 - joined(ground)->share();
+    tally.left_out += 1 - looked_at_by_any(ground)->share();
     ask_left_out(grid, scene.sectors[0], ground[0], random, tally);
     const auto draw = [&](const Instruments& instruments) {
       return draw_scene(
@@ -207,7 +207,7 @@ TEST_CASE("ground that is tied to what stands in front of it is looked at") {
   const auto share = [&](double tolerance_mm) {
     settings.visibility_tolerance_mm = tolerance_mm;
     const Scene scene = place_scene(terrain, settings);
-    return joined(ground_of_sectors(terrain, scene, settings, {}))->share();
+    return looked_at_by_any(ground_of_sectors(terrain, scene, settings, {}))->share();
   };
   CHECK(share(0) < 0.7); // what is 0.1 m below the brink, a twentieth of a millimetre on the page
   CHECK(share(0.5) == 1);
