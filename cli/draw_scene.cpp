@@ -5,6 +5,7 @@
 #include "cli/sector_ground.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/sweep_sector.hpp"
+#include "draw/dash.hpp"
 #include "draw/round_drawing.hpp"
 #include "draw/stroke_builder.hpp"
 #include "geometry/error.hpp"
@@ -19,6 +20,8 @@ namespace {
 constexpr double kSilhouetteWeight = 1.6, kSkylineWeight = 2, kShoreWeight = 1.2;
 constexpr double kBorderWeight = 0.8, kBorderGrey = 0.45;
 constexpr double kEdgeWeight = 0.6, kEdgeGrey = 0.45;
+constexpr double kSolidWeight = 1.4, kHiddenWeight = 0.8, kHiddenGrey = 0.45;
+constexpr double kDash_mm = 0.8, kDashGap_mm = 0.5;
 
 Layer empty_layer(const std::string& name, double pen_width_mm, double grey) {
   Layer layer;
@@ -41,6 +44,7 @@ double length_mm(const Layer& layer) {
 struct LineLayer {
   Layer layer;
   std::vector<LinePart> parts;
+  bool of_solids = false; ///< the parts
   bool is_rounded = false; ///< stroke by stroke
   double left_out_mm = 0;
   RoundingCounts dropped = {};
@@ -83,15 +87,16 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   const bool draws_profiles = asks_for(settings, "profiles");
   const std::vector<SeenGround> ground = ground_of_sectors(terrain, scene, settings, instruments);
   const std::optional<SeenGround> all_ground = looked_at_by_any(ground);
-  const std::vector<SweptLine> lines =
-      lines_of(terrain, scene, settings, all_ground ? &*all_ground : nullptr);
+  const bool on_ground = has_ground(terrain.surface);
+  std::vector<SweptLine> lines;
+  if (on_ground) lines = lines_of(terrain, scene, settings, all_ground ? &*all_ground : nullptr);
   if (all_ground) counts.looked_at = all_ground->share();
   watch.mark(seconds.facing);
 
   double profiles_done = 0;
   std::vector<SectorLines> found;
   for (std::size_t i = 0; i < scene.sectors.size(); ++i)
-    found.push_back(sweep_sector(
+    found.push_back(!on_ground ? solids_alone(scene, scene.sectors[i]) : sweep_sector(
         terrain, scene, scene.sectors[i], lines, ground.empty() ? nullptr : &ground[i], settings,
         instruments, draws_profiles ? &profile_layer : nullptr, {counts, seconds, drawn.check},
         [&] { progress(++profiles_done / static_cast<double>(scene.depths_m.size())); }));
@@ -101,20 +106,21 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     std::vector<LinePart> all;
     for (SectorLines& sector : found)
       all.insert(all.end(), (sector.*parts).begin(), (sector.*parts).end());
-    if (found.size() > 1)
+    if (found.size() > 1 && on_ground)
       join_sectors(terrain.surface, view, lines,
                    scene.sectors.front().keeps_strip ? view.near_m : 0, all);
     return all;
   };
   std::vector<LineLayer> layers; // in drawing order
   if (draws_profiles) {
-    layers.push_back({std::move(profiles), {}, true});
+    layers.push_back({.layer = std::move(profiles), .parts = {}, .is_rounded = true});
     counts.dropped_strokes += profile_layer.dropped_strokes;
   }
   const auto add_lines = [&](const std::string& name, double weight, double grey,
                              std::vector<LinePart> parts) {
     if (asks_for(settings, name))
-      layers.push_back({empty_layer(name, weight * pen_mm, grey), std::move(parts)});
+      layers.push_back(
+          {.layer = empty_layer(name, weight * pen_mm, grey), .parts = std::move(parts)});
   };
   const std::vector<LinePart> visible = of_all_sectors(&SectorLines::visible);
   const auto visible_of = [&](LineKind kind) { return of_kind(lines, visible, kind); };
@@ -124,11 +130,34 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   add_lines("voids", kBorderWeight, kBorderGrey, visible_of(LineKind::void_edge));
   add_lines("silhouettes", kSilhouetteWeight, 0, visible_of(LineKind::silhouette));
   add_lines("skyline", kSkylineWeight, 0, of_all_sectors(&SectorLines::skyline));
+  if (!scene.solids.empty()) {
+    const auto add_edges = [&](Layer layer, std::vector<LinePart> SolidParts::*kind) {
+      std::vector<LinePart> parts;
+      for (SectorLines& sector : found) {
+        const std::vector<LinePart>& of_sector = sector.solids.*kind;
+        parts.insert(parts.end(), of_sector.begin(), of_sector.end());
+      }
+      join(parts);
+      layers.push_back({.layer = std::move(layer), .parts = std::move(parts), .of_solids = true});
+    };
+    if (settings.dashes_hidden) {
+      Layer hidden = empty_layer("hidden", kHiddenWeight * pen_mm, kHiddenGrey);
+      hidden.is_hidden = true;
+      add_edges(std::move(hidden), &SolidParts::hidden);
+    }
+    if (asks_for(settings, "solids"))
+      add_edges(empty_layer("solids", kSolidWeight * pen_mm, 0), &SolidParts::visible);
+  }
   LineLayer folded{{}, of_all_sectors(&SectorLines::folded)};
   on_all_cores(layers.size() + 1, [&](std::size_t i) {
     LineLayer& task = i < layers.size() ? layers[i] : folded;
     StrokeBuilder builder(strokes, task.layer);
-    draw_parts(terrain.surface, view, lines, task.parts, builder);
+    if (task.of_solids)
+      draw_edges(scene.solids, view, task.parts, builder);
+    else
+      draw_parts(terrain.surface, view, lines, task.parts, builder);
+    if (task.layer.is_hidden && !strokes.to_map)
+      task.layer = dashed(task.layer, kDash_mm, kDashGap_mm);
     task.left_out_mm = builder.left_out_mm();
     if (&task != &folded)
       task.dropped =

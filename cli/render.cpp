@@ -4,9 +4,9 @@
 #include "cli/describe_run.hpp"
 #include "cli/draw_scene.hpp"
 #include "cli/progress.hpp"
+#include "cli/read_ground.hpp"
 #include "cli/scene.hpp"
 #include "cli/terrain_of_view.hpp"
-#include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ void render(const RenderSettings& settings) {
   SecondsReport& seconds = report.seconds;
 
   const Terrain whole =
-      timed(seconds.read, [&] { return read_terrain(settings.inputs, settings.reading); });
+      timed(seconds.read, [&] { return read_ground(settings); });
   const auto place_start = Clock::now();
   const TerrainOfView of_view(whole, settings);
   const Terrain& terrain = *of_view;

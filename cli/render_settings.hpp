@@ -9,9 +9,11 @@
 #include "draw/write_drawing.hpp"
 #include "geometry/angle.hpp"
 #include "profiles/plan_request.hpp"
+#include "solids/scene_file.hpp"
 #include "view/view_request.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +31,10 @@ struct RenderSettings {
   std::vector<std::string> inputs; ///< one at least; several are joined
   std::string output;
   ReadOptions reading;
+
+  std::string scene_file; ///< its path; empty: no solids
+  std::shared_ptr<const SceneFile> solids; ///< what it holds
+  bool dashes_hidden = false; ///< hidden edges of solids in a layer of their own
 
   std::string view_file;        ///< its path; empty: the view is as the following say
   std::optional<ViewFile> view; ///< what it holds
@@ -54,7 +60,8 @@ struct RenderSettings {
   double silhouette_jump = 0.003; ///< share of the depth by which the ground behind is farther
   double min_stroke_mm = 0;
   FlatGround flat = FlatGround::shore;
-  std::vector<std::string> layers{"profiles", "shores", "border", "silhouettes", "skyline"};
+  std::vector<std::string> layers{"profiles", "shores",  "border",
+                                  "silhouettes", "skyline", "solids"};
   bool void_edges = false; ///< the layer `voids` as well
 
   PageRequest page;

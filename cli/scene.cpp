@@ -4,6 +4,7 @@
 #include "cli/geodesy.hpp"
 #include "cli/place_eye.hpp"
 #include "cli/scene_view.hpp"
+#include "cli/solids/stand_solids.hpp"
 #include "dem/height_at.hpp"
 #include "geometry/error.hpp"
 #include "profiles/cut_surface.hpp"
@@ -166,7 +167,23 @@ bool draws_drop(const Terrain& terrain, const Scene& scene, const RenderSettings
          scene.curvature.would_move_mm > settings.simplify_mm + kPageStep_mm;
 }
 
-// Those of the two sides of the eye on which there is terrain.
+std::vector<Vec3> vertices_of(const std::vector<StandingSolid>& solids) {
+  std::vector<Vec3> out;
+  for (const StandingSolid& solid : solids)
+    out.insert(out.end(), solid.vertices_m.begin(), solid.vertices_m.end());
+  return out;
+}
+
+// A scene without ground is as large as its solids. What is smaller than a hundredth of it doesn't
+// matter for where its near plane is.
+void take_extent(Scene& scene, const std::vector<Vec3>& points) {
+  for (const Vec3& point : points) scene.extent.box.include(point);
+  const Vec3 size = scene.extent.box.high - scene.extent.box.low;
+  scene.extent.mean_height_m = scene.extent.box.centre().z;
+  scene.cell_m = 0.01 * length(size);
+}
+
+// Those of the two sides of the eye on which there is something.
 std::vector<Sector> sectors_of(const Scene& scene) {
   Sector ahead;
   ahead.view = scene.view;
@@ -174,7 +191,11 @@ std::vector<Sector> sectors_of(const Scene& scene) {
   ahead.nearest_m = scene.nearest_m;
   ahead.farthest_m = scene.farthest_m;
   std::vector<Sector> sectors{ahead};
-  if (shows_beside(scene.view) && scene.nearest_m < -scene.view.near_m) {
+  double nearest_m = scene.nearest_m;
+  for (const StandingSolid& solid : scene.solids)
+    for (const Vec3& vertex : solid.vertices_m)
+      nearest_m = std::min(nearest_m, to_profile_frame(scene.view, vertex).v);
+  if (shows_beside(scene.view) && nearest_m < -scene.view.near_m) {
     Sector behind;
     behind.behind = true;
     behind.view = sector_behind(scene.view);
@@ -212,6 +233,7 @@ double exaggeration_of(const RenderSettings& settings, const Box3& terrain) {
 TerrainFacts facts_of(const Terrain& terrain, FlatGround flat) {
   const Surface& surface = terrain.surface;
   TerrainFacts facts;
+  if (!has_ground(surface)) return facts;
   facts.extent = extent_of(surface);
   facts.cell_m = cell_size_m(surface);
   facts.border = std::visit([&](const auto& s) { return border_of(s, facts.extent); }, surface);
@@ -233,13 +255,20 @@ Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettin
   scene.border = std::move(facts.border);
   scene.level = std::move(facts.water);
 
-  scene.exaggeration_chosen = !settings.exaggeration && !settings.view;
+  const bool on_ground = has_ground(surface);
+  scene.exaggeration_chosen = on_ground && !settings.exaggeration && !settings.view;
   const std::optional<EarthFrame>& earth = terrain.map.earth;
-  scene.exaggeration = earth ? earth->exaggeration : exaggeration_of(settings, scene.extent.box);
+  scene.exaggeration = earth       ? earth->exaggeration
+                       : on_ground ? exaggeration_of(settings, scene.extent.box)
+                                   : settings.exaggeration.value_or(
+                                         settings.view ? settings.view->exaggeration : 1);
   // On the ellipsoid heights went to their place exaggerated.
   const double exaggeration = earth ? 1 : scene.exaggeration;
-  const TerrainShape shape{scene.extent.blocks, facts.outline, scene.extent.box,
-                           scene.extent.mean_height_m, scene.cell_m};
+  if (settings.solids) scene.solids = stand_solids(*settings.solids, terrain);
+  const std::vector<Vec3> beside = vertices_of(scene.solids);
+  if (!on_ground) take_extent(scene, beside);
+  const TerrainShape shape{scene.extent.blocks,        facts.outline, scene.extent.box,
+                           scene.extent.mean_height_m, scene.cell_m,  beside};
   const auto place = [&](const EarthDrop& drop) {
     place_on_earth(scene, terrain, settings, shape, exaggeration, drop);
   };
@@ -261,6 +290,10 @@ Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettin
     keep_off_the_ground(scene.view, *under_eye_m, scene.cell_m);
   }
 
+  if (!on_ground) {
+    scene.sectors = sectors_of(scene);
+    return scene;
+  }
   find_depths(scene, surface);
   scene.plan = settings.plan.value_or(PageSpacing{kPenWidthsApart * settings.pen_width_mm});
   scene.depths_m =

@@ -8,6 +8,7 @@
 #include "draw/stroke_builder.hpp"
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
+#include "solids/standing_solid.hpp"
 #include "view/view.hpp"
 
 #include <cstdint>
@@ -44,6 +45,7 @@ struct SceneCurvature {
 struct Scene {
   SurfaceExtent extent;
   std::vector<BorderEdge> border;
+  std::vector<StandingSolid> solids;
   LevelGround level; ///< empty where level ground is drawn like any other
   View view;
   Page page;
@@ -83,7 +85,7 @@ struct TerrainFacts {
 /// heights, a third where some are missing.
 TerrainFacts facts_of(const Terrain& terrain, FlatGround flat);
 
-/// REQUIRES that the terrain outlives the scene; `facts` are those of this terrain, for
+/// REQUIRES that the terrain, and the settings' solids, outlive the scene; `facts` are those of this terrain, for
 /// `settings.flat`. Throws Error as `place_eye`, `place_view` and `plan_depths` do, and where the
 /// eye is under the ground.
 Scene place_scene(const Terrain& terrain, const RenderSettings& settings);

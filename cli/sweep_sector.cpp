@@ -4,6 +4,7 @@
 #include "cli/check.hpp"
 #include "cli/profile_strokes.hpp"
 #include "cli/scene_lines.hpp"
+#include "cli/solids/behind_solids.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/strips.hpp"
 #include "cli/sweep_in_list.hpp"
@@ -16,6 +17,14 @@
 #include <optional>
 
 namespace orograph {
+
+SectorLines solids_alone(const Scene& scene, const Sector& sector) {
+  const SolidsInView solids(scene.solids, sector.view);
+  SectorLines out;
+  out.solids = seen_edges(solids, std::vector<std::vector<GroundShadow>>(scene.solids.size()));
+  return out;
+}
+
 SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Sector& sector,
                          const std::vector<SweptLine>& lines, const SeenGround* ground,
                          const RenderSettings& settings, const Instruments& instruments,
@@ -46,12 +55,20 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
                           watched,
                           watched ? nullptr : ground,
                           instruments.vertices_a_strip};
+  std::optional<SolidsInView> solids;
+  if (!scene.solids.empty()) solids.emplace(scene.solids, view);
   const LayOut lay_out = [&](ProfileInWork& profile) {
     if (!profiles) return;
     profile.strokes.clear();
     StrokeBuilder builder(profiles->settings, profile.strokes);
-    ProfileStrokes(scene.view, sector, settings.flat == FlatGround::draw, builder)
-        .add(profile.profile, profile.planned.number, profile.visible);
+    ProfileStrokes strokes(scene.view, sector, settings.flat == FlatGround::draw, builder);
+    if (solids) {
+      std::vector<VisibleRun> runs = profile.visible; // which those who watch want as they are
+      leave_out_behind(*solids, profile.profile, runs);
+      strokes.add(profile.profile, profile.planned.number, runs);
+    } else {
+      strokes.add(profile.profile, profile.planned.number, profile.visible);
+    }
     profile.left_out_mm = builder.left_out_mm();
     profile.dropped_strokes = round_strokes(profile.strokes).empty_strokes;
   };
@@ -89,6 +106,13 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
                      sector.farthest_m - sector.nearest_m);
   out.visible = without(out.visible, out.folded);
   watch.mark(seconds.layout);
+  if (solids) {
+    for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &out.folded})
+      *parts = not_behind(*solids, every_line, *parts);
+    out.solids = seen_edges(
+        *solids, ground_shadows(terrain, scene, sector, lines, near_cut(work), *solids));
+    watch.mark(seconds.clip);
+  }
   if (instruments.observer) instruments.observer->see(sector, every_line, swept.visible);
   if (check) {
     check->ask(every_line, swept.visible, work.range, settings.check / 2 / scene.sectors.size());

@@ -7,6 +7,7 @@
 #include "cli/render_settings.hpp"
 #include "cli/report.hpp"
 #include "cli/scene.hpp"
+#include "cli/solids/solid_edges.hpp"
 #include "dem/terrain.hpp"
 #include "draw/stroke_builder.hpp"
 #include "profiles/seen_ground.hpp"
@@ -22,6 +23,7 @@ struct SectorLines {
   std::vector<LinePart> visible; ///< all that is visible, less the following
   std::vector<LinePart> skyline; ///< visible silhouettes that the last horizon is made of
   std::vector<LinePart> folded;  ///< visible silhouettes left out by `--silhouette-jump`
+  SolidParts solids;             ///< of edges of solids
 };
 
 /// What a sweep adds to.
@@ -47,5 +49,8 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
                          const RenderSettings& settings, const Instruments& instruments,
                          ProfileLayer* profiles, const SweepCounts& counts,
                          const std::function<void()>& profile_done);
+
+/// Of a scene without ground.
+SectorLines solids_alone(const Scene& scene, const Sector& sector);
 
 } // namespace orograph

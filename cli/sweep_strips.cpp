@@ -5,14 +5,12 @@
 #include "cli/sweep_strips.hpp"
 
 #include "cli/stopwatch.hpp"
-#include "cli/strips.hpp"
+#include "cli/strip_sweep.hpp"
 #include "geometry/on_all_cores.hpp"
-#include "horizon/horizon_pieces.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -25,68 +23,6 @@ namespace {
 // work, each of its profiles is a task of its own, and the threads wait for each other behind it.
 constexpr double kVerticesABatch = 32768;
 constexpr double kLeastProfiles = 8, kMostProfiles = 256;
-
-// One strip, front to back.
-class StripSweep {
-public:
-  StripSweep(const SectorInWork& work, const Strip& strip, std::vector<std::uint32_t> which)
-      : work_(work), strip_(strip),
-        lines_(work.terrain.surface, work.sector, work.lines, std::move(which), strip.range,
-               work.from_m, work.tolerance),
-        horizon_(strip.core.begin, strip.core.end, strip.blocks, lines_.looked_at().begin,
-                 lines_.looked_at().end),
-        planes_(work) {}
-
-  void raise(const std::vector<Segment>& segments) {
-    for (const Segment& s : segments)
-      if (s.x0 <= strip_.range.end && s.x1 >= strip_.range.begin)
-        horizon_.raise({s.x0, s.x1, s, false});
-  }
-
-  void take(ProfileInWork& profile, std::vector<VisibleRun>& visible) {
-    Stopwatch watch;
-    const double depth_m = profile.planned.depth_m;
-    take_slabs(depth_m);
-    visible.clear();
-    clip_profile(profile.projected, strip_.range, horizon_, work_.tolerance, visible, counts_);
-    add_visible_uprights(profile, work_.sector.view, strip_.range, horizon_, lines_.rounding_m(),
-                         visible);
-    watch.mark(seconds_);
-  }
-
-  void finish() {
-    Stopwatch watch;
-    if (planes_.last_m() < work_.sector.farthest_m) take_slabs(work_.sector.farthest_m);
-    take_slab(std::numeric_limits<double>::infinity());
-    watch.mark(seconds_);
-  }
-
-  const LineSweep& lines() const { return lines_; }
-  const BlockedHorizon& horizon() const { return horizon_; }
-  const ProfileClipCounts& counts() const { return counts_; }
-  double seconds() const { return seconds_; }
-
-private:
-  void take_slabs(double to_m) {
-    planes_.take_to(to_m, [&](double plane_m) { take_slab(plane_m); });
-  }
-  void take_slab(double to_m) {
-    lines_.take_slab(to_m, horizon_,
-                     [](std::vector<HorizonPiece>& occluders, BlockedHorizon& horizon) {
-                       // Of equally high ones the first stands, as in `orograph::raise`.
-                       std::sort(occluders.begin(), occluders.end(), is_raised_before);
-                       for (const HorizonPiece& occluder : occluders) horizon.raise(occluder);
-                     });
-  }
-
-  const SectorInWork& work_;
-  Strip strip_;
-  LineSweep lines_;
-  BlockedHorizon horizon_;
-  SlabPlanes planes_;
-  ProfileClipCounts counts_;
-  double seconds_ = 0;
-};
 
 std::size_t batch_size(const Scene& scene, const Sector& sector) {
   const auto& box = scene.extent.box;
@@ -101,18 +37,8 @@ std::size_t batch_size(const Scene& scene, const Sector& sector) {
 class BatchSweep {
 public:
   BatchSweep(const SectorInWork& work, const LayOut& lay_out)
-      : work_(work), lay_out_(lay_out), size_(batch_size(work.scene, work.sector)) {
-    const std::vector<Strip> plan =
-        plan_strips(work.scene, work.sector, work.range, work.vertices_a_strip);
-    std::vector<XRange> ranges;
-    for (const Strip& strip : plan) ranges.push_back(strip.range);
-    auto which = lines_by_range(work.terrain.surface, work.sector, work.lines, ranges, work.from_m);
-    const std::vector<Segment> cut = near_cut(work);
-    strips_.resize(plan.size());
-    on_all_cores(plan.size(), [&](std::size_t i) {
-      strips_[i] = std::make_unique<StripSweep>(work, plan[i], std::move(which[i]));
-      strips_[i]->raise(cut);
-    });
+      : work_(work), lay_out_(lay_out), size_(batch_size(work.scene, work.sector)),
+        strips_(strips_of(work)), strip_seconds_(strips_.size()) {
     for (auto& batch : batches_) batch.resize(size_);
     if (work.ground) over_blocks_.emplace(std::get<Grid>(work.terrain.surface), work.sector.view);
   }
@@ -138,7 +64,11 @@ public:
         show(laying[i].profile);
       }
     }
-    on_all_cores(strips_.size(), [&](std::size_t i) { strips_[i]->finish(); });
+    on_all_cores(strips_.size(), [&](std::size_t i) {
+      Stopwatch watch;
+      strips_[i]->finish();
+      watch.mark(strip_seconds_[i]);
+    });
   }
 
   SweptSector found() const {
@@ -160,8 +90,8 @@ public:
       counts.ties += strip->counts().ties;
       counts.pieces_before_collapse += strip->horizon().pieces_uncollapsed();
       counts.pieces_after_collapse += strip->horizon().pieces_collapsed();
-      seconds.clip += strip->seconds();
     }
+    for (const double strip_s : strip_seconds_) seconds.clip += strip_s;
     for (const auto& batch : batches_)
       for (const Timed& timed : batch) {
         seconds.cut += timed.cut_s;
@@ -202,12 +132,16 @@ private:
     watch.mark(timed.project_s);
   }
 
-  void clip(std::vector<Timed>& batch, std::size_t count, std::size_t strip) const {
+  void clip(std::vector<Timed>& batch, std::size_t count, std::size_t number) {
+    Stopwatch watch;
+    StripSweep& strip = *strips_[number];
     for (std::size_t i = 0; i < count; ++i) {
       ProfileInWork& profile = batch[i].profile;
-      strips_[strip]->take(profile, profile.by_strip[strip]);
-      profile.horizon_sizes[strip] = strips_[strip]->horizon().size();
+      strip.take_lines(profile.planned.depth_m);
+      strip.take_profile(profile, profile.by_strip[number]);
+      profile.horizon_sizes[number] = strip.horizon().size();
     }
+    watch.mark(strip_seconds_[number]);
   }
 
   void lay_out(Timed& timed) const {
@@ -230,6 +164,7 @@ private:
   std::optional<PlaneOverBlocks> over_blocks_;
   std::size_t size_; ///< profiles in a batch
   std::vector<std::unique_ptr<StripSweep>> strips_;
+  std::vector<double> strip_seconds_;
   std::array<std::vector<Timed>, 3> batches_;
 };
 

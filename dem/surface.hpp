@@ -11,4 +11,10 @@ namespace orograph {
 
 using Surface = std::variant<Grid, Tin>;
 
+/// A scene may stand on nothing: a TIN without triangles.
+inline bool has_ground(const Surface& surface) {
+  const Tin* tin = std::get_if<Tin>(&surface);
+  return !tin || !tin->triangles.empty();
+}
+
 } // namespace orograph

@@ -3,14 +3,17 @@
 #include "cli/options/check_settings.hpp"
 
 #include "cli/options/option_values.hpp"
+#include "cli/read_ground.hpp"
 #include "draw/write_drawing.hpp"
 #include "geometry/error.hpp"
+#include "solids/read_scene.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 
 namespace orograph {
 namespace {
@@ -48,7 +51,8 @@ void check_no_input(const RenderSettings& settings, const std::string& path,
   const ReadOptions& reading = settings.reading;
   std::vector<std::pair<std::string, const char*>> inputs{{reading.breaklines, "--breaklines"},
                                                           {reading.boundary, "--boundary"},
-                                                          {settings.view_file, "--view"}};
+                                                          {settings.view_file, "--view"},
+                                                          {settings.scene_file, "--scene"}};
   for (const std::string& input : settings.inputs) inputs.emplace_back(input, "INPUT");
   for (const auto& [input, name] : inputs)
     if (!input.empty() && replaces_input(input, path))
@@ -144,6 +148,25 @@ void check_page(const RenderSettings& settings) {
         fmt::format("give --dpi {} or less", std::floor(kLargestSide_px * 25.4 / longer_mm)));
 }
 
+void take_scene(RenderSettings& settings) {
+  const auto scene = std::find_if(settings.inputs.begin(), settings.inputs.end(), is_scene);
+  if (scene != settings.inputs.end()) {
+    if (settings.inputs.size() > 1 || !settings.scene_file.empty())
+      throw UsageError(fmt::format("INPUT '{}' is a scene, which stands alone", *scene),
+                       "give it as --scene, beside a terrain");
+    settings.scene_file = *scene;
+  }
+  if (settings.scene_file.empty()) {
+    if (settings.dashes_hidden)
+      throw UsageError("--hidden has no meaning without solids", "give --scene FILE too");
+    return;
+  }
+  if (settings.occluder == Occluder::profiles)
+    throw UsageError("solids stand in front of the surface and behind it, not of profiles",
+                     "leave --occluder profiles out");
+  settings.solids = std::make_shared<const SceneFile>(read_scene(settings.scene_file));
+}
+
 } // namespace
 
 bool replaces_input(const std::string& input, const std::string& output) {
@@ -166,6 +189,7 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given) {
   check_view(settings, given);
   check_page(settings);
+  take_scene(settings);
   if (!settings.view_file.empty()) settings.view = read_view_file(settings.view_file);
   if (settings.curvature == Curvature::on && settings.view && settings.view->cuts())
     throw UsageError("--curvature on bends the terrain away from the view's front and back plane",

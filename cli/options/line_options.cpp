@@ -14,8 +14,8 @@ namespace orograph {
 namespace {
 
 constexpr auto kGroup = "Profiles and lines";
-const std::array<std::string, 7> kLayerNames{"profiles", "edges",       "shores", "border",
-                                             "voids",    "silhouettes", "skyline"};
+const std::array<std::string, 8> kLayerNames{"profiles", "edges",       "shores",  "border",
+                                             "voids",    "silhouettes", "skyline", "solids"};
 
 } // namespace
 

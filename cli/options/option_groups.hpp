@@ -27,6 +27,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& settings);
 /// A part of the view's: where the eye is, and where it looks.
 void add_eye_options(std::vector<Option>& options, RenderSettings& settings);
 void add_line_options(std::vector<Option>& options, RenderSettings& settings);
+void add_scene_options(std::vector<Option>& options, RenderSettings& settings);
 void add_page_options(std::vector<Option>& options, RenderSettings& settings);
 /// What `accuracy` measures, and where it writes.
 void add_accuracy_options(std::vector<Option>& options, AccuracySettings& settings);

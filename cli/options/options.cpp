@@ -56,7 +56,8 @@ Command render_command(RenderSettings& settings) {
           {"orograph render dem.tif map.pdf --view-from 225/15 --page a2",
            "Seen from the south-west, low, on A2."},
           {"orograph render dem.tif map.png --eye 250800,4071000,900 --fov 60",
-           "Seen from a point of the terrain's own coordinates."}}};
+           "Seen from a point of the terrain's own coordinates."},
+          {"orograph render dem.tif map.svg --scene huts.toml", "With huts on it."}}};
   command.conflicts.push_back({"--profiles", "--spacing", "give one of the two"});
   add_terrain_options(command.options, settings.inputs, settings.reading);
   command.options.insert(
@@ -68,6 +69,7 @@ Command render_command(RenderSettings& settings) {
        .take = stored_name(settings.output)});
   add_view_options(command.options, settings);
   add_line_options(command.options, settings);
+  add_scene_options(command.options, settings);
   add_page_options(command.options, settings);
   add_output_options(command.options, settings);
   add_general_options(command.options, settings.quiet, settings.progress);

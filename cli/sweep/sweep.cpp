@@ -2,12 +2,12 @@
 #include "cli/sweep/sweep.hpp"
 
 #include "cli/progress.hpp"
+#include "cli/read_ground.hpp"
 #include "cli/sweep/check_done.hpp"
 #include "cli/sweep/draw_views.hpp"
 #include "cli/sweep/folder.hpp"
 #include "cli/sweep/ranks.hpp"
 #include "cli/sweep/tables.hpp"
-#include "dem/read/read_terrain.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ namespace {
 // What is made once of the settings; its parts refer to each other.
 struct Prepared {
   explicit Prepared(const SweepSettings& settings)
-      : terrain(read_terrain(settings.render.inputs, settings.render.reading)),
+      : terrain(read_ground(settings.render)),
         views(settings, terrain.map), columns(settings, views),
         plan(make_plan(settings, views, columns, terrain)) {
     // In degrees each view has a frame of its own.

@@ -37,6 +37,7 @@ struct Layer {
   std::string name;
   double pen_width_mm = 0.15;
   double grey = 0; ///< 0 black to 1 white
+  bool is_hidden = false; ///< lines that the eye doesn't see
   std::vector<Vec2> page_mm;
   std::vector<Vec3> map;
   std::vector<Stroke> strokes;

@@ -72,7 +72,7 @@ std::unique_ptr<OGRFeature> feature_of(const Stroke& stroke, const Layer& from, 
     feature->SetFieldNull(feature->GetFieldIndex("depth"));
   else
     feature->SetField("depth", stroke.depth_m);
-  feature->SetField("visible", 1);
+  feature->SetField("visible", from.is_hidden ? 0 : 1);
   auto line = std::make_unique<OGRLineString>();
   const auto count = static_cast<int>(stroke.point_count);
   line->setNumPoints(count, FALSE);

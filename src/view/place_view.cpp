@@ -77,22 +77,23 @@ struct PictureEnds {
   }
 };
 
-// The greatest over the terrain.
+// The greatest over the terrain and what is on it.
 double greatest(const TerrainShape& terrain, const PictureCoordinate& coordinate,
                 PictureEnds& ends) {
   std::optional<Vec3>& end = ends.of(coordinate);
   Extreme known;
   if (end) known.take(coordinate, *end);
+  for (const Vec3& point : terrain.beside) known.take(coordinate, point);
   const Extreme found = greatest(
       terrain.points, coordinate, [&](const Box3& box) { return coordinate.bound(box); }, known);
   end = found.at;
   return found.value;
 }
 
-double lowest_near_edge(const View& view, std::span<const OutlineEdge> outline) {
+double lowest_near_edge(const View& view, const TerrainShape& terrain) {
   const PictureCoordinate down{view, view.near_m, 1, -1};
   double lowest = kInfinity;
-  for (const OutlineEdge& edge : outline) {
+  for (const OutlineEdge& edge : terrain.outline) {
     const ProfilePoint a = to_profile_frame(view, edge.from), b = to_profile_frame(view, edge.to);
     // The terrain is on the left of a -> b; a ray comes in where it crosses from right to left.
     const double turn =
@@ -100,6 +101,7 @@ double lowest_near_edge(const View& view, std::span<const OutlineEdge> outline) 
     if (turn < 0) continue;
     lowest = std::min(lowest, -std::max(down(edge.from), down(edge.to)));
   }
+  for (const Vec3& point : terrain.beside) lowest = std::min(lowest, -down(point));
   return lowest;
 }
 
@@ -112,10 +114,11 @@ Box2 picture_box(const View& view, const TerrainShape& terrain, PictureEnds& end
   // "Lowest at the near edge" holds along the vertical of the visibility plane only, and in front
   // of the eye.
   const auto nearness = [&](Vec3 p) { return -to_profile_frame(view, p).v; };
-  const bool in_front =
-      !view.is_perspective() || greatest(terrain.points, nearness) <= -view.near_m;
+  double nearest = greatest(terrain.points, nearness);
+  for (const Vec3& point : terrain.beside) nearest = std::max(nearest, nearness(point));
+  const bool in_front = !view.is_perspective() || nearest <= -view.near_m;
   box.low.y =
-      view.roll == Angle() && in_front ? lowest_near_edge(view, terrain.outline) : most(1, -1);
+      view.roll == Angle() && in_front ? lowest_near_edge(view, terrain) : most(1, -1);
   return box;
 }
 
@@ -275,7 +278,10 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
     const auto in_front_of_picture = [&](Vec3 p) {
       return view.to_picture.of(project_homogeneous(view, to_profile_frame(view, p))).z;
     };
-    if (greatest(terrain.points, in_front_of_picture) <= 0)
+    double farthest = greatest(terrain.points, in_front_of_picture);
+    for (const Vec3& point : terrain.beside)
+      farthest = std::max(farthest, in_front_of_picture(point));
+    if (farthest <= 0)
       throw Error("all of the terrain is behind the eye", "turn the view towards it");
   } else {
     PictureEnds ends;

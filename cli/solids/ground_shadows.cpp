@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/solids/ground_shadows.hpp"
+
+#include "dem/triangles_over.hpp"
+#include "geometry/on_all_cores.hpp"
+#include "profiles/edge_ends.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// What lies on the ground by no more than this lies on it, times the rounding of positions: a
+// triangle's plane is told by three of them, across its own slope.
+constexpr double kTouching = 16;
+
+struct Found {
+  std::uint32_t solid;
+  GroundShadow shadow;
+};
+
+// Edges of the ground, against the solids that they may stand in front of.
+class EdgeShadows {
+public:
+  EdgeShadows(const SolidsInView& solids, const View& view)
+      : solids_(solids), view_(view), rays_(sight_rays(view)) {}
+
+  void add(ProfilePoint from, ProfilePoint to, std::vector<Found>& found) const {
+    if (view_.is_perspective()) {
+      const double near_m = view_.near_m;
+      if (from.v < near_m && to.v < near_m) return;
+      if (std::min(from.v, to.v) < near_m)
+        (from.v < to.v ? from : to) =
+            point_between(from, to, (near_m - from.v) / (to.v - from.v));
+    }
+    Vec2 left = project(view_, from), right = project(view_, to);
+    if (left.x > right.x) {
+      std::swap(left, right);
+      std::swap(from, to);
+    }
+    const double high = std::max(left.y, right.y);
+    if (!(left.x < right.x) || !solids_.any_in(left.x, right.x)) return;
+    // Everything behind it and below.
+    const SeenBox box{left.x, right.x, -kInfinity, high, -kInfinity, kInfinity};
+    const double nearest_m = std::min(from.v, to.v);
+    solids_.for_each_before(box, [&](std::size_t i) {
+      const SolidInView& solid = solids_.solids()[i];
+      if (!(solid.box.farthest_m > nearest_m)) return;
+      // In a bucket of X after another it is the same solid.
+      if (!found.empty() && found.back().solid == i && found.back().shadow.x_begin == left.x &&
+          found.back().shadow.x_end == right.x)
+        return;
+      found.push_back({static_cast<std::uint32_t>(i),
+                       {edge_shadow(view_, rays_, as_vec(from), as_vec(to),
+                                    kTouching * solid.rounding_m),
+                        left.x, right.x, high}});
+    });
+  }
+
+private:
+  const SolidsInView& solids_;
+  const View& view_;
+  SightRays rays_;
+};
+
+void add_buried(const Terrain& terrain, const Scene& scene, const SolidsInView& solids,
+                std::vector<std::vector<GroundShadow>>& out) {
+  std::vector<Box2> boxes;
+  for (const SolidInView& solid : solids.solids()) {
+    Box2 box;
+    for (const Vec3& vertex : solid.standing->vertices_m) box.include({vertex.x, vertex.y});
+    boxes.push_back(box);
+  }
+  const auto triangles = triangles_over(terrain.surface, scene.extent, boxes);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (const GroundTriangle& triangle : triangles[i]) {
+      std::array<Vec3, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k)
+        corners[k] = as_vec(to_profile_frame(solids.view(), triangle[k]));
+      out[i].push_back({buried_under(corners, kTouching * solids.solids()[i].rounding_m),
+                        -kInfinity, kInfinity, kInfinity});
+    }
+}
+
+} // namespace
+
+std::vector<std::vector<GroundShadow>>
+ground_shadows(const Terrain& terrain, const Scene& scene, const Sector& sector,
+               const std::vector<SweptLine>& lines, std::span<const Segment> near_cut,
+               const SolidsInView& solids) {
+  const View& view = sector.view;
+  std::vector<std::vector<GroundShadow>> out(solids.solids().size());
+  add_buried(terrain, scene, solids, out);
+  // Straight down, nothing stands in front of anything.
+  if (!view.is_perspective() && !(view.y_per_z > 0)) return out;
+
+  const EdgeShadows shadows(solids, view);
+  const EdgeEnds ends(terrain.surface, view);
+  constexpr std::size_t kLinesOfTask = 1U << 14U;
+  std::vector<std::vector<Found>> of_tasks((lines.size() + kLinesOfTask - 1) / kLinesOfTask + 1);
+  on_all_cores(of_tasks.size() - 1, [&](std::size_t task) {
+    const std::size_t end = std::min(lines.size(), (task + 1) * kLinesOfTask);
+    for (std::size_t i = task * kLinesOfTask; i < end; ++i) {
+      if (!lines[i].hides) continue;
+      const auto [from, to] = ends(lines[i].edge);
+      shadows.add(from, to, of_tasks[task]);
+    }
+  });
+  for (const Segment& s : near_cut)
+    shadows.add({s.x0 * view.near_m, view.near_m, s.y0 * view.near_m + view.eye_z_m},
+                {s.x1 * view.near_m, view.near_m, s.y1 * view.near_m + view.eye_z_m},
+                of_tasks.back());
+  for (const auto& found : of_tasks)
+    for (const auto& [solid, shadow] : found) out[solid].push_back(shadow);
+  return out;
+}
+
+} // namespace orograph

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/solids/solid_edges.hpp"
+
+#include "draw/chain.hpp"
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace orograph {
+namespace {
+
+// The part of a line that has a picture.
+std::optional<Share> in_front(const View& view, Vec3 from, Vec3 to) {
+  if (!view.is_perspective()) return Share{0, 1};
+  const double a = from.y - view.near_m, b = to.y - view.near_m;
+  if (a < 0 && b < 0) return std::nullopt;
+  return Share{a < 0 ? a / (a - b) : 0, b < 0 ? a / (a - b) : 1};
+}
+
+// All edges of one solid.
+class EdgesOfSolid {
+public:
+  EdgesOfSolid(const SolidsInView& solids, std::size_t number,
+               const std::vector<GroundShadow>& ground, std::uint32_t first_line)
+      : solids_(solids), number_(number), solid_(solids.solids()[number]), ground_(ground),
+        first_line_(first_line) {}
+
+  void find(SolidParts& out) {
+    const auto& edges = solid_.standing->solid->edges;
+    for (std::uint32_t i = 0; i < edges.size(); ++i)
+      if (solid_.edges[i] != EdgeFacing::not_drawn) find(i, edges[i], out);
+  }
+
+private:
+  void find(std::uint32_t i, const SolidEdge& edge, SolidParts& out) {
+    const Vec3 from = solid_.vertices[edge.from], to = solid_.vertices[edge.to];
+    const std::optional<Share> front = in_front(solids_.view(), from, to);
+    if (!front) return;
+    const std::uint32_t line = first_line_ + i;
+    if (solid_.edges[i] == EdgeFacing::dark) {
+      out.hidden.push_back({line, front->begin, front->end});
+      return;
+    }
+    const auto at = [&](double t) { return t >= 1 ? to : from + t * (to - from); };
+    const Vec3 begin = at(front->begin), end = at(front->end);
+    hidden_.clear();
+    add_hidden(line_in_view(solids_.view(), begin, end), edge);
+    const double length_m = length(end - begin);
+    if (!(length_m > 0)) return;
+    const double sliver = solids_.sliver_m() / length_m;
+    unite(hidden_, sliver);
+    const double scale = front->end - front->begin;
+    const auto along = [&](double share) {
+      return share <= 0 ? front->begin : share >= 1 ? front->end : front->begin + share * scale;
+    };
+    for (const Share& h : hidden_) out.hidden.push_back({line, along(h.begin), along(h.end)});
+    for_each_rest(hidden_, 0, 1, sliver, [&](Share rest) {
+      out.visible.push_back({line, along(rest.begin), along(rest.end)});
+    });
+  }
+
+  void add_hidden(const LineInView& line, const SolidEdge& edge) {
+    solids_.add_hidden(line, {number_, edge.left, edge.right}, hidden_);
+    for (const GroundShadow& ground : ground_) {
+      if (ground.x_end < line.box.x_begin || ground.x_begin > line.box.x_end ||
+          ground.y_high < line.box.y_low)
+        continue;
+      if (const auto share = hidden_share(ground.shadow, line.from, line.to))
+        hidden_.push_back(*share);
+    }
+  }
+
+  const SolidsInView& solids_;
+  std::size_t number_;
+  const SolidInView& solid_;
+  const std::vector<GroundShadow>& ground_;
+  std::uint32_t first_line_;
+  std::vector<Share> hidden_;
+};
+
+} // namespace
+
+std::vector<SolidLine> lines_of(std::span<const StandingSolid> standing) {
+  std::vector<SolidLine> lines;
+  for (std::uint32_t solid = 0; solid < standing.size(); ++solid)
+    for (std::uint32_t edge = 0; edge < standing[solid].solid->edges.size(); ++edge)
+      lines.push_back({solid, edge});
+  return lines;
+}
+
+SolidParts seen_edges(const SolidsInView& solids,
+                      const std::vector<std::vector<GroundShadow>>& ground) {
+  const std::size_t count = solids.solids().size();
+  std::vector<std::uint32_t> first_line(count + 1);
+  for (std::size_t i = 0; i < count; ++i)
+    first_line[i + 1] =
+        first_line[i] +
+        static_cast<std::uint32_t>(solids.solids()[i].standing->solid->edges.size());
+  std::vector<SolidParts> of_solids(count);
+  on_all_cores(count, [&](std::size_t i) {
+    EdgesOfSolid(solids, i, ground[i], first_line[i]).find(of_solids[i]);
+  });
+  SolidParts out;
+  for (const SolidParts& parts : of_solids) {
+    out.visible.insert(out.visible.end(), parts.visible.begin(), parts.visible.end());
+    out.hidden.insert(out.hidden.end(), parts.hidden.begin(), parts.hidden.end());
+  }
+  return out;
+}
+
+void draw_edges(std::span<const StandingSolid> standing, const View& view,
+                const std::vector<LinePart>& parts, StrokeBuilder& builder) {
+  std::vector<std::uint64_t> first_vertex(standing.size() + 1);
+  for (std::size_t i = 0; i < standing.size(); ++i)
+    first_vertex[i + 1] = first_vertex[i] + standing[i].vertices_m.size();
+  const std::vector<SolidLine> lines = lines_of(standing);
+  const auto edge_of = [&](const LinePart& part) -> const SolidEdge& {
+    const SolidLine& line = lines[part.line];
+    return standing[line.solid].solid->edges[line.edge];
+  };
+  std::vector<ChainLink> links;
+  for (const LinePart& part : parts) {
+    const SolidEdge& edge = edge_of(part);
+    const std::uint64_t first = first_vertex[lines[part.line].solid];
+    links.push_back({part.t_begin <= 0 ? first + edge.from : kLooseEnd,
+                     part.t_end >= 1 ? first + edge.to : kLooseEnd});
+  }
+  const Chains chains = chain(links);
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    builder.begin(-1, std::numeric_limits<double>::quiet_NaN());
+    bool is_first = true;
+    for (const auto& [piece, turned] : chains[i]) {
+      const LinePart& part = parts[piece];
+      const SolidEdge& edge = edge_of(part);
+      const auto& vertices = standing[lines[part.line].solid].vertices_m;
+      const ProfilePoint from = to_profile_frame(view, vertices[edge.from]),
+                         to = to_profile_frame(view, vertices[edge.to]);
+      const auto add = [&](double t) {
+        const ProfilePoint at = point_between(from, to, t);
+        builder.add({project_homogeneous(view, at), at});
+      };
+      if (is_first) add(turned ? part.t_end : part.t_begin);
+      add(turned ? part.t_begin : part.t_end);
+      is_first = false;
+    }
+    builder.end();
+  }
+}
+
+} // namespace orograph

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One strip of a sector, front to back.
+#pragma once
+
+#include "cli/sector_sweep.hpp"
+#include "cli/strips.hpp"
+#include "horizon/blocked_horizon.hpp"
+#include "horizon/clip_profile.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// Takes slabs of lines and profiles in the order of their depth. What it refers to of `work` must
+/// outlive it.
+class StripSweep {
+public:
+  /// `which`: the numbers of the lines that reach into the strip; `near_cut` stands in front of
+  /// everything.
+  StripSweep(const SectorInWork& work, const Strip& strip, std::vector<std::uint32_t> which,
+             std::span<const Segment> near_cut);
+  StripSweep(const StripSweep&) = delete;
+  StripSweep& operator=(const StripSweep&) = delete;
+
+  /// Lines up to a depth.
+  void take_lines(double to_m);
+  /// What of a profile is visible in the strip, into `visible`. REQUIRES that lines were taken up
+  /// to its depth.
+  void take_profile(const ProfileInWork& profile, std::vector<VisibleRun>& visible);
+  /// Lines behind the last profile.
+  void finish();
+
+  const LineSweep& lines() const { return lines_; }
+  const BlockedHorizon& horizon() const { return horizon_; }
+  const ProfileClipCounts& counts() const { return counts_; }
+
+private:
+  void take_slab(double to_m);
+
+  const SectorInWork& work_;
+  XRange range_;
+  LineSweep lines_;
+  BlockedHorizon horizon_;
+  SlabPlanes planes_;
+  ProfileClipCounts counts_;
+};
+
+/// All strips of a sector, left to right; they don't depend on each other.
+std::vector<std::unique_ptr<StripSweep>> strips_of(const SectorInWork& work);
+
+} // namespace orograph

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All solids of a scene in one view: what they hide of lines.
+#pragma once
+
+#include "solids/share.hpp"
+#include "solids/solid_in_view.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// A straight line of the profile frame, in front of the near plane.
+struct LineInView {
+  Vec3 from, to;
+  SeenBox box;
+};
+inline LineInView line_in_view(const View& view, Vec3 from, Vec3 to) {
+  const Vec3 ends[] = {from, to};
+  return {from, to, seen_box(view, ends, 2)};
+}
+
+/// An edge of one of the solids, which its own two triangles don't hide; or no edge of any.
+struct OwnEdge {
+  static constexpr std::size_t kNone = ~std::size_t{0};
+  std::size_t solid = kNone;
+  std::uint32_t left = SolidEdge::kNoTriangle, right = SolidEdge::kNoTriangle;
+};
+
+class SolidsInView {
+public:
+  /// REQUIRES that the standing solids outlive it.
+  SolidsInView(std::span<const StandingSolid> standing, const View& view);
+
+  const View& view() const { return view_; }
+  const std::vector<SolidInView>& solids() const { return solids_; }
+
+  /// Parts of lines that are no longer are left by rounding: some hundred times that of positions,
+  /// since a line may cross a plane at a small angle.
+  double sliver_m() const { return sliver_m_; }
+  /// Whether any solid reaches into a range of X.
+  bool any_in(double x_begin, double x_end) const {
+    return x_begin <= x_end_ && x_end >= x_begin_;
+  }
+  /// Calls `take` with the number of every solid whose box a box in the picture overlaps, and that
+  /// begins nearer than the box ends; with some of them more than once.
+  template <class Take>
+  void for_each_before(const SeenBox& box, const Take& take) const {
+    if (!any_in(box.x_begin, box.x_end)) return;
+    const std::size_t last = bucket_of(box.x_end);
+    for (std::size_t b = bucket_of(box.x_begin); b <= last; ++b)
+      for (const std::uint32_t i : buckets_[b]) {
+        const SeenBox& solid = solids_[i].box;
+        if (overlap(solid, box) && solid.nearest_m <= box.farthest_m) take(std::size_t{i});
+      }
+  }
+  /// Appends what solids hide of a line.
+  void add_hidden(const LineInView& line, const OwnEdge& own, std::vector<Share>& hidden) const;
+
+  static bool overlap(const SeenBox& a, const SeenBox& b) {
+    return a.x_begin <= b.x_end && b.x_begin <= a.x_end && a.y_low <= b.y_high &&
+           b.y_low <= a.y_high;
+  }
+
+private:
+  std::size_t bucket_of(double x) const;
+
+  View view_;
+  std::vector<SolidInView> solids_;
+  double sliver_m_ = 0;
+  double x_begin_ = 0, x_end_ = -1;   ///< of all
+  double core_begin_ = 0, per_x_ = 0; ///< buckets begin here, so many to a unit of X
+  std::vector<std::vector<std::uint32_t>> buckets_;
+};
+
+} // namespace orograph
