@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/view_entries.hpp"
 
-#include "cli/options/option_values.hpp"
+#include "geometry/edit_distance.hpp"
 #include "geometry/error.hpp"
 #include "view/view_mapping.hpp"
 #include "view/view_orientation.hpp"
@@ -48,19 +48,13 @@ std::string how_to_give(const Key& key) {
 }
 
 [[noreturn]] void refuse_unknown(const ViewEntry& entry, const std::string& path) {
-  const Key* nearest = nullptr;
-  int least = 4; // farther than that, a suggestion is a guess
-  for (const Key& key : kKeys) {
-    const int distance = edit_distance(entry.key, key.name);
-    // A word of three letters is within 3 edits of any other.
-    if (distance < least && distance < static_cast<int>(key.name.size())) {
-      least = distance;
-      nearest = &key;
-    }
-  }
+  std::array<std::string_view, kKeys.size()> names;
+  std::transform(kKeys.begin(), kKeys.end(), names.begin(),
+                 [](const Key& key) { return key.name; });
+  const std::string_view nearest = nearest_word(entry.key, names);
   std::string hint =
       "a view has projection, vrp, vpn, vup, prp, window, front, back and exaggeration";
-  if (nearest != nullptr) hint = fmt::format("did you mean {}? {}", nearest->name, hint);
+  if (!nearest.empty()) hint = fmt::format("did you mean {}? {}", nearest, hint);
   throw Error(fmt::format("{}: unknown key '{}'", place(path, entry), entry.key), hint);
 }
 

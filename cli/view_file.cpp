@@ -3,19 +3,16 @@
 #include "cli/view_file.hpp"
 
 #include "cli/view_entries.hpp"
-#include "dem/read/words.hpp"
 #include "geometry/error.hpp"
+#include "geometry/text_of_file.hpp"
+#include "geometry/words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <initializer_list>
 #include <map>
 #include <string_view>
@@ -28,39 +25,9 @@ using Kind = ViewEntry::Kind;
 // A view takes less than a kilobyte; a report tells of every profile.
 constexpr std::size_t kMostBytesOfToml = 1'000'000, kMostBytesOfReport = 20'000'000;
 
-std::string whole_file(const std::string& path, std::size_t most_bytes) {
-  const std::string right = "give a view in TOML, or a report of orograph render (.json)";
-  std::error_code unknown;
-  if (std::filesystem::is_directory(path, unknown)) throw Error(path + " is a folder", right);
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    if (errno == ENOENT) throw Error(path + ": no such file", right);
-    throw Error(fmt::format("{} can't be opened ({})", path, std::strerror(errno)), right);
-  }
-  std::string text;
-  constexpr std::size_t block = 65536;
-  while (file && text.size() <= most_bytes) {
-    const std::size_t before = text.size();
-    text.resize(before + block);
-    file.read(text.data() + before, block);
-    text.resize(before + static_cast<std::size_t>(file.gcount()));
-  }
-  if (file.bad()) throw Error(path + " can't be read", right);
-  if (text.size() > most_bytes)
-    throw Error(
-        fmt::format("{} is too large for a view (over {} MB)", path, most_bytes / 1'000'000),
-        right);
-  return text;
-}
-
-// A library's words may quote what stands in the file.
-std::string printable(std::string_view text) {
-  std::string line(text);
-  std::replace_if(
-      line.begin(), line.end(),
-      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
-  return line;
+std::string view_text(const std::string& path, std::size_t most_bytes) {
+  return text_of_file(
+      path, {most_bytes, "a view", "give a view in TOML, or a report of orograph render (.json)"});
 }
 
 // A list of numbers or of something else. `number_at(i)` is empty where it is no number.
@@ -105,7 +72,7 @@ ViewEntry entry_of(std::string_view key, const toml::node& node) {
 }
 
 toml::table parsed_toml(const std::string& path, std::size_t most_bytes) {
-  const std::string text = whole_file(path, most_bytes);
+  const std::string text = view_text(path, most_bytes);
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
@@ -165,7 +132,7 @@ nlohmann::json member(const nlohmann::json& owner, const char* key) {
 }
 
 std::vector<ViewEntry> report_entries(const std::string& path) {
-  const std::string text = whole_file(path, kMostBytesOfReport);
+  const std::string text = view_text(path, kMostBytesOfReport);
   nlohmann::json report;
   try {
     report = nlohmann::json::parse(text);

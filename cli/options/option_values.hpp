@@ -54,7 +54,4 @@ std::optional<Vec2> parse_width_x_height(std::string_view text);
 /// The parts between separators; empty parts stay.
 std::vector<std::string> split(std::string_view text, char separator);
 
-/// Edits (insert, remove, replace) that turn one word into the other; for "did you mean".
-int edit_distance(std::string_view a, std::string_view b);
-
 } // namespace orograph

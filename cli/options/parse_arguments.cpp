@@ -3,6 +3,7 @@
 #include "cli/options/parse_arguments.hpp"
 
 #include "cli/options/option_values.hpp"
+#include "geometry/edit_distance.hpp"
 #include "geometry/error.hpp"
 
 #include <CLI/CLI.hpp>

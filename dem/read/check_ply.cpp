@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/check_mesh.hpp"
-#include "dem/read/words.hpp"
 #include "geometry/error.hpp"
+#include "geometry/words.hpp"
 
 #include <fmt/format.h>
 

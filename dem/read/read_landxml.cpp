@@ -2,8 +2,8 @@
 #include "dem/read/read_landxml.hpp"
 
 #include "dem/read/landxml_frame.hpp"
-#include "dem/read/words.hpp"
 #include "geometry/error.hpp"
+#include "geometry/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,8 +3,8 @@
 
 #include "dem/read/check_mesh.hpp"
 #include "dem/read/mesh_comments.hpp"
-#include "dem/read/words.hpp"
 #include "geometry/error.hpp"
+#include "geometry/words.hpp"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/read_points.hpp"
 
-#include "dem/read/words.hpp"
 #include "geometry/error.hpp"
+#include "geometry/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

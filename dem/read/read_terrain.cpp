@@ -8,8 +8,8 @@
 #include "dem/read/read_raster.hpp"
 #include "dem/read/read_vector.hpp"
 #include "dem/read/terrain_from_shapes.hpp"
-#include "dem/read/words.hpp"
 #include "geometry/error.hpp"
+#include "geometry/words.hpp"
 
 #include <fmt/format.h>
 

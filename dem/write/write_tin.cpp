@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/write/write_tin.hpp"
 
-#include "dem/read/words.hpp"
 #include "dem/write/tin_writers.hpp"
+#include "geometry/words.hpp"
 
 #include <utility>
 

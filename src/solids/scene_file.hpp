@@ -15,11 +15,11 @@ namespace orograph {
 
 /// Where a part of the scene is put. Its own frame goes there: x east, y north, z up.
 struct ScenePlace {
-  std::string part;               ///< its name
-  double x = 0, y = 0;            ///< map coordinates of the terrain, or longitude and latitude
-  bool lonlat = false;            ///< the second
-  std::optional<double> height;   ///< in the unit of the terrain's heights; none: on the ground
-  std::size_t line = 0;           ///< of the file
+  std::string part;             ///< its name
+  double x = 0, y = 0;          ///< map coordinates of the terrain, or longitude and latitude
+  bool lonlat = false;          ///< the second
+  std::optional<double> height; ///< in the unit of the terrain's heights; none: on the ground
+  std::size_t line = 0;         ///< of the file
 };
 
 /// One path through the scene graph, from a place to a solid.

@@ -80,10 +80,3 @@ TEST_CASE("a page of width x height") {
        {"400", "400x", "x250", "0x100", "-1x100", "1e9x100", "400x250x3", "400X250", "nanx100"})
     CHECK_FALSE(parse_width_x_height(text));
 }
-
-TEST_CASE("edit distance counts single edits") {
-  CHECK(edit_distance("fov", "fov") == 0);
-  CHECK(edit_distance("fow", "fov") == 1);
-  CHECK(edit_distance("", "fov") == 3);
-  CHECK(edit_distance("kitten", "sitting") == 3);
-}

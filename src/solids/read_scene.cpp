@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solids/read_scene.hpp"
+
+#include "geometry/edit_distance.hpp"
+#include "geometry/error.hpp"
+#include "solids/read_map.hpp"
+#include "solids/read_shape.hpp"
+#include "solids/walk_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+constexpr SceneKey kPart{"part", "a part's name", "\"hut\""};
+constexpr std::array<SceneKey, 2> kSceneKeys{{
+    {"part", "tables by name", "{ wall = { shape = \"box\", size = [8, 6, 3] } }"},
+    {"place", "a list of tables", "[{ part = \"hut\", at = [455000, 5080000] }]"},
+}};
+constexpr std::array kUseKeys{kPart, kMapKey};
+constexpr std::array kPlaceKeys{
+    kPart, kMapKey, SceneKey{"at", "2 numbers, or 3 with a height", "[455000, 5080000]"},
+    SceneKey{"lonlat", "2 numbers, or 3 with a height", "[7.5, 46.1]"}};
+
+using PartNumbers = std::map<std::string, std::uint32_t, std::less<>>;
+
+PartUse read_use(const SceneTable& table, const PartNumbers& numbers) {
+  const std::string& name = table.text("part");
+  const auto found = numbers.find(name);
+  if (found == numbers.end()) {
+    std::vector<std::string_view> names;
+    for (const auto& [known, number] : numbers) names.push_back(known);
+    const auto nearest = nearest_word(name, names);
+    throw Error(fmt::format("{}: there is no part '{}'", table.place(table.at("part")), name),
+                nearest.empty() ? fmt::format("describe it in a table [part.{}]", name)
+                                : fmt::format("did you mean {}?", nearest));
+  }
+  return {found->second, read_map(table), table.line()};
+}
+
+struct Parts {
+  std::vector<ScenePart> nodes;
+  PartNumbers numbers;
+  std::vector<Solid> solids;
+};
+
+void read_part(const SceneTable& table, ScenePart& part, Parts& parts) {
+  if (table.has("shape")) {
+    part.solid = static_cast<std::uint32_t>(parts.solids.size());
+    parts.solids.push_back(read_shape(table));
+  }
+  if (table.has("uses"))
+    for (const SceneValue& use : table.list("uses"))
+      part.uses.push_back(
+          read_use(SceneTable(table.path(), use, "a use of a part", kUseKeys), parts.numbers));
+  if (!part.solid && part.uses.empty())
+    throw Error(fmt::format("{}, line {}: part '{}' has neither a shape nor other parts",
+                            table.path(), table.line(), part.name),
+                "give it shape = \"box\" or another, or uses = [{ part = \"wall\" }]");
+}
+
+Parts read_parts(const SceneTable& scene) {
+  Parts parts;
+  if (!scene.has("part")) return parts;
+  const SceneValue& given = scene.at("part");
+  if (given.table() == nullptr) scene.refuse("part", given);
+  for (const SceneEntry& entry : *given.table()) {
+    parts.numbers.emplace(entry.key, static_cast<std::uint32_t>(parts.nodes.size()));
+    parts.nodes.push_back({entry.key, {}, {}});
+  }
+  for (std::size_t i = 0; i < parts.nodes.size(); ++i)
+    read_part(part_table(scene.path(), (*given.table())[i].value), parts.nodes[i], parts);
+  return parts;
+}
+
+ScenePlace read_place(const SceneTable& table) {
+  ScenePlace place;
+  place.part = table.text("part");
+  place.line = table.line();
+  place.lonlat = table.has("lonlat");
+  if (place.lonlat == table.has("at"))
+    throw Error(fmt::format("{}, line {}: a place has {}", table.path(), table.line(),
+                            place.lonlat ? "both at and lonlat" : "neither at nor lonlat"),
+                "give the terrain's coordinates, at = [455000, 5080000], or lonlat = [7.5, 46.1]");
+  const auto numbers = table.numbers(place.lonlat ? "lonlat" : "at", 2, 3);
+  place.x = numbers[0];
+  place.y = numbers[1];
+  if (numbers.size() == 3) place.height = numbers[2];
+  if (place.lonlat && !(std::abs(place.x) <= 360 && std::abs(place.y) <= 90))
+    throw Error(fmt::format("{}: lonlat is not on the globe", table.place(table.at("lonlat"))),
+                "longitude first, -360 to 360 degrees, then latitude, -90 to 90");
+  return place;
+}
+
+} // namespace
+
+SceneFile read_scene(const std::string& path) {
+  const SceneValue root{1, parse_scene(path)};
+  const SceneTable scene(path, root, "a scene", kSceneKeys);
+  Parts parts = read_parts(scene);
+  SceneFile file{.path = path, .solids = {}, .places = {}, .instances = {}};
+  SceneGraph graph{std::move(parts.nodes), {}};
+  if (scene.has("place"))
+    for (const SceneValue& value : scene.list("place")) {
+      const SceneTable table(path, value, "a place", kPlaceKeys);
+      file.places.push_back(read_place(table));
+      graph.places.push_back(read_use(table, parts.numbers));
+    }
+  if (file.places.empty())
+    throw Error(path + " has no place, so nothing would be drawn",
+                "add a table [[place]] with part = \"hut\" and at = [455000, 5080000]");
+  file.solids = std::move(parts.solids);
+  file.instances = walk_scene(graph, path);
+  return file;
+}
+
+} // namespace orograph
