@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An instance of a solid on the ground.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solids/solid.hpp"
+
+namespace orograph {
+
+/// REQUIRES that the solid outlives it.
+struct StandingSolid {
+  const Solid* solid = nullptr;
+  std::vector<Vec3> vertices_m; ///< those of the solid in the terrain's ground frame, true heights
+  bool mirrored = false;        ///< its triangles run clockwise for who looks from outside
+};
+
+} // namespace orograph
