@@ -53,7 +53,10 @@ void put_terrain(SolidScene& scene, std::uint64_t seed, Random& random) {
   if (kind == 2 || kind == 6) return put_lattice(scene, random);
   if (kind == 5) return take(random_tin_scene(seed, false));
   take(random_scene(seed, 16));
-  if (kind != 3 && kind != 7) return;
+  const SurfaceExtent extent = extent_of(scene.terrain.surface);
+  // put_eye needs two places on the ground that aren't close together.
+  if ((kind != 3 && kind != 7) || 2 * extent.valid < std::get<Grid>(scene.terrain.surface).size())
+    return;
   const RenderSettings without = scene.settings;
   put_eye(scene.settings, std::get<Grid>(scene.terrain.surface), random);
   try {
