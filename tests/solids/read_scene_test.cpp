@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scene files: what they hold, and the sources' models by way of them.
+#include "geometry/box.hpp"
 #include "solids/walk_scene.hpp"
 #include "tests/solids/made_scene_files.hpp"
 #include "tests/solids/made_scene_graph.hpp"
@@ -7,6 +8,8 @@
 #include "tests/view/matrices.hpp"
 
 #include <fmt/format.h>
+
+#include <iterator>
 
 using namespace orograph;
 
@@ -94,6 +97,19 @@ at = [1, 2, 3]
   CHECK(distance(moved(file.instances[5].to_place, {0, 3, 6}), {0, -3, 9}) < 1e-14);
   CHECK(distance(moved(file.instances[1].to_place, {0, 3, 6}), {3, 0, 9}) < 1e-14);
   CHECK(distance(moved(file.instances[3].to_place, {4, 3, 3}), {0.4, 0.3, 0.3}) < 1e-15);
+}
+
+TEST_CASE("the scene in docs/scenes.md is one") {
+  std::ifstream page(std::string(OROGRAPH_SOURCE_DIR) + "/docs/scenes.md");
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  const auto begin = text.find("```toml\n[part.wall]") + 8;
+  const SceneFile file = scene_of(text.substr(begin, text.find("```", begin) - begin));
+  CHECK(file.places.size() == 2);
+  CHECK(file.instances.size() == 4);
+  Box3 roof; // over the wall, on all sides
+  for (const Vec3 p : file.solids[1].vertices_m) roof.include(moved(file.instances[3].to_place, p));
+  CHECK(distance(roof.low, {-4.5, -3.5, 3}) < 1e-14);
+  CHECK(distance(roof.high, {4.5, 3.5, 6}) < 1e-14);
 }
 
 TEST_CASE("steps of a map act in their order") {
