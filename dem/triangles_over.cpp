@@ -13,6 +13,7 @@ namespace {
 
 // Unless it has no area seen from above, or a corner has no height.
 void add(GroundTriangle corners, bool is_mirrored, std::vector<GroundTriangle>& out) {
+  if (std::isnan(corners[0].z + corners[1].z + corners[2].z)) return;
   if (is_mirrored) std::swap(corners[1], corners[2]);
   const Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
   if (normal.z > 0) out.push_back(corners);

@@ -3,13 +3,14 @@
 
 #include "geometry/box.hpp"
 #include "geometry/error.hpp"
+#include "solids/closed_parts.hpp"
 #include "solids/plane_polygon.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <span>
 
 namespace orograph {
 namespace {
@@ -19,8 +20,6 @@ using Face = std::vector<Index>;
 
 constexpr double kFarthest_m = 1e12; // cubes of it, and of its rounding, are still plain numbers
 constexpr auto kSplitIt = "split it into triangles";
-constexpr auto kCounterclockwise =
-    "list the corners of each face counterclockwise for who looks from outside";
 
 // A side of a face, or of a triangle within one.
 struct HalfEdge {
@@ -31,9 +30,14 @@ struct HalfEdge {
   Index high() const { return std::max(from, to); }
 };
 
+// Faces last, so that messages don't depend on how equals are sorted.
 bool by_edge(const HalfEdge& a, const HalfEdge& b) {
-  return std::array{a.low(), a.high(), Index{a.within_face}, a.within_face ? a.face : 0, a.from} <
-         std::array{b.low(), b.high(), Index{b.within_face}, b.within_face ? b.face : 0, b.from};
+  const auto order = [](const HalfEdge& side) {
+    return std::array{
+        side.low(), side.high(), Index{side.within_face}, side.within_face ? side.face : 0,
+        side.from,  side.face};
+  };
+  return order(a) < order(b);
 }
 
 bool is_one_edge(const HalfEdge& a, const HalfEdge& b) {
@@ -119,7 +123,7 @@ std::vector<std::array<Index, 3>> split(const Face& face, std::size_t number,
   const double twice_area = length(normal);
   if (!(twice_area > 0))
     throw Error(fmt::format("face {} has no area", number),
-                "its corners should not lie on one line");
+                "its corners should go once round a plane area");
   check_plane(face, number, vertices_m, (1 / twice_area) * normal, size_m);
   const std::vector<Vec2> corners = flat(face, vertices_m, normal);
   if (const std::string fault = fault_of_line(corners, true); !fault.empty())
@@ -143,48 +147,7 @@ void check_edge(std::span<const HalfEdge> sides) {
   if (sides[0].from == sides[1].from)
     throw Error(fmt::format("faces {} and {} run along {} the same way", sides[0].face,
                             sides[1].face, edge),
-                kCounterclockwise);
-}
-
-// Each closed part's triangles, by a triangle of it.
-class Parts {
-public:
-  explicit Parts(std::size_t triangles) : of_(triangles) { std::iota(of_.begin(), of_.end(), 0); }
-
-  void join(Index a, Index b) { of_[root(a)] = root(b); }
-  Index root(Index triangle) {
-    while (of_[triangle] != triangle) triangle = of_[triangle] = of_[of_[triangle]];
-    return triangle;
-  }
-
-private:
-  std::vector<Index> of_;
-};
-
-void check_volumes(const Solid& solid, const std::vector<Index>& face_of, double size_m) {
-  Parts parts(solid.triangles.size());
-  for (const SolidEdge& edge : solid.edges) parts.join(edge.left, edge.right);
-  std::vector<double> six_volumes(solid.triangles.size()), twice_areas(solid.triangles.size());
-  for (Index i = 0; i < solid.triangles.size(); ++i) {
-    const auto at = [&](Index triangle, int corner) {
-      return solid.vertices_m[solid.triangles[triangle][corner]];
-    };
-    const Index part = parts.root(i);
-    const Vec3 from = at(part, 0);
-    const Vec3 normal = cross(at(i, 1) - at(i, 0), at(i, 2) - at(i, 0));
-    six_volumes[part] += dot(at(i, 0) - from, normal);
-    twice_areas[part] += length(normal);
-  }
-  for (Index i = 0; i < solid.triangles.size(); ++i) {
-    if (parts.root(i) != i) continue;
-    const double rounding = 1e-14 * twice_areas[i] * size_m;
-    if (std::abs(six_volumes[i]) <= rounding)
-      throw Error(fmt::format("the closed part with face {} has no volume", face_of[i]),
-                  "a sheet needs a thickness");
-    if (six_volumes[i] < 0)
-      throw Error(fmt::format("the closed part with face {} is inside out", face_of[i]),
-                  kCounterclockwise);
-  }
+                list_counterclockwise);
 }
 
 void drop_unused_vertices(Solid& solid) {
@@ -245,7 +208,7 @@ Solid build_solid(const Polyhedron& polyhedron) {
     }
   }
   solid.edges = paired(sides, polyhedron);
-  check_volumes(solid, face_of, size_m);
+  require_outward(solid, face_of, size_m);
   drop_unused_vertices(solid);
   return solid;
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr SceneKey kPart{"part", "a part's name", "\"hut\""};
 constexpr std::array<SceneKey, 2> kSceneKeys{{
     {"part", "tables by name", "{ wall = { shape = \"box\", size = [8, 6, 3] } }"},
-    {"place", "a list of tables", "[{ part = \"hut\", at = [455000, 5080000] }]"},
+    {"place", "tables below lines [[place]]", "[{ part = \"hut\", at = [455000, 5080000] }]"},
 }};
 constexpr std::array kUseKeys{kPart, kMapKey};
 constexpr std::array kPlaceKeys{

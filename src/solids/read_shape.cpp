@@ -132,23 +132,32 @@ constexpr std::array<Shape, 8> kShapes{{
     {"wires", "a shape of wires", kWiresKeys, read_wires, "lines"},
 }};
 
-// `given` is what the key `shape` says.
-const Shape& shape_of(const std::string& path, const SceneValue& given) {
-  const auto* const text = std::get_if<std::string>(&given.value);
-  const std::string name = text != nullptr ? *text : words_for(given);
+const Shape* find_shape(std::string_view name) {
   const auto* const shape = std::find_if(kShapes.begin(), kShapes.end(),
                                          [&](const Shape& known) { return known.name == name; });
-  if (text != nullptr && shape != kShapes.end()) return *shape;
+  return shape == kShapes.end() ? nullptr : shape;
+}
+
+[[noreturn]] void refuse_shape(const std::string& name, const std::string& place) {
   std::vector<std::string_view> names;
-  std::string all;
+  std::string hint = "there are ";
   for (const Shape& known : kShapes) {
-    all += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+    hint += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
     names.push_back(known.name);
   }
-  std::string hint = "there are " + all;
   if (const auto nearest = nearest_word(name, names); !nearest.empty())
     hint = fmt::format("did you mean {}? {}", nearest, hint);
-  throw Error(fmt::format("{}, line {}: there is no shape '{}'", path, given.line, name), hint);
+  throw Error(fmt::format("{}: there is no shape '{}'", place, name), hint);
+}
+
+// A part without `shape` that has a key of one.
+void refuse_shapeless(const std::string& path, const SceneEntry& entry) {
+  for (const Shape& shape : kShapes)
+    for (const SceneKey& key : shape.keys.subspan(2))
+      if (key.name == entry.key)
+        throw Error(fmt::format("{}, line {}: the part has {} but no shape", path, entry.value.line,
+                                entry.key),
+                    fmt::format("add shape = \"{}\", or another", shape.name));
 }
 
 // An Error of the file itself tells its place already.
@@ -159,17 +168,24 @@ bool tells_place(const Error& error, const SceneTable& part) {
 } // namespace
 
 SceneTable part_table(const std::string& path, const SceneValue& value) {
-  constexpr auto part = "a part";
-  if (value.table() == nullptr) return {path, value, part, kNoShapeKeys};
-  const auto shape = std::find_if(value.table()->begin(), value.table()->end(),
-                                  [](const SceneEntry& e) { return e.key == "shape"; });
-  if (shape == value.table()->end()) return {path, value, part, kNoShapeKeys};
-  const Shape& known = shape_of(path, shape->value);
-  return {path, value, known.noun, known.keys};
+  if (value.table() == nullptr) return {path, value, "a part", kNoShapeKeys};
+  for (const SceneEntry& entry : *value.table()) {
+    if (entry.key != "shape") continue;
+    const std::string place = fmt::format("{}, line {}", path, entry.value.line);
+    const auto* const name = std::get_if<std::string>(&entry.value.value);
+    if (name == nullptr)
+      throw Error(fmt::format("{}: shape is {}", place, words_for(entry.value)),
+                  "give a shape's name, as in shape = \"box\"");
+    const Shape* const shape = find_shape(*name);
+    if (shape == nullptr) refuse_shape(*name, place);
+    return {path, value, shape->noun, shape->keys};
+  }
+  for (const SceneEntry& entry : *value.table()) refuse_shapeless(path, entry);
+  return {path, value, "a part without a shape", kNoShapeKeys};
 }
 
 Solid read_shape(const SceneTable& part) {
-  const Shape& shape = shape_of(part.path(), part.at("shape"));
+  const Shape& shape = *find_shape(part.text("shape"));
   try {
     return shape.read(part);
   } catch (const Error& error) {

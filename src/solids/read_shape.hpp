@@ -15,7 +15,7 @@ SceneTable part_table(const std::string& path, const SceneValue& value);
 /// The shape that `part` describes. A polyhedron in a file of its own is read relative to the
 /// scene's file. Throws Error, with the line of what describes the shape: those of `box` and its
 /// neighbours (solids/shapes.hpp), `revolution` and `rotation_body` (solids/turned_shapes.hpp),
-/// `build_solid` and `read_polyhedron`. REQUIRES that the part has the key `shape`.
+/// `build_solid` and `read_polyhedron`. REQUIRES a table of `part_table` with the key `shape`.
 Solid read_shape(const SceneTable& part);
 
 } // namespace orograph

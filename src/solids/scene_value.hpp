@@ -34,7 +34,7 @@ struct SceneEntry {
 std::string words_for(const SceneValue& value);
 
 /// Reads TOML. Throws Error, which begins with the path: no such file, a folder, over 10 MB, not
-/// TOML (with the line).
+/// TOML, names with over 1000 dots (with the line).
 SceneValue::Table parse_scene(const std::string& path);
 
 } // namespace orograph

@@ -29,7 +29,7 @@ void check_turning(const Turning& turning) {
 
 void check_line(const std::vector<Vec2>& line_m, bool closed) {
   if (const std::string fault = fault_of_line(line_m, closed); !fault.empty())
-    throw Error("the profile, with its caps, " + fault, "its pieces should meet at ends only");
+    throw Error("the profile " + fault, "its pieces should meet at ends only");
 }
 
 void check_faces(double faces) {
@@ -123,12 +123,15 @@ std::vector<Vec2> checked_profile(const Turning& turning, bool ring) {
   std::vector<Vec2> line = profile;
   if (!ring && line.back().x > 0) line.push_back({0, line.back().y});
   if (!ring && line.front().x > 0) line.insert(line.begin(), {0, line.front().y});
-  check_line(line, ring);
   const double area = signed_area(line);
   double around = 0;
   for (std::size_t i = 1; i < line.size(); ++i) around += length(line[i] - line[i - 1]);
   if (!(std::abs(area) > 1e-12 * around * around))
     throw Error("the profile encloses nothing", "let it go about a part of the plane (r, z)");
+  check_line(profile, ring);
+  if (!ring && !fault_of_line(line, false).empty())
+    throw Error("the profile crosses or touches a cap",
+                "its ends off the axis are joined to the axis on the level");
   if (area < 0) std::reverse(profile.begin(), profile.end());
   return profile;
 }
@@ -178,8 +181,9 @@ std::vector<Vec2> checked_section(const Turning& turning) {
 Index checked_steps(const Turning& turning, const Rise& rise) {
   const double steps = turning.sides * rise.turns, whole = std::round(steps);
   if (!(whole >= 1 && std::abs(steps - whole) <= 1e-6))
-    throw Error(fmt::format("{} turns of {} sides are {} steps", rise.turns, turning.sides, steps),
-                "give a whole number of steps, 1 or more");
+    throw Error(
+        fmt::format("{:.6g} turns of {} sides are {:.6g} steps", rise.turns, turning.sides, steps),
+        "give a whole number of steps, 1 or more");
   if (rise.per_turn_m == 0 && rise.turns > 1 - 1e-9)
     throw Error("a whole turn without a rise closes on itself",
                 "shape = \"revolution\" makes a ring of a closed profile");
