@@ -48,13 +48,13 @@ public:
     // Everything behind it and below.
     const SeenBox box{left.x, right.x, -kInfinity, high, -kInfinity, kInfinity};
     const double nearest_m = std::min(from.v, to.v);
+    const std::size_t first = found.size();
     solids_.for_each_before(box, [&](std::size_t i) {
       const SolidInView& solid = solids_.solids()[i];
       if (!(solid.box.farthest_m > nearest_m)) return;
-      // In a bucket of X after another it is the same solid.
-      if (!found.empty() && found.back().solid == i && found.back().shadow.x_begin == left.x &&
-          found.back().shadow.x_end == right.x)
-        return;
+      // It may be in several buckets of X.
+      for (std::size_t k = first; k < found.size(); ++k)
+        if (found[k].solid == i) return;
       found.push_back({static_cast<std::uint32_t>(i),
                        {edge_shadow(view_, rays_, as_vec(from), as_vec(to),
                                     kTouching * solid.rounding_m),

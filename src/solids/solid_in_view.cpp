@@ -113,8 +113,7 @@ SolidInView in_view(const StandingSolid& standing, const View& view) {
     const FacePlane plane(corners);
     light[i] = plane.is_light(rays, corners[0], out.rounding_m);
     const SeenBox box = seen_box(view, corners.data(), corners.size());
-    // What is all behind the near plane has no picture, and stands before nothing that has.
-    if (!light[i] || (view.is_perspective() && box.farthest_m < view.near_m)) continue;
+    if (!light[i] || is_behind_eye(view, box)) continue;
     out.shadows.push_back({triangle_shadow(rays, corners, order, plane.rounding_m(out.rounding_m)),
                            box, static_cast<std::uint32_t>(i)});
   }

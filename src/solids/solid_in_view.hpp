@@ -17,6 +17,11 @@ struct SeenBox {
 };
 /// Of points of the profile frame.
 SeenBox seen_box(const View& view, const Vec3* points, std::size_t count);
+/// It stands in front of nothing then. What is nearer than the near plane does, though it has no
+/// picture.
+inline bool is_behind_eye(const View& view, const SeenBox& box) {
+  return view.is_perspective() && box.farthest_m <= 0;
+}
 
 /// What a light triangle hides.
 struct TriangleShadow {

@@ -17,7 +17,7 @@ SolidsInView::SolidsInView(std::span<const StandingSolid> standing, const View& 
     solids_.push_back(in_view(one, view));
     sliver_m_ = std::max(sliver_m_, 256 * solids_.back().rounding_m);
     const SeenBox& box = solids_.back().box;
-    if (view.is_perspective() && box.farthest_m < view.near_m) continue;
+    if (is_behind_eye(view, box)) continue;
     x_begin_ = std::min(x_begin_, box.x_begin);
     x_end_ = std::max(x_end_, box.x_end);
     if (std::isinf(box.x_begin)) continue;
@@ -32,7 +32,7 @@ SolidsInView::SolidsInView(std::span<const StandingSolid> standing, const View& 
   else per_x_ = static_cast<double>(count) / (core_end - core_begin_);
   for (std::size_t i = 0; i < solids_.size(); ++i) {
     const SeenBox& box = solids_[i].box;
-    if (view.is_perspective() && box.farthest_m < view.near_m) continue;
+    if (is_behind_eye(view, box)) continue;
     for (std::size_t b = bucket_of(box.x_begin); b <= bucket_of(box.x_end); ++b)
       buckets_[b].push_back(static_cast<std::uint32_t>(i));
   }

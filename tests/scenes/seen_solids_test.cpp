@@ -16,7 +16,7 @@ namespace {
 
 // Unoptimized and sanitized builds are there to find other things.
 #ifdef NDEBUG
-constexpr std::uint64_t kScenes = 40;
+constexpr std::uint64_t kScenes = 1000;
 #else
 constexpr std::uint64_t kScenes = 60;
 #endif
