@@ -127,6 +127,9 @@ TEST_CASE("smooth: what is drawn of a curved surface besides its outline") {
   CHECK(drawn_edges(revolution({{{2, 0}, {2, 5}}, 24, {}, true})) == 48);
   CHECK(drawn_edges(revolution(
             {{{3, 0}, {2.6, 6}, {2, 12}, {2.5, 12}, {2.5, 13}, {0, 15}}, 24, {}, true})) == 24 * 4);
+  // A bowl on a foot, whose caps' edges stand above each other.
+  CHECK(drawn_edges(revolution({{{2, 0}, {2, 1}, {4, 1}, {4, -1}, {2, -1}}, 24, {}, true})) ==
+        24 * 5);
   // A ring of 12 corners bends by 30 degrees at each.
   Turning ring{{}, 9, {}, true};
   for (int i = 0; i <= 12; ++i)
