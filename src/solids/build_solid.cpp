@@ -128,7 +128,7 @@ std::vector<std::array<Index, 3>> split(const Face& face, std::size_t number,
   const std::vector<Vec2> corners = flat(face, vertices_m, normal);
   if (const std::string fault = fault_of_line(corners, true); !fault.empty())
     throw Error(fmt::format("face {} {}", number, fault), "its edges should meet at corners only");
-  const auto triangles = triangles_of(corners);
+  auto triangles = triangles_of(corners);
   if (triangles.empty())
     throw Error(fmt::format("face {} is too narrow to be cut into triangles", number), kSplitIt);
   return triangles;

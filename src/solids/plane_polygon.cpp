@@ -139,7 +139,7 @@ double signed_area(std::span<const Vec2> corners) {
 }
 
 std::string fault_of_line(std::span<const Vec2> corners, bool closed) {
-  if (const std::string fault = fault_at_corners(corners, closed); !fault.empty()) return fault;
+  if (std::string fault = fault_at_corners(corners, closed); !fault.empty()) return fault;
   const std::size_t n = corners.size(), edges = closed ? n : n - 1;
   if (closed && is_convex(corners)) return "";
   if (n > kMostCorners) return fmt::format("has over {} corners", kMostCorners);

@@ -22,10 +22,11 @@ struct ScenePlace {
   std::size_t line = 0;         ///< of the file
 };
 
-/// One path through the scene graph, from a place to a solid.
+/// One path through the scene graph, from a place to a solid. A negative determinant mirrors it.
 struct SolidInstance {
   std::size_t place = 0, solid = 0;
-  Eigen::Matrix4d to_place; ///< from the solid's own frame to the place's, metres; not singular
+  /// From the solid's own frame to the place's, metres; affine, not singular.
+  Eigen::Matrix4d to_place;
 };
 
 struct SceneFile {

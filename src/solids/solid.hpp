@@ -10,7 +10,8 @@
 
 namespace orograph {
 
-/// An edge of a solid, or a wire of its own, which hides nothing.
+/// An edge of a solid, or a wire of its own, which hides nothing. An edge of a surface is there
+/// once, with from < to.
 struct SolidEdge {
   static constexpr std::uint32_t kNoTriangle = 0xffffffff;
 
@@ -24,8 +25,8 @@ struct SolidEdge {
   bool operator==(const SolidEdge&) const = default;
 };
 
-/// A closed surface of triangles, or several, and wires; in metres of its own frame (the SETUP
-/// position of Angell and Jones 1983, chapter 9), z up.
+/// A closed surface of triangles, or several, or wires (`build_solid`, `build_wires`); in metres of
+/// its own frame (the SETUP position of Angell and Jones 1983, chapter 9), z up.
 struct Solid {
   std::vector<Vec3> vertices_m;
   /// Counterclockwise for who looks from outside.

@@ -4,7 +4,6 @@
 
 #include "solids/solid.hpp"
 
-#include <span>
 #include <vector>
 
 namespace orograph {

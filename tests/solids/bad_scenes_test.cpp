@@ -62,8 +62,10 @@ TEST_CASE("what isn't a scene file at all") {
     return without(error_of(path), folder.path().string() + "/");
   };
   const std::string right = ": give a scene in TOML, with tables [part.NAME] and [[place]]";
+  std::string large;
+  large.resize(10'000'001, '#');
   CHECK(told(folder.file("nowhere.toml")) == "nowhere.toml: no such file" + right);
   CHECK(error_of(folder.path().string()) == folder.path().string() + " is a folder" + right);
-  CHECK(told(write_file(folder, "large.toml", std::string(10'000'001, '#'))) ==
+  CHECK(told(write_file(folder, "large.toml", large)) ==
         "large.toml is too large for a scene (over 10 MB)" + right);
 }

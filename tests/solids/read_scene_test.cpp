@@ -142,7 +142,7 @@ faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [
   const std::string matrix = "map = [{ matrix = [[9, 12, 20, -15], [-20, 15, 0, 0], "
                              "[-12, -16, 15, 20]] }, { scale = 0.04 }]\n";
   for (const std::string& map : {turns, matrix}) {
-    const SceneFile file = scene_of(cube + kPlace + map);
+    const SceneFile file = scene_of(std::string(cube).append(kPlace).append(map));
     const Solid& solid = only_solid(file);
     CHECK(drawn_edges(solid) == 12);
     require_closed(solid);

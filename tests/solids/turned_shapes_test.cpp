@@ -126,13 +126,15 @@ TEST_CASE("smooth: what is drawn of a curved surface besides its outline") {
   // A cylinder: the edges of its caps. A lighthouse: its gallery too.
   CHECK(drawn_edges(revolution({{{2, 0}, {2, 5}}, 24, {}, true})) == 48);
   CHECK(drawn_edges(revolution(
-            {{{3, 0}, {2.6, 6}, {2, 12}, {2.5, 12}, {2.5, 13}, {0, 15}}, 24, {}, true})) == 24 * 4);
+            {{{3, 0}, {2.6, 6}, {2, 12}, {2.5, 12}, {2.5, 13}, {0, 15}}, 24, {}, true})) == 96);
+  // A bowl on a foot, whose caps' edges stand above each other.
+  CHECK(drawn_edges(revolution({{{2, 0}, {2, 1}, {4, 1}, {4, -1}, {2, -1}}, 24, {}, true})) == 120);
   // A ring of 12 corners bends by 30 degrees at each.
   Turning ring{{}, 9, {}, true};
   for (int i = 0; i <= 12; ++i)
     ring.profile_m.push_back(
         {5 + cos(Angle::degrees(30.0 * (i % 12))), sin(Angle::degrees(30.0 * (i % 12)))});
-  CHECK(drawn_edges(revolution(ring)) == 9 * 12);
+  CHECK(drawn_edges(revolution(ring)) == 108);
 }
 
 TEST_CASE("bodies of rotation: closed, and as large as Pappus says") {
@@ -171,8 +173,8 @@ TEST_CASE("a spiral rises as it is told, its profile closed or not") {
   const Solid solid = rotation_body({section, 12, {}, false}, {4, 2.5});
   CHECK(solid == rotation_body({again, 12, {}, false}, {4, 2.5}));
   CHECK(distance(solid.vertices_m.front(), {2, 0, 0}) < 1e-15);
-  CHECK(distance(solid.vertices_m[12 * 4], {2, 0, 4}) < 1e-14);
-  CHECK(distance(solid.vertices_m[30 * 4], {-2, 0, 10}) < 1e-14);
+  CHECK(distance(solid.vertices_m[48], {2, 0, 4}) < 1e-14);
+  CHECK(distance(solid.vertices_m[120], {-2, 0, 10}) < 1e-14);
   // Smooth: its four helices, and its two ends.
   CHECK(drawn_edges(rotation_body({section, 12, {}, true}, {4, 2.5})) == 4 * 30 + 8);
   // Half an arch lies flat.
