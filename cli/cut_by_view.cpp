@@ -12,8 +12,7 @@
 namespace orograph {
 
 std::optional<Terrain> cut_by_view(const Terrain& terrain, const RenderSettings& settings) {
-  if (!settings.view || !settings.view->cuts() || !has_ground(terrain.surface))
-    return std::nullopt;
+  if (!settings.view || !settings.view->cuts() || !has_ground(terrain.surface)) return std::nullopt;
   // Of a view in a file nothing is chosen by the terrain.
   const double exaggeration = terrain.map.earth ? 1 : exaggeration_of(settings, {});
   Tin kept =

@@ -44,7 +44,7 @@ double length_mm(const Layer& layer) {
 struct LineLayer {
   Layer layer;
   std::vector<LinePart> parts;
-  bool of_solids = false; ///< the parts
+  bool of_solids = false;  ///< the parts
   bool is_rounded = false; ///< stroke by stroke
   double left_out_mm = 0;
   RoundingCounts dropped = {};
@@ -96,10 +96,15 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   double profiles_done = 0;
   std::vector<SectorLines> found;
   for (std::size_t i = 0; i < scene.sectors.size(); ++i)
-    found.push_back(!on_ground ? solids_alone(scene, scene.sectors[i]) : sweep_sector(
-        terrain, scene, scene.sectors[i], lines, ground.empty() ? nullptr : &ground[i], settings,
-        instruments, draws_profiles ? &profile_layer : nullptr, {counts, seconds, drawn.check},
-        [&] { progress(++profiles_done / static_cast<double>(scene.depths_m.size())); }));
+    found.push_back(!on_ground
+                        ? solids_alone(scene, scene.sectors[i])
+                        : sweep_sector(terrain, scene, scene.sectors[i], lines,
+                                       ground.empty() ? nullptr : &ground[i], settings, instruments,
+                                       draws_profiles ? &profile_layer : nullptr,
+                                       {counts, seconds, drawn.check}, [&] {
+                                         progress(++profiles_done /
+                                                  static_cast<double>(scene.depths_m.size()));
+                                       }));
 
   watch = {};
   const auto of_all_sectors = [&](std::vector<LinePart> SectorLines::*parts) {

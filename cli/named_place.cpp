@@ -50,9 +50,10 @@ Vec2 in_turn_of(const Terrain& terrain, Vec2 place) {
 Vec2 lonlat_on_map(const NamedPlace& at, const Terrain& terrain) {
   const MapFrame& map = terrain.map;
   if (map.crs_wkt.empty())
-    throw Error(fmt::format("{}{}: the terrain has no CRS, so longitudes and latitudes aren't known",
-                            at.in_file, at.option),
-                fmt::format("give {} in its own coordinates, or the file a CRS", at.on_map()));
+    throw Error(
+        fmt::format("{}{}: the terrain has no CRS, so longitudes and latitudes aren't known",
+                    at.in_file, at.option),
+        fmt::format("give {} in its own coordinates, or the file a CRS", at.on_map()));
   if (!is_on_earth(map.crs_wkt))
     throw Error(fmt::format("{}{}: the terrain's CRS, {}, doesn't tell where on the earth it is",
                             at.in_file, at.option, map.crs_name),

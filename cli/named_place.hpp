@@ -17,10 +17,10 @@ struct NamedPlace {
   bool lonlat = false;
   std::string in_file = {}; ///< "scene.toml, line 12: ", of a scene file
 
-  std::string text() const; ///< what it is, for messages
+  std::string text() const;        ///< what it is, for messages
   std::string with_height() const; ///< how to give a height as well
-  std::string on_map() const; ///< how to give it in the terrain's own coordinates
-  std::string turned() const; ///< with its two numbers the other way round
+  std::string on_map() const;      ///< how to give it in the terrain's own coordinates
+  std::string turned() const;      ///< with its two numbers the other way round
 };
 
 /// In the terrain's own coordinates; in degrees a longitude of the terrain's own turn. Throws Error

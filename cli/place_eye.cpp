@@ -8,7 +8,7 @@ namespace orograph {
 namespace {
 
 std::optional<NamedPlace> named(const std::string& option, const std::optional<GivenPlace>& map,
-                           const std::optional<GivenPlace>& lonlat) {
+                                const std::optional<GivenPlace>& lonlat) {
   if (map) return NamedPlace{option, *map, false};
   if (lonlat) return NamedPlace{option + "-lonlat", *lonlat, true};
   return std::nullopt;

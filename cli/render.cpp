@@ -49,8 +49,7 @@ void render(const RenderSettings& settings) {
   RunReport report;
   SecondsReport& seconds = report.seconds;
 
-  const Terrain whole =
-      timed(seconds.read, [&] { return read_ground(settings); });
+  const Terrain whole = timed(seconds.read, [&] { return read_ground(settings); });
   const auto place_start = Clock::now();
   const TerrainOfView of_view(whole, settings);
   const Terrain& terrain = *of_view;

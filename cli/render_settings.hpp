@@ -32,9 +32,9 @@ struct RenderSettings {
   std::string output;
   ReadOptions reading;
 
-  std::string scene_file; ///< its path; empty: no solids
+  std::string scene_file;                  ///< its path; empty: no solids
   std::shared_ptr<const SceneFile> solids; ///< what it holds
-  bool dashes_hidden = false; ///< hidden edges of solids in a layer of their own
+  bool dashes_hidden = false;              ///< hidden edges of solids in a layer of their own
 
   std::string view_file;        ///< its path; empty: the view is as the following say
   std::optional<ViewFile> view; ///< what it holds
@@ -60,7 +60,7 @@ struct RenderSettings {
   double silhouette_jump = 0.003; ///< share of the depth by which the ground behind is farther
   double min_stroke_mm = 0;
   FlatGround flat = FlatGround::shore;
-  std::vector<std::string> layers{"profiles", "shores",  "border",
+  std::vector<std::string> layers{"profiles",    "shores",  "border",
                                   "silhouettes", "skyline", "solids"};
   bool void_edges = false; ///< the layer `voids` as well
 

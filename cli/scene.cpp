@@ -258,10 +258,10 @@ Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettin
   const bool on_ground = has_ground(surface);
   scene.exaggeration_chosen = on_ground && !settings.exaggeration && !settings.view;
   const std::optional<EarthFrame>& earth = terrain.map.earth;
-  scene.exaggeration = earth       ? earth->exaggeration
-                       : on_ground ? exaggeration_of(settings, scene.extent.box)
-                                   : settings.exaggeration.value_or(
-                                         settings.view ? settings.view->exaggeration : 1);
+  scene.exaggeration =
+      earth       ? earth->exaggeration
+      : on_ground ? exaggeration_of(settings, scene.extent.box)
+                  : settings.exaggeration.value_or(settings.view ? settings.view->exaggeration : 1);
   // On the ellipsoid heights went to their place exaggerated.
   const double exaggeration = earth ? 1 : scene.exaggeration;
   if (settings.solids) scene.solids = stand_solids(*settings.solids, terrain);

@@ -85,9 +85,9 @@ struct TerrainFacts {
 /// heights, a third where some are missing.
 TerrainFacts facts_of(const Terrain& terrain, FlatGround flat);
 
-/// REQUIRES that the terrain, and the settings' solids, outlive the scene; `facts` are those of this terrain, for
-/// `settings.flat`. Throws Error as `place_eye`, `place_view` and `plan_depths` do, and where the
-/// eye is under the ground.
+/// REQUIRES that the terrain, and the settings' solids, outlive the scene; `facts` are those of
+/// this terrain, for `settings.flat`. Throws Error as `place_eye`, `place_view` and `plan_depths`
+/// do, and where the eye is under the ground.
 Scene place_scene(const Terrain& terrain, const RenderSettings& settings);
 Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettings& settings);
 

@@ -66,8 +66,7 @@ std::vector<std::vector<GroundTriangle>>
 triangles_over(const Surface& surface, const SurfaceExtent& extent, std::span<const Box2> boxes) {
   std::vector<std::vector<GroundTriangle>> out(boxes.size());
   if (const Grid* grid = std::get_if<Grid>(&surface)) {
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      add_cells(*grid, extent.box, boxes[i], out[i]);
+    for (std::size_t i = 0; i < boxes.size(); ++i) add_cells(*grid, extent.box, boxes[i], out[i]);
     return out;
   }
   const Tin& tin = std::get<Tin>(surface);

@@ -81,8 +81,7 @@ std::vector<LinePart> not_behind(const SolidsInView& solids, const LineSweep& li
                to = as_vec(lines.point(part.line, part.t_end));
     const double scale = part.t_end - part.t_begin;
     remover.take_rest(from, to, {0, 1}, [&](Share rest) {
-      left.push_back({part.line,
-                      rest.begin <= 0 ? part.t_begin : part.t_begin + rest.begin * scale,
+      left.push_back({part.line, rest.begin <= 0 ? part.t_begin : part.t_begin + rest.begin * scale,
                       rest.end >= 1 ? part.t_end : part.t_begin + rest.end * scale});
     });
   }

@@ -35,8 +35,7 @@ public:
       const double near_m = view_.near_m;
       if (from.v < near_m && to.v < near_m) return;
       if (std::min(from.v, to.v) < near_m)
-        (from.v < to.v ? from : to) =
-            point_between(from, to, (near_m - from.v) / (to.v - from.v));
+        (from.v < to.v ? from : to) = point_between(from, to, (near_m - from.v) / (to.v - from.v));
     }
     Vec2 left = project(view_, from), right = project(view_, to);
     if (left.x > right.x) {
@@ -55,10 +54,10 @@ public:
       // It may be in several buckets of X.
       for (std::size_t k = first; k < found.size(); ++k)
         if (found[k].solid == i) return;
-      found.push_back({static_cast<std::uint32_t>(i),
-                       {edge_shadow(view_, rays_, as_vec(from), as_vec(to),
-                                    kTouching * solid.rounding_m),
-                        left.x, right.x, high}});
+      found.push_back(
+          {static_cast<std::uint32_t>(i),
+           {edge_shadow(view_, rays_, as_vec(from), as_vec(to), kTouching * solid.rounding_m),
+            left.x, right.x, high}});
     });
   }
 
@@ -89,10 +88,11 @@ void add_buried(const Terrain& terrain, const Scene& scene, const SolidsInView& 
 
 } // namespace
 
-std::vector<std::vector<GroundShadow>>
-ground_shadows(const Terrain& terrain, const Scene& scene, const Sector& sector,
-               const std::vector<SweptLine>& lines, std::span<const Segment> near_cut,
-               const SolidsInView& solids) {
+std::vector<std::vector<GroundShadow>> ground_shadows(const Terrain& terrain, const Scene& scene,
+                                                      const Sector& sector,
+                                                      const std::vector<SweptLine>& lines,
+                                                      std::span<const Segment> near_cut,
+                                                      const SolidsInView& solids) {
   const View& view = sector.view;
   std::vector<std::vector<GroundShadow>> out(solids.solids().size());
   add_buried(terrain, scene, solids, out);

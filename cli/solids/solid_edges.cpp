@@ -95,9 +95,8 @@ SolidParts seen_edges(const SolidsInView& solids,
   const std::size_t count = solids.solids().size();
   std::vector<std::uint32_t> first_line(count + 1);
   for (std::size_t i = 0; i < count; ++i)
-    first_line[i + 1] =
-        first_line[i] +
-        static_cast<std::uint32_t>(solids.solids()[i].standing->solid->edges.size());
+    first_line[i + 1] = first_line[i] + static_cast<std::uint32_t>(
+                                            solids.solids()[i].standing->solid->edges.size());
   std::vector<SolidParts> of_solids(count);
   on_all_cores(count, [&](std::size_t i) {
     EdgesOfSolid(solids, i, ground[i], first_line[i]).find(of_solids[i]);

@@ -14,7 +14,9 @@ namespace orograph {
 namespace {
 
 NamedPlace named(const ScenePlace& place, const std::string& path) {
-  NamedPlace out{place.lonlat ? "lonlat" : "at", {place.x, place.y}, place.lonlat,
+  NamedPlace out{place.lonlat ? "lonlat" : "at",
+                 {place.x, place.y},
+                 place.lonlat,
                  fmt::format("{}, line {}: ", path, place.line)};
   out.place.z = place.height;
   return out;

@@ -21,9 +21,8 @@ namespace {
 // What is made once of the settings; its parts refer to each other.
 struct Prepared {
   explicit Prepared(const SweepSettings& settings)
-      : terrain(read_ground(settings.render)),
-        views(settings, terrain.map), columns(settings, views),
-        plan(make_plan(settings, views, columns, terrain)) {
+      : terrain(read_ground(settings.render)), views(settings, terrain.map),
+        columns(settings, views), plan(make_plan(settings, views, columns, terrain)) {
     // In degrees each view has a frame of its own.
     if (!terrain.map.earth) facts = facts_of(terrain, settings.render.flat);
   }

@@ -45,8 +45,8 @@ Layer dashed(const Layer& layer, double dash_mm, double gap_mm) {
     const double stretch = length_mm / (count * dash_mm + (count - 1) * gap_mm);
     for (double i = 0; i < count; ++i) {
       const double begin_mm = i * (dash_mm + gap_mm) * stretch;
-      add_part(points, stroke, begin_mm,
-               i + 1 == count ? length_mm : begin_mm + dash_mm * stretch, out);
+      add_part(points, stroke, begin_mm, i + 1 == count ? length_mm : begin_mm + dash_mm * stretch,
+               out);
     }
   }
   return out;

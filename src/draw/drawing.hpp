@@ -36,7 +36,7 @@ struct Stroke {
 struct Layer {
   std::string name;
   double pen_width_mm = 0.15;
-  double grey = 0; ///< 0 black to 1 white
+  double grey = 0;        ///< 0 black to 1 white
   bool is_hidden = false; ///< lines that the eye doesn't see
   std::vector<Vec2> page_mm;
   std::vector<Vec3> map;

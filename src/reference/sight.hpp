@@ -6,11 +6,10 @@
 #include "geometry/profile_point.hpp"
 #include "reference/ground_sight.hpp"
 #include "reference/solid_sight.hpp"
+#include "solids/standing_solid.hpp"
 #include "view/view.hpp"
 
 #include <span>
-
-#include "solids/standing_solid.hpp"
 
 namespace orograph {
 

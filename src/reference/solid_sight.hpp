@@ -4,13 +4,12 @@
 
 #include "reference/ground_sight.hpp"
 #include "reference/sight_segment.hpp"
+#include "solids/standing_solid.hpp"
 #include "view/view.hpp"
 
 #include <cstddef>
 #include <span>
 #include <vector>
-
-#include "solids/standing_solid.hpp"
 
 namespace orograph {
 

@@ -45,8 +45,8 @@ struct FacePlane {
   bool is_light(const SightRays& rays, Vec3 corner, double of_corners_m) const {
     if (!(height_m > 0)) return false;
     const Vec3 to_eye = rays.parallel ? -1.0 * rays.from : rays.from - corner;
-    const double off = of_corners_m * (rays.parallel ? 0 : 1) +
-                       of_corners_m * length(to_eye) / height_m;
+    const double off =
+        of_corners_m * (rays.parallel ? 0 : 1) + of_corners_m * length(to_eye) / height_m;
     return dot(normal, to_eye) > 4 * off * length(normal);
   }
 };
@@ -54,9 +54,8 @@ struct FacePlane {
 // Whether the solid fills more than half of the space about an edge.
 bool is_reflex(const SolidInView& solid, const SolidEdge& edge) {
   const Corners right = outward(*solid.standing, edge.right);
-  const auto* const apex = std::find_if(right.begin(), right.end(), [&](std::uint32_t v) {
-    return v != edge.from && v != edge.to;
-  });
+  const auto* const apex = std::find_if(
+      right.begin(), right.end(), [&](std::uint32_t v) { return v != edge.from && v != edge.to; });
   const Vec3 normal = normal_of(solid.vertices, outward(*solid.standing, edge.left));
   return dot(normal, solid.vertices[*apex] - solid.vertices[edge.from]) > 0;
 }

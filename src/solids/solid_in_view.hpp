@@ -33,8 +33,8 @@ struct TriangleShadow {
 /// How an edge stands to the eye (Chen and Sabbagh 1983, sections 5.8 and 5.9: light and dark
 /// faces).
 enum class EdgeFacing : std::uint8_t {
-  seen,    ///< between two light triangles, or the outline; or a wire
-  dark,    ///< behind its own solid as a whole
+  seen,     ///< between two light triangles, or the outline; or a wire
+  dark,     ///< behind its own solid as a whole
   not_drawn ///< smooth, and no outline
 };
 

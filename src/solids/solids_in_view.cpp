@@ -28,8 +28,10 @@ SolidsInView::SolidsInView(std::span<const StandingSolid> standing, const View& 
   constexpr std::size_t kMostBuckets = 8192;
   const std::size_t count = std::clamp<std::size_t>(4 * solids_.size(), 1, kMostBuckets);
   buckets_.resize(count);
-  if (!(core_begin_ < core_end)) core_begin_ = 0;
-  else per_x_ = static_cast<double>(count) / (core_end - core_begin_);
+  if (!(core_begin_ < core_end))
+    core_begin_ = 0;
+  else
+    per_x_ = static_cast<double>(count) / (core_end - core_begin_);
   for (std::size_t i = 0; i < solids_.size(); ++i) {
     const SeenBox& box = solids_[i].box;
     if (is_behind_eye(view, box)) continue;

@@ -41,9 +41,7 @@ public:
   /// since a line may cross a plane at a small angle.
   double sliver_m() const { return sliver_m_; }
   /// Whether any solid reaches into a range of X.
-  bool any_in(double x_begin, double x_end) const {
-    return x_begin <= x_end_ && x_end >= x_begin_;
-  }
+  bool any_in(double x_begin, double x_end) const { return x_begin <= x_end_ && x_end >= x_begin_; }
   /// Calls `take` with the number of every solid whose box a box in the picture overlaps, and that
   /// begins nearer than the box ends; with some of them more than once.
   template <class Take>

@@ -117,8 +117,7 @@ Box2 picture_box(const View& view, const TerrainShape& terrain, PictureEnds& end
   double nearest = greatest(terrain.points, nearness);
   for (const Vec3& point : terrain.beside) nearest = std::max(nearest, nearness(point));
   const bool in_front = !view.is_perspective() || nearest <= -view.near_m;
-  box.low.y =
-      view.roll == Angle() && in_front ? lowest_near_edge(view, terrain) : most(1, -1);
+  box.low.y = view.roll == Angle() && in_front ? lowest_near_edge(view, terrain) : most(1, -1);
   return box;
 }
 

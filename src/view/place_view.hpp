@@ -21,7 +21,7 @@ struct TerrainShape {
   std::span<const OutlineEdge> outline; ///< where it begins and ends, holes included
   Box3 box;
   double mean_height_m;
-  double cell_m; ///< finest ground detail
+  double cell_m;                     ///< finest ground detail
   std::span<const Vec3> beside = {}; ///< other points that have to be shown: vertices of solids
 };
 

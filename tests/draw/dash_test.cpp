@@ -37,7 +37,8 @@ TEST_CASE("dashes begin and end with the stroke, and are alike") {
     CAPTURE(seed);
     CHECK(cut.name == "hidden");
     REQUIRE(!cut.strokes.empty());
-    const double all_mm = length_mm(whole.page_mm), first_mm = length_mm(cut.points(cut.strokes[0]));
+    const double all_mm = length_mm(whole.page_mm),
+                 first_mm = length_mm(cut.points(cut.strokes[0]));
     const auto front = cut.points(cut.strokes.front()), back = cut.points(cut.strokes.back());
     CHECK(length(front.front() - points.front()) < 1e-12);
     CHECK(length(back.back() - points.back()) < 1e-12);

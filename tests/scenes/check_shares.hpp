@@ -4,6 +4,7 @@
 
 #include "geometry/profile_point.hpp"
 #include "reference/sight.hpp"
+#include "solids/standing_solid.hpp"
 #include "tests/support/random.hpp"
 #include "view/view.hpp"
 
@@ -12,8 +13,6 @@
 #include <span>
 #include <string>
 #include <vector>
-
-#include "solids/standing_solid.hpp"
 
 namespace orograph {
 

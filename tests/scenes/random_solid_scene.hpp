@@ -4,13 +4,12 @@
 
 #include "cli/render_settings.hpp"
 #include "dem/terrain.hpp"
+#include "solids/standing_solid.hpp"
 
 #include <cstdint>
 #include <deque>
 #include <string>
 #include <vector>
-
-#include "solids/standing_solid.hpp"
 
 namespace orograph {
 

@@ -105,8 +105,8 @@ TEST_CASE("edges of solids are drawn where the eye sees them, and nowhere else")
     tally.add(found);
   }
   WARN(tally.lines << " edges in " << kScenes << " scenes, " << tally.asked << " points asked, "
-                   << tally.unsure << " unsure, " << tally.visible << " visible, "
-                   << tally.wrong() << " wrong");
+                   << tally.unsure << " unsure, " << tally.visible << " visible, " << tally.wrong()
+                   << " wrong");
   CHECK(tally.visible > 20 * kScenes);
   CHECK(tally.unsure < tally.asked / 4);
 }
@@ -133,9 +133,8 @@ TEST_CASE("lines on the ground are left out where solids hide them, and nowhere 
       tally.add(found);
     }
   }
-  WARN(tally.lines << " lines, " << tally.asked << " points asked, " << tally.unsure
-                   << " unsure, " << tally.shares << " hidden shares, " << tally.wrong()
-                   << " wrong");
+  WARN(tally.lines << " lines, " << tally.asked << " points asked, " << tally.unsure << " unsure, "
+                   << tally.shares << " hidden shares, " << tally.wrong() << " wrong");
   CHECK(tally.shares > kScenes);
 }
 
@@ -151,7 +150,8 @@ TEST_CASE("what isn't visible of edges is hidden") {
         const SolidEdge& edge = standing.solid->edges[e];
         const double v_from = to_profile_frame(view, standing.vertices_m[edge.from]).v,
                      v_to = to_profile_frame(view, standing.vertices_m[edge.to]).v;
-        if (edge.smooth || (view.is_perspective() && std::min(v_from, v_to) < view.near_m)) continue;
+        if (edge.smooth || (view.is_perspective() && std::min(v_from, v_to) < view.near_m))
+          continue;
         double sum = 0;
         for (const auto* shares : {&drawn.visible, &drawn.hidden})
           if (const auto at = shares->find(drawn.first_edge[s] + e); at != shares->end())

@@ -19,8 +19,8 @@ constexpr Real kClose = 1e-9L;
 
 View random_view(Random& random) {
   View view;
-  view.projection = random.pick(
-      {Projection::perspective, Projection::orthographic, Projection::oblique});
+  view.projection =
+      random.pick({Projection::perspective, Projection::orthographic, Projection::oblique});
   if (view.is_perspective()) {
     view.eye_z_m = random.between(-3, 6);
     view.near_m = 0.01;
@@ -78,9 +78,8 @@ Answer below_edge(const View& view, Vec3 left, Vec3 right, Vec3 p) {
   const auto [xr, yr] = plane(right);
   const auto [x, y] = plane(p);
   const Real share = (x - xl) / (xr - xl), high = yl + share * (yr - yl);
-  const Real depth = view.is_perspective()
-                         ? 1 / ((1 - share) / left.y + share / right.y)
-                         : left.y + share * (Real{right.y} - left.y);
+  const Real depth = view.is_perspective() ? 1 / ((1 - share) / left.y + share / right.y)
+                                           : left.y + share * (Real{right.y} - left.y);
   const Real margin = std::min({share, 1 - share, p.y - depth, high - y});
   return {margin > 0, std::abs(margin)};
 }

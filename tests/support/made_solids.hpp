@@ -2,11 +2,11 @@
 // Solids made for tests from plain lists; shares no code with src/solids/.
 #pragma once
 
+#include "solids/standing_solid.hpp"
+
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "solids/standing_solid.hpp"
 
 namespace orograph {
 
