@@ -101,9 +101,9 @@ std::string in_words(const std::string& option, const Json& options) {
   return fmt::format("{} {}", option, fmt::join(values, " "));
 }
 
-std::string scene_in_words(const Json& plan) {
-  const Json scene = plan.value("scene", Json());
-  return scene.is_object() ? "the scene " + scene.value("name", "unknown") : "no scene";
+std::string scene_in_words(const Json& scene, const char* when) {
+  if (!scene.is_object()) return "without a scene";
+  return fmt::format("with the scene {}{}", scene.value("name", "unknown"), when);
 }
 
 constexpr auto kAnother = "give the same again, --overwrite to begin anew, or another folder";
@@ -159,9 +159,10 @@ void check_same(const Plan& old_plan, const Plan& plan, const std::string& out_d
     throw Error(fmt::format("{} holds a sweep of {}, which is not {} as it is now", out_dir,
                             old_plan.terrain, plan.terrain),
                 kAnother);
-  if (a.value("scene", Json()) != b.value("scene", Json()))
-    throw Error(fmt::format("{} holds a sweep with {}, not with {} as it is now", out_dir,
-                            scene_in_words(a), scene_in_words(b)),
+  const Json scene_a = a.value("scene", Json()), scene_b = b.value("scene", Json());
+  if (scene_a != scene_b)
+    throw Error(fmt::format("{} holds a sweep {}, not {}", out_dir, scene_in_words(scene_a, ""),
+                            scene_in_words(scene_b, " as it is now")),
                 kAnother);
   if (a.at("program") != b.at("program"))
     throw Error(fmt::format("{} holds a sweep by another version of orograph, {}", out_dir,
