@@ -4,6 +4,7 @@
 #include "cli/geodesy.hpp"
 #include "cli/place_eye.hpp"
 #include "cli/scene_view.hpp"
+#include "cli/solids/solids_of_view.hpp"
 #include "cli/solids/stand_solids.hpp"
 #include "dem/height_at.hpp"
 #include "geometry/error.hpp"
@@ -251,11 +252,12 @@ TerrainFacts facts_of(const Terrain& terrain, FlatGround flat) {
   return facts;
 }
 
-Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
-  return place_scene(terrain, facts_of(terrain, settings.flat), settings);
+Scene place_scene(const Terrain& terrain, const RenderSettings& settings, const Terrain* uncut) {
+  return place_scene(terrain, facts_of(terrain, settings.flat), settings, uncut);
 }
 
-Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettings& settings) {
+Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettings& settings,
+                  const Terrain* uncut) {
   const Surface& surface = terrain.surface;
   Scene scene;
   scene.extent = std::move(facts.extent);
@@ -272,7 +274,11 @@ Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettin
                   : settings.exaggeration.value_or(settings.view ? settings.view->exaggeration : 1);
   // On the ellipsoid heights went to their place exaggerated.
   const double exaggeration = earth ? 1 : scene.exaggeration;
-  if (settings.solids) scene.solids = stand_solids(*settings.solids, terrain);
+  if (settings.solids) {
+    scene.solids = stand_solids(*settings.solids, uncut ? *uncut : terrain);
+    if (settings.view && settings.view->cuts())
+      leave_out_cut(scene.solids, *settings.solids, *settings.view, terrain.map, exaggeration);
+  }
   BlockedPoints beside = points_of(scene.solids);
   if (!on_ground) take_extent(scene, beside);
   const TerrainShape shape{scene.extent.blocks,        facts.outline, scene.extent.box,
@@ -292,18 +298,19 @@ Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettin
   curvature.on_ellipsoid = earth.has_value();
   curvature.applied = earth || has_drop;
   if (earth && !has_drop) curvature.refraction = 0;
+  if (settings.solids) check_eye_outside(scene.solids, *settings.solids, scene.view);
   const std::optional<double> under_eye_m = ground_under_eye(scene.view, surface);
   if (under_eye_m) {
     check_eye(scene.view, *under_eye_m, terrain.map);
     keep_off_the_ground(scene.view, *under_eye_m, scene.cell_m);
   }
 
+  scene.plan = settings.plan.value_or(PageSpacing{kPenWidthsApart * settings.pen_width_mm});
   if (!on_ground) {
     scene.sectors = sectors_of(scene);
     return scene;
   }
   find_depths(scene, surface);
-  scene.plan = settings.plan.value_or(PageSpacing{kPenWidthsApart * settings.pen_width_mm});
   scene.depths_m =
       plan_depths(scene.plan, plan_ground(scene, under_eye_m), scene.view, scene.to_page);
   scene.sectors = sectors_of(scene);

@@ -62,6 +62,32 @@ void add(Mixer& mixer, const Tin& tin) {
   mixer.add_all(tin.triangles);
 }
 
+void add(Mixer& mixer, const Solid& solid) {
+  mixer.add_all(solid.vertices_m);
+  mixer.add_all(solid.triangles);
+  for (const SolidEdge& edge : solid.edges) {
+    const std::uint32_t values[] = {edge.from, edge.to, edge.left, edge.right, edge.smooth};
+    mixer.add(values, sizeof values);
+  }
+}
+
+void add(Mixer& mixer, const ScenePlace& place) {
+  const double values[] = {place.x, place.y, place.height.value_or(0)};
+  mixer.add(values, sizeof values);
+  const std::uint32_t kinds[] = {place.lonlat, place.height.has_value()};
+  mixer.add(kinds, sizeof kinds);
+}
+
+void add(Mixer& mixer, const SolidInstance& instance) {
+  const std::uint64_t numbers[] = {instance.place, instance.solid};
+  mixer.add(numbers, sizeof numbers);
+  mixer.add(instance.to_place.data(), sizeof(double) * 16);
+}
+
+std::string text_of(const Mixer& mixer) {
+  return fmt::format("{:016x}", mixer.state());
+}
+
 } // namespace
 
 std::string fingerprint(const Terrain& terrain) {
@@ -71,7 +97,15 @@ std::string fingerprint(const Terrain& terrain) {
   const double frame[] = {terrain.map.origin.x, terrain.map.origin.y, terrain.map.unit_m,
                           terrain.map.height_unit_m};
   mixer.add(frame, sizeof frame);
-  return fmt::format("{:016x}", mixer.state());
+  return text_of(mixer);
+}
+
+std::string fingerprint(const SceneFile& scene) {
+  Mixer mixer;
+  for (const Solid& solid : scene.solids) add(mixer, solid);
+  for (const ScenePlace& place : scene.places) add(mixer, place);
+  for (const SolidInstance& instance : scene.instances) add(mixer, instance);
+  return text_of(mixer);
 }
 
 } // namespace orograph
