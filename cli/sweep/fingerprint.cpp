@@ -62,6 +62,26 @@ void add(Mixer& mixer, const Tin& tin) {
   mixer.add_all(tin.triangles);
 }
 
+void add(Mixer& mixer, const Solid& solid) {
+  mixer.add_all(solid.vertices_m);
+  mixer.add_all(solid.triangles);
+  for (const SolidEdge& edge : solid.edges) {
+    const std::uint32_t facts[] = {edge.from, edge.to, edge.left, edge.right,
+                                   edge.smooth ? 1U : 0U};
+    mixer.add(facts, sizeof facts);
+  }
+}
+
+void add(Mixer& mixer, const ScenePlace& place) {
+  const double facts[] = {place.x, place.y, place.lonlat ? 1.0 : 0.0, place.height ? 1.0 : 0.0,
+                          place.height.value_or(0)};
+  mixer.add(facts, sizeof facts);
+}
+
+std::string text_of(const Mixer& mixer) {
+  return fmt::format("{:016x}", mixer.state());
+}
+
 } // namespace
 
 std::string fingerprint(const Terrain& terrain) {
@@ -71,7 +91,19 @@ std::string fingerprint(const Terrain& terrain) {
   const double frame[] = {terrain.map.origin.x, terrain.map.origin.y, terrain.map.unit_m,
                           terrain.map.height_unit_m};
   mixer.add(frame, sizeof frame);
-  return fmt::format("{:016x}", mixer.state());
+  return text_of(mixer);
+}
+
+std::string fingerprint(const SceneFile& scene) {
+  Mixer mixer;
+  for (const Solid& solid : scene.solids) add(mixer, solid);
+  for (const ScenePlace& place : scene.places) add(mixer, place);
+  for (const SolidInstance& instance : scene.instances) {
+    const std::size_t of[] = {instance.place, instance.solid};
+    mixer.add(of, sizeof of);
+    mixer.add(instance.to_place.data(), 16 * sizeof(double));
+  }
+  return text_of(mixer);
 }
 
 } // namespace orograph

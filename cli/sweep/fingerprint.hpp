@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether two terrains are the same, told by a short text.
+// Whether two terrains, or two scenes, are the same, told by a short text.
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "solids/scene_file.hpp"
 
 #include <string>
 
@@ -12,5 +13,7 @@ namespace orograph {
 /// where the files are and what they are called takes no part. For telling mistakes, not for
 /// security. Cost: one pass, at the speed of memory.
 std::string fingerprint(const Terrain& terrain);
+/// The same of solids and of where they are put, on whatever terrain.
+std::string fingerprint(const SceneFile& scene);
 
 } // namespace orograph

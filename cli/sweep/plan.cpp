@@ -50,6 +50,7 @@ Json json_of(const SweepSettings& settings, const ViewList& views, const Columns
     json["eyes"] = Json::array();
     for (const PathEye& eye : views.eyes()) json["eyes"].push_back(json_of(eye));
   }
+  if (settings.render.solids) json["scene"] = fingerprint(*settings.render.solids);
   if (!settings.views.empty()) {
     json["list"] = Json::array();
     for (const NamedView& view : settings.views) json["list"].push_back(view_file_text(view.view));
@@ -147,6 +148,9 @@ void check_same(const Plan& old_plan, const Plan& plan, const std::string& out_d
   if (a.at("terrain") != b.at("terrain"))
     throw Error(fmt::format("{} holds a sweep of {}, which is not {} as it is now", out_dir,
                             old_plan.terrain, plan.terrain),
+                kAnother);
+  if (a.value("scene", Json()) != b.value("scene", Json()))
+    throw Error(fmt::format("{} holds a sweep of other solids: the scene was changed", out_dir),
                 kAnother);
   if (a.at("program") != b.at("program"))
     throw Error(fmt::format("{} holds a sweep by another version of orograph, {}", out_dir,
