@@ -109,8 +109,8 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
   if (solids) {
     for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &out.folded})
       *parts = not_behind(*solids, every_line, *parts);
-    out.solids =
-        seen_edges(*solids, ground_shadows(terrain, scene, sector, lines, near_cut(work), *solids));
+    out.solids = seen_edges(*solids, ground_shadows(terrain, scene, sector, lines, swept.visible,
+                                                    near_cut(work), *solids));
     watch.mark(seconds.clip);
   }
   if (instruments.observer) instruments.observer->see(sector, every_line, swept.visible);

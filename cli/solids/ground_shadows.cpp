@@ -88,11 +88,10 @@ void add_buried(const Terrain& terrain, const Scene& scene, const SolidsInView& 
 
 } // namespace
 
-std::vector<std::vector<GroundShadow>> ground_shadows(const Terrain& terrain, const Scene& scene,
-                                                      const Sector& sector,
-                                                      const std::vector<SweptLine>& lines,
-                                                      std::span<const Segment> near_cut,
-                                                      const SolidsInView& solids) {
+std::vector<std::vector<GroundShadow>>
+ground_shadows(const Terrain& terrain, const Scene& scene, const Sector& sector,
+               const std::vector<SweptLine>& lines, const std::vector<LinePart>& visible,
+               std::span<const Segment> near_cut, const SolidsInView& solids) {
   const View& view = sector.view;
   std::vector<std::vector<GroundShadow>> out(solids.solids().size());
   add_buried(terrain, scene, solids, out);
@@ -101,14 +100,22 @@ std::vector<std::vector<GroundShadow>> ground_shadows(const Terrain& terrain, co
 
   const EdgeShadows shadows(solids, view);
   const EdgeEnds ends(terrain.surface, view);
-  constexpr std::size_t kLinesOfTask = 1U << 14U;
-  std::vector<std::vector<Found>> of_tasks((lines.size() + kLinesOfTask - 1) / kLinesOfTask + 1);
-  on_all_cores(of_tasks.size() - 1, [&](std::size_t task) {
-    const std::size_t end = std::min(lines.size(), (task + 1) * kLinesOfTask);
-    for (std::size_t i = task * kLinesOfTask; i < end; ++i) {
-      if (!lines[i].hides) continue;
-      const auto [from, to] = ends(lines[i].edge);
-      shadows.add(from, to, of_tasks[task]);
+  std::vector<LinePart> hiding;
+  for (const LinePart& part : visible)
+    if (lines[part.line].hides) hiding.push_back(part);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i].hides && !lines[i].drawn) hiding.push_back({static_cast<std::uint32_t>(i), 0, 1});
+  constexpr std::size_t kPartsOfTask = 1U << 12U;
+  const std::size_t tasks = (hiding.size() + kPartsOfTask - 1) / kPartsOfTask;
+  std::vector<std::vector<Found>> of_tasks(tasks + 1); // the last for the near cut
+  on_all_cores(tasks, [&](std::size_t task) {
+    const std::size_t end = std::min(hiding.size(), (task + 1) * kPartsOfTask);
+    for (std::size_t i = task * kPartsOfTask; i < end; ++i) {
+      const ProfileLine line = ends(lines[hiding[i].line].edge);
+      const auto at = [&](double t) {
+        return t <= 0 ? line.from : point_between(line.from, line.to, t);
+      };
+      shadows.add(at(hiding[i].t_begin), at(hiding[i].t_end), of_tasks[task]);
     }
   });
   for (const Segment& s : near_cut)

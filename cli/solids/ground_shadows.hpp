@@ -19,11 +19,12 @@ struct GroundShadow {
 
 /// For each solid the shadows of ground that may reach it: of the lines that hide (`lines_of`), of
 /// the segments where the near plane cuts the ground, and of the triangles about it that bury it.
-/// Cost: a look at each line, some 20 ns, and the shadows that are found.
-std::vector<std::vector<GroundShadow>> ground_shadows(const Terrain& terrain, const Scene& scene,
-                                                      const Sector& sector,
-                                                      const std::vector<SweptLine>& lines,
-                                                      std::span<const Segment> near_cut,
-                                                      const SolidsInView& solids);
+/// Of lines that are drawn only what is visible of them counts (`visible`, by line): what stands in
+/// front of the rest hides all that it would. Cost: a look at each line, and the shadows that are
+/// found.
+std::vector<std::vector<GroundShadow>>
+ground_shadows(const Terrain& terrain, const Scene& scene, const Sector& sector,
+               const std::vector<SweptLine>& lines, const std::vector<LinePart>& visible,
+               std::span<const Segment> near_cut, const SolidsInView& solids);
 
 } // namespace orograph

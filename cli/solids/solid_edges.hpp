@@ -31,6 +31,12 @@ struct SolidParts {
 SolidParts seen_edges(const SolidsInView& solids,
                       const std::vector<std::vector<GroundShadow>>& ground);
 
+/// Leaves out of `parts` what is drawn already: parts whose two ends are those of an earlier one,
+/// or of any of `drawn`, on the page's step. Where solids touch, an edge may be one of several.
+void drop_repeated(std::span<const StandingSolid> standing, const View& view,
+                   const Homography& to_page, const std::vector<LinePart>& drawn,
+                   std::vector<LinePart>& parts);
+
 /// Draws parts of edges as long strokes, joined where they meet at a vertex of their solid.
 void draw_edges(std::span<const StandingSolid> standing, const View& view,
                 const std::vector<LinePart>& parts, StrokeBuilder& builder);
