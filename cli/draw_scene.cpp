@@ -141,22 +141,29 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   add_lines("silhouettes", kSilhouetteWeight, 0, visible_of(LineKind::silhouette));
   add_lines("skyline", kSkylineWeight, 0, of_all_sectors(&SectorLines::skyline));
   if (!scene.solids.empty()) {
-    const auto add_edges = [&](Layer layer, std::vector<LinePart> SolidParts::*kind) {
+    const auto of_all = [&](std::vector<LinePart> SolidParts::*kind) {
       std::vector<LinePart> parts;
       for (SectorLines& sector : found) {
         const std::vector<LinePart>& of_sector = sector.solids.*kind;
         parts.insert(parts.end(), of_sector.begin(), of_sector.end());
       }
       join(parts);
+      return parts;
+    };
+    const auto add_edges = [&](Layer layer, std::vector<LinePart> parts) {
       layers.push_back({.layer = std::move(layer), .parts = std::move(parts), .of_solids = true});
     };
+    std::vector<LinePart> seen = of_all(&SolidParts::visible);
+    drop_repeated(scene.solids, view, scene.to_page, {}, seen);
     if (settings.dashes_hidden) {
+      std::vector<LinePart> unseen = of_all(&SolidParts::hidden);
+      drop_repeated(scene.solids, view, scene.to_page, seen, unseen);
       Layer hidden = empty_layer("hidden", kHiddenWeight * pen_mm, kHiddenGrey);
       hidden.is_hidden = true;
-      add_edges(std::move(hidden), &SolidParts::hidden);
+      add_edges(std::move(hidden), std::move(unseen));
     }
     if (asks_for(settings, "solids"))
-      add_edges(empty_layer("solids", kSolidWeight * pen_mm, 0), &SolidParts::visible);
+      add_edges(empty_layer("solids", kSolidWeight * pen_mm, 0), std::move(seen));
   }
   LineLayer folded{{}, of_all_sectors(&SectorLines::folded)};
   on_all_cores(layers.size() + 1, [&](std::size_t i) {

@@ -168,20 +168,28 @@ bool draws_drop(const Terrain& terrain, const Scene& scene, const RenderSettings
          scene.curvature.would_move_mm > settings.simplify_mm + kPageStep_mm;
 }
 
-std::vector<Vec3> vertices_of(const std::vector<StandingSolid>& solids) {
-  std::vector<Vec3> out;
-  for (const StandingSolid& solid : solids)
-    out.insert(out.end(), solid.vertices_m.begin(), solid.vertices_m.end());
+// One block a solid. REQUIRES that they outlive it.
+BlockedPoints points_of(const std::vector<StandingSolid>& solids) {
+  BlockedPoints out;
+  for (const StandingSolid& solid : solids) {
+    Box3 box;
+    for (const Vec3& vertex : solid.vertices_m) box.include(vertex);
+    out.boxes.push_back(box);
+  }
+  out.points = [&solids](std::size_t i) { return std::span<const Vec3>(solids[i].vertices_m); };
   return out;
 }
 
 // A scene without ground is as large as its solids. What is smaller than a hundredth of it doesn't
 // matter for where its near plane is.
-void take_extent(Scene& scene, const std::vector<Vec3>& points) {
-  for (const Vec3& point : points) scene.extent.box.include(point);
-  const Vec3 size = scene.extent.box.high - scene.extent.box.low;
-  scene.extent.mean_height_m = scene.extent.box.centre().z;
-  scene.cell_m = 0.01 * length(size);
+void take_extent(Scene& scene, const BlockedPoints& points) {
+  Box3& extent = scene.extent.box;
+  for (const Box3& box : points.boxes) {
+    extent.include(box.low);
+    extent.include(box.high);
+  }
+  scene.extent.mean_height_m = extent.centre().z;
+  scene.cell_m = 0.01 * length(extent.high - extent.low);
 }
 
 // Those of the two sides of the eye on which there is something.
@@ -271,10 +279,10 @@ Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettin
     if (settings.view && settings.view->cuts())
       leave_out_cut(scene.solids, *settings.solids, *settings.view, terrain.map, exaggeration);
   }
-  const std::vector<Vec3> beside = vertices_of(scene.solids);
+  BlockedPoints beside = points_of(scene.solids);
   if (!on_ground) take_extent(scene, beside);
   const TerrainShape shape{scene.extent.blocks,        facts.outline, scene.extent.box,
-                           scene.extent.mean_height_m, scene.cell_m,  beside};
+                           scene.extent.mean_height_m, scene.cell_m,  std::move(beside)};
   const auto place = [&](const EarthDrop& drop) {
     place_on_earth(scene, terrain, settings, shape, exaggeration, drop);
   };

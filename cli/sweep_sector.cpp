@@ -21,7 +21,7 @@ namespace orograph {
 SectorLines solids_alone(const Scene& scene, const Sector& sector) {
   const SolidsInView solids(scene.solids, sector.view);
   SectorLines out;
-  out.solids = seen_edges(solids, std::vector<std::vector<GroundShadow>>(scene.solids.size()));
+  out.solids = seen_edges(solids, std::vector<GroundShadows>(scene.solids.size()));
   return out;
 }
 
@@ -109,8 +109,8 @@ SectorLines sweep_sector(const Terrain& terrain, const Scene& scene, const Secto
   if (solids) {
     for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &out.folded})
       *parts = not_behind(*solids, every_line, *parts);
-    out.solids =
-        seen_edges(*solids, ground_shadows(terrain, scene, sector, lines, near_cut(work), *solids));
+    out.solids = seen_edges(*solids, ground_shadows(terrain, scene, sector, lines, swept.visible,
+                                                    near_cut(work), *solids));
     watch.mark(seconds.clip);
   }
   if (instruments.observer) instruments.observer->see(sector, every_line, swept.visible);

@@ -28,8 +28,13 @@ struct SolidParts {
 /// `ground`: what it hides of each solid. Faces that are turned away are culled first (Chen and
 /// Sabbagh 1983, section 5.8), so an edge between two of them is hidden as a whole, and one between
 /// a light and a dark face is there once.
-SolidParts seen_edges(const SolidsInView& solids,
-                      const std::vector<std::vector<GroundShadow>>& ground);
+SolidParts seen_edges(const SolidsInView& solids, const std::vector<GroundShadows>& ground);
+
+/// Leaves out of `parts` what is drawn already: parts whose two ends are those of an earlier one,
+/// or of any of `drawn`, on the page's step. Where solids touch, an edge may be one of several.
+void drop_repeated(std::span<const StandingSolid> standing, const View& view,
+                   const Homography& to_page, const std::vector<LinePart>& drawn,
+                   std::vector<LinePart>& parts);
 
 /// Draws parts of edges as long strokes, joined where they meet at a vertex of their solid.
 void draw_edges(std::span<const StandingSolid> standing, const View& view,

@@ -2,9 +2,11 @@
 // All solids of a scene in one view: what they hide of lines.
 #pragma once
 
+#include "geometry/box.hpp"
 #include "solids/share.hpp"
 #include "solids/solid_in_view.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -43,16 +45,41 @@ public:
   /// Whether any solid reaches into a range of X.
   bool any_in(double x_begin, double x_end) const { return x_begin <= x_end_ && x_end >= x_begin_; }
   /// Calls `take` with the number of every solid whose box a box in the picture overlaps, and that
-  /// begins nearer than the box ends; with some of them more than once.
+  /// begins no farther than the box ends; with some of them more than once.
   template <class Take>
   void for_each_before(const SeenBox& box, const Take& take) const {
     if (!any_in(box.x_begin, box.x_end)) return;
-    const std::size_t last = bucket_of(box.x_end);
-    for (std::size_t b = bucket_of(box.x_begin); b <= last; ++b)
-      for (const std::uint32_t i : buckets_[b]) {
+    const auto ask = [&](const std::vector<std::uint32_t>& bucket) {
+      for (const std::uint32_t i : bucket) {
         const SeenBox& solid = solids_[i].box;
         if (overlap(solid, box) && solid.nearest_m <= box.farthest_m) take(std::size_t{i});
       }
+    };
+    ask(everywhere_);
+    if (buckets_.empty()) return;
+    const std::size_t last_row = row_of(box.y_high), last_column = column_of(box.x_end);
+    for (std::size_t r = row_of(box.y_low); r <= last_row; ++r)
+      for (std::size_t c = column_of(box.x_begin); c <= last_column; ++c)
+        ask(buckets_[r * side_ + c]);
+  }
+  /// The same with every solid that reaches into a range of X, below a height, and ends farther
+  /// than a depth.
+  template <class Take>
+  void for_each_behind(double x_begin, double x_end, double y_high, double depth_m,
+                       const Take& take) const {
+    if (!any_in(x_begin, x_end)) return;
+    const auto ask = [&](const std::vector<std::uint32_t>& bucket) {
+      for (const std::uint32_t i : bucket) {
+        const SeenBox& solid = solids_[i].box;
+        if (solid.farthest_m > depth_m && solid.y_low < y_high && solid.x_begin <= x_end &&
+            solid.x_end >= x_begin)
+          take(std::size_t{i});
+      }
+    };
+    ask(everywhere_);
+    if (columns_.empty()) return;
+    const std::size_t last = column_of(x_end);
+    for (std::size_t c = column_of(x_begin); c <= last; ++c) ask(columns_[c]);
   }
   /// Appends what solids hide of a line.
   void add_hidden(const LineInView& line, const OwnEdge& own, std::vector<Share>& hidden) const;
@@ -63,14 +90,22 @@ public:
   }
 
 private:
-  std::size_t bucket_of(double x) const;
+  std::size_t column_of(double x) const { return number_of((x - core_.low.x) * per_x_); }
+  std::size_t row_of(double y) const { return number_of((y - core_.low.y) * per_y_); }
+  std::size_t number_of(double buckets) const {
+    return static_cast<std::size_t>(std::clamp(buckets, 0.0, static_cast<double>(side_ - 1)));
+  }
 
   View view_;
   std::vector<SolidInView> solids_;
   double sliver_m_ = 0;
-  double x_begin_ = 0, x_end_ = -1;   ///< of all
-  double core_begin_ = 0, per_x_ = 0; ///< buckets begin here, so many to a unit of X
-  std::vector<std::vector<std::uint32_t>> buckets_;
+  double x_begin_, x_end_; ///< of all
+  // Those that reach beside the eye, and the others in buckets of the picture, by row.
+  std::vector<std::uint32_t> everywhere_;
+  Box2 core_;
+  double per_x_ = 0, per_y_ = 0; ///< buckets to a unit
+  std::size_t side_ = 0;         ///< buckets across, and up
+  std::vector<std::vector<std::uint32_t>> buckets_, columns_;
 };
 
 } // namespace orograph

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn of solids, and what they hide of the ground, asked of the reference: every face and
 // every triangle of the ground, by rays.
+#include "cli/draw_scene.hpp"
 #include "cli/scene_lines.hpp"
-#include "cli/sector_ground.hpp"
 #include "cli/sweep_sector.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/check_shares.hpp"
 #include "tests/scenes/random_solid_scene.hpp"
+#include "tests/scenes/same_drawing.hpp"
 
 #include <map>
 
@@ -36,17 +37,14 @@ struct DrawnSolids {
     for (const StandingSolid& standing : made.standing)
       first_edge.push_back(first_edge.back() +
                            static_cast<std::uint32_t>(standing.solid->edges.size()));
-    const auto ground = ground_of_sectors(made.terrain, scene, made.settings, {});
-    const auto all_ground = looked_at_by_any(ground);
-    const std::vector<SweptLine> lines =
-        lines_of(made.terrain, scene, made.settings, all_ground ? &*all_ground : nullptr);
+    // All ground is looked at: solids are asked of beside the page as well.
+    const std::vector<SweptLine> lines = lines_of(made.terrain, scene, made.settings);
     CountsReport counts;
     SecondsReport seconds;
     std::optional<CheckReport> check;
     const SectorLines found =
-        sweep_sector(made.terrain, scene, scene.sectors.front(), lines,
-                     ground.empty() ? nullptr : &ground.front(), made.settings, {}, nullptr,
-                     {counts, seconds, check}, [] {});
+        sweep_sector(made.terrain, scene, scene.sectors.front(), lines, nullptr, made.settings,
+                     {.beyond_page = true}, nullptr, {counts, seconds, check}, [] {});
     for (const LinePart& part : found.solids.visible)
       visible[part.line].push_back({part.t_begin, part.t_end});
     for (const LinePart& part : found.solids.hidden)
@@ -160,4 +158,25 @@ TEST_CASE("what isn't visible of edges is hidden") {
       }
     }
   }
+}
+
+TEST_CASE("what isn't looked at changes nothing of solids") {
+  int solids = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 5; ++seed) {
+    SolidScene made = random_solid_scene(seed);
+    made.settings.layers = {"profiles", "border", "silhouettes", "skyline", "solids"};
+    made.settings.dashes_hidden = true;
+    Scene scene = place_scene(made.terrain, made.settings);
+    scene.solids = made.standing;
+    const auto draw = [&](const Instruments& instruments) {
+      return draw_scene(
+                 made.terrain, scene, made.settings, [](double) {}, instruments)
+          .drawing;
+    };
+    CAPTURE(seed, made.what);
+    const Drawing drawing = draw({});
+    REQUIRE(difference(drawing, draw({.hidden_ground = true})) == "");
+    solids += drawing.layers.back().strokes.empty() ? 0 : 1;
+  }
+  CHECK(solids > static_cast<int>(kScenes / 10));
 }
