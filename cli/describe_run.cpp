@@ -142,7 +142,7 @@ ViewReport describe_view(const Scene& scene, const Terrain& terrain,
   return out;
 }
 
-InputReport describe_input(const Terrain& terrain) {
+InputReport describe_input(const Terrain& terrain, const std::string& scene_path) {
   const MapFrame& map = terrain.map;
   InputReport out;
   out.paths = terrain.paths;
@@ -162,13 +162,14 @@ InputReport describe_input(const Terrain& terrain) {
     const GridSteps steps = steps_of(*grid);
     out.column_step_m = length(steps.column_m);
     out.row_step_m = length(steps.row_m);
-  } else {
+  } else if (has_ground(terrain.surface)) {
     const Tin& tin = std::get<Tin>(terrain.surface);
     out.vertices = tin.vertices_m.size();
     out.triangles = tin.triangles.size();
   }
   out.triangulation = terrain.triangulation;
   out.surface_error_m = terrain.surface_error_m;
+  out.scene_path = scene_path;
   out.notes = terrain.notes;
   return out;
 }
@@ -196,7 +197,7 @@ void entitle(Drawing& drawing, const Terrain& terrain, const Scene& scene,
 
 void describe_run(RunReport& report, const Terrain& terrain, const Scene& scene,
                   const DrawnScene& drawn, const RenderSettings& settings) {
-  report.input = describe_input(terrain);
+  report.input = describe_input(terrain, settings.scene_file);
   report.view = describe_view(scene, terrain, settings);
   report.view.curvature = describe_curvature(scene, settings.curvature);
   report.profiles = {spacing_text(scene.plan), scene.depths_m};

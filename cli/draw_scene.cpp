@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/draw_scene.hpp"
 
+#include "cli/read_ground.hpp"
 #include "cli/scene_lines.hpp"
 #include "cli/sector_ground.hpp"
 #include "cli/stopwatch.hpp"
@@ -10,6 +11,8 @@
 #include "draw/stroke_builder.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -68,6 +71,8 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.check = seconds.layout =
       0;
   counts.turned_over = scene.extent.turned_over;
+  counts.solids = scene.solids.size();
+  for (const StandingSolid& solid : scene.solids) counts.solid_edges += solid.solid->edges.size();
   const View& view = scene.view;
   const MapFrame& map = terrain.map;
   Stopwatch watch;
@@ -195,7 +200,8 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
 
 void check_not_empty(const DrawnScene& drawn, const RenderSettings& settings) {
   if (drawn.counts.strokes == 0)
-    throw Error("nothing of the terrain is on the page",
+    throw Error(fmt::format("nothing of the {} is on the page",
+                            is_scene(settings.inputs.front()) ? "scene" : "terrain"),
                 settings.view
                     ? "turn the view towards it, or widen its window"
                     : "turn the view towards it, widen --fov, or raise an eye that faces a slope");

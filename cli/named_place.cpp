@@ -49,6 +49,12 @@ Vec2 in_turn_of(const Terrain& terrain, Vec2 place) {
 
 Vec2 lonlat_on_map(const NamedPlace& at, const Terrain& terrain) {
   const MapFrame& map = terrain.map;
+  if (!has_ground(terrain.surface))
+    throw Error(at.in_file + at.option +
+                    ": without a terrain there is no place at a longitude and a latitude",
+                at.in_file.empty()
+                    ? fmt::format("give {},Z in the scene's coordinates", at.on_map())
+                    : at.on_map() + ", or a DEM as INPUT and the scene as --scene");
   if (map.crs_wkt.empty())
     throw Error(
         fmt::format("{}{}: the terrain has no CRS, so longitudes and latitudes aren't known",
@@ -111,6 +117,9 @@ std::optional<Vec3> on_ground(Vec2 place, const Terrain& terrain) {
 }
 
 Vec3 ground_m(const NamedPlace& at, Vec2 place, const Terrain& terrain) {
+  if (!has_ground(terrain.surface))
+    throw Error(at.text() + ": without a terrain there is no ground to stand on",
+                fmt::format("give a height, {}", at.with_height()));
   if (const auto ground = on_ground(place, terrain)) return *ground;
   const Box2 bounds = map_bounds(terrain);
   if (holds(bounds, place))

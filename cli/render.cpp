@@ -53,7 +53,7 @@ void render(const RenderSettings& settings) {
   const auto place_start = Clock::now();
   const TerrainOfView of_view(whole, settings);
   const Terrain& terrain = *of_view;
-  const Scene scene = place_scene(terrain, settings);
+  const Scene scene = place_scene(terrain, settings, &of_view.uncut());
   seconds.place = seconds_since(place_start);
   if (scene.exaggeration_chosen && scene.exaggeration != 1)
     say(settings, fmt::format("heights are exaggerated {} times (--exaggeration 1 draws them true)",

@@ -56,7 +56,9 @@ Json json_of(const InputReport& input) {
           {"unit_deg", input.unit_deg},
           {"height_unit", input.height_unit_name},
           {"height_unit_m", input.height_unit_m},
-          {"surface", input.vertices ? "tin" : "grid"},
+          {"surface", input.vertices  ? "tin"
+                      : input.columns ? "grid"
+                                      : "none"},
           {"columns", or_null(input.columns)},
           {"rows", or_null(input.rows)},
           {"column_step_m", input.column_step_m},
@@ -65,6 +67,7 @@ Json json_of(const InputReport& input) {
           {"triangles", or_null(input.triangles)},
           {"triangulation", input.triangulation ? json_of(*input.triangulation) : Json()},
           {"surface_error_m", input.surface_error_m},
+          {"scene", name_or_null(input.scene_path)},
           {"notes", input.notes}};
 }
 
@@ -134,7 +137,9 @@ Json json_of(const CountsReport& counts) {
           {"ties", counts.ties},
           {"dropped_strokes", counts.dropped_strokes},
           {"turned_over", counts.turned_over},
-          {"looked_at", counts.looked_at}};
+          {"looked_at", counts.looked_at},
+          {"solids", counts.solids},
+          {"solid_edges", counts.solid_edges}};
 }
 
 Json json_of(const CheckReport& check) {

@@ -29,6 +29,7 @@ struct InputReport {
   std::optional<std::uint64_t> columns, rows;                     ///< of a grid
   double column_step_m = kNotMeasured, row_step_m = kNotMeasured; ///< lengths; of a grid
   std::optional<std::uint64_t> vertices, triangles;               ///< of a TIN
+  std::string scene_path;                                         ///< empty: no solids
   std::optional<TriangulationCounts> triangulation;               ///< of points
   double surface_error_m = 0;                                     ///< as in Terrain
   std::vector<std::string> notes;
@@ -89,6 +90,7 @@ struct CountsReport {
   std::uint64_t strokes = 0, points = 0, ties = 0, dropped_strokes = 0;
   std::uint64_t turned_over = 0; ///< triangles that the ellipsoid turns over in plan
   double looked_at = 1;          ///< share of the ground that wasn't passed over as a whole
+  std::uint64_t solids = 0, solid_edges = 0; ///< instances, and edges of all of them
 };
 
 /// Random points asked of the ray walk (`--check`).

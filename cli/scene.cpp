@@ -4,6 +4,7 @@
 #include "cli/geodesy.hpp"
 #include "cli/place_eye.hpp"
 #include "cli/scene_view.hpp"
+#include "cli/solids/solids_of_view.hpp"
 #include "cli/solids/stand_solids.hpp"
 #include "dem/height_at.hpp"
 #include "geometry/error.hpp"
@@ -167,20 +168,28 @@ bool draws_drop(const Terrain& terrain, const Scene& scene, const RenderSettings
          scene.curvature.would_move_mm > settings.simplify_mm + kPageStep_mm;
 }
 
-std::vector<Vec3> vertices_of(const std::vector<StandingSolid>& solids) {
-  std::vector<Vec3> out;
-  for (const StandingSolid& solid : solids)
-    out.insert(out.end(), solid.vertices_m.begin(), solid.vertices_m.end());
+// One block a solid. REQUIRES that they outlive it.
+BlockedPoints points_of(const std::vector<StandingSolid>& solids) {
+  BlockedPoints out;
+  for (const StandingSolid& solid : solids) {
+    Box3 box;
+    for (const Vec3& vertex : solid.vertices_m) box.include(vertex);
+    out.boxes.push_back(box);
+  }
+  out.points = [&solids](std::size_t i) { return std::span<const Vec3>(solids[i].vertices_m); };
   return out;
 }
 
 // A scene without ground is as large as its solids. What is smaller than a hundredth of it doesn't
 // matter for where its near plane is.
-void take_extent(Scene& scene, const std::vector<Vec3>& points) {
-  for (const Vec3& point : points) scene.extent.box.include(point);
-  const Vec3 size = scene.extent.box.high - scene.extent.box.low;
-  scene.extent.mean_height_m = scene.extent.box.centre().z;
-  scene.cell_m = 0.01 * length(size);
+void take_extent(Scene& scene, const BlockedPoints& points) {
+  Box3& extent = scene.extent.box;
+  for (const Box3& box : points.boxes) {
+    extent.include(box.low);
+    extent.include(box.high);
+  }
+  scene.extent.mean_height_m = extent.centre().z;
+  scene.cell_m = 0.01 * length(extent.high - extent.low);
 }
 
 // Those of the two sides of the eye on which there is something.
@@ -243,11 +252,12 @@ TerrainFacts facts_of(const Terrain& terrain, FlatGround flat) {
   return facts;
 }
 
-Scene place_scene(const Terrain& terrain, const RenderSettings& settings) {
-  return place_scene(terrain, facts_of(terrain, settings.flat), settings);
+Scene place_scene(const Terrain& terrain, const RenderSettings& settings, const Terrain* uncut) {
+  return place_scene(terrain, facts_of(terrain, settings.flat), settings, uncut);
 }
 
-Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettings& settings) {
+Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettings& settings,
+                  const Terrain* uncut) {
   const Surface& surface = terrain.surface;
   Scene scene;
   scene.extent = std::move(facts.extent);
@@ -264,11 +274,15 @@ Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettin
                   : settings.exaggeration.value_or(settings.view ? settings.view->exaggeration : 1);
   // On the ellipsoid heights went to their place exaggerated.
   const double exaggeration = earth ? 1 : scene.exaggeration;
-  if (settings.solids) scene.solids = stand_solids(*settings.solids, terrain);
-  const std::vector<Vec3> beside = vertices_of(scene.solids);
+  if (settings.solids) {
+    scene.solids = stand_solids(*settings.solids, uncut ? *uncut : terrain);
+    if (settings.view && settings.view->cuts())
+      leave_out_cut(scene.solids, *settings.solids, *settings.view, terrain.map, exaggeration);
+  }
+  BlockedPoints beside = points_of(scene.solids);
   if (!on_ground) take_extent(scene, beside);
   const TerrainShape shape{scene.extent.blocks,        facts.outline, scene.extent.box,
-                           scene.extent.mean_height_m, scene.cell_m,  beside};
+                           scene.extent.mean_height_m, scene.cell_m,  std::move(beside)};
   const auto place = [&](const EarthDrop& drop) {
     place_on_earth(scene, terrain, settings, shape, exaggeration, drop);
   };
@@ -284,18 +298,19 @@ Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettin
   curvature.on_ellipsoid = earth.has_value();
   curvature.applied = earth || has_drop;
   if (earth && !has_drop) curvature.refraction = 0;
+  if (settings.solids) check_eye_outside(scene.solids, *settings.solids, scene.view);
   const std::optional<double> under_eye_m = ground_under_eye(scene.view, surface);
   if (under_eye_m) {
     check_eye(scene.view, *under_eye_m, terrain.map);
     keep_off_the_ground(scene.view, *under_eye_m, scene.cell_m);
   }
 
+  scene.plan = settings.plan.value_or(PageSpacing{kPenWidthsApart * settings.pen_width_mm});
   if (!on_ground) {
     scene.sectors = sectors_of(scene);
     return scene;
   }
   find_depths(scene, surface);
-  scene.plan = settings.plan.value_or(PageSpacing{kPenWidthsApart * settings.pen_width_mm});
   scene.depths_m =
       plan_depths(scene.plan, plan_ground(scene, under_eye_m), scene.view, scene.to_page);
   scene.sectors = sectors_of(scene);

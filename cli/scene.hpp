@@ -86,9 +86,12 @@ struct TerrainFacts {
 TerrainFacts facts_of(const Terrain& terrain, FlatGround flat);
 
 /// REQUIRES that the terrain, and the settings' solids, outlive the scene; `facts` are those of
-/// this terrain, for `settings.flat`. Throws Error as `place_eye`, `place_view` and `plan_depths`
-/// do, and where the eye is under the ground.
-Scene place_scene(const Terrain& terrain, const RenderSettings& settings);
-Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettings& settings);
+/// this terrain, for `settings.flat`. Solids stand on `uncut`, where `terrain` was cut by the
+/// view's planes. Throws Error as `place_eye`, `place_view`, `stand_solids`, `leave_out_cut` and
+/// `plan_depths` do, and where the eye is under the ground or inside of a solid.
+Scene place_scene(const Terrain& terrain, const RenderSettings& settings,
+                  const Terrain* uncut = nullptr);
+Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettings& settings,
+                  const Terrain* uncut = nullptr);
 
 } // namespace orograph

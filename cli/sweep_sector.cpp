@@ -21,7 +21,7 @@ namespace orograph {
 SectorLines solids_alone(const Scene& scene, const Sector& sector) {
   const SolidsInView solids(scene.solids, sector.view);
   SectorLines out;
-  out.solids = seen_edges(solids, std::vector<std::vector<GroundShadow>>(scene.solids.size()));
+  out.solids = seen_edges(solids, std::vector<GroundShadows>(scene.solids.size()));
   return out;
 }
 

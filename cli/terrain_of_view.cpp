@@ -4,16 +4,14 @@
 #include "cli/cut_by_view.hpp"
 #include "cli/stand_on_earth.hpp"
 
-#include <utility>
-
 namespace orograph {
 
 TerrainOfView::TerrainOfView(const Terrain& whole, const RenderSettings& settings) : whole_(whole) {
   if (whole.map.earth) {
-    own_ = whole;
-    stand_on_earth(*own_, settings);
+    on_earth_ = whole;
+    stand_on_earth(*on_earth_, settings);
   }
-  if (std::optional<Terrain> cut = cut_by_view(**this, settings)) own_ = std::move(cut);
+  cut_ = cut_by_view(uncut(), settings);
 }
 
 } // namespace orograph

@@ -18,12 +18,14 @@ public:
   TerrainOfView(const TerrainOfView&) = delete;
   TerrainOfView& operator=(const TerrainOfView&) = delete;
 
-  const Terrain& operator*() const { return own_ ? *own_ : whole_; }
+  const Terrain& operator*() const { return cut_ ? *cut_ : uncut(); }
   const Terrain* operator->() const { return &**this; }
+  /// In the same frame, before the planes cut it.
+  const Terrain& uncut() const { return on_earth_ ? *on_earth_ : whole_; }
 
 private:
   const Terrain& whole_;
-  std::optional<Terrain> own_;
+  std::optional<Terrain> on_earth_, cut_;
 };
 
 } // namespace orograph

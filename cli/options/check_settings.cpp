@@ -148,13 +148,46 @@ void check_page(const RenderSettings& settings) {
         fmt::format("give --dpi {} or less", std::floor(kLargestSide_px * 25.4 / longer_mm)));
 }
 
-void take_scene(RenderSettings& settings) {
+// What is said of the ground, where there is none.
+void check_scene_alone(const RenderSettings& settings, const GivenOptions& given) {
+  for (const char* option : {"--band",
+                             "--oo",
+                             "--bbox",
+                             "--bbox-lonlat",
+                             "--overview",
+                             "--fill-voids",
+                             "--height-unit",
+                             "--input-layer",
+                             "--repair",
+                             "--columns",
+                             "--height-field",
+                             "--breaklines",
+                             "--boundary",
+                             "--max-edge",
+                             "--profiles",
+                             "--spacing",
+                             "--visibility-tolerance",
+                             "--silhouette-jump",
+                             "--flat",
+                             "--void-edges",
+                             "--check"})
+    if (given.contains(option))
+      throw UsageError(fmt::format("{} has no meaning without a terrain", option),
+                       "leave it out, or give a DEM as INPUT and the scene as --scene");
+  const auto& layers = settings.layers;
+  if (!settings.dashes_hidden && std::find(layers.begin(), layers.end(), "solids") == layers.end())
+    throw UsageError("--layers leaves nothing to draw of a scene without a terrain",
+                     "leave it out, or give --layers solids");
+}
+
+void take_scene(RenderSettings& settings, const GivenOptions& given) {
   const auto scene = std::find_if(settings.inputs.begin(), settings.inputs.end(), is_scene);
   if (scene != settings.inputs.end()) {
     if (settings.inputs.size() > 1 || !settings.scene_file.empty())
       throw UsageError(fmt::format("INPUT '{}' is a scene, which stands alone", *scene),
                        "give it as --scene, beside a terrain");
     settings.scene_file = *scene;
+    check_scene_alone(settings, given);
   }
   if (settings.scene_file.empty()) {
     if (settings.dashes_hidden)
@@ -165,6 +198,17 @@ void take_scene(RenderSettings& settings) {
     throw UsageError("solids stand in front of the surface and behind it, not of profiles",
                      "leave --occluder profiles out");
   settings.solids = std::make_shared<const SceneFile>(read_scene(settings.scene_file));
+}
+
+// The scene's own files are known when it is read.
+void check_no_shape_file(const RenderSettings& settings) {
+  if (!settings.solids) return;
+  for (const std::string& file : settings.solids->shape_files)
+    for (const auto& [path, option] :
+         {std::pair{settings.output, "OUTPUT"}, {settings.report, "--report"}})
+      if (!path.empty() && path != "-" && replaces_input(file, path))
+        throw UsageError(fmt::format("{} '{}' is a file of the scene", option, path),
+                         fmt::format("give {} another name", option));
 }
 
 } // namespace
@@ -184,16 +228,24 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
   check_output(settings, given);
   check_report(settings, given);
   check_picture_settings(settings, given);
+  check_no_shape_file(settings);
 }
 
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given) {
   check_view(settings, given);
   check_page(settings);
-  take_scene(settings);
+  take_scene(settings, given);
   if (!settings.view_file.empty()) settings.view = read_view_file(settings.view_file);
   if (settings.curvature == Curvature::on && settings.view && settings.view->cuts())
     throw UsageError("--curvature on bends the terrain away from the view's front and back plane",
                      "leave it out, or leave the planes out of " + settings.view_file);
+}
+
+void refuse_scenes(const std::vector<std::string>& inputs) {
+  const auto scene = std::find_if(inputs.begin(), inputs.end(), is_scene);
+  if (scene != inputs.end())
+    throw UsageError(fmt::format("INPUT '{}' is a scene, not a terrain", *scene),
+                     "give a DEM or a TIN; render and sweep draw scenes");
 }
 
 void check_prefix(const RenderSettings& settings, const std::string& prefix,

@@ -22,6 +22,9 @@ void check_picture_settings(RenderSettings& settings, const GivenOptions& given)
 /// ("NETCDF:\"a.nc\":band").
 bool replaces_input(const std::string& input, const std::string& output);
 
+/// Throws UsageError where an input is a scene.
+void refuse_scenes(const std::vector<std::string>& inputs);
+
 /// Throws UsageError where one of the files PREFIX + ending, for each ending, is an input.
 void check_prefix(const RenderSettings& settings, const std::string& prefix,
                   const std::vector<std::string>& endings);

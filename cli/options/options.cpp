@@ -159,6 +159,7 @@ std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& a
   AccuracySettings settings;
   const auto given = parse_arguments(accuracy_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
+  refuse_scenes(settings.render.inputs);
   check_picture_settings(settings.render, given);
   check_prefix(settings.render, settings.prefix, {".csv", ".json", ".svg"});
   return settings;
@@ -169,6 +170,7 @@ parse_fragmentation(const std::vector<std::string>& arguments) {
   FragmentationSettings settings;
   const auto given = parse_arguments(fragmentation_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
+  refuse_scenes(settings.render.inputs);
   check_prefix(settings.render, settings.prefix, {".csv", "-series.csv", ".json", ".svg"});
   return settings;
 }
@@ -177,6 +179,7 @@ std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments
   InfoSettings settings;
   const auto given = parse_arguments(info_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
+  refuse_scenes(settings.inputs);
   return settings;
 }
 
@@ -184,6 +187,7 @@ std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments) 
   TinSettings settings;
   const auto given = parse_arguments(tin_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
+  refuse_scenes(settings.inputs);
   std::vector<std::string> inputs = settings.inputs;
   inputs.push_back(settings.reading.breaklines);
   inputs.push_back(settings.reading.boundary);

@@ -206,9 +206,9 @@ std::vector<Conflict> sweep_conflicts() {
 
 // Where the files are, and how the work is done, decides nothing of what is drawn.
 std::map<std::string, std::vector<std::string>> deciding(GivenOptions given) {
-  for (const char* option :
-       {"INPUT", "OUT_DIR", "--overwrite", "--resume", "--jobs", "--shard", "--yes", "--quiet",
-        "--progress", "--no-progress", "--eye-path", "--views", "--breaklines", "--boundary"})
+  for (const char* option : {"INPUT", "OUT_DIR", "--overwrite", "--resume", "--jobs", "--shard",
+                             "--yes", "--quiet", "--progress", "--no-progress", "--eye-path",
+                             "--views", "--breaklines", "--boundary", "--scene"})
     given.erase(option);
   return given;
 }
@@ -232,6 +232,8 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
     on_path.eye_map = GivenPlace(0, 0);
     if (!on_path.look_azimuth && given.contains("--pitch")) on_path.look_azimuth = Angle();
     check_picture_settings(on_path, given);
+    render.scene_file = on_path.scene_file;
+    render.solids = on_path.solids;
   } else {
     check_picture_settings(render, given);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/solids/behind_solids.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace orograph {
@@ -13,15 +14,14 @@ public:
 
   // Calls `take` with each part that is left.
   template <class Take>
-  void take_rest(Vec3 from, Vec3 to, Share asked, const Take& take) {
-    const LineInView line = line_in_view(solids_.view(), from, to);
+  void take_rest(const LineInView& line, Share asked, const Take& take) {
     hidden_.clear();
     solids_.add_hidden(line, {}, hidden_);
     if (hidden_.empty()) {
       take(asked);
       return;
     }
-    const double length_m = length(to - from);
+    const double length_m = length(line.to - line.from);
     const double sliver = length_m > 0 ? solids_.sliver_m() / length_m : 1;
     unite(hidden_, sliver);
     for_each_rest(hidden_, asked.begin, asked.end, sliver, take);
@@ -37,24 +37,33 @@ private:
 void leave_out_behind(const SolidsInView& solids, const Profile& profile,
                       std::vector<VisibleRun>& runs) {
   const View& view = solids.view();
-  const auto at = [&](std::uint32_t i) {
-    return Vec3{profile.u_m[i], profile.depth_m, profile.z_m[i]};
-  };
-  const auto x_at = [&](std::uint32_t i) {
-    return project(view, {profile.u_m[i], profile.depth_m, profile.z_m[i]}).x;
+  const double depth_m = profile.depth_m;
+  // `project`, at one depth.
+  const Vec2 origin = project(view, {0, depth_m, 0});
+  const Vec2 step = project(view, {1, depth_m, 1}) - origin;
+  const auto at = [&](std::uint32_t i) { return Vec3{profile.u_m[i], depth_m, profile.z_m[i]}; };
+  const auto picture = [&](std::uint32_t i) {
+    return Vec2{origin.x + step.x * profile.u_m[i], origin.y + step.y * profile.z_m[i]};
   };
   std::vector<VisibleRun> left;
   Remover remover(solids);
   for (const VisibleRun& run : runs) {
-    if (!solids.any_in(x_at(run.first), x_at(run.last + 1))) {
+    Vec2 from = picture(run.first);
+    if (!solids.any_in(from.x, picture(run.last + 1).x)) {
       left.push_back(run);
       continue;
     }
     bool joins = false; // the next span to the last of `left`
     for (std::uint32_t i = run.first; i <= run.last; ++i) {
+      const Vec2 to = picture(i + 1);
+      const LineInView line{
+          at(i),
+          at(i + 1),
+          {from.x, to.x, std::min(from.y, to.y), std::max(from.y, to.y), depth_m, depth_m}};
+      from = to;
       const Share asked{i == run.first ? run.t_begin : 0, i == run.last ? run.t_end : 1};
       bool next_joins = false;
-      remover.take_rest(at(i), at(i + 1), asked, [&](Share rest) {
+      remover.take_rest(line, asked, [&](Share rest) {
         if (joins && rest.begin <= 0) {
           left.back().last = i;
           left.back().t_end = rest.end;
@@ -80,7 +89,7 @@ std::vector<LinePart> not_behind(const SolidsInView& solids, const LineSweep& li
     const Vec3 from = as_vec(lines.point(part.line, part.t_begin)),
                to = as_vec(lines.point(part.line, part.t_end));
     const double scale = part.t_end - part.t_begin;
-    remover.take_rest(from, to, {0, 1}, [&](Share rest) {
+    remover.take_rest(line_in_view(solids.view(), from, to), {0, 1}, [&](Share rest) {
       left.push_back({part.line, rest.begin <= 0 ? part.t_begin : part.t_begin + rest.begin * scale,
                       rest.end >= 1 ? part.t_end : part.t_begin + rest.end * scale});
     });

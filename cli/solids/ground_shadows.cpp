@@ -7,13 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace orograph {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // What lies on the ground by no more than this lies on it, times the rounding of positions: a
 // triangle's plane is told by three of them, across its own slope.
@@ -21,14 +18,13 @@ constexpr double kTouching = 16;
 
 struct Found {
   std::uint32_t solid;
-  GroundShadow shadow;
+  GroundEdge edge;
 };
 
 // Edges of the ground, against the solids that they may stand in front of.
 class EdgeShadows {
 public:
-  EdgeShadows(const SolidsInView& solids, const View& view)
-      : solids_(solids), view_(view), rays_(sight_rays(view)) {}
+  EdgeShadows(const SolidsInView& solids, const View& view) : solids_(solids), view_(view) {}
 
   void add(ProfilePoint from, ProfilePoint to, std::vector<Found>& found) const {
     if (view_.is_perspective()) {
@@ -42,33 +38,25 @@ public:
       std::swap(left, right);
       std::swap(from, to);
     }
+    if (!(left.x < right.x)) return;
     const double high = std::max(left.y, right.y);
-    if (!(left.x < right.x) || !solids_.any_in(left.x, right.x)) return;
-    // Everything behind it and below.
-    const SeenBox box{left.x, right.x, -kInfinity, high, -kInfinity, kInfinity};
-    const double nearest_m = std::min(from.v, to.v);
     const std::size_t first = found.size();
-    solids_.for_each_before(box, [&](std::size_t i) {
-      const SolidInView& solid = solids_.solids()[i];
-      if (!(solid.box.farthest_m > nearest_m)) return;
+    solids_.for_each_behind(left.x, right.x, high, std::min(from.v, to.v), [&](std::size_t i) {
       // It may be in several buckets of X.
       for (std::size_t k = first; k < found.size(); ++k)
         if (found[k].solid == i) return;
       found.push_back(
-          {static_cast<std::uint32_t>(i),
-           {edge_shadow(view_, rays_, as_vec(from), as_vec(to), kTouching * solid.rounding_m),
-            left.x, right.x, high}});
+          {static_cast<std::uint32_t>(i), {as_vec(from), as_vec(to), left.x, right.x, high}});
     });
   }
 
 private:
   const SolidsInView& solids_;
   const View& view_;
-  SightRays rays_;
 };
 
 void add_buried(const Terrain& terrain, const Scene& scene, const SolidsInView& solids,
-                std::vector<std::vector<GroundShadow>>& out) {
+                std::vector<GroundShadows>& out) {
   std::vector<Box2> boxes;
   for (const SolidInView& solid : solids.solids()) {
     Box2 box;
@@ -76,24 +64,27 @@ void add_buried(const Terrain& terrain, const Scene& scene, const SolidsInView& 
     boxes.push_back(box);
   }
   const auto triangles = triangles_over(terrain.surface, scene.extent, boxes);
-  for (std::size_t i = 0; i < boxes.size(); ++i)
+  on_all_cores(boxes.size(), [&](std::size_t i) {
     for (const GroundTriangle& triangle : triangles[i]) {
       std::array<Vec3, 3> corners;
       for (std::size_t k = 0; k < 3; ++k)
         corners[k] = as_vec(to_profile_frame(solids.view(), triangle[k]));
-      out[i].push_back({buried_under(corners, kTouching * solids.solids()[i].rounding_m),
-                        -kInfinity, kInfinity, kInfinity});
+      out[i].buried.push_back(buried_under(corners, out[i].touching_m));
     }
+  });
 }
 
 } // namespace
 
-std::vector<std::vector<GroundShadow>>
-ground_shadows(const Terrain& terrain, const Scene& scene, const Sector& sector,
-               const std::vector<SweptLine>& lines, const std::vector<LinePart>& visible,
-               std::span<const Segment> near_cut, const SolidsInView& solids) {
+std::vector<GroundShadows> ground_shadows(const Terrain& terrain, const Scene& scene,
+                                          const Sector& sector, const std::vector<SweptLine>& lines,
+                                          const std::vector<LinePart>& visible,
+                                          std::span<const Segment> near_cut,
+                                          const SolidsInView& solids) {
   const View& view = sector.view;
-  std::vector<std::vector<GroundShadow>> out(solids.solids().size());
+  std::vector<GroundShadows> out(solids.solids().size());
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i].touching_m = kTouching * solids.solids()[i].rounding_m;
   add_buried(terrain, scene, solids, out);
   // Straight down, nothing stands in front of anything.
   if (!view.is_perspective() && !(view.y_per_z > 0)) return out;
@@ -123,7 +114,7 @@ ground_shadows(const Terrain& terrain, const Scene& scene, const Sector& sector,
                 {s.x1 * view.near_m, view.near_m, s.y1 * view.near_m + view.eye_z_m},
                 of_tasks.back());
   for (const auto& found : of_tasks)
-    for (const auto& [solid, shadow] : found) out[solid].push_back(shadow);
+    for (const auto& [solid, edge] : found) out[solid].edges.push_back(edge);
   return out;
 }
 

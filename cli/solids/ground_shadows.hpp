@@ -12,9 +12,16 @@
 
 namespace orograph {
 
-struct GroundShadow {
-  Shadow shadow;
-  double x_begin, x_end, y_high; ///< in the visibility plane; all of it lies within and below
+/// A straight piece of ground that stands in front of a solid, or beside it.
+struct GroundEdge {
+  Vec3 left, right;              ///< profile frame
+  double x_begin, x_end, y_high; ///< in the visibility plane
+};
+
+struct GroundShadows {
+  std::vector<GroundEdge> edges; ///< see `edge_shadow`
+  std::vector<Shadow> buried;    ///< by triangles of the ground
+  double touching_m = 0;         ///< what is under ground by less lies on it
 };
 
 /// For each solid the shadows of ground that may reach it: of the lines that hide (`lines_of`), of
@@ -22,9 +29,10 @@ struct GroundShadow {
 /// Of lines that are drawn only what is visible of them counts (`visible`, by line): what stands in
 /// front of the rest hides all that it would. Cost: a look at each line, and the shadows that are
 /// found.
-std::vector<std::vector<GroundShadow>>
-ground_shadows(const Terrain& terrain, const Scene& scene, const Sector& sector,
-               const std::vector<SweptLine>& lines, const std::vector<LinePart>& visible,
-               std::span<const Segment> near_cut, const SolidsInView& solids);
+std::vector<GroundShadows> ground_shadows(const Terrain& terrain, const Scene& scene,
+                                          const Sector& sector, const std::vector<SweptLine>& lines,
+                                          const std::vector<LinePart>& visible,
+                                          std::span<const Segment> near_cut,
+                                          const SolidsInView& solids);
 
 } // namespace orograph

@@ -28,8 +28,7 @@ struct SolidParts {
 /// `ground`: what it hides of each solid. Faces that are turned away are culled first (Chen and
 /// Sabbagh 1983, section 5.8), so an edge between two of them is hidden as a whole, and one between
 /// a light and a dark face is there once.
-SolidParts seen_edges(const SolidsInView& solids,
-                      const std::vector<std::vector<GroundShadow>>& ground);
+SolidParts seen_edges(const SolidsInView& solids, const std::vector<GroundShadows>& ground);
 
 /// Leaves out of `parts` what is drawn already: parts whose two ends are those of an earlier one,
 /// or of any of `drawn`, on the page's step. Where solids touch, an edge may be one of several.

@@ -2,7 +2,6 @@
 #include "cli/solids/stand_solids.hpp"
 
 #include "cli/named_place.hpp"
-#include "geometry/error.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -50,16 +49,9 @@ Eigen::Matrix3d axes_at(const EarthFrame& earth, Vec3 at_m) {
 
 Stand stand_at(const ScenePlace& place, const SceneFile& scene, const Terrain& terrain) {
   Stand stand;
-  if (!has_ground(terrain.surface)) {
-    if (place.lonlat)
-      throw Error(fmt::format("{}, line {}: without a terrain there is no place at a longitude and "
-                              "a latitude",
-                              scene.path, place.line),
-                  "give at = [X, Y], or a DEM as INPUT and the scene as --scene");
-    stand.at_m = {place.x, place.y, place.height.value_or(0)};
-    return stand;
-  }
-  stand.at_m = place_in_ground_frame(named(place, scene.path), terrain, 0);
+  NamedPlace at = named(place, scene.path);
+  if (!has_ground(terrain.surface) && !at.place.z) at.place.z = 0;
+  stand.at_m = place_in_ground_frame(at, terrain, 0);
   if (terrain.map.earth) stand.axes = axes_at(*terrain.map.earth, stand.at_m);
   return stand;
 }
@@ -76,7 +68,7 @@ std::vector<StandingSolid> stand_solids(const SceneFile& scene, const Terrain& t
     const Solid& solid = scene.solids[instance.solid];
     const Eigen::Matrix3d linear = stand.axes * instance.to_place.topLeftCorner<3, 3>();
     const Eigen::Vector3d moved = stand.axes * instance.to_place.topRightCorner<3, 1>();
-    StandingSolid standing{&solid, {}, linear.determinant() < 0};
+    StandingSolid standing{&solid, {}, linear.determinant() < 0, instance.place};
     standing.vertices_m.reserve(solid.vertices_m.size());
     for (const Vec3& v : solid.vertices_m) {
       const Eigen::Vector3d at = linear * Eigen::Vector3d(v.x, v.y, v.z) + moved;

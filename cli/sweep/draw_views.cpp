@@ -62,8 +62,10 @@ void draw_view(const SweepRun& run, std::size_t view) {
         drawn_or_why([&] { return std::make_unique<TerrainOfView>(run.terrain, settings); });
     const Terrain& terrain = **of_view;
     const Scene scene = drawn_or_why([&] {
-      return run.facts && &terrain == &run.terrain ? place_scene(terrain, *run.facts, settings)
-                                                   : place_scene(terrain, settings);
+      const Terrain* const uncut = &of_view->uncut();
+      return run.facts && &terrain == &run.terrain
+                 ? place_scene(terrain, *run.facts, settings, uncut)
+                 : place_scene(terrain, settings, uncut);
     });
     GroundMeter ground(scene);
     DrawnScene drawn = drawn_or_why([&] {

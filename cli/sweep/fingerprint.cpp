@@ -66,16 +66,22 @@ void add(Mixer& mixer, const Solid& solid) {
   mixer.add_all(solid.vertices_m);
   mixer.add_all(solid.triangles);
   for (const SolidEdge& edge : solid.edges) {
-    const std::uint32_t facts[] = {edge.from, edge.to, edge.left, edge.right,
-                                   edge.smooth ? 1U : 0U};
-    mixer.add(facts, sizeof facts);
+    const std::uint32_t values[] = {edge.from, edge.to, edge.left, edge.right, edge.smooth};
+    mixer.add(values, sizeof values);
   }
 }
 
 void add(Mixer& mixer, const ScenePlace& place) {
-  const double facts[] = {place.x, place.y, place.lonlat ? 1.0 : 0.0, place.height ? 1.0 : 0.0,
-                          place.height.value_or(0)};
-  mixer.add(facts, sizeof facts);
+  const double values[] = {place.x, place.y, place.height.value_or(0)};
+  mixer.add(values, sizeof values);
+  const std::uint32_t kinds[] = {place.lonlat, place.height.has_value()};
+  mixer.add(kinds, sizeof kinds);
+}
+
+void add(Mixer& mixer, const SolidInstance& instance) {
+  const std::uint64_t numbers[] = {instance.place, instance.solid};
+  mixer.add(numbers, sizeof numbers);
+  mixer.add(instance.to_place.data(), sizeof(double) * 16);
 }
 
 std::string text_of(const Mixer& mixer) {
@@ -98,11 +104,7 @@ std::string fingerprint(const SceneFile& scene) {
   Mixer mixer;
   for (const Solid& solid : scene.solids) add(mixer, solid);
   for (const ScenePlace& place : scene.places) add(mixer, place);
-  for (const SolidInstance& instance : scene.instances) {
-    const std::size_t of[] = {instance.place, instance.solid};
-    mixer.add(of, sizeof of);
-    mixer.add(instance.to_place.data(), 16 * sizeof(double));
-  }
+  for (const SolidInstance& instance : scene.instances) add(mixer, instance);
   return text_of(mixer);
 }
 

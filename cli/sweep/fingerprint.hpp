@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether two terrains, or two scenes, are the same, told by a short text.
+// Whether two terrains, or scenes, are the same, told by a short text.
 #pragma once
 
 #include "dem/terrain.hpp"
@@ -13,7 +13,8 @@ namespace orograph {
 /// where the files are and what they are called takes no part. For telling mistakes, not for
 /// security. Cost: one pass, at the speed of memory.
 std::string fingerprint(const Terrain& terrain);
-/// The same of solids and of where they are put, on whatever terrain.
+
+/// The same of a scene's solids, places and instances, whatever its parts are called.
 std::string fingerprint(const SceneFile& scene);
 
 } // namespace orograph

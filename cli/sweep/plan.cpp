@@ -24,6 +24,11 @@ Json json_of(const PathEye& eye) {
   return {at.x, at.y, at.z ? Json(*at.z) : Json(), eye.look.in_degrees()};
 }
 
+Json json_of(const SceneFile& scene) {
+  return {{"name", std::filesystem::path(scene.path).filename().string()},
+          {"fingerprint", fingerprint(scene)}};
+}
+
 Json json_of(const SweepSettings& settings, const ViewList& views, const Columns& columns,
              const Terrain& terrain, const std::string& title) {
   Json json{
@@ -46,11 +51,11 @@ Json json_of(const SweepSettings& settings, const ViewList& views, const Columns
         {{"name", column.name}, {"unit", column.unit}, {"about", column.about}});
   for (std::size_t i = 0; i < views.size(); ++i)
     json["views"].push_back({{"name", views.name(i)}, {"values", views.values(i)}});
+  if (settings.render.solids) json["scene"] = json_of(*settings.render.solids);
   if (!views.eyes().empty()) {
     json["eyes"] = Json::array();
     for (const PathEye& eye : views.eyes()) json["eyes"].push_back(json_of(eye));
   }
-  if (settings.render.solids) json["scene"] = fingerprint(*settings.render.solids);
   if (!settings.views.empty()) {
     json["list"] = Json::array();
     for (const NamedView& view : settings.views) json["list"].push_back(view_file_text(view.view));
@@ -94,6 +99,11 @@ std::string in_words(const std::string& option, const Json& options) {
   if (!options.contains(option)) return "no " + option;
   const auto values = options.at(option).get<std::vector<std::string>>();
   return fmt::format("{} {}", option, fmt::join(values, " "));
+}
+
+std::string scene_in_words(const Json& scene, const char* when) {
+  if (!scene.is_object()) return "without a scene";
+  return fmt::format("with the scene {}{}", scene.value("name", "unknown"), when);
 }
 
 constexpr auto kAnother = "give the same again, --overwrite to begin anew, or another folder";
@@ -149,8 +159,10 @@ void check_same(const Plan& old_plan, const Plan& plan, const std::string& out_d
     throw Error(fmt::format("{} holds a sweep of {}, which is not {} as it is now", out_dir,
                             old_plan.terrain, plan.terrain),
                 kAnother);
-  if (a.value("scene", Json()) != b.value("scene", Json()))
-    throw Error(fmt::format("{} holds a sweep of other solids: the scene was changed", out_dir),
+  const Json scene_a = a.value("scene", Json()), scene_b = b.value("scene", Json());
+  if (scene_a != scene_b)
+    throw Error(fmt::format("{} holds a sweep {}, not {}", out_dir, scene_in_words(scene_a, ""),
+                            scene_in_words(scene_b, " as it is now")),
                 kAnother);
   if (a.at("program") != b.at("program"))
     throw Error(fmt::format("{} holds a sweep by another version of orograph, {}", out_dir,

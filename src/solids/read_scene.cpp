@@ -46,10 +46,12 @@ struct Parts {
   std::vector<ScenePart> nodes;
   PartNumbers numbers;
   std::vector<Solid> solids;
+  std::vector<std::string> shape_files;
 };
 
 void read_part(const SceneTable& table, ScenePart& part, Parts& parts) {
   if (table.has("shape")) {
+    if (auto file = shape_file(table)) parts.shape_files.push_back(*std::move(file));
     part.solid = static_cast<std::uint32_t>(parts.solids.size());
     parts.solids.push_back(read_shape(table));
   }
@@ -102,7 +104,11 @@ SceneFile read_scene(const std::string& path) {
   const SceneValue root{1, parse_scene(path)};
   const SceneTable scene(path, root, "a scene", kSceneKeys);
   Parts parts = read_parts(scene);
-  SceneFile file{.path = path, .solids = {}, .places = {}, .instances = {}};
+  SceneFile file{.path = path,
+                 .shape_files = std::move(parts.shape_files),
+                 .solids = {},
+                 .places = {},
+                 .instances = {}};
   SceneGraph graph{std::move(parts.nodes), {}};
   if (scene.has("place"))
     for (const SceneValue& value : scene.list("place")) {

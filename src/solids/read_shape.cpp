@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace orograph {
 namespace {
@@ -92,8 +93,7 @@ Solid read_polyhedron_part(const SceneTable& part) {
     if (part.has(key))
       throw Error(fmt::format("the polyhedron has a file and {} too", key),
                   "give the one or the other");
-  const auto folder = std::filesystem::path(part.path()).parent_path();
-  const std::string path = (folder / part.text("file")).string();
+  const std::string path = *shape_file(part);
   const Polyhedron polyhedron = read_polyhedron(path);
   try {
     return build_solid(polyhedron);
@@ -182,6 +182,12 @@ SceneTable part_table(const std::string& path, const SceneValue& value) {
   }
   for (const SceneEntry& entry : *value.table()) refuse_shapeless(path, entry);
   return {path, value, "a part without a shape", kNoShapeKeys};
+}
+
+std::optional<std::string> shape_file(const SceneTable& part) {
+  if (!part.has("file")) return std::nullopt;
+  const auto folder = std::filesystem::path(part.path()).parent_path();
+  return (folder / part.text("file")).string();
 }
 
 Solid read_shape(const SceneTable& part) {

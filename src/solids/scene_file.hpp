@@ -31,6 +31,7 @@ struct SolidInstance {
 
 struct SceneFile {
   std::string path;
+  std::vector<std::string> shape_files; ///< paths of those that its polyhedra are read from
   std::vector<Solid> solids;            ///< one copy of each
   std::vector<ScenePlace> places;       ///< in the file's order
   std::vector<SolidInstance> instances; ///< by place, then as the walk meets them

@@ -31,11 +31,14 @@ SolidsInView::SolidsInView(std::span<const StandingSolid> standing, const View& 
   side_ = static_cast<std::size_t>(
       std::clamp(4 * std::sqrt(static_cast<double>(inside.size())), 1.0, kMost));
   buckets_.resize(side_ * side_);
+  columns_.resize(side_);
   const auto per = [&](double size) { return size > 0 ? static_cast<double>(side_) / size : 0; };
   per_x_ = per(core_.width());
   per_y_ = per(core_.height());
   for (const std::uint32_t i : inside) {
     const SeenBox& box = solids_[i].box;
+    for (std::size_t c = column_of(box.x_begin); c <= column_of(box.x_end); ++c)
+      columns_[c].push_back(i);
     for (std::size_t r = row_of(box.y_low); r <= row_of(box.y_high); ++r)
       for (std::size_t c = column_of(box.x_begin); c <= column_of(box.x_end); ++c)
         buckets_[r * side_ + c].push_back(i);

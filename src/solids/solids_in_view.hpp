@@ -45,8 +45,7 @@ public:
   /// Whether any solid reaches into a range of X.
   bool any_in(double x_begin, double x_end) const { return x_begin <= x_end_ && x_end >= x_begin_; }
   /// Calls `take` with the number of every solid whose box a box in the picture overlaps, and that
-  /// begins no farther than the box ends; with some of them more than once. The box may reach down
-  /// to -infinity.
+  /// begins no farther than the box ends; with some of them more than once.
   template <class Take>
   void for_each_before(const SeenBox& box, const Take& take) const {
     if (!any_in(box.x_begin, box.x_end)) return;
@@ -62,6 +61,25 @@ public:
     for (std::size_t r = row_of(box.y_low); r <= last_row; ++r)
       for (std::size_t c = column_of(box.x_begin); c <= last_column; ++c)
         ask(buckets_[r * side_ + c]);
+  }
+  /// The same with every solid that reaches into a range of X, below a height, and ends farther
+  /// than a depth.
+  template <class Take>
+  void for_each_behind(double x_begin, double x_end, double y_high, double depth_m,
+                       const Take& take) const {
+    if (!any_in(x_begin, x_end)) return;
+    const auto ask = [&](const std::vector<std::uint32_t>& bucket) {
+      for (const std::uint32_t i : bucket) {
+        const SeenBox& solid = solids_[i].box;
+        if (solid.farthest_m > depth_m && solid.y_low < y_high && solid.x_begin <= x_end &&
+            solid.x_end >= x_begin)
+          take(std::size_t{i});
+      }
+    };
+    ask(everywhere_);
+    if (columns_.empty()) return;
+    const std::size_t last = column_of(x_end);
+    for (std::size_t c = column_of(x_begin); c <= last; ++c) ask(columns_[c]);
   }
   /// Appends what solids hide of a line.
   void add_hidden(const LineInView& line, const OwnEdge& own, std::vector<Share>& hidden) const;
@@ -87,7 +105,7 @@ private:
   Box2 core_;
   double per_x_ = 0, per_y_ = 0; ///< buckets to a unit
   std::size_t side_ = 0;         ///< buckets across, and up
-  std::vector<std::vector<std::uint32_t>> buckets_;
+  std::vector<std::vector<std::uint32_t>> buckets_, columns_;
 };
 
 } // namespace orograph

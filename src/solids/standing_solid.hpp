@@ -4,6 +4,7 @@
 
 #include "solids/solid.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace orograph {
@@ -13,6 +14,7 @@ struct StandingSolid {
   const Solid* solid = nullptr;
   std::vector<Vec3> vertices_m; ///< those of the solid in the terrain's ground frame, true heights
   bool mirrored = false;        ///< its triangles run clockwise for who looks from outside
+  std::size_t place = 0;        ///< of the scene file, which put it there
 };
 
 } // namespace orograph

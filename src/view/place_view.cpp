@@ -83,9 +83,9 @@ double greatest(const TerrainShape& terrain, const PictureCoordinate& coordinate
   std::optional<Vec3>& end = ends.of(coordinate);
   Extreme known;
   if (end) known.take(coordinate, *end);
-  for (const Vec3& point : terrain.beside) known.take(coordinate, point);
-  const Extreme found = greatest(
-      terrain.points, coordinate, [&](const Box3& box) { return coordinate.bound(box); }, known);
+  const auto bound = [&](const Box3& box) { return coordinate.bound(box); };
+  const Extreme found = greatest(terrain.beside, coordinate, bound,
+                                 greatest(terrain.points, coordinate, bound, known));
   end = found.at;
   return found.value;
 }
@@ -101,7 +101,8 @@ double lowest_near_edge(const View& view, const TerrainShape& terrain) {
     if (turn < 0) continue;
     lowest = std::min(lowest, -std::max(down(edge.from), down(edge.to)));
   }
-  for (const Vec3& point : terrain.beside) lowest = std::min(lowest, -down(point));
+  const auto bound = [&](const Box3& box) { return down.bound(box); };
+  lowest = std::min(lowest, -greatest(terrain.beside, down, bound, {}).value);
   return lowest;
 }
 
@@ -114,8 +115,8 @@ Box2 picture_box(const View& view, const TerrainShape& terrain, PictureEnds& end
   // "Lowest at the near edge" holds along the vertical of the visibility plane only, and in front
   // of the eye.
   const auto nearness = [&](Vec3 p) { return -to_profile_frame(view, p).v; };
-  double nearest = greatest(terrain.points, nearness);
-  for (const Vec3& point : terrain.beside) nearest = std::max(nearest, nearness(point));
+  const double nearest =
+      std::max(greatest(terrain.points, nearness), greatest(terrain.beside, nearness));
   const bool in_front = !view.is_perspective() || nearest <= -view.near_m;
   box.low.y = view.roll == Angle() && in_front ? lowest_near_edge(view, terrain) : most(1, -1);
   return box;
@@ -277,10 +278,8 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
     const auto in_front_of_picture = [&](Vec3 p) {
       return view.to_picture.of(project_homogeneous(view, to_profile_frame(view, p))).z;
     };
-    double farthest = greatest(terrain.points, in_front_of_picture);
-    for (const Vec3& point : terrain.beside)
-      farthest = std::max(farthest, in_front_of_picture(point));
-    if (farthest <= 0)
+    if (std::max(greatest(terrain.points, in_front_of_picture),
+                 greatest(terrain.beside, in_front_of_picture)) <= 0)
       throw Error("all of the terrain is behind the eye", "turn the view towards it");
   } else {
     PictureEnds ends;

@@ -21,8 +21,8 @@ struct TerrainShape {
   std::span<const OutlineEdge> outline; ///< where it begins and ends, holes included
   Box3 box;
   double mean_height_m;
-  double cell_m;                     ///< finest ground detail
-  std::span<const Vec3> beside = {}; ///< other points that have to be shown: vertices of solids
+  double cell_m;             ///< finest ground detail
+  BlockedPoints beside = {}; ///< other points that have to be shown: vertices of solids
 };
 
 /// Places the eye and the window. A window that frames the terrain is its picture's exact bounding

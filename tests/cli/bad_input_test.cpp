@@ -2,6 +2,7 @@
 // Bad input, as a user meets it: the cases of bad_input.txt, and disks that are full.
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"
+#include "tests/cli/made_scenes.hpp"
 #include "tests/cli/run_program.hpp"
 
 #include <filesystem>
@@ -104,6 +105,11 @@ void make_inputs(const MadeFolder& folder) {
   write_view(folder, "from-below.toml", {"vpn = [0, -1, -1]"});
   write_view(folder, "all-cut.toml", {"back = 900"});
   write_view(folder, "aside.toml", {"window = [5000, -200, 5400, 200]", "prp = [5200, 0, 9]"});
+  write_view(folder, "cuts-hut.toml", {"vpn = [0, -1, 0]", "front = 5"});
+  folder.write("holes.asc", ascii_grid(kSize, kSize, [](int column, int row) {
+                 return column == 17 && row == 17 ? -9999 : small_hill_m(column, row);
+               }));
+  make_scenes(folder);
   folder.write("old.svg", "an older drawing");
   fs::create_directory(folder.path("folder.svg"));
   fs::create_symlink("hill.asc", folder.path("link.asc"));
@@ -118,6 +124,7 @@ TEST_CASE("bad input gets one line, the right exit code, and leaves no file") {
   make_inputs(folder);
   const auto before = folder.names();
   const std::string hill = folder.read("hill.asc");
+  const std::string hut = folder.read("hut.toml"), tetrahedron = folder.read("tetrahedron.off");
   const auto cases = read_cases();
   CHECK(cases.size() > 40);
   for (const auto& c : cases) {
@@ -130,6 +137,8 @@ TEST_CASE("bad input gets one line, the right exit code, and leaves no file") {
     CHECK(folder.names() == before);
     CHECK(folder.read("old.svg") == "an older drawing");
     CHECK(folder.read("hill.asc") == hill);
+    CHECK(folder.read("hut.toml") == hut);
+    CHECK(folder.read("tetrahedron.off") == tetrahedron);
   }
 }
 

@@ -43,8 +43,8 @@ struct DrawnSolids {
     SecondsReport seconds;
     std::optional<CheckReport> check;
     const SectorLines found =
-        sweep_sector(made.terrain, scene, scene.sectors.front(), lines, nullptr, made.settings, {.beyond_page = true},
-                     nullptr, {counts, seconds, check}, [] {});
+        sweep_sector(made.terrain, scene, scene.sectors.front(), lines, nullptr, made.settings,
+                     {.beyond_page = true}, nullptr, {counts, seconds, check}, [] {});
     for (const LinePart& part : found.solids.visible)
       visible[part.line].push_back({part.t_begin, part.t_end});
     for (const LinePart& part : found.solids.hidden)
