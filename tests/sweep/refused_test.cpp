@@ -76,23 +76,6 @@ TEST_CASE("a sweep goes on only as the same sweep") {
   refused(words("sweep hill.asc walked --eye-path path.csv --resume"),
           "walked holds a sweep of other views");
 
-  // Solids too, alone and on a terrain.
-  const std::string box = "[part.box]\nshape = 'box'\nsize = [10, 10, 8]\n"
-                          "[[place]]\npart = 'box'\nat = [120, 120]\n";
-  folder.write("box.toml", box);
-  const Words alone = words("sweep box.toml boxes --azimuth 0,90 -q") + kSmall;
-  const Words standing = words("sweep hill.asc huts --scene box.toml --azimuth 0,90 -q") + kSmall;
-  run_well(folder, alone);
-  run_well(folder, standing);
-  folder.write("box.toml", "# The same.\n" + box);
-  run_well(folder, alone + words("--resume"));
-  std::string taller = box, moved = box;
-  folder.write("box.toml", taller.replace(box.find("8]"), 1, "9"));
-  refused(alone + words("--resume"),
-          "boxes holds a sweep of other solids: the scene was changed: give the same again");
-  folder.write("box.toml", moved.replace(box.find("120]"), 3, "121"));
-  refused(standing + words("--resume"), "huts holds a sweep of other solids");
-
   // Overwriting removes what the old one has made, and nothing else.
   folder.write("out/notes.txt", "mine");
   folder.write("out/azimuth-45.svg", "mine as well");
