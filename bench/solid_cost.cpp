@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What solids cost: a drawing of a fractal terrain with none, and with more and more huts strewn
-// over it, in one process, in turn, the least of several rounds.
+// over it, two instances each, in one process, in turn, the least of several rounds.
 //
 //   solid_cost [VERTICES [ROUNDS]]     2000 and 5 unless told otherwise
 #include "cli/draw_scene.hpp"
@@ -57,7 +57,7 @@ double drawing_s(const Terrain& terrain, const Scene& scene, const RenderSetting
 int main(int argc, char** argv) {
   const int vertices = argc > 1 ? std::atoi(argv[1]) : 2000;
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
-  constexpr std::array<int, 5> kHuts{0, 1, 10, 100, 1000};
+  constexpr std::array<int, 6> kHuts{0, 1, 10, 100, 500, 1000};
   Terrain terrain;
   terrain.surface = make_terrain(MadeTerrain::fractal_alps, vertices);
   const Grid& grid = std::get<Grid>(terrain.surface);
