@@ -61,6 +61,35 @@ std::vector<LinePart> of_kind(const std::vector<SweptLine>& lines,
   return out;
 }
 
+// Hidden edges under visible ones.
+void add_solids(const Scene& scene, const RenderSettings& settings,
+                const std::vector<SectorLines>& found, std::vector<LineLayer>& layers) {
+  const auto of_all_sectors = [&](std::vector<LinePart> SolidParts::*kind) {
+    std::vector<LinePart> parts;
+    for (const SectorLines& sector : found) {
+      const std::vector<LinePart>& of_sector = sector.solids.*kind;
+      parts.insert(parts.end(), of_sector.begin(), of_sector.end());
+    }
+    join(parts);
+    return parts;
+  };
+  const auto add = [&](const std::string& name, double weight, double grey,
+                       std::vector<LinePart> parts) {
+    layers.push_back({.layer = empty_layer(name, weight * settings.pen_width_mm, grey),
+                      .parts = std::move(parts),
+                      .of_solids = true});
+  };
+  std::vector<LinePart> seen = of_all_sectors(&SolidParts::visible);
+  drop_repeated(scene.solids, scene.view, scene.to_page, {}, seen);
+  if (settings.dashes_hidden) {
+    std::vector<LinePart> unseen = of_all_sectors(&SolidParts::hidden);
+    drop_repeated(scene.solids, scene.view, scene.to_page, seen, unseen);
+    add("hidden", kHiddenWeight, kHiddenGrey, std::move(unseen));
+    layers.back().layer.is_hidden = true;
+  }
+  if (asks_for(settings, "solids")) add("solids", kSolidWeight, 0, std::move(seen));
+}
+
 } // namespace
 
 DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSettings& settings,
@@ -140,31 +169,7 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
   add_lines("voids", kBorderWeight, kBorderGrey, visible_of(LineKind::void_edge));
   add_lines("silhouettes", kSilhouetteWeight, 0, visible_of(LineKind::silhouette));
   add_lines("skyline", kSkylineWeight, 0, of_all_sectors(&SectorLines::skyline));
-  if (!scene.solids.empty()) {
-    const auto of_all = [&](std::vector<LinePart> SolidParts::*kind) {
-      std::vector<LinePart> parts;
-      for (SectorLines& sector : found) {
-        const std::vector<LinePart>& of_sector = sector.solids.*kind;
-        parts.insert(parts.end(), of_sector.begin(), of_sector.end());
-      }
-      join(parts);
-      return parts;
-    };
-    const auto add_edges = [&](Layer layer, std::vector<LinePart> parts) {
-      layers.push_back({.layer = std::move(layer), .parts = std::move(parts), .of_solids = true});
-    };
-    std::vector<LinePart> seen = of_all(&SolidParts::visible);
-    drop_repeated(scene.solids, view, scene.to_page, {}, seen);
-    if (settings.dashes_hidden) {
-      std::vector<LinePart> unseen = of_all(&SolidParts::hidden);
-      drop_repeated(scene.solids, view, scene.to_page, seen, unseen);
-      Layer hidden = empty_layer("hidden", kHiddenWeight * pen_mm, kHiddenGrey);
-      hidden.is_hidden = true;
-      add_edges(std::move(hidden), std::move(unseen));
-    }
-    if (asks_for(settings, "solids"))
-      add_edges(empty_layer("solids", kSolidWeight * pen_mm, 0), std::move(seen));
-  }
+  if (!scene.solids.empty()) add_solids(scene, settings, found, layers);
   LineLayer folded{{}, of_all_sectors(&SectorLines::folded)};
   on_all_cores(layers.size() + 1, [&](std::size_t i) {
     LineLayer& task = i < layers.size() ? layers[i] : folded;

@@ -149,8 +149,8 @@ TEST_CASE(
   CHECK(all.missing == 0);
   CHECK(none.missing > none.asked / 10);
   CHECK(none.drawn_but_hidden == 0);
-  CHECK(moved.drawn_but_hidden > own.drawn_but_hidden + 40);
-  CHECK(moved.missing > own.missing + 40);
+  CHECK(moved.drawn_but_hidden > own.drawn_but_hidden + kScenes);
+  CHECK(moved.missing > own.missing + kScenes);
 }
 
 TEST_CASE("the check of lines on the ground does so too") {
@@ -174,8 +174,8 @@ TEST_CASE("the check of lines on the ground does so too") {
   report("lines on the ground", own);
   report("nothing hidden", none);
   CHECK(own.wrong() < own.asked / 500);
-  CHECK(own.shares > 100);
-  CHECK(none.drawn_but_hidden > 100);
+  CHECK(own.shares > 3 * kScenes);
+  CHECK(none.drawn_but_hidden > 3 * kScenes);
   CHECK(none.missing == 0);
 }
 
@@ -216,7 +216,7 @@ TEST_CASE("what the reference is sure of stays so where the point is moved withi
              << " moved to the other answer");
   CHECK(unsure < asked / 3);
   CHECK(hidden < asked / 10 * 9);
-  CHECK(otherwise > 20);
+  CHECK(otherwise > kScenes);
 }
 
 TEST_CASE("shares out of order, or beyond the line, are wrong") {
