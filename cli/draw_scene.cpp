@@ -4,6 +4,7 @@
 #include "cli/read_ground.hpp"
 #include "cli/scene_lines.hpp"
 #include "cli/sector_ground.hpp"
+#include "cli/solids/draw_solids.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/sweep_sector.hpp"
 #include "draw/dash.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/line_sweep.hpp"
 
+#include "cli/draw_chained.hpp"
 #include "dem/extent.hpp"
-#include "draw/chain.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "view/sectors.hpp"
 
@@ -279,29 +279,19 @@ void join_sectors(const Surface& surface, const View& view, const std::vector<Sw
 
 void draw_parts(const Surface& surface, const View& view, const std::vector<SweptLine>& lines,
                 const std::vector<LinePart>& parts, StrokeBuilder& builder) {
-  std::vector<ChainLink> links;
-  links.reserve(parts.size());
-  for (const auto& [line, t_begin, t_end] : parts)
-    links.push_back({t_begin <= 0 ? lines[line].edge.from : kLooseEnd,
-                     t_end >= 1 ? lines[line].edge.to : kLooseEnd});
   const EdgeEnds ends(surface, view);
-  const Chains chains = chain(links);
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    builder.begin(-1, std::numeric_limits<double>::quiet_NaN());
-    bool is_first = true;
-    for (const auto& [piece, turned] : chains[i]) {
-      const LinePart& part = parts[piece];
-      const ProfileLine whole = ends(lines[part.line].edge);
-      const auto add = [&](double t) {
-        const ProfilePoint at = point_between(whole.from, whole.to, t);
-        builder.add({project_homogeneous(view, at), at});
-      };
-      if (is_first) add(turned ? part.t_end : part.t_begin);
-      add(turned ? part.t_begin : part.t_end);
-      is_first = false;
-    }
-    builder.end();
-  }
+  draw_chained(
+      parts, view,
+      [&](const LinePart& part) {
+        const SurfaceEdge edge = lines[part.line].edge;
+        return ChainLink{part.t_begin <= 0 ? edge.from : kLooseEnd,
+                         part.t_end >= 1 ? edge.to : kLooseEnd};
+      },
+      [&](const LinePart& part, double t) {
+        const ProfileLine whole = ends(lines[part.line].edge);
+        return point_between(whole.from, whole.to, t);
+      },
+      builder);
 }
 
 } // namespace orograph

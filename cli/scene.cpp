@@ -236,7 +236,7 @@ double chosen_exaggeration(const Box3& terrain) {
 double exaggeration_of(const RenderSettings& settings, const Box3& terrain) {
   if (settings.exaggeration) return *settings.exaggeration;
   if (settings.view) return settings.view->exaggeration;
-  return settings.has_eye() ? 1 : chosen_exaggeration(terrain);
+  return settings.has_eye() || terrain.empty() ? 1 : chosen_exaggeration(terrain);
 }
 
 TerrainFacts facts_of(const Terrain& terrain, FlatGround flat) {
@@ -268,10 +268,7 @@ Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettin
   const bool on_ground = has_ground(surface);
   scene.exaggeration_chosen = on_ground && !settings.exaggeration && !settings.view;
   const std::optional<EarthFrame>& earth = terrain.map.earth;
-  scene.exaggeration =
-      earth       ? earth->exaggeration
-      : on_ground ? exaggeration_of(settings, scene.extent.box)
-                  : settings.exaggeration.value_or(settings.view ? settings.view->exaggeration : 1);
+  scene.exaggeration = earth ? earth->exaggeration : exaggeration_of(settings, scene.extent.box);
   // On the ellipsoid heights went to their place exaggerated.
   const double exaggeration = earth ? 1 : scene.exaggeration;
   if (settings.solids) {

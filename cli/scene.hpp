@@ -68,7 +68,7 @@ struct Scene {
 double chosen_exaggeration(const Box3& terrain);
 
 /// What heights are multiplied by: as the settings say, or chosen; 1 from a given eye, which sees
-/// the world as it is.
+/// the world as it is, and where there is no terrain (an empty box).
 double exaggeration_of(const RenderSettings& settings, const Box3& terrain);
 
 /// What placing has to know of a terrain, whatever the view: found once, it does for all views of

@@ -103,10 +103,8 @@ std::vector<GroundShadows> ground_shadows(const Terrain& terrain, const Scene& s
     const std::size_t end = std::min(hiding.size(), (task + 1) * kPartsOfTask);
     for (std::size_t i = task * kPartsOfTask; i < end; ++i) {
       const ProfileLine line = ends(lines[hiding[i].line].edge);
-      const auto at = [&](double t) {
-        return t <= 0 ? line.from : point_between(line.from, line.to, t);
-      };
-      shadows.add(at(hiding[i].t_begin), at(hiding[i].t_end), of_tasks[task]);
+      shadows.add(point_between(line.from, line.to, hiding[i].t_begin),
+                  point_between(line.from, line.to, hiding[i].t_end), of_tasks[task]);
     }
   });
   for (const Segment& s : near_cut)

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/solids/solid_edges.hpp"
 
-#include "draw/chain.hpp"
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <set>
-#include <utility>
 
 namespace orograph {
 namespace {
@@ -116,52 +110,6 @@ private:
 
 } // namespace
 
-namespace {
-
-// Ends of a part on the page, the lower first, in the page's steps; none without a picture.
-using PageEnds = std::array<double, 4>;
-
-class EdgePlaces {
-public:
-  EdgePlaces(std::span<const StandingSolid> standing, const View& view)
-      : standing_(standing), view_(view), lines_(lines_of(standing)) {}
-
-  const SolidLine& line(const LinePart& part) const { return lines_[part.line]; }
-  const SolidEdge& edge(const LinePart& part) const {
-    return standing_[line(part).solid].solid->edges[line(part).edge];
-  }
-  ProfilePoint point(const LinePart& part, double t) const {
-    const auto& vertices = standing_[line(part).solid].vertices_m;
-    return point_between(to_profile_frame(view_, vertices[edge(part).from]),
-                         to_profile_frame(view_, vertices[edge(part).to]), t);
-  }
-  PageEnds ends(const LinePart& part, const Homography& to_page) const {
-    const auto at = [&](double t) {
-      const Vec3 page = to_page.of(project_homogeneous(view_, point(part, t)));
-      return std::array{std::round(page.x / page.z / kPageStep_mm),
-                        std::round(page.y / page.z / kPageStep_mm)};
-    };
-    auto [a, b] = std::pair(at(part.t_begin), at(part.t_end));
-    if (b < a) std::swap(a, b);
-    return {a[0], a[1], b[0], b[1]};
-  }
-
-private:
-  std::span<const StandingSolid> standing_;
-  const View& view_;
-  std::vector<SolidLine> lines_;
-};
-
-} // namespace
-
-std::vector<SolidLine> lines_of(std::span<const StandingSolid> standing) {
-  std::vector<SolidLine> lines;
-  for (std::uint32_t solid = 0; solid < standing.size(); ++solid)
-    for (std::uint32_t edge = 0; edge < standing[solid].solid->edges.size(); ++edge)
-      lines.push_back({solid, edge});
-  return lines;
-}
-
 SolidParts seen_edges(const SolidsInView& solids, const std::vector<GroundShadows>& ground) {
   const std::size_t count = solids.solids().size();
   std::vector<std::uint32_t> first_line(count + 1);
@@ -178,48 +126,6 @@ SolidParts seen_edges(const SolidsInView& solids, const std::vector<GroundShadow
     out.hidden.insert(out.hidden.end(), parts.hidden.begin(), parts.hidden.end());
   }
   return out;
-}
-
-void drop_repeated(std::span<const StandingSolid> standing, const View& view,
-                   const Homography& to_page, const std::vector<LinePart>& drawn,
-                   std::vector<LinePart>& parts) {
-  const EdgePlaces places(standing, view);
-  std::set<PageEnds> known;
-  for (const LinePart& part : drawn) known.insert(places.ends(part, to_page));
-  std::erase_if(parts, [&](const LinePart& part) {
-    return !known.insert(places.ends(part, to_page)).second;
-  });
-}
-
-void draw_edges(std::span<const StandingSolid> standing, const View& view,
-                const std::vector<LinePart>& parts, StrokeBuilder& builder) {
-  std::vector<std::uint64_t> first_vertex(standing.size() + 1);
-  for (std::size_t i = 0; i < standing.size(); ++i)
-    first_vertex[i + 1] = first_vertex[i] + standing[i].vertices_m.size();
-  const EdgePlaces places(standing, view);
-  std::vector<ChainLink> links;
-  for (const LinePart& part : parts) {
-    const SolidEdge& edge = places.edge(part);
-    const std::uint64_t first = first_vertex[places.line(part).solid];
-    links.push_back({part.t_begin <= 0 ? first + edge.from : kLooseEnd,
-                     part.t_end >= 1 ? first + edge.to : kLooseEnd});
-  }
-  const Chains chains = chain(links);
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    builder.begin(-1, std::numeric_limits<double>::quiet_NaN());
-    bool is_first = true;
-    for (const auto& [piece, turned] : chains[i]) {
-      const LinePart& part = parts[piece];
-      const auto add = [&](double t) {
-        const ProfilePoint at = places.point(part, t);
-        builder.add({project_homogeneous(view, at), at});
-      };
-      if (is_first) add(turned ? part.t_end : part.t_begin);
-      add(turned ? part.t_begin : part.t_end);
-      is_first = false;
-    }
-    builder.end();
-  }
 }
 
 } // namespace orograph
