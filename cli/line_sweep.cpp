@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace orograph {
 namespace {
@@ -36,6 +37,15 @@ std::uint32_t line_number(const SurfaceLine& line) {
   return static_cast<std::uint32_t>(line.source.id & ~kLineBit);
 }
 
+// Whether a height is below all blocks of the horizon between two abscissae.
+bool is_below_blocks(const BlockedHorizon& horizon, double x_begin, double x_end, double height) {
+  const auto& blocks = horizon.blocks();
+  for (std::size_t i = horizon.block_at(x_begin); i < blocks.size() && blocks[i].x_begin <= x_end;
+       ++i)
+    if (!(height < blocks[i].low)) return false;
+  return true;
+}
+
 ProfileLine line_in(const EdgeEnds& ends, const Sector& sector, SurfaceEdge edge) {
   ProfileLine line = ends(edge);
   const double near_m = sector.view.near_m;
@@ -54,14 +64,12 @@ double margin(const View& view, double x, double from_m, double rounding_m) {
 } // namespace
 
 LineSweep::LineSweep(const Surface& surface, const Sector& sector,
-                     const std::vector<SweptLine>& lines, std::vector<std::uint32_t> which,
+                     const std::vector<SweptLine>& lines, std::span<const LineAtDepth> which,
                      XRange range, double from_m, const TieTolerance& tolerance)
     : ends_(surface, sector.view), sector_(sector), view_(sector.view), lines_(lines),
-      which_(std::move(which)), range_(range), from_m_(from_m), tolerance_(tolerance),
+      range_(range), from_m_(from_m), tolerance_(tolerance),
       rounding_m_(position_rounding_m(surface, sector.view)),
-      slabs_(
-          static_cast<std::uint32_t>(which_.size()),
-          [this](std::uint32_t i) { return whole(which_[i]); }, from_m) {
+      slabs_(which, WholeLine{this}, from_m) {
   beside_range_ = {range.begin - margin(view_, range.begin, from_m, rounding_m_),
                    range.end + margin(view_, range.end, from_m, rounding_m_)};
 }
@@ -104,13 +112,12 @@ LineSweep::Projected LineSweep::project_line(std::uint32_t line, const ProfileLi
   return out;
 }
 
-// From a share of the way along the picture, left to right, to the share along the edge.
-double LineSweep::along_edge(const Projected& p, double share) const {
-  if (share <= 0) return p.t_left;
-  if (share >= 1) return p.t_right;
+double LineSweep::along_edge(const AlongEdge& along, double share) const {
+  if (share <= 0) return along.t_left;
+  if (share >= 1) return along.t_right;
   const double in_space =
-      view_.is_perspective() ? share_in_depth(share, p.left.v, p.right.v) : share;
-  return p.t_left + in_space * (p.t_right - p.t_left);
+      view_.is_perspective() ? share_in_depth(share, along.v_left, along.v_right) : share;
+  return along.t_left + in_space * (along.t_right - along.t_left);
 }
 
 bool LineSweep::in_plane(const ProfileLine& whole, double depth_m) const {
@@ -127,55 +134,73 @@ bool LineSweep::cut_to_range(SurfaceLine& line) const {
 }
 
 // By bounds alone: all of it is below all of the horizon's blocks that it reaches.
-bool LineSweep::is_hidden(const ProfileLine& line, const BlockedHorizon& horizon) const {
-  if (std::min(line.from.v, line.to.v) < from_m_) return false;
-  const Vec2 a = project(view_, line.from), b = project(view_, line.to);
-  const double beside = margin(view_, std::max(std::abs(a.x), std::abs(b.x)),
-                               std::min(line.from.v, line.to.v), rounding_m_);
-  const double begin = std::max(std::min(a.x, b.x) - beside, beside_range_.begin),
-               end = std::min(std::max(a.x, b.x) + beside, beside_range_.end);
-  const double height = std::max(a.y, b.y);
-  const auto& blocks = horizon.blocks();
-  for (std::size_t i = horizon.block_at(begin); i < blocks.size() && blocks[i].x_begin <= end; ++i)
-    if (!(height < blocks[i].low)) return false;
-  return true;
+bool LineSweep::is_hidden(const Projected& p, const BlockedHorizon& horizon) const {
+  const Segment& s = p.source;
+  const double x = std::max(std::abs(s.x0), std::abs(s.x1));
+  const double beside =
+      4 * rounding_m_ *
+      (view_.is_perspective() ? (1 + x) * std::max(p.nearness_left, p.nearness_right)
+                              : 1 + std::abs(view_.x_per_v));
+  return is_below_blocks(horizon, std::max(s.x0 - beside, beside_range_.begin),
+                         std::min(s.x1 + beside, beside_range_.end), std::max(s.y0, s.y1));
 }
 
-void LineSweep::begin_slab(double to_m, const SlabLines::Hidden& hidden) {
-  in_slab_.clear();
-  for (const SlabPiece& piece : slabs_.next(to_m, hidden)) {
-    const std::uint32_t number = which_[piece.line];
-    const Projected p = project_line(number, piece.whole);
-    const auto x_at = [&](double t, ProfilePoint at) {
-      return t == p.t_left ? p.source.x0 : t == p.t_right ? p.source.x1 : project(view_, at).x;
+SurfaceLine LineSweep::in_slab(const SlabPiece& piece, const Projected& p, double to_m) const {
+  const auto x_at = [&](double t, ProfilePoint at) {
+    return t == p.t_left ? p.source.x0 : t == p.t_right ? p.source.x1 : project(view_, at).x;
+  };
+  const SweptLine& swept = lines_[piece.line];
+  SurfaceLine line{p.source,
+                   p.nearness_left,
+                   p.nearness_right,
+                   x_at(piece.t_begin, piece.begin),
+                   x_at(piece.t_end, piece.end),
+                   swept.hides,
+                   swept.drawn,
+                   p.beside,
+                   rounding_m_ / 4, // which is generous: what is farther apart is told apart
+                   view_.is_perspective(),
+                   swept.covers,
+                   in_plane(piece.whole, to_m)};
+  if (line.upright()) {
+    // Shares of the way along the picture, from shares of the way along the edge.
+    const auto share = [&](ProfilePoint at) {
+      if (at.v <= p.left.v) return 0.0;
+      if (at.v >= p.right.v) return 1.0;
+      const double in_space = (at.v - p.left.v) / (p.right.v - p.left.v);
+      return view_.is_perspective() ? share_in_depth(in_space, p.right.v, p.left.v) : in_space;
     };
-    SurfaceLine line{p.source,
-                     p.nearness_left,
-                     p.nearness_right,
-                     x_at(piece.t_begin, piece.begin),
-                     x_at(piece.t_end, piece.end),
-                     lines_[number].hides,
-                     lines_[number].drawn,
-                     p.beside,
-                     rounding_m_ / 4, // which is generous: what is farther apart is told apart
-                     view_.is_perspective(),
-                     lines_[number].covers,
-                     in_plane(piece.whole, to_m)};
-    if (line.upright()) {
-      // Shares of the way along the picture, from shares of the way along the edge.
-      const auto share = [&](ProfilePoint at) {
-        if (at.v <= p.left.v) return 0.0;
-        if (at.v >= p.right.v) return 1.0;
-        const double in_space = (at.v - p.left.v) / (p.right.v - p.left.v);
-        return view_.is_perspective() ? share_in_depth(in_space, p.right.v, p.left.v) : in_space;
-      };
-      const bool vertical = p.left.v == p.right.v;
-      line.begin = vertical ? 0 : share(piece.begin);
-      line.end = vertical ? 1 : share(piece.end);
-    }
-    if (line.begin > line.end) std::swap(line.begin, line.end);
-    if (cut_to_range(line)) in_slab_.push_back(line);
+    const bool vertical = p.left.v == p.right.v;
+    line.begin = vertical ? 0 : share(piece.begin);
+    line.end = vertical ? 1 : share(piece.end);
   }
+  if (line.begin > line.end) std::swap(line.begin, line.end);
+  return line;
+}
+
+template <class AnyHorizon>
+void LineSweep::begin_slab(double to_m, const AnyHorizon& horizon) {
+  in_slab_.clear();
+  along_.clear();
+  // Tells whether the line is still to be looked at.
+  slabs_.next(to_m, [&](const SlabPiece& piece) {
+    const Projected p = project_line(piece.line, piece.whole);
+    SurfaceLine line = in_slab(piece, p, to_m);
+    if (!cut_to_range(line)) return true;
+    if constexpr (std::is_same_v<AnyHorizon, BlockedHorizon>) {
+      if (line.upright()) {
+        if (is_hidden(p, horizon)) return false;
+      } else if (is_below_blocks(
+                     horizon, line.begin, line.end,
+                     std::max(height_at(line.source, line.begin), height_at(line.source, line.end)))) {
+        return !is_hidden(p, horizon);
+      }
+    }
+    line.tag = static_cast<std::uint32_t>(along_.size());
+    along_.push_back({p.t_left, p.t_right, p.left.v, p.right.v});
+    in_slab_.push_back(line);
+    return true;
+  });
 
   if (!record_) return;
   // Before what is hidden is dropped.
@@ -185,22 +210,25 @@ void LineSweep::begin_slab(double to_m, const SlabLines::Hidden& hidden) {
     if (raises(line))
       (line.in_last_plane ? record_in_last_plane_ : *record_).push_back(occluder_of(line));
 }
+template void LineSweep::begin_slab(double, const Horizon&);
+template void LineSweep::begin_slab(double, const BlockedHorizon&);
 
 void LineSweep::add_visible(std::span<const VisibleLinePart> visible) {
   for (const auto& [index, t_begin, t_end] : visible) {
-    const std::uint32_t number = line_number(in_slab_[index]);
-    const Projected p = project_line(number, whole(number));
-    const auto [begin, end] = std::minmax({along_edge(p, t_begin), along_edge(p, t_end)});
-    parts_.push_back({number, begin, end});
+    const SurfaceLine& line = in_slab_[index];
+    const double a = along_edge(along_[line.tag], t_begin), b = along_edge(along_[line.tag], t_end);
+    parts_.push_back({line_number(line), std::min(a, b), std::max(a, b)});
   }
 }
 
 void LineSweep::end_slab() {
   occluders_.clear();
   in_last_plane_.clear();
-  for (const SurfaceLine& line : in_slab_)
+  for (const SlabHorizon::Begin& begin : slab_horizon_.by_x()) {
+    const SurfaceLine& line = in_slab_[begin.line];
     if (raises(line))
       (line.in_last_plane ? in_last_plane_ : occluders_).push_back(occluder_of(line));
+  }
 }
 
 std::vector<LinePart> LineSweep::skyline(const Horizon& horizon) const {
@@ -210,8 +238,9 @@ std::vector<LinePart> LineSweep::skyline(const Horizon& horizon) const {
     const auto number = static_cast<std::uint32_t>(piece.source.id & ~kLineBit);
     if (lines_[number].kind != LineKind::silhouette || !lines_[number].drawn) continue;
     const Projected p = project_line(number, whole(number));
-    const auto [begin, end] = std::minmax({along_edge(p, parameter_at(p.source, piece.x_begin)),
-                                           along_edge(p, parameter_at(p.source, piece.x_end))});
+    const AlongEdge along{p.t_left, p.t_right, p.left.v, p.right.v};
+    const auto [begin, end] = std::minmax({along_edge(along, parameter_at(p.source, piece.x_begin)),
+                                           along_edge(along, parameter_at(p.source, piece.x_end))});
     parts.push_back({number, begin, end});
   }
   join(parts);
@@ -223,16 +252,17 @@ ProfilePoint LineSweep::point(std::uint32_t line, double t) const {
   return point_between(ends.from, ends.to, t);
 }
 
-std::vector<std::vector<std::uint32_t>> lines_by_range(const Surface& surface, const Sector& sector,
+std::vector<std::vector<LineAtDepth>> lines_by_range(const Surface& surface, const Sector& sector,
                                                        const std::vector<SweptLine>& lines,
                                                        std::span<const XRange> ranges,
                                                        double from_m) {
-  using Numbers = std::vector<std::uint32_t>;
+  using Found = std::vector<LineAtDepth>;
   const View& view = sector.view;
   const double rounding_m = position_rounding_m(surface, view);
   const EdgeEnds ends(surface, view);
-  const auto find = [&](std::uint32_t i, std::vector<Numbers>& found) {
+  const auto find = [&](std::uint32_t i, std::vector<Found>& found) {
     auto [from, to] = line_in(ends, sector, lines[i].edge);
+    const auto nearest = static_cast<float>(std::min(from.v, to.v));
     if (std::min(from.v, to.v) < from_m) {
       if (!(std::max(from.v, to.v) >= from_m)) return;
       (from.v < to.v ? from : to) = point_between(from, to, (from_m - from.v) / (to.v - from.v));
@@ -243,17 +273,17 @@ std::vector<std::vector<std::uint32_t>> lines_by_range(const Surface& surface, c
     const auto first = std::partition_point(ranges.begin(), ranges.end(),
                                             [&](const XRange& range) { return range.end < low; });
     for (auto range = first; range != ranges.end() && range->begin <= high; ++range)
-      found[static_cast<std::size_t>(range - ranges.begin())].push_back(i);
+      found[static_cast<std::size_t>(range - ranges.begin())].push_back({i, nearest});
   };
   constexpr std::size_t kLinesOfTask = 1U << 14U;
-  std::vector<std::vector<Numbers>> of_tasks((lines.size() + kLinesOfTask - 1) / kLinesOfTask);
+  std::vector<std::vector<Found>> of_tasks((lines.size() + kLinesOfTask - 1) / kLinesOfTask);
   on_all_cores(of_tasks.size(), [&](std::size_t task) {
     of_tasks[task].resize(ranges.size());
     const std::size_t end = std::min(lines.size(), (task + 1) * kLinesOfTask);
     for (std::size_t i = task * kLinesOfTask; i < end; ++i)
       find(static_cast<std::uint32_t>(i), of_tasks[task]);
   });
-  std::vector<Numbers> out(ranges.size());
+  std::vector<Found> out(ranges.size());
   on_all_cores(ranges.size(), [&](std::size_t range) {
     for (const auto& found : of_tasks)
       out[range].insert(out[range].end(), found[range].begin(), found[range].end());

@@ -12,7 +12,6 @@
 
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 namespace orograph {
@@ -32,22 +31,22 @@ struct SweptLine {
 /// horizon by those that hide.
 class LineSweep {
 public:
-  /// Takes the lines of the numbers `which`, within `range` of X. REQUIRES that surface, sector and
-  /// lines outlive the sweep. `from_m` is where the first slab begins.
+  /// Takes the lines `which` (of `lines_by_range`), within `range` of X. REQUIRES that surface,
+  /// sector and lines outlive the sweep. `from_m` is where the first slab begins.
   LineSweep(const Surface& surface, const Sector& sector, const std::vector<SweptLine>& lines,
-            std::vector<std::uint32_t> which, XRange range, double from_m,
+            std::span<const LineAtDepth> which, XRange range, double from_m,
             const TieTolerance& tolerance);
+  LineSweep(const LineSweep&) = delete;
+  LineSweep& operator=(const LineSweep&) = delete;
 
   /// The slab up to the plane at `to_m`. `horizon` is made of what stands in front of the slab, and
   /// then of what stands in the slab as well, but for lines that lie in its last plane: they hide
-  /// only what is behind that plane. `raise` raises the horizon by a list of occluders.
+  /// only what is behind that plane. `raise` raises the horizon by a list of occluders, in the order
+  /// of `is_raised_before`.
   template <class AnyHorizon, class Raise>
   void take_slab(double to_m, AnyHorizon& horizon, const Raise& raise) {
     raise(in_last_plane_, horizon);
-    SlabLines::Hidden hidden;
-    if constexpr (std::is_same_v<AnyHorizon, BlockedHorizon>)
-      hidden = [&](const ProfileLine& line) { return is_hidden(line, horizon); };
-    begin_slab(to_m, hidden);
+    begin_slab(to_m, horizon);
     add_visible(slab_horizon_.visible_parts(in_slab_, horizon, tolerance_));
     end_slab();
     raise(occluders_, horizon);
@@ -81,38 +80,48 @@ private:
     double nearness_left, nearness_right;
     double beside; ///< rounding of X
   };
+  // From shares of the way along the picture, left to right, to shares along the edge.
+  struct AlongEdge {
+    double t_left, t_right, v_left, v_right;
+  };
+  struct WholeLine {
+    const LineSweep* sweep;
+    ProfileLine operator()(std::uint32_t line) const { return sweep->whole(line); }
+  };
   Projected project_line(std::uint32_t line, const ProfileLine& whole) const;
   bool in_plane(const ProfileLine& whole, double depth_m) const;
   bool cut_to_range(SurfaceLine& line) const;
-  bool is_hidden(const ProfileLine& line, const BlockedHorizon& horizon) const;
-  void begin_slab(double to_m, const SlabLines::Hidden& hidden);
+  SurfaceLine in_slab(const SlabPiece& piece, const Projected& p, double to_m) const;
+  bool is_hidden(const Projected& p, const BlockedHorizon& horizon) const;
+  template <class AnyHorizon>
+  void begin_slab(double to_m, const AnyHorizon& horizon);
   void add_visible(std::span<const VisibleLinePart> visible);
   void end_slab();
-  double along_edge(const Projected& projected, double share) const;
+  double along_edge(const AlongEdge& along, double share) const;
 
   EdgeEnds ends_;
   const Sector& sector_;
   const View& view_;
   const std::vector<SweptLine>& lines_;
-  std::vector<std::uint32_t> which_;
   XRange range_, beside_range_; ///< the second with what is beside the first by rounding
   double from_m_;
   TieTolerance tolerance_;
   double rounding_m_; ///< bound on the rounding of u and v
-  SlabLines slabs_;
+  SlabLines<WholeLine> slabs_;
   SlabHorizon slab_horizon_;
   std::vector<SurfaceLine> in_slab_;
+  std::vector<AlongEdge> along_; ///< by tag
   std::vector<HorizonPiece> occluders_, in_last_plane_;
   std::vector<HorizonPiece>* record_ = nullptr;
   std::vector<HorizonPiece> record_in_last_plane_;
   std::vector<LinePart> parts_;
 };
 
-/// For each of the ranges the numbers of the lines that reach into it.
-std::vector<std::vector<std::uint32_t>> lines_by_range(const Surface& surface, const Sector& sector,
-                                                       const std::vector<SweptLine>& lines,
-                                                       std::span<const XRange> ranges,
-                                                       double from_m);
+/// For each of the ranges the lines that reach into it.
+std::vector<std::vector<LineAtDepth>> lines_by_range(const Surface& surface, const Sector& sector,
+                                                     const std::vector<SweptLine>& lines,
+                                                     std::span<const XRange> ranges,
+                                                     double from_m);
 
 /// Brings the parts of several sectors, a vector after another, in order by line, and joins those
 /// that only the strip between the sectors parts; `strip_m` wide to either side, 0 where what is in

@@ -2,19 +2,16 @@
 #include "cli/strip_sweep.hpp"
 
 #include "geometry/on_all_cores.hpp"
-#include "horizon/horizon_pieces.hpp"
 
-#include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace orograph {
 
 StripSweep::StripSweep(const SectorInWork& work, const Strip& strip,
-                       std::vector<std::uint32_t> which, std::span<const Segment> near_cut)
+                       std::span<const LineAtDepth> which, std::span<const Segment> near_cut)
     : work_(work), range_(strip.range),
-      lines_(work.terrain.surface, work.sector, work.lines, std::move(which), strip.range,
-             work.from_m, work.tolerance),
+      lines_(work.terrain.surface, work.sector, work.lines, which, strip.range, work.from_m,
+             work.tolerance),
       horizon_(strip.core.begin, strip.core.end, strip.blocks, lines_.looked_at().begin,
                lines_.looked_at().end),
       planes_(work) {
@@ -38,10 +35,9 @@ void StripSweep::finish() {
 }
 
 void StripSweep::take_slab(double to_m) {
+  // Of equally high ones the first stands, as in `orograph::raise`.
   lines_.take_slab(to_m, horizon_,
-                   [](std::vector<HorizonPiece>& occluders, BlockedHorizon& horizon) {
-                     // Of equally high ones the first stands, as in `orograph::raise`.
-                     std::sort(occluders.begin(), occluders.end(), is_raised_before);
+                   [](std::span<const HorizonPiece> occluders, BlockedHorizon& horizon) {
                      for (const HorizonPiece& occluder : occluders) horizon.raise(occluder);
                    });
 }
@@ -51,11 +47,11 @@ std::vector<std::unique_ptr<StripSweep>> strips_of(const SectorInWork& work) {
       plan_strips(work.scene, work.sector, work.range, work.vertices_a_strip);
   std::vector<XRange> ranges;
   for (const Strip& strip : plan) ranges.push_back(strip.range);
-  auto which = lines_by_range(work.terrain.surface, work.sector, work.lines, ranges, work.from_m);
+  const auto which = lines_by_range(work.terrain.surface, work.sector, work.lines, ranges, work.from_m);
   const std::vector<Segment> cut = near_cut(work);
   std::vector<std::unique_ptr<StripSweep>> strips(plan.size());
   on_all_cores(plan.size(), [&](std::size_t i) {
-    strips[i] = std::make_unique<StripSweep>(work, plan[i], std::move(which[i]), cut);
+    strips[i] = std::make_unique<StripSweep>(work, plan[i], which[i], cut);
   });
   return strips;
 }

@@ -18,9 +18,8 @@ namespace orograph {
 /// outlive it.
 class StripSweep {
 public:
-  /// `which`: the numbers of the lines that reach into the strip; `near_cut` stands in front of
-  /// everything.
-  StripSweep(const SectorInWork& work, const Strip& strip, std::vector<std::uint32_t> which,
+  /// `which`: the lines that reach into the strip; `near_cut` stands in front of everything.
+  StripSweep(const SectorInWork& work, const Strip& strip, std::span<const LineAtDepth> which,
              std::span<const Segment> near_cut);
   StripSweep(const StripSweep&) = delete;
   StripSweep& operator=(const StripSweep&) = delete;

@@ -5,7 +5,7 @@
 #include "horizon/clip.hpp"
 
 #include <limits>
-#include <numeric>
+#include <span>
 
 namespace orograph {
 
@@ -15,9 +15,9 @@ SweptSector sweep_in_list(const SectorInWork& work, bool surface, const Instrume
   Stopwatch watch;
   const Sector& sector = work.sector;
   const View& view = sector.view;
-  std::vector<std::uint32_t> all(work.lines.size());
-  std::iota(all.begin(), all.end(), 0U);
-  LineSweep sweep(work.terrain.surface, sector, work.lines, std::move(all), work.range, work.from_m,
+  const auto which = lines_by_range(work.terrain.surface, sector, work.lines,
+                                    std::span(&work.range, 1), work.from_m);
+  LineSweep sweep(work.terrain.surface, sector, work.lines, which.front(), work.range, work.from_m,
                   work.tolerance);
   if (instruments.occluders) sweep.record(*instruments.occluders);
   const ClipOptions options{surface ? Role::compared : Role::drawn_occluder, work.tolerance,

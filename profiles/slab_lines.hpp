@@ -7,9 +7,14 @@
 #include "profiles/surface_edge.hpp"
 #include "view/view.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <limits>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -31,26 +36,30 @@ struct SlabPiece {
   ProfilePoint begin, end;
 };
 
-/// Cuts lines by the planes of consecutive slabs. Memory: 4 bytes a line, and the lines of one
-/// slab. Cost in all: a sort of the lines, and O(1) a piece.
+/// A line by its number, and the depth of its nearer end.
+struct LineAtDepth {
+  std::uint32_t line;
+  float nearest_m;
+};
+
+/// Cuts lines by the planes of consecutive slabs. `LineOf` tells the ends of the line of a number
+/// (ProfileLine). Memory: 4 bytes a line. Cost in all: a sort of the lines, and O(1) a piece.
+template <class LineOf>
 class SlabLines {
 public:
-  using LineOf = std::function<ProfileLine(std::uint32_t)>;
+  /// Lines are asked from `line_of` when they are needed. The first slab begins at depth `from_m`;
+  /// what lies nearer is left out.
+  SlabLines(std::span<const LineAtDepth> lines, LineOf line_of, double from_m);
 
-  /// `count` lines, each asked from `line_of` when it is needed. The first slab begins at depth
-  /// `from_m`; what lies nearer is left out.
-  SlabLines(std::uint32_t count, LineOf line_of, double from_m);
-
-  /// The pieces in the slab from the last plane to the one at `to_m`, which is in it, in no
-  /// particular order. Lines that begin in the slab and are `hidden` as a whole are left out for
-  /// good. REQUIRES that `to_m` never falls. The span is valid until the next call.
-  using Hidden = std::function<bool(const ProfileLine&)>;
-  std::span<const SlabPiece> next(double to_m, const Hidden& hidden = {});
-
-  ProfileLine line(std::uint32_t i) const { return line_of_(i); }
+  /// Calls take(piece) with each piece (SlabPiece) in the slab from the last plane to the one at
+  /// `to_m`, which is in it, in no particular order. A line of which it returns false isn't looked
+  /// at any more. REQUIRES that `to_m` never falls.
+  template <class Take>
+  void next(double to_m, const Take& take);
 
 private:
-  bool cut(std::uint32_t line, double to_m, const Hidden& hidden);
+  template <class Take>
+  bool cut(std::uint32_t line, double to_m, const Take& take);
 
   LineOf line_of_;
   std::vector<std::uint32_t> by_depth_;   ///< lines, by bucket of their nearer end
@@ -59,8 +68,68 @@ private:
   std::size_t waiting_ = 0;               ///< first bucket that hasn't begun
   std::size_t begun_ = 0;                 ///< lines that have
   std::vector<std::uint32_t> active_;
-  std::vector<SlabPiece> pieces_;
   double from_m_;
 };
+
+// Lines are parted into buckets of depth, which is cheaper than sorting them: a bucket is begun as
+// a whole, and those of its lines that lie farther wait among the active ones.
+template <class LineOf>
+SlabLines<LineOf>::SlabLines(std::span<const LineAtDepth> lines, LineOf line_of, double from_m)
+    : line_of_(std::move(line_of)), by_depth_(lines.size()), from_m_(from_m) {
+  if (lines.empty()) return;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const LineAtDepth& line : lines) {
+    low = std::min<double>(low, line.nearest_m);
+    high = std::max<double>(high, line.nearest_m);
+  }
+  constexpr std::size_t kBuckets = 4096; // as many as there are rows in a large grid
+  const double per_m = high > low ? (kBuckets - 2) / (high - low) : 0;
+  const auto bucket = [&](float depth) {
+    return static_cast<std::size_t>(std::clamp((depth - low) * per_m, 0.0, kBuckets - 2.0));
+  };
+  bucket_end_.assign(kBuckets, 0);
+  for (const auto& [line, depth] : lines) ++bucket_end_[bucket(depth) + 1];
+  std::partial_sum(bucket_end_.begin(), bucket_end_.end(), bucket_end_.begin());
+  for (const auto& [line, depth] : lines) by_depth_[bucket_end_[bucket(depth)]++] = line;
+  bucket_begin_m_.resize(kBuckets);
+  for (std::size_t b = 0; b < kBuckets; ++b) {
+    // Rounding to float may have put a line into a bucket that begins behind it.
+    const double slack = 1e-6 * std::max(std::abs(low), std::abs(high));
+    bucket_begin_m_[b] = per_m > 0 ? low + static_cast<double>(b) / per_m - slack : low - slack;
+  }
+}
+
+// Takes the line's piece up to `to_m`; tells whether the line is looked at behind it.
+template <class LineOf>
+template <class Take>
+bool SlabLines<LineOf>::cut(std::uint32_t i, double to_m, const Take& take) {
+  const ProfileLine line = line_of_(i);
+  const auto& [from, to] = line;
+  const double nearest = std::min(from.v, to.v), farthest = std::max(from.v, to.v);
+  if (nearest > to_m) return true;
+  if (farthest < from_m_ || (farthest == from_m_ && nearest < farthest)) return false;
+  const auto t_at = [&, &a = from, &b = to](double depth) {
+    return std::clamp((depth - a.v) / (b.v - a.v), 0.0, 1.0);
+  };
+  double t_near = from.v <= to.v ? 0 : 1, t_far = 1 - t_near;
+  if (nearest < from_m_) t_near = t_at(from_m_);
+  if (farthest > to_m) t_far = t_at(to_m);
+  const double begin = std::min(t_near, t_far), end = std::max(t_near, t_far);
+  if (begin < end &&
+      !take(SlabPiece{i, begin, end, line, point_between(from, to, begin),
+                      point_between(from, to, end)}))
+    return false;
+  return farthest > to_m;
+}
+
+template <class LineOf>
+template <class Take>
+void SlabLines<LineOf>::next(double to_m, const Take& take) {
+  std::erase_if(active_, [&](std::uint32_t i) { return !cut(i, to_m, take); });
+  for (; waiting_ < bucket_end_.size() && bucket_begin_m_[waiting_] <= to_m; ++waiting_)
+    for (; begun_ < bucket_end_[waiting_]; ++begun_)
+      if (cut(by_depth_[begun_], to_m, take)) active_.push_back(by_depth_[begun_]);
+  from_m_ = to_m;
+}
 
 } // namespace orograph

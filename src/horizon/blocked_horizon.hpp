@@ -48,7 +48,8 @@ public:
 
 private:
   void raise_block(std::size_t number, const HorizonPiece& occluder);
-  std::size_t size_at(std::size_t number) const;
+  template <class Change>
+  void change(std::size_t number, const Change& make);
 
   double x_begin_, blocks_per_x_;
   std::vector<HorizonBlock> blocks_;

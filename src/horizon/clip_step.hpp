@@ -35,7 +35,8 @@ inline Step resolve(const Segment& p, const HorizonPiece& piece, double a, doubl
   using enum Standing::Kind;
   const auto whole = [&](bool above) { return Step{1, {Stretch{a, b, above}}}; };
   if (is_sky(piece)) return whole(true);
-  const Standing standing = compare(p, piece.source, exact ? TieTolerance{} : tolerance);
+  static constexpr TieTolerance kNone{};
+  const Standing standing = compare(p, piece.source, exact ? kNone : tolerance);
   if (standing.kind == tied) {
     Step step = whole(!exact && !piece.inked);
     step.tied = true;

@@ -77,23 +77,8 @@ double height_before(const SurfaceLine& line, const AnyHorizon& horizon) {
              : greatest_height(horizon, x, line.beside);
 }
 
-// Whether all of it is below by bounds alone.
-bool is_far_below(const SurfaceLine&, const Horizon&) {
-  return false;
-}
-bool is_far_below(const SurfaceLine& line, const BlockedHorizon& horizon) {
-  const double height =
-      std::max(height_at(line.source, line.begin), height_at(line.source, line.end));
-  const auto& blocks = horizon.blocks();
-  for (std::size_t i = horizon.block_at(line.begin);
-       i < blocks.size() && blocks[i].x_begin < line.end; ++i)
-    if (!(height < blocks[i].low)) return false;
-  return true;
-}
-
 template <class AnyHorizon>
 bool is_below(const SurfaceLine& line, const AnyHorizon& horizon) {
-  if (is_far_below(line, horizon)) return true;
   for (auto piece = pieces_from(horizon, line.begin); piece && piece->x_begin < line.end; ++piece) {
     if (is_sky(*piece)) return false;
     for (const double x : {std::max(line.begin, piece->x_begin), std::min(line.end, piece->x_end)})
@@ -199,24 +184,25 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
     return line.upright() ? !line.drawn : is_below(line, horizon);
   });
   const auto count = static_cast<std::uint32_t>(lines.size());
+  by_x_.clear();
+  for (std::uint32_t i = 0; i < count; ++i)
+    by_x_.push_back({first_x(lines[i]), lines[i].source.id, i});
+  std::sort(by_x_.begin(), by_x_.end(), [](const Begin& a, const Begin& b) {
+    return a.x != b.x ? a.x < b.x : a.id < b.id;
+  });
+  if (std::none_of(lines.begin(), lines.end(), [](const SurfaceLine& line) { return line.drawn; }))
+    return parts_;
 
   // Sweep over X: each pair that shares some of it, once.
-  by_x_.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) by_x_[i] = i;
-  std::sort(by_x_.begin(), by_x_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const double xa = first_x(lines[a]), xb = first_x(lines[b]);
-    return xa != xb ? xa < xb : a < b;
-  });
   active_.clear();
   hidden_.clear();
-  for (const std::uint32_t i : by_x_) {
-    const double x = first_x(lines[i]);
-    std::erase_if(active_, [&](std::uint32_t k) { return last_x(lines[k]) < x; });
-    for (const std::uint32_t k : active_) {
-      hide_behind(lines, k, i, tolerance);
-      hide_behind(lines, i, k, tolerance);
+  for (const auto& [x, id, i] : by_x_) {
+    std::erase_if(active_, [begin = x](const Active& k) { return k.last_x < begin; });
+    for (const Active& k : active_) {
+      hide_behind(lines, k.line, i, tolerance);
+      hide_behind(lines, i, k.line, tolerance);
     }
-    active_.push_back(i);
+    active_.push_back({last_x(lines[i]), i});
   }
   std::sort(hidden_.begin(), hidden_.end(), [](const Hidden& a, const Hidden& b) {
     return a.line != b.line ? a.line < b.line : a.begin < b.begin;

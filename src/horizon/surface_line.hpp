@@ -37,6 +37,7 @@ struct SurfaceLine {
   bool covers = false;
   /// Lies in the slab's last plane: hides only what is behind that.
   bool in_last_plane = false;
+  std::uint32_t tag = 0; ///< for whoever asks
 
   bool upright() const { return source.x0 == source.x1; }
   bool vertical() const { return upright() && nearness0 == nearness1; }
@@ -62,7 +63,21 @@ public:
                                                  const AnyHorizon& horizon,
                                                  const TieTolerance& tolerance = {});
 
+  /// Where a line begins.
+  struct Begin {
+    double x;
+    std::uint64_t id; ///< of its source
+    std::uint32_t line;
+  };
+  /// The lines that `visible_parts` has left, those that aren't upright in the order of
+  /// `is_raised_before`.
+  const std::vector<Begin>& by_x() const { return by_x_; }
+
 private:
+  struct Active {
+    double last_x;
+    std::uint32_t line;
+  };
   struct Hidden {
     std::uint32_t line;
     double begin, end;
@@ -70,7 +85,8 @@ private:
   void hide_behind(std::span<const SurfaceLine> lines, std::uint32_t front, std::uint32_t behind,
                    const TieTolerance& tolerance);
 
-  std::vector<std::uint32_t> by_x_, active_;
+  std::vector<Begin> by_x_;
+  std::vector<Active> active_;
   std::vector<Hidden> hidden_;
   std::vector<VisibleLinePart> parts_;
 };

@@ -4,6 +4,7 @@
 #include "tests/profiles/triangle_cuts.hpp"
 #include "tests/support/made_grid.hpp"
 
+#include <algorithm>
 #include <limits>
 
 using namespace orograph;
@@ -46,12 +47,14 @@ TEST_CASE("the pieces of all slabs tile each line") {
     INFO("seed " << seed);
     const auto lines = random_lines(random);
     const double from = random.pick({-infinity, -2.0, 1.0, random.between(-4, 9)});
-    SlabLines slabs(
-        static_cast<std::uint32_t>(lines.size()), [&](std::uint32_t i) { return lines[i]; }, from);
+    std::vector<LineAtDepth> depths;
+    for (std::uint32_t i = 0; i < lines.size(); ++i)
+      depths.push_back({i, static_cast<float>(near_end(lines[i]))});
+    SlabLines slabs(depths, [&](std::uint32_t i) { return lines[i]; }, from);
     std::vector<std::vector<SlabPiece>> by_line(lines.size());
     double plane = random.chance(0.5) ? std::max(from, -5.0) : std::max(from, 2.0), last = from;
     while (last < infinity) {
-      for (const SlabPiece& piece : slabs.next(plane)) {
+      slabs.next(plane, [&](const SlabPiece& piece) {
         const ProfileLine& line = lines[piece.line];
         by_line[piece.line].push_back(piece);
         REQUIRE(piece.t_begin < piece.t_end);
@@ -66,7 +69,8 @@ TEST_CASE("the pieces of all slabs tile each line") {
         }
         // A line in a plane belongs to the slab in front of it.
         if (line.from.v == line.to.v && line.from.v != from) REQUIRE(line.from.v > last);
-      }
+        return true;
+      });
       last = plane;
       plane = plane > 9 ? infinity : plane + random.pick({0.0, 1.0, random.between(0, 2)});
     }
@@ -96,6 +100,20 @@ TEST_CASE("the pieces of all slabs tile each line") {
       }
     }
   }
+}
+
+TEST_CASE("a line that isn't taken any more is left out of all slabs behind") {
+  const std::vector<ProfileLine> lines{{{0, 0.5, 0}, {1, 3.5, 0}}, {{0, 0.5, 0}, {1, 2.5, 0}}};
+  const std::vector<LineAtDepth> depths{{0, 0.5F}, {1, 0.5F}};
+  SlabLines slabs(depths, [&](std::uint32_t i) { return lines[i]; }, -infinity);
+  std::vector<std::uint32_t> taken;
+  for (const double plane : {1.0, 2.0, 3.0, 4.0})
+    slabs.next(plane, [&](const SlabPiece& piece) {
+      taken.push_back(piece.line);
+      return piece.line == 0 || plane < 2;
+    });
+  CHECK(std::count(taken.begin(), taken.end(), 0U) == 4);
+  CHECK(std::count(taken.begin(), taken.end(), 1U) == 2);
 }
 
 TEST_CASE("a grid edge in the profile frame runs from its lower vertex to its higher one") {
