@@ -92,44 +92,47 @@ public:
   }
 
 private:
-  // Span after span against the pieces of one block.
+  // Spans and the pieces of one block side by side, up to the next end of either: one loop, whose
+  // branches are foreseen where a stretch stays above or below.
   void clip_spans(std::uint32_t span, double begin, double stop, std::size_t block) {
-    const Horizon& pieces = horizon_.blocks()[block].pieces;
-    std::size_t at = 0;
-    while (pieces[at].x_end <= begin) ++at;
+    const double* x = profile_.x.data();
+    const HorizonPiece* piece = horizon_.blocks()[block].pieces.data();
+    const HorizonPiece* const first = piece;
+    while (piece->x_end <= begin) ++piece;
     marks_.clear();
-    for (; begin < stop; ++span) {
-      const double span_end = std::min(stop, profile_.x[span + 1]);
-      if (!(begin < span_end)) continue;
-      const Span p = span_at(span);
-      while (begin < span_end) {
-        const HorizonPiece& piece = pieces[at];
-        const double end = std::min(span_end, piece.x_end);
-        const int side = clear_side(p, piece, begin, end);
-        if (side != 0) {
-          if (side > 0) ends_.take({span, begin, kAsXTells}, {span, end, kAsXTells});
-          begin = end;
-          if (piece.x_end <= end) ++at;
-          continue;
-        }
-        const Segment source = span_of(profile_, span);
-        const Step step = resolve(source, piece, begin, end, false, tolerance_);
-        ++counts_.steps;
-        counts_.ties += step.tied ? 1 : 0;
-        for (int i = 0; i < step.count; ++i) {
-          const Stretch& s = step.stretches[static_cast<std::size_t>(i)];
-          if (!s.above) continue;
-          ends_.take(
-              {span, s.x_begin, s.begins_at_crossing && s.x_begin != p.x0 ? step.t : kAsXTells},
-              {span, s.x_end, s.ends_at_crossing && s.x_end != p.x1 ? step.t : kAsXTells});
-          if (step.tied && !piece.inked) marks_.push_back({at, s.x_begin, s.x_end});
-        }
+    while (begin < stop) {
+      const double span_end = x[span + 1];
+      const double end = std::min(std::min(stop, span_end), piece->x_end);
+      if (begin < end) {
+        const int side = clear_side(span_at(span), *piece, begin, end);
+        if (side > 0)
+          ends_.take({span, begin, kAsXTells}, {span, end, kAsXTells});
+        else if (side == 0)
+          resolve_part(span, *piece, static_cast<std::size_t>(piece - first), begin, end);
         begin = end;
-        if (piece.x_end <= end) ++at;
       }
+      span += span_end <= end ? 1 : 0;
+      piece += piece->x_end <= end ? 1 : 0;
     }
     for (auto mark = marks_.rbegin(); mark != marks_.rend(); ++mark)
       horizon_.ink(block, mark->at, mark->begin, mark->end);
+  }
+
+  // Of a span against a block's piece number `at`.
+  void resolve_part(std::uint32_t span, const HorizonPiece& piece, std::size_t at, double begin,
+                    double end) {
+    const Segment source = span_of(profile_, span);
+    const Step step = resolve(source, piece, begin, end, false, tolerance_);
+    ++counts_.steps;
+    counts_.ties += step.tied ? 1 : 0;
+    for (int i = 0; i < step.count; ++i) {
+      const Stretch& s = step.stretches[static_cast<std::size_t>(i)];
+      if (!s.above) continue;
+      ends_.take(
+          {span, s.x_begin, s.begins_at_crossing && s.x_begin != source.x0 ? step.t : kAsXTells},
+          {span, s.x_end, s.ends_at_crossing && s.x_end != source.x1 ? step.t : kAsXTells});
+      if (step.tied && !piece.inked) marks_.push_back({at, s.x_begin, s.x_end});
+    }
   }
 
   struct Span {
