@@ -55,6 +55,7 @@ public:
     // the origin; a gradient is off by as much, and counts as far as the eye is away.
     cells_away_ = 4.0 * (grid.columns + grid.rows);
     if (view.is_perspective()) cells_away_ += 4 * (std::abs(eye_.column) + std::abs(eye_.row));
+    if (view.drop.any()) bend_m_ = bend_of_drop_m();
   }
 
   std::vector<std::uint8_t> lower, upper; ///< bits, a cell each
@@ -87,13 +88,10 @@ public:
   // The two triangles at an edge make a parallelogram: it is a ridge where its middle is higher
   // than the middle between the other two vertices.
   bool may_be_ridge(CellVertex from, CellVertex to, CellVertex left, CellVertex right) const {
-    // Twice 16 ulp of the four heights, as far as positions are off in cells.
-    const double rounding =
-        32 * std::numeric_limits<double>::epsilon() * 4 * (grid_.columns + grid_.rows);
     const double a = height(from), b = height(to), c = height(left), d = height(right);
     const double above = (a - c) + (b - d);
     if (std::abs(above) >
-        rounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d) + drop_at(from)))
+        bend_m_ + rounding() * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d)))
       return above > 0;
     const auto at = [&](CellVertex v) { return vertex(v.column, v.row); };
     return mirrored_ ? orograph::may_be_ridge(at(from), at(to), at(right), at(left))
@@ -101,14 +99,23 @@ public:
   }
 
 private:
-  double height(CellVertex v) const {
-    return view_.drop.any() ? vertex(v.column, v.row).z
-                            : static_cast<double>(heights_[grid_.index(v.column, v.row)]);
+  double height(CellVertex v) const { return heights_[grid_.index(v.column, v.row)]; }
+  // Twice 16 ulp of four heights, as far as positions are off in cells.
+  double rounding() const {
+    return 32 * std::numeric_limits<double>::epsilon() * 4 * (grid_.columns + grid_.rows);
   }
-  double drop_at(CellVertex v) const {
-    if (!view_.drop.any()) return 0;
-    const ProfilePoint p = vertex(v.column, v.row);
-    return 8 * std::abs(view_.drop.at(p.u, p.v));
+  // Twice as much as what the ground sinks can move one middle of an edge's parallelogram against
+  // the other, by rounding as well; in metres before exaggeration. A square form's values in the
+  // middle and at the ends of a line differ by its value for half the line.
+  double bend_of_drop_m() const {
+    const auto& [uu, uv, vv] = view_.drop;
+    const double most = std::abs(uu) + std::abs(uv) + std::abs(vv);
+    const double column_m = length(lattice_.column_step_m), row_m = length(lattice_.row_step_m);
+    const double across_m = 2 * (column_m + row_m); // at least the parallelogram's diagonals
+    const double away_m = length(lattice_.first_vertex_m) + grid_.columns * column_m +
+                          grid_.rows * row_m + length(view_.depth_origin_m);
+    return 2 * most * (across_m * across_m + 8 * rounding() * away_m * away_m) /
+           view_.exaggeration;
   }
 
   // k0 + k1 * x + k2 * x * x, where x is counted from a range's first cell.
@@ -235,6 +242,7 @@ private:
   EyeInCells eye_;
   bool mirrored_; ///< columns and rows turn the other way
   double cells_away_;
+  double bend_m_ = 0;
 };
 
 } // namespace orograph

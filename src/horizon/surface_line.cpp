@@ -180,9 +180,12 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
                                                             const AnyHorizon& horizon,
                                                             const TieTolerance& tolerance) {
   parts_.clear();
-  std::erase_if(lines, [&](const SurfaceLine& line) {
-    return line.upright() ? !line.drawn : is_below(line, horizon);
-  });
+  const bool draws =
+      std::any_of(lines.begin(), lines.end(), [](const SurfaceLine& line) { return line.drawn; });
+  if (draws) // or else nothing is asked, and raising a horizon finds it out itself
+    std::erase_if(lines, [&](const SurfaceLine& line) {
+      return line.upright() ? !line.drawn : is_below(line, horizon);
+    });
   const auto count = static_cast<std::uint32_t>(lines.size());
   by_x_.clear();
   for (std::uint32_t i = 0; i < count; ++i)
@@ -190,8 +193,7 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
   std::sort(by_x_.begin(), by_x_.end(), [](const Begin& a, const Begin& b) {
     return a.x != b.x ? a.x < b.x : a.id < b.id;
   });
-  if (std::none_of(lines.begin(), lines.end(), [](const SurfaceLine& line) { return line.drawn; }))
-    return parts_;
+  if (!draws) return parts_;
 
   // Sweep over X: each pair that shares some of it, once.
   active_.clear();

@@ -57,7 +57,7 @@ public:
   /// in front of the slab, and above what hides in the slab and is nearer. Along the X that two
   /// lines share, each of "nearer" and "higher" changes at most once, so hidden stretches are found
   /// in closed form; ends that two lines share count as exactly equal. Lines that are wholly below
-  /// `horizon` are dropped from `lines` first.
+  /// `horizon` are dropped from `lines` first, unless none is drawn.
   template <class AnyHorizon> // Horizon or BlockedHorizon
   std::span<const VisibleLinePart> visible_parts(std::vector<SurfaceLine>& lines,
                                                  const AnyHorizon& horizon,
