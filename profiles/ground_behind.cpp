@@ -30,6 +30,12 @@ bool rises(const Mesh& mesh, const Beyond& beyond, const ProfileLine& line, Surf
   };
   // Along the ray Y stays what it is.
   const double z_per_m = z_along_ray(view, from);
+  // By more than rounding, which is a few ulp.
+  const auto is_below_ray = [&](ProfilePoint p) {
+    const double fall = (p.v - from.v) * z_per_m;
+    return p.z - from.z - fall <
+           -1e-12 * (std::abs(p.z) + std::abs(from.z) + std::abs(fall));
+  };
   MeshVertex left{edge.from, line.from}, right{edge.to, line.to};
   if (right_of_ray(left.at) > right_of_ray(right.at)) std::swap(left, right);
   std::array<std::uint32_t, 3> met{};
@@ -46,8 +52,13 @@ bool rises(const Mesh& mesh, const Beyond& beyond, const ProfileLine& line, Surf
     const bool to_the_left = right_of_ray(ahead.at) > 0;
     MeshVertex& passed = to_the_left ? right : left;
     const std::uint8_t next = (k + 1) % 3, last = (k + 2) % 3;
-    const std::uint8_t opposite = mesh.vertex(triangle, next).index == passed.index ? next : last;
+    const std::uint8_t opposite = mesh.index(triangle, next) == passed.index ? next : last;
     passed = ahead;
+    side = mesh.across({triangle, opposite});
+    // Nothing of an edge that is below comes up to the ray, as nearly everywhere.
+    if (is_below_ray(left.at) && is_below_ray(right.at) &&
+        std::max(left.at.v, right.at.v) - from.v <= reach_m)
+      continue;
     // As every point on an edge, from the vertex of lower index.
     const bool left_first = left.index < right.index;
     const ProfilePoint a = (left_first ? left : right).at, b = (left_first ? right : left).at;
@@ -59,7 +70,6 @@ bool rises(const Mesh& mesh, const Beyond& beyond, const ProfileLine& line, Surf
     // The silhouette's own edge is in reach of rounding: a thousandth of an edge is not behind it.
     const double least_m = 1e-3 * std::max(std::abs(b.u - a.u), std::abs(b.v - a.v));
     if (distance > least_m && p.z >= from.z + distance * z_per_m) return true;
-    side = mesh.across({triangle, opposite});
   }
   return false;
 }

@@ -25,8 +25,9 @@ struct TinMesh {
   const Tin& tin;
   const View& view;
 
+  std::uint32_t index(std::uint32_t t, std::size_t k) const { return tin.triangles[t][k]; }
   MeshVertex vertex(std::uint32_t t, std::size_t k) const {
-    const std::uint32_t i = tin.triangles[t][k];
+    const std::uint32_t i = index(t, k);
     return {i, to_profile_frame(view, tin.vertices_m[i])};
   }
   std::optional<Side> across(const Side& side) const {
