@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace orograph {
 
@@ -61,9 +62,10 @@ void fill_crossings(const Block& l, int count, double depth, double* u, double* 
 inline bool drop_repeats(bool special, std::size_t begin, Profile& out) {
   const double *u = out.u_m.data(), *z = out.z_m.data();
   const std::size_t count = out.size();
-  bool rises = true;
-  for (std::size_t m = begin + 1; m < count; ++m) rises = rises & (u[m] > u[m - 1]);
-  if (rises) return true;
+  std::uint32_t stays = 0; // counted in the way that gets to the vector units
+  for (std::size_t m = begin + 1; m < count; ++m)
+    if (!(u[m] > u[m - 1])) ++stays;
+  if (stays == 0) return true;
   std::size_t kept = begin;
   for (std::size_t m = begin + 1; m < count; ++m) {
     const bool again =

@@ -78,7 +78,7 @@ private:
   bool is_missing(int count) const;
   bool meets_vertex(int count) const;
   bool in_doubt(double v) const { return std::abs(v - plane_.depth_m) <= rounding_m_; }
-  void take_places(int k, int c, int r);
+  void take_places(int first, int begin, int end);
 
   // A vertex of line i, as one end of an edge.
   struct End {
@@ -158,46 +158,62 @@ std::optional<int> PlaneCut<Height>::crossed(int i) const {
 }
 
 template <class Height>
-void PlaneCut<Height>::take_places(int k, int c, int r) {
-  const auto at = static_cast<std::size_t>(k);
-  const int c_b = c + family_.along.column, r_b = r + family_.along.row;
-  block_.u_a[at] = places_.u(c, r);
-  block_.v_a[at] = places_.v(c, r);
-  block_.u_b[at] = places_.u(c_b, r_b);
-  block_.v_b[at] = places_.v(c_b, r_b);
+void PlaneCut<Height>::take_places(int first, int begin, int end) {
+  // Numbers of their own: as members they would be asked for anew behind every store.
+  const double *column_u = places_.column_u.data(), *column_v = places_.column_v.data();
+  const double *row_u = places_.row_u.data(), *row_v = places_.row_v.data();
+  const auto [along, next, same, more] = family_;
+  Block& block = block_;
+  for (int k = begin; k < end; ++k) {
+    const int j = static_cast<int>(block.j[k]);
+    const std::ptrdiff_t c = (first + k) * next.column + j * along.column + LinePlaces::kBeside,
+                         r = (first + k) * next.row + j * along.row + LinePlaces::kBeside;
+    block.u_a[k] = column_u[c] + row_u[r];
+    block.v_a[k] = column_v[c] + row_v[r];
+    block.u_b[k] = column_u[c + along.column] + row_u[r + along.row];
+    block.v_b[k] = column_v[c + along.column] + row_v[r + along.row];
+  }
 }
 
 // The crossed edges of lines first to first + count; whether they are all found, and one line's is
 // that of the line before or one more.
 template <class Height>
 bool PlaneCut<Height>::take(int first, int count) {
-  for (int k = 0; k <= count; ++k) block_.j[k] = std::floor(first_j_ + (first + k) * j_per_line_);
-  bool found = true;
-  for (int k = 0; k <= count; ++k) {
-    const int j = static_cast<int>(block_.j[k]);
-    take_places(k, column(first + k, j), row(first + k, j));
-    found = found && plane_.is_far(block_.v_a[k]) != plane_.is_far(block_.v_b[k]);
-  }
-  if (!found)
+  // A half less rounded to a whole number, by adding a number from which on all are whole:
+  // std::floor but of whole numbers, for the vector units. What isn't crossed there is found below.
+  constexpr double kWholeFrom = 0x1.8p52;
+  for (int k = 0; k <= count; ++k)
+    block_.j[k] = first_j_ + (first + k) * j_per_line_ - 0.5 + kWholeFrom - kWholeFrom;
+  take_places(first, 0, count + 1);
+  // What is greater than a number is at least the next one.
+  const double depth = plane_.depth_m;
+  const double far_from = plane_.far_at_plane ? depth : std::nextafter(depth, HUGE_VAL);
+  int not_found = 0;
+  for (int k = 0; k <= count; ++k)
+    if ((block_.v_a[k] >= far_from) == (block_.v_b[k] >= far_from)) ++not_found;
+  if (not_found > 0)
     for (int k = 0; k <= count; ++k) {
       if (plane_.is_far(block_.v_a[k]) != plane_.is_far(block_.v_b[k])) continue;
       const std::optional<int> j = crossed(first + k);
       if (!j) return false;
       block_.j[k] = *j;
-      take_places(k, column(first + k, *j), row(first + k, *j));
+      take_places(first, k, k + 1);
     }
-  bool regular = true;
+  int irregular = 0;
   for (int k = 0; k < count; ++k) {
     const double more = block_.j[k + 1] - block_.j[k];
-    regular = regular && (more == 0 || more == 1);
+    if (!(more == 0 || more == 1)) ++irregular;
   }
-  if (!regular || (rounding_m_ > 0 && meets_vertex(count))) return false;
-  const std::ptrdiff_t to_b = family_.along.row * grid_.columns + family_.along.column;
+  if (irregular > 0 || (rounding_m_ > 0 && meets_vertex(count))) return false;
+  const auto [along, next, same, more] = family_;
+  const std::ptrdiff_t columns = grid_.columns, to_b = along.row * columns + along.column,
+                       of_line = next.row * columns + next.column;
+  const double exaggeration = view_.exaggeration;
   for (int k = 0; k <= count; ++k) {
-    const int j = static_cast<int>(block_.j[k]);
-    const Height* height = heights_ + grid_.index(column(first + k, j), row(first + k, j));
-    block_.z_a[k] = *height * view_.exaggeration;
-    block_.z_b[k] = height[to_b] * view_.exaggeration;
+    const Height* height =
+        heights_ + (first + k) * of_line + static_cast<std::ptrdiff_t>(block_.j[k]) * to_b;
+    block_.z_a[k] = *height * exaggeration;
+    block_.z_b[k] = height[to_b] * exaggeration;
   }
   if (view_.drop.any())
     for (int k = 0; k <= count; ++k) {
@@ -228,10 +244,12 @@ void PlaneCut<Height>::fill(int count, double* u, double* z) const {
 
 template <class Height>
 bool PlaneCut<Height>::is_missing(int count) const {
-  bool missing = false;
-  for (int k = 0; k <= count; ++k)
-    missing = missing || block_.z_a[k] != block_.z_a[k] || block_.z_b[k] != block_.z_b[k];
-  return missing;
+  int missing = 0;
+  for (int k = 0; k <= count; ++k) {
+    const double sum = block_.z_a[k] + block_.z_b[k];
+    if (sum != sum) ++missing;
+  }
+  return missing > 0;
 }
 
 template <class Height>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/project_profile.hpp"
 
+#include <algorithm>
+
 namespace orograph {
 
 void project_profile(const Profile& profile, std::uint32_t number, const View& view,
@@ -44,6 +46,13 @@ void project_profile(const Profile& profile, std::uint32_t number, const View& v
     }
   }
   const auto is_ground = [](Span span) { return span == Span::slope || span == Span::level; };
+  // As nearly always: all of it is one slope.
+  const auto slopes = std::count(profile.after.begin(), profile.after.end(), Span::slope);
+  if (count > 1 && static_cast<std::size_t>(slopes) == count - 1 &&
+      profile.after.back() == Span::gap) {
+    out.runs.push_back({0, static_cast<std::uint32_t>(count - 1)});
+    return;
+  }
   for (std::uint32_t i = 0; i + 1 < count; ++i) {
     if (profile.after[i] == Span::wall)
       uprights.push_back(
