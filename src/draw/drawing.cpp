@@ -2,8 +2,8 @@
 // The checker of drawings, for tests, debug builds and whoever doubts one.
 #include "draw/drawing.hpp"
 
+#include "draw/repeated_strokes.hpp"
 #include "draw/round_drawing.hpp"
-#include "draw/stroke_set.hpp"
 
 #include <fmt/format.h>
 
@@ -48,9 +48,8 @@ std::optional<std::string> fault_of_layer(const Layer& layer, const Box2& inner)
   for (std::uint32_t i = 0; i < count; ++i)
     if (const auto fault = fault_of_stroke(layer, layer.strokes[i], inner))
       return fmt::format("stroke {} {}", i, *fault);
-  StrokeSet seen(layer);
-  for (std::uint32_t i = 0; i < count; ++i)
-    if (!seen.insert(i)) return fmt::format("stroke {} repeats an earlier one", i);
+  if (const auto repeated = repeated_strokes(layer); !repeated.empty())
+    return fmt::format("stroke {} repeats an earlier one", repeated.front());
   for (std::size_t i = 0; i < layer.map.size(); ++i)
     if (const Vec3 p = layer.map[i];
         !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))

@@ -2,7 +2,7 @@
 // In place: `kept` follows `read` through the points, never ahead of it.
 #include "draw/round_drawing.hpp"
 
-#include "draw/stroke_set.hpp"
+#include "draw/repeated_strokes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,21 +54,22 @@ RoundingCounts round_strokes(Layer& layer) {
 }
 
 RoundingCounts drop_repeated_strokes(Layer& layer) {
-  std::vector<std::uint32_t> kept;
-  kept.reserve(layer.strokes.size());
-  StrokeSet seen(layer);
-  for (std::uint32_t i = 0; i < layer.strokes.size(); ++i)
-    if (seen.insert(i)) kept.push_back(i);
+  const std::vector<std::uint32_t> repeated = repeated_strokes(layer);
   RoundingCounts dropped;
-  dropped.repeated_strokes = layer.strokes.size() - kept.size();
-  if (dropped.repeated_strokes == 0) return dropped;
+  dropped.repeated_strokes = repeated.size();
+  if (repeated.empty()) return dropped;
   std::uint32_t points = 0, count = 0;
   const auto move_points = [&](auto& list, const Stroke& stroke) {
     if (list.empty()) return;
     const auto first = list.begin() + stroke.first_point;
     std::copy(first, first + stroke.point_count, list.begin() + points);
   };
-  for (const std::uint32_t i : kept) {
+  auto next_repeated = repeated.begin();
+  for (std::uint32_t i = 0; i < layer.strokes.size(); ++i) {
+    if (next_repeated != repeated.end() && *next_repeated == i) {
+      ++next_repeated;
+      continue;
+    }
     Stroke stroke = layer.strokes[i];
     move_points(layer.page_mm, stroke);
     move_points(layer.map, stroke);

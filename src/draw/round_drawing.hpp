@@ -26,9 +26,8 @@ struct RoundingCounts {
 /// `page_mm`. Cost O(points), in place.
 RoundingCounts round_strokes(Layer& layer);
 
-/// Drops strokes that repeat an earlier one. REQUIRES a layer as `round_strokes` leaves it. Cost
-/// O(points) expected, in place, with 16 to 24 bytes for each stroke on top; the points are looked
-/// at on all cores.
+/// Drops strokes that repeat an earlier one. REQUIRES a layer as `round_strokes` leaves it. In
+/// place; costs what `repeated_strokes` does.
 RoundingCounts drop_repeated_strokes(Layer& layer);
 
 /// Both.

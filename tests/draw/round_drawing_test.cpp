@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rounding gives the decimals that are printed, and leaves no empty or repeated stroke.
+#include "draw/repeated_strokes.hpp"
 #include "draw/round_drawing.hpp"
 #include "tests/catch.hpp"
 #include "tests/draw/made_drawing.hpp"
@@ -8,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <set>
 
 using namespace orograph;
 
@@ -93,4 +95,26 @@ TEST_CASE("what is left has no fault, and rounding again changes nothing") {
   const RoundingCounts again = round_to_page_step(layer);
   CHECK(again.points + again.empty_strokes + again.repeated_strokes == 0);
   CHECK(layer.page_mm == before);
+}
+
+TEST_CASE("repeated strokes are found in a layer of any size, in either direction") {
+  for (const std::uint32_t count : {0U, 1U, 3000U, 300000U}) { // the last in several shares
+    INFO(count << " strokes");
+    std::mt19937 random(count);
+    // A third as many places as strokes, so that most are drawn several times.
+    std::uniform_int_distribution<std::uint32_t> place(0, count / 3);
+    Layer layer;
+    std::set<std::uint32_t> seen;
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t s = 0; s < count; ++s) {
+      const std::uint32_t number = place(random);
+      const Vec2 from{1e-4 * number, 1}, to{2, 1e-4 * number};
+      const bool turned = (random() & 1U) != 0;
+      layer.strokes.push_back({.first_point = 2 * s, .point_count = 2});
+      layer.page_mm.push_back(turned ? to : from);
+      layer.page_mm.push_back(turned ? from : to);
+      if (!seen.insert(number).second) expected.push_back(s);
+    }
+    CHECK(repeated_strokes(layer) == expected);
+  }
 }
