@@ -51,7 +51,8 @@ public:
       for (int first = 0; first < grid.columns; first += length) {
         const Height* h = &heights[grid.index(first, row)];
         int missing = 0;
-        for (int i = 0; i < std::min(length, grid.columns - first); ++i) missing |= h[i] != h[i];
+        for (int i = 0; i < std::min(length, grid.columns - first); ++i)
+          if (h[i] != h[i]) ++missing;
         whole_.push_back(missing == 0);
       }
   }
