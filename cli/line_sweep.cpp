@@ -190,9 +190,9 @@ void LineSweep::begin_slab(double to_m, const AnyHorizon& horizon) {
     if constexpr (std::is_same_v<AnyHorizon, BlockedHorizon>) {
       if (line.upright()) {
         if (is_hidden(p, horizon)) return false;
-      } else if (is_below_blocks(
-                     horizon, line.begin, line.end,
-                     std::max(height_at(line.source, line.begin), height_at(line.source, line.end)))) {
+      } else if (is_below_blocks(horizon, line.begin, line.end,
+                                 std::max(height_at(line.source, line.begin),
+                                          height_at(line.source, line.end)))) {
         return !is_hidden(p, horizon);
       }
     }
@@ -253,9 +253,9 @@ ProfilePoint LineSweep::point(std::uint32_t line, double t) const {
 }
 
 std::vector<std::vector<LineAtDepth>> lines_by_range(const Surface& surface, const Sector& sector,
-                                                       const std::vector<SweptLine>& lines,
-                                                       std::span<const XRange> ranges,
-                                                       double from_m) {
+                                                     const std::vector<SweptLine>& lines,
+                                                     std::span<const XRange> ranges,
+                                                     double from_m) {
   using Found = std::vector<LineAtDepth>;
   const View& view = sector.view;
   const double rounding_m = position_rounding_m(surface, view);

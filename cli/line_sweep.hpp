@@ -41,8 +41,8 @@ public:
 
   /// The slab up to the plane at `to_m`. `horizon` is made of what stands in front of the slab, and
   /// then of what stands in the slab as well, but for lines that lie in its last plane: they hide
-  /// only what is behind that plane. `raise` raises the horizon by a list of occluders, in the order
-  /// of `is_raised_before`.
+  /// only what is behind that plane. `raise` raises the horizon by a list of occluders, in the
+  /// order of `is_raised_before`.
   template <class AnyHorizon, class Raise>
   void take_slab(double to_m, AnyHorizon& horizon, const Raise& raise) {
     raise(in_last_plane_, horizon);
@@ -120,8 +120,7 @@ private:
 /// For each of the ranges the lines that reach into it.
 std::vector<std::vector<LineAtDepth>> lines_by_range(const Surface& surface, const Sector& sector,
                                                      const std::vector<SweptLine>& lines,
-                                                     std::span<const XRange> ranges,
-                                                     double from_m);
+                                                     std::span<const XRange> ranges, double from_m);
 
 /// Brings the parts of several sectors, a vector after another, in order by line, and joins those
 /// that only the strip between the sectors parts; `strip_m` wide to either side, 0 where what is in

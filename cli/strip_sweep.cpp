@@ -9,9 +9,8 @@ namespace orograph {
 
 StripSweep::StripSweep(const SectorInWork& work, const Strip& strip,
                        std::span<const LineAtDepth> which, std::span<const Segment> near_cut)
-    : work_(work), range_(strip.range),
-      lines_(work.terrain.surface, work.sector, work.lines, which, strip.range, work.from_m,
-             work.tolerance),
+    : work_(work), range_(strip.range), lines_(work.terrain.surface, work.sector, work.lines, which,
+                                               strip.range, work.from_m, work.tolerance),
       horizon_(strip.core.begin, strip.core.end, strip.blocks, lines_.looked_at().begin,
                lines_.looked_at().end),
       planes_(work) {
@@ -47,7 +46,8 @@ std::vector<std::unique_ptr<StripSweep>> strips_of(const SectorInWork& work) {
       plan_strips(work.scene, work.sector, work.range, work.vertices_a_strip);
   std::vector<XRange> ranges;
   for (const Strip& strip : plan) ranges.push_back(strip.range);
-  const auto which = lines_by_range(work.terrain.surface, work.sector, work.lines, ranges, work.from_m);
+  const auto which =
+      lines_by_range(work.terrain.surface, work.sector, work.lines, ranges, work.from_m);
   const std::vector<Segment> cut = near_cut(work);
   std::vector<std::unique_ptr<StripSweep>> strips(plan.size());
   on_all_cores(plan.size(), [&](std::size_t i) {

@@ -74,8 +74,7 @@ struct GridMesh {
 
   std::uint32_t index(const CellHalf& t, std::size_t k) const {
     const grid_mesh::Offset corner = grid_mesh::kCorners[static_cast<int>(t.half)][k];
-    return static_cast<std::uint32_t>(
-        grid.index(t.column + corner.column, t.row + corner.row));
+    return static_cast<std::uint32_t>(grid.index(t.column + corner.column, t.row + corner.row));
   }
   MeshVertex vertex(const CellHalf& t, std::size_t k) const {
     const grid_mesh::Offset corner = grid_mesh::kCorners[static_cast<int>(t.half)][k];

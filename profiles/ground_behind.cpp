@@ -33,8 +33,7 @@ bool rises(const Mesh& mesh, const Beyond& beyond, const ProfileLine& line, Surf
   // By more than rounding, which is a few ulp.
   const auto is_below_ray = [&](ProfilePoint p) {
     const double fall = (p.v - from.v) * z_per_m;
-    return p.z - from.z - fall <
-           -1e-12 * (std::abs(p.z) + std::abs(from.z) + std::abs(fall));
+    return p.z - from.z - fall < -1e-12 * (std::abs(p.z) + std::abs(from.z) + std::abs(fall));
   };
   MeshVertex left{edge.from, line.from}, right{edge.to, line.to};
   if (right_of_ray(left.at) > right_of_ray(right.at)) std::swap(left, right);

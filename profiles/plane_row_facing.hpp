@@ -114,8 +114,7 @@ private:
     const double across_m = 2 * (column_m + row_m); // at least the parallelogram's diagonals
     const double away_m = length(lattice_.first_vertex_m) + grid_.columns * column_m +
                           grid_.rows * row_m + length(view_.depth_origin_m);
-    return 2 * most * (across_m * across_m + 8 * rounding() * away_m * away_m) /
-           view_.exaggeration;
+    return 2 * most * (across_m * across_m + 8 * rounding() * away_m * away_m) / view_.exaggeration;
   }
 
   // k0 + k1 * x + k2 * x * x, where x is counted from a range's first cell.

@@ -115,9 +115,8 @@ bool SlabLines<LineOf>::cut(std::uint32_t i, double to_m, const Take& take) {
   if (nearest < from_m_) t_near = t_at(from_m_);
   if (farthest > to_m) t_far = t_at(to_m);
   const double begin = std::min(t_near, t_far), end = std::max(t_near, t_far);
-  if (begin < end &&
-      !take(SlabPiece{i, begin, end, line, point_between(from, to, begin),
-                      point_between(from, to, end)}))
+  if (begin < end && !take(SlabPiece{i, begin, end, line, point_between(from, to, begin),
+                                     point_between(from, to, end)}))
     return false;
   return farthest > to_m;
 }

@@ -47,7 +47,9 @@ std::vector<std::uint64_t> hashes_of(const Layer& layer) {
 std::vector<std::uint32_t> repeated_of_share(const Layer& layer,
                                              std::span<const std::uint64_t> hashes,
                                              std::uint64_t share, int bits) {
-  const auto is_mine = [&](std::uint64_t hash) { return bits == 0 || hash >> (64 - bits) == share; };
+  const auto is_mine = [&](std::uint64_t hash) {
+    return bits == 0 || hash >> (64 - bits) == share;
+  };
   // A slot is free at 0; the hash's middle tells most strokes apart without looking at points.
   struct Slot {
     std::uint32_t stroke_after, middle;
@@ -61,9 +63,8 @@ std::vector<std::uint32_t> repeated_of_share(const Layer& layer,
     const auto middle = static_cast<std::uint32_t>(hashes[i] >> 26);
     std::size_t at = hashes[i] & mask;
     const auto is_same = [&](const Slot& slot) {
-      return slot.middle == middle &&
-             are_equal(layer.points(layer.strokes[i]),
-                       layer.points(layer.strokes[slot.stroke_after - 1]));
+      return slot.middle == middle && are_equal(layer.points(layer.strokes[i]),
+                                                layer.points(layer.strokes[slot.stroke_after - 1]));
     };
     while (slots[at].stroke_after != 0 && !is_same(slots[at])) at = (at + 1) & mask;
     if (slots[at].stroke_after != 0)

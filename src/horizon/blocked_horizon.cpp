@@ -76,8 +76,7 @@ void BlockedHorizon::change(std::size_t number, const Change& make) {
     size_ -= beside == after ? 1 : 0;
   };
   const Collapsing first_now = collapsing(pieces.front()), last_now = collapsing(pieces.back());
-  if (number > 0 && first_now != first)
-    at_end(first, first_now, blocks_[number - 1].pieces.back());
+  if (number > 0 && first_now != first) at_end(first, first_now, blocks_[number - 1].pieces.back());
   if (number + 1 < blocks_.size() && last_now != last)
     at_end(last, last_now, blocks_[number + 1].pieces.front());
 }
@@ -138,8 +137,7 @@ void BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
 }
 
 void BlockedHorizon::ink(std::size_t block, std::size_t at, double begin, double end) {
-  change(block,
-         [&](Horizon& pieces) { orograph::ink(pieces, at, begin, end, true); });
+  change(block, [&](Horizon& pieces) { orograph::ink(pieces, at, begin, end, true); });
 }
 
 Horizon BlockedHorizon::joined() const {

@@ -190,9 +190,8 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
   by_x_.clear();
   for (std::uint32_t i = 0; i < count; ++i)
     by_x_.push_back({first_x(lines[i]), lines[i].source.id, i});
-  std::sort(by_x_.begin(), by_x_.end(), [](const Begin& a, const Begin& b) {
-    return a.x != b.x ? a.x < b.x : a.id < b.id;
-  });
+  std::sort(by_x_.begin(), by_x_.end(),
+            [](const Begin& a, const Begin& b) { return a.x != b.x ? a.x < b.x : a.id < b.id; });
   if (!draws) return parts_;
 
   // Sweep over X: each pair that shares some of it, once.

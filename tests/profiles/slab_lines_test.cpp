@@ -50,7 +50,8 @@ TEST_CASE("the pieces of all slabs tile each line") {
     std::vector<LineAtDepth> depths;
     for (std::uint32_t i = 0; i < lines.size(); ++i)
       depths.push_back({i, static_cast<float>(near_end(lines[i]))});
-    SlabLines slabs(depths, [&](std::uint32_t i) { return lines[i]; }, from);
+    SlabLines slabs(
+        depths, [&](std::uint32_t i) { return lines[i]; }, from);
     std::vector<std::vector<SlabPiece>> by_line(lines.size());
     double plane = random.chance(0.5) ? std::max(from, -5.0) : std::max(from, 2.0), last = from;
     while (last < infinity) {
@@ -105,7 +106,8 @@ TEST_CASE("the pieces of all slabs tile each line") {
 TEST_CASE("a line that isn't taken any more is left out of all slabs behind") {
   const std::vector<ProfileLine> lines{{{0, 0.5, 0}, {1, 3.5, 0}}, {{0, 0.5, 0}, {1, 2.5, 0}}};
   const std::vector<LineAtDepth> depths{{0, 0.5F}, {1, 0.5F}};
-  SlabLines slabs(depths, [&](std::uint32_t i) { return lines[i]; }, -infinity);
+  SlabLines slabs(
+      depths, [&](std::uint32_t i) { return lines[i]; }, -infinity);
   std::vector<std::uint32_t> taken;
   for (const double plane : {1.0, 2.0, 3.0, 4.0})
     slabs.next(plane, [&](const SlabPiece& piece) {
