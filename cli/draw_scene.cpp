@@ -15,6 +15,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace orograph {
@@ -56,9 +58,10 @@ struct LineLayer {
 
 std::vector<LinePart> of_kind(const std::vector<SweptLine>& lines,
                               const std::vector<LinePart>& parts, LineKind kind) {
+  const auto is_wanted = [&](const LinePart& part) { return lines[part.line].kind == kind; };
   std::vector<LinePart> out;
-  for (const LinePart& part : parts)
-    if (lines[part.line].kind == kind) out.push_back(part);
+  out.reserve(static_cast<std::size_t>(std::count_if(parts.begin(), parts.end(), is_wanted)));
+  std::copy_if(parts.begin(), parts.end(), std::back_inserter(out), is_wanted);
   return out;
 }
 
@@ -143,9 +146,9 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
 
   watch = {};
   const auto of_all_sectors = [&](std::vector<LinePart> SectorLines::*parts) {
-    std::vector<LinePart> all;
-    for (SectorLines& sector : found)
-      all.insert(all.end(), (sector.*parts).begin(), (sector.*parts).end());
+    std::vector<LinePart> all = std::move(found.front().*parts);
+    for (std::size_t i = 1; i < found.size(); ++i)
+      all.insert(all.end(), (found[i].*parts).begin(), (found[i].*parts).end());
     if (found.size() > 1 && on_ground)
       join_sectors(terrain.surface, view, lines,
                    scene.sectors.front().keeps_strip ? view.near_m : 0, all);
@@ -156,20 +159,20 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
     layers.push_back({.layer = std::move(profiles), .parts = {}, .is_rounded = true});
     counts.dropped_strokes += profile_layer.dropped_strokes;
   }
-  const auto add_lines = [&](const std::string& name, double weight, double grey,
-                             std::vector<LinePart> parts) {
-    if (asks_for(settings, name))
-      layers.push_back(
-          {.layer = empty_layer(name, weight * pen_mm, grey), .parts = std::move(parts)});
-  };
   const std::vector<LinePart> visible = of_all_sectors(&SectorLines::visible);
-  const auto visible_of = [&](LineKind kind) { return of_kind(lines, visible, kind); };
-  add_lines("edges", kEdgeWeight, kEdgeGrey, visible_of(LineKind::edge));
-  add_lines("shores", kShoreWeight, 0, visible_of(LineKind::shore));
-  add_lines("border", kBorderWeight, kBorderGrey, visible_of(LineKind::border));
-  add_lines("voids", kBorderWeight, kBorderGrey, visible_of(LineKind::void_edge));
-  add_lines("silhouettes", kSilhouetteWeight, 0, visible_of(LineKind::silhouette));
-  add_lines("skyline", kSkylineWeight, 0, of_all_sectors(&SectorLines::skyline));
+  const auto add_visible = [&](const std::string& name, double weight, double grey, LineKind kind) {
+    if (asks_for(settings, name))
+      layers.push_back({.layer = empty_layer(name, weight * pen_mm, grey),
+                        .parts = of_kind(lines, visible, kind)});
+  };
+  add_visible("edges", kEdgeWeight, kEdgeGrey, LineKind::edge);
+  add_visible("shores", kShoreWeight, 0, LineKind::shore);
+  add_visible("border", kBorderWeight, kBorderGrey, LineKind::border);
+  add_visible("voids", kBorderWeight, kBorderGrey, LineKind::void_edge);
+  add_visible("silhouettes", kSilhouetteWeight, 0, LineKind::silhouette);
+  if (asks_for(settings, "skyline"))
+    layers.push_back({.layer = empty_layer("skyline", kSkylineWeight * pen_mm, 0),
+                      .parts = of_all_sectors(&SectorLines::skyline)});
   if (!scene.solids.empty()) add_solids(scene, settings, found, layers);
   LineLayer folded{{}, of_all_sectors(&SectorLines::folded)};
   on_all_cores(layers.size() + 1, [&](std::size_t i) {
