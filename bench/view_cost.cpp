@@ -123,20 +123,22 @@ void measure(const char* name, const Terrain& terrain, int rounds, CsvFile& csv)
                   one.counts.looked_at, 1e3 * one.facing, 1e3 * one.layout, 1e3 * one.whole,
                   one.whole / two.whole);
       std::fflush(stdout);
-      csv.add(fmt::format("{},{},{},{},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},"
-                          "{:.6f},{:.6f}",
+      csv.add(fmt::format("{},{},{},{},{},{},{:.4f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},"
+                          "{:.6f},{:.6f},{:.6f}",
                           name, std::get<Grid>(terrain.surface).columns, azimuth, elevation,
-                          scene.depths_m.size(), one.counts.cut_vertices, one.facing, one.cut,
-                          one.project, one.clip, one.layout, one.whole, two.whole, cut_s, read_s));
+                          scene.depths_m.size(), one.counts.cut_vertices, one.counts.looked_at,
+                          one.facing, one.cut, one.project, one.clip, one.layout, one.whole,
+                          two.whole, cut_s, read_s));
     }
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  CsvFile csv(csv_asked(argc, argv),
-              "terrain,side,azimuth_deg,elevation_deg,profiles,cut_vertices,facing_s,cut_s,"
-              "project_s,clip_s,layout_s,whole_s,two_cores_s,cutting_alone_s,reading_s");
+  CsvFile csv(
+      csv_asked(argc, argv),
+      "terrain,side,azimuth_deg,elevation_deg,profiles,cut_vertices,looked_at,facing_s,cut_s,"
+      "project_s,clip_s,layout_s,whole_s,two_cores_s,cutting_alone_s,reading_s");
   const int vertices = argc > 1 ? std::atoi(argv[1]) : 4000;
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 3;
   Terrain terrain;
