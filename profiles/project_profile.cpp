@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/project_profile.hpp"
 
-#include <algorithm>
+#include <cstddef>
+#include <cstring>
 
 namespace orograph {
 
@@ -45,22 +46,26 @@ void project_profile(const Profile& profile, std::uint32_t number, const View& v
       out.y[i] = profile.z_m[i] * view.y_per_z + above;
     }
   }
-  const auto is_ground = [](Span span) { return span == Span::slope || span == Span::level; };
-  // As nearly always: all of it is one slope.
-  const auto slopes = std::count(profile.after.begin(), profile.after.end(), Span::slope);
-  if (count > 1 && static_cast<std::size_t>(slopes) == count - 1 &&
-      profile.after.back() == Span::gap) {
-    out.runs.push_back({0, static_cast<std::uint32_t>(count - 1)});
-    return;
-  }
-  for (std::uint32_t i = 0; i + 1 < count; ++i) {
-    if (profile.after[i] == Span::wall)
-      uprights.push_back(
-          {out.x[i], out.y[i], out.x[i], out.y[i + 1], (std::uint64_t{number} << 32U) | i, 0});
-    if (!is_ground(profile.after[i])) continue;
-    const std::uint32_t first = i;
-    while (i + 2 < count && is_ground(profile.after[i + 1])) ++i;
-    out.runs.push_back({first, i + 1});
+  if (count == 0) return;
+  // Up to the next gap, which is found many bytes at a time; walls are rare.
+  const Span* const after = profile.after.data();
+  const auto next_of = [&](Span kind, std::size_t from) {
+    const void* found = std::memchr(after + from, static_cast<int>(kind), count - from);
+    return found ? static_cast<std::size_t>(static_cast<const Span*>(found) - after) : count;
+  };
+  std::size_t wall = next_of(Span::wall, 0);
+  for (std::size_t first = 0; first < count; ++first) {
+    const std::size_t gap = next_of(Span::gap, first);
+    for (; wall < gap; wall = next_of(Span::wall, first)) {
+      uprights.push_back({out.x[wall], out.y[wall], out.x[wall], out.y[wall + 1],
+                          (std::uint64_t{number} << 32U) | wall, 0});
+      if (first < wall)
+        out.runs.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(wall)});
+      first = wall + 1;
+    }
+    if (first < gap)
+      out.runs.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(gap)});
+    first = gap;
   }
 }
 
