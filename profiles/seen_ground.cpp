@@ -104,13 +104,11 @@ void PlaneOverBlocks::seen_parts(double depth_m, const URange& within, const See
           0;
       if (!is_seen) continue;
       double part_low = a_low, part_high = a_high;
-      if (slope != 0) { // where b is in the block
+      if (slope != 0 && lowest != highest) { // where b is in the block
         const auto [from, to] =
             std::minmax({(across * kSide - b0) / slope, ((across + 1) * kSide - b0) / slope});
-        if (lowest != highest) {
-          part_low = std::max(part_low, from);
-          part_high = std::min(part_high, to);
-        }
+        part_low = std::max(part_low, from);
+        part_high = std::min(part_high, to);
       }
       take(part_low - kBeside, part_high + kBeside);
     }
