@@ -22,16 +22,6 @@ double lowest(const Horizon& pieces) {
   return low;
 }
 
-// By what pieces collapse.
-struct Collapsing {
-  std::uint64_t source;
-  bool inked;
-  bool operator==(const Collapsing&) const = default;
-};
-Collapsing collapsing(const HorizonPiece& piece) {
-  return {piece.source.id, piece.inked};
-}
-
 } // namespace
 
 BlockedHorizon::BlockedHorizon(double x_begin, double x_end, std::size_t count, double first,
@@ -61,24 +51,14 @@ void BlockedHorizon::raise(const HorizonPiece& occluder) {
     raise_block(i, occluder);
 }
 
-// Changes the pieces of a block and keeps count of them; neighbouring blocks are looked at only
-// where an end has changed.
-template <class Change>
-void BlockedHorizon::change(std::size_t number, const Change& make) {
-  Horizon& pieces = blocks_[number].pieces;
-  const Collapsing first = collapsing(pieces.front()), last = collapsing(pieces.back());
-  size_ -= pieces.size();
-  make(pieces);
-  size_ += pieces.size();
-  const auto at_end = [&](Collapsing before, Collapsing after, const HorizonPiece& neighbour) {
-    const Collapsing beside = collapsing(neighbour);
-    size_ += beside == before ? 1 : 0;
-    size_ -= beside == after ? 1 : 0;
-  };
-  const Collapsing first_now = collapsing(pieces.front()), last_now = collapsing(pieces.back());
-  if (number > 0 && first_now != first) at_end(first, first_now, blocks_[number - 1].pieces.back());
-  if (number + 1 < blocks_.size() && last_now != last)
-    at_end(last, last_now, blocks_[number + 1].pieces.front());
+// Of the collapsed pieces, those of a block and of its ends.
+std::size_t BlockedHorizon::size_at(std::size_t number) const {
+  const Horizon& pieces = blocks_[number].pieces;
+  std::size_t ends = 0; // that are none
+  if (number > 0) ends += continues(blocks_[number - 1].pieces.back(), pieces.front()) ? 1 : 0;
+  if (number + 1 < blocks_.size())
+    ends += continues(pieces.back(), blocks_[number + 1].pieces.front()) ? 1 : 0;
+  return 2 + pieces.size() - ends;
 }
 
 void BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occluder) {
@@ -122,22 +102,24 @@ void BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
   if (k < pieces.size()) append(next_, pieces[k++], true);
   if (i > 0) --i;
   pieces_collapsed_ += next_.size();
-  change(number, [&](Horizon& list) {
-    const auto place = list.begin() + static_cast<std::ptrdiff_t>(i);
-    const std::size_t old = k - i, kept = std::min(old, next_.size());
-    std::copy_n(next_.begin(), kept, place);
-    const auto behind = place + static_cast<std::ptrdiff_t>(kept);
-    if (next_.size() > old)
-      list.insert(behind, next_.begin() + static_cast<std::ptrdiff_t>(kept), next_.end());
-    else
-      list.erase(behind, behind + static_cast<std::ptrdiff_t>(old - kept));
-  });
+  const std::size_t before = size_at(number);
+  const auto place = pieces.begin() + static_cast<std::ptrdiff_t>(i);
+  const std::size_t old = k - i, kept = std::min(old, next_.size());
+  std::copy_n(next_.begin(), kept, place);
+  const auto behind = place + static_cast<std::ptrdiff_t>(kept);
+  if (next_.size() > old)
+    pieces.insert(behind, next_.begin() + static_cast<std::ptrdiff_t>(kept), next_.end());
+  else
+    pieces.erase(behind, behind + static_cast<std::ptrdiff_t>(old - kept));
+  size_ += size_at(number) - before;
   block.high = std::max(block.high, highest);
   block.low = lowest(pieces);
 }
 
 void BlockedHorizon::ink(std::size_t block, std::size_t at, double begin, double end) {
-  change(block, [&](Horizon& pieces) { orograph::ink(pieces, at, begin, end, true); });
+  const std::size_t before = size_at(block);
+  orograph::ink(blocks_[block].pieces, at, begin, end, true);
+  size_ += size_at(block) - before;
 }
 
 Horizon BlockedHorizon::joined() const {

@@ -48,8 +48,7 @@ public:
 
 private:
   void raise_block(std::size_t number, const HorizonPiece& occluder);
-  template <class Change>
-  void change(std::size_t number, const Change& make);
+  std::size_t size_at(std::size_t number) const;
 
   double x_begin_, blocks_per_x_;
   std::vector<HorizonBlock> blocks_;
