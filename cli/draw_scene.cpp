@@ -15,8 +15,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace orograph {
@@ -58,10 +56,9 @@ struct LineLayer {
 
 std::vector<LinePart> of_kind(const std::vector<SweptLine>& lines,
                               const std::vector<LinePart>& parts, LineKind kind) {
-  const auto is_wanted = [&](const LinePart& part) { return lines[part.line].kind == kind; };
   std::vector<LinePart> out;
-  out.reserve(static_cast<std::size_t>(std::count_if(parts.begin(), parts.end(), is_wanted)));
-  std::copy_if(parts.begin(), parts.end(), std::back_inserter(out), is_wanted);
+  for (const LinePart& part : parts)
+    if (lines[part.line].kind == kind) out.push_back(part);
   return out;
 }
 
@@ -146,9 +143,9 @@ DrawnScene draw_scene(const Terrain& terrain, const Scene& scene, const RenderSe
 
   watch = {};
   const auto of_all_sectors = [&](std::vector<LinePart> SectorLines::*parts) {
-    std::vector<LinePart> all = std::move(found.front().*parts);
-    for (std::size_t i = 1; i < found.size(); ++i)
-      all.insert(all.end(), (found[i].*parts).begin(), (found[i].*parts).end());
+    std::vector<LinePart> all;
+    for (const SectorLines& sector : found)
+      all.insert(all.end(), (sector.*parts).begin(), (sector.*parts).end());
     if (found.size() > 1 && on_ground)
       join_sectors(terrain.surface, view, lines,
                    scene.sectors.front().keeps_strip ? view.near_m : 0, all);

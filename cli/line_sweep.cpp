@@ -137,10 +137,7 @@ bool LineSweep::cut_to_range(SurfaceLine& line) const {
 bool LineSweep::is_hidden(const Projected& p, const BlockedHorizon& horizon) const {
   const Segment& s = p.source;
   const double x = std::max(std::abs(s.x0), std::abs(s.x1));
-  const double beside =
-      4 * rounding_m_ *
-      (view_.is_perspective() ? (1 + x) * std::max(p.nearness_left, p.nearness_right)
-                              : 1 + std::abs(view_.x_per_v));
+  const double beside = margin(view_, x, std::min(p.left.v, p.right.v), rounding_m_);
   return is_below_blocks(horizon, std::max(s.x0 - beside, beside_range_.begin),
                          std::min(s.x1 + beside, beside_range_.end), std::max(s.y0, s.y1));
 }

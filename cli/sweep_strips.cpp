@@ -73,9 +73,6 @@ public:
 
   SweptSector found() const {
     SweptSector out;
-    std::size_t count = 0;
-    for (const auto& strip : strips_) count += strip->lines().visible_parts().size();
-    out.visible.reserve(count);
     for (const auto& strip : strips_) {
       const auto& parts = strip->lines().visible_parts();
       out.visible.insert(out.visible.end(), parts.begin(), parts.end());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/grid.hpp"
+#include "profiles/cell_vertex.hpp"
 #include "profiles/mesh_vertex.hpp"
 #include "profiles/surface_edge.hpp"
 #include "profiles/triangles.hpp"
@@ -72,17 +73,18 @@ struct GridMesh {
   const Heights<Height>& heights;
   const View& view;
 
+  CellVertex corner(const CellHalf& t, std::size_t k) const {
+    const grid_mesh::Offset offset = grid_mesh::kCorners[static_cast<int>(t.half)][k];
+    return {t.column + offset.column, t.row + offset.row};
+  }
   std::uint32_t index(const CellHalf& t, std::size_t k) const {
-    const grid_mesh::Offset corner = grid_mesh::kCorners[static_cast<int>(t.half)][k];
-    return static_cast<std::uint32_t>(grid.index(t.column + corner.column, t.row + corner.row));
+    const auto [column, row] = corner(t, k);
+    return static_cast<std::uint32_t>(grid.index(column, row));
   }
   MeshVertex vertex(const CellHalf& t, std::size_t k) const {
-    const grid_mesh::Offset corner = grid_mesh::kCorners[static_cast<int>(t.half)][k];
-    const int column = t.column + corner.column, row = t.row + corner.row;
-    const std::size_t index = grid.index(column, row);
-    const double height = heights[index];
-    return {static_cast<std::uint32_t>(index),
-            to_profile_frame(view, lattice.vertex_m(column, row, height))};
+    const auto [column, row] = corner(t, k);
+    const std::uint32_t i = index(t, k);
+    return {i, to_profile_frame(view, lattice.vertex_m(column, row, heights[i]))};
   }
   std::optional<Side> across(const Side& side) const {
     const CellHalf& t = side.triangle;

@@ -185,12 +185,10 @@ bool PlaneCut<Height>::take(int first, int count) {
   for (int k = 0; k <= count; ++k)
     block_.j[k] = first_j_ + (first + k) * j_per_line_ - 0.5 + kWholeFrom - kWholeFrom;
   take_places(first, 0, count + 1);
-  // What is greater than a number is at least the next one.
-  const double depth = plane_.depth_m;
-  const double far_from = plane_.far_at_plane ? depth : std::nextafter(depth, HUGE_VAL);
+  const double least_far = plane_.least_far_m();
   int not_found = 0;
   for (int k = 0; k <= count; ++k)
-    if ((block_.v_a[k] >= far_from) == (block_.v_b[k] >= far_from)) ++not_found;
+    if ((block_.v_a[k] >= least_far) == (block_.v_b[k] >= least_far)) ++not_found;
   if (not_found > 0)
     for (int k = 0; k <= count; ++k) {
       if (plane_.is_far(block_.v_a[k]) != plane_.is_far(block_.v_b[k])) continue;

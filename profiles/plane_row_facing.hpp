@@ -241,7 +241,7 @@ private:
   EyeInCells eye_;
   bool mirrored_; ///< columns and rows turn the other way
   double cells_away_;
-  double bend_m_ = 0;
+  double bend_m_ = 0; ///< heights that make more than this decide what is a ridge
 };
 
 } // namespace orograph

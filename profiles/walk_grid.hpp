@@ -7,6 +7,9 @@
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
+#include <cmath>
+#include <limits>
+
 namespace orograph {
 
 /// A plane of constant depth, and how it parts vertices in near and far ones. Those in the plane
@@ -16,6 +19,11 @@ struct GridPlane {
   double depth_m;
   bool far_at_plane;
   bool is_far(double v) const { return far_at_plane ? v >= depth_m : v > depth_m; }
+  /// The least depth that is far.
+  double least_far_m() const {
+    return far_at_plane ? depth_m
+                        : std::nextafter(depth_m, std::numeric_limits<double>::infinity());
+  }
 };
 
 /// Appends to `out` the profile in the plane, as GridCutter (profiles/cut_grid.hpp) promises it.

@@ -37,7 +37,7 @@ struct SurfaceLine {
   bool covers = false;
   /// Lies in the slab's last plane: hides only what is behind that.
   bool in_last_plane = false;
-  std::uint32_t tag = 0; ///< for whoever asks
+  std::uint32_t tag = 0; ///< the caller's number for it, kept where lines are dropped
 
   bool upright() const { return source.x0 == source.x1; }
   bool vertical() const { return upright() && nearness0 == nearness1; }
