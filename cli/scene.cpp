@@ -9,6 +9,7 @@
 #include "dem/height_at.hpp"
 #include "geometry/error.hpp"
 #include "profiles/cut_surface.hpp"
+#include "profiles/line_places.hpp"
 #include "profiles/plan.hpp"
 #include "view/place_phigs_view.hpp"
 #include "view/place_view.hpp"
@@ -308,8 +309,10 @@ Scene place_scene(const Terrain& terrain, TerrainFacts facts, const RenderSettin
     return scene;
   }
   find_depths(scene, surface);
-  scene.depths_m =
-      plan_depths(scene.plan, plan_ground(scene, under_eye_m), scene.view, scene.to_page);
+  PlanGround ground = plan_ground(scene, under_eye_m);
+  if (const Grid* grid = std::get_if<Grid>(&surface))
+    ground.row_depths_m = row_depths(*grid, scene.view);
+  scene.depths_m = plan_depths(scene.plan, ground, scene.view, scene.to_page);
   scene.sectors = sectors_of(scene);
   return scene;
 }

@@ -33,7 +33,7 @@ GridCutter::GridCutter(const Grid& grid, const View& view, const TriangleSet& le
   };
   depth_monotone_ = monotone(lattice.column_step_m) && monotone(lattice.row_step_m);
   const bool diagonals_too = monotone(lattice.column_step_m + lattice.row_step_m);
-  if (LineCutter::can_cut(grid))
+  if (is_upright(grid))
     by_lines_.emplace(grid, view, level, depth_monotone_ && diagonals_too ? 0 : rounding);
 }
 

@@ -5,6 +5,7 @@
 // P(i + 1, J(i) + 1).
 #include "profiles/line_cutter.hpp"
 
+#include "profiles/cut_row.hpp"
 #include "profiles/line_crossings.hpp"
 
 #include <algorithm>
@@ -365,28 +366,13 @@ bool PlaneCut<Height>::cut(const URange& range, const TriangleSet& level, Profil
 
 } // namespace
 
-bool LineCutter::can_cut(const Grid& grid) {
-  return !grid.is_on_earth() && grid.plane().column_step_m.y == 0 && grid.plane().row_step_m.x == 0;
-}
-
 LineCutter::LineCutter(const Grid& grid, const View& view, const TriangleSet& level,
                        double rounding_m)
-    : grid_(grid), view_(view), level_(level), rounding_m_(rounding_m) {
-  const auto& [first_m, column_step_m, row_step_m] = grid.plane();
-  const int beside = LinePlaces::kBeside;
-  for (int c = -beside; c < grid.columns + beside; ++c) {
-    const double x = first_m.x + c * column_step_m.x - view.depth_origin_m.x;
-    places_.column_u.push_back(x * view.right.x);
-    places_.column_v.push_back(x * view.forward.x);
-  }
-  for (int r = -beside; r < grid.rows + beside; ++r) {
-    const double y = first_m.y + r * row_step_m.y - view.depth_origin_m.y;
-    places_.row_u.push_back(y * view.right.y);
-    places_.row_v.push_back(y * view.forward.y);
-  }
-}
+    : grid_(grid), view_(view), level_(level), rounding_m_(rounding_m), places_(grid, view) {}
 
 bool LineCutter::cut(const GridPlane& plane, const URange& range, Profile& out) const {
+  if (rounding_m_ == 0 && cut_row(grid_, view_, level_, places_, plane.depth_m, range, out))
+    return true;
   return std::visit(
       [&]<class Height>(const Heights<Height>& heights) {
         return PlaneCut<Height>(grid_, heights, view_, places_, plane, rounding_m_)

@@ -200,6 +200,31 @@ void check_count(double count) {
     throw Error("that spacing makes more than 100000 profiles", "use a wider --spacing");
 }
 
+// A spacing may be written with fewer digits than the grid's step has: over the whole grid that may
+// add up to this share of a step.
+constexpr double kRowRounding = 0.05;
+
+// Every so many of the grid's rows, if the spacing is a whole number of them: those in the middle
+// of steps or next behind it, none on the ends.
+std::vector<double> along_rows(double spacing_m, const std::vector<double>& rows_m,
+                               double nearest_m, const View& view) {
+  std::vector<double> depths;
+  if (rows_m.size() < 3) return depths;
+  const auto steps = static_cast<double>(rows_m.size() - 1);
+  const double per_spacing = spacing_m * steps / (rows_m.back() - rows_m.front()),
+               whole = std::round(per_spacing);
+  if (!(whole >= 1 && whole < steps) || std::abs(per_spacing / whole - 1) * steps > kRowRounding)
+    return depths;
+  const auto every = static_cast<std::size_t>(whole);
+  for (std::size_t i = (every + 1) / 2; i + 1 < rows_m.size(); i += every) {
+    if (rows_m[i] <= nearest_m) continue;
+    const double depth = beside_no_eye(rows_m[i], view);
+    if (depths.empty() || depth > depths.back()) depths.push_back(depth);
+  }
+  check_count(static_cast<double>(depths.size()));
+  return depths;
+}
+
 std::vector<double> evenly_on_ground(double spacing_m, const DepthRange& range, const View& view) {
   const double count = std::max(1.0, std::round((range.farthest_m - range.nearest_m) / spacing_m));
   check_count(count);
@@ -248,7 +273,8 @@ std::vector<double> plan_depths(const PlanRequest& request, const PlanGround& gr
     DepthRange all{ground.nearest_m, ground.farthest_m};
     if (view.is_perspective() && !shows_beside(view))
       all.nearest_m = std::max(all.nearest_m, view.near_m);
-    return evenly_on_ground(spacing->m, all, view);
+    std::vector<double> rows = along_rows(spacing->m, ground.row_depths_m, all.nearest_m, view);
+    return rows.empty() ? evenly_on_ground(spacing->m, all, view) : rows;
   }
   const DepthRange range = shown_depths(ground, view);
   const PagePath path(ground, range, view, to_page);

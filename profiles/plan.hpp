@@ -14,6 +14,9 @@ struct PlanGround {
   double nearest_m, farthest_m; ///< depths between which there is terrain
   double mean_z_m;              ///< exaggerated
   double relief_m;              ///< highest less lowest, exaggerated
+  /// Of a grid that is seen along its rows or columns: where those that profiles can run along are,
+  /// rising. Otherwise empty.
+  std::vector<double> row_depths_m = {};
 };
 
 /// Depths of the profiles, rising strictly: front to back, none on the terrain's very ends.
@@ -22,7 +25,8 @@ struct PlanGround {
 /// at the terrain's mean height. Where that plane is seen so flatly that hills and not the ground
 /// fill the page (an eye low among them, a parallel view from the side), the plane is lowered, or
 /// tilted, to what the relief fills, and a spacing makes no fewer profiles than would go on two
-/// thirds of the picture's height. A spacing in metres goes evenly over the ground.
+/// thirds of the picture's height. A spacing in metres goes evenly over the ground; if it is a
+/// whole number of the grid's rows, profiles are rows.
 /// Throws Error where that makes more than 100000 profiles.
 std::vector<double> plan_depths(const PlanRequest& request, const PlanGround& ground,
                                 const View& view, const Homography& to_page);

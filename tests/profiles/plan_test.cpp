@@ -120,6 +120,55 @@ TEST_CASE("a spacing on the ground is even on the ground, from half a step behin
   CHECK_THROWS_AS(plan_depths(PageSpacing{1e-9}, {0, 5000, 0, 100}, view, on_page(view)), Error);
 }
 
+TEST_CASE("a spacing of whole rows goes through rows, in the middle of steps or next behind it") {
+  int in_rows = 0, between = 0;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    ViewRequest request;
+    const bool parallel = random.chance(0.5);
+    request.projection = parallel ? Projection::orthographic : Projection::perspective;
+    const View view = view_of(request);
+    const int rows = random.pick({random.whole(2, 4), random.whole(5, 300), random.whole(5, 300)});
+    const double step = random.between(1, 100), first = random.between(-900, 900);
+    PlanGround ground{first, first + (rows - 1) * step, 0, 100};
+    for (int row = 0; row < rows; ++row) ground.row_depths_m.push_back(first + row * step);
+    const int every = random.pick({1, 2, 3, random.whole(1, 20)});
+    // As good as whole, and not.
+    const double digits = random.pick({0.0, 0.04 / rows, -0.04 / rows}),
+                 wrong = random.pick({0.1 / rows, 0.3});
+    const auto plan = [&](double off) {
+      return plan_depths(GroundSpacing{every * step * (1 + off)}, ground, view, on_page(view));
+    };
+    CAPTURE(rows, every, step, first, parallel);
+    std::vector<double> expected;
+    for (int row = 0; row < rows - 1; ++row)
+      if (row % every == (every + 1) / 2 % every && row >= (every + 1) / 2 &&
+          (parallel || ground.row_depths_m[static_cast<std::size_t>(row)] > view.near_m))
+        expected.push_back(ground.row_depths_m[static_cast<std::size_t>(row)]);
+    const auto depths = plan(digits);
+    if (expected.empty() || every >= rows - 1) { // no row to go through
+      REQUIRE(depths.size() <= 1);
+      continue;
+    }
+    ++in_rows;
+    REQUIRE(depths == expected);
+    // Never farther apart from even spacing than half a row.
+    const PlanGround no_rows{ground.nearest_m, ground.farthest_m, 0, 100};
+    const auto even = plan_depths(GroundSpacing{every * step}, no_rows, view, on_page(view));
+    if (parallel)
+      for (std::size_t i = 0; i < std::min(depths.size(), even.size()); ++i)
+        REQUIRE(std::abs(depths[i] - even[i]) <= 0.5 * step * (1 + 1e-9));
+    if (every % 2 == 0) continue;
+    const auto beside = plan(wrong);
+    between += beside != depths ? 1 : 0;
+    if (parallel)
+      REQUIRE(std::abs(beside.front() - first - 0.5 * every * step * (1 + wrong)) <= 1e-9);
+  }
+  CHECK(in_rows > 300);
+  CHECK(between > 100);
+}
+
 TEST_CASE("views too flat for the plane still get all their profiles, in order") {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Random random(seed);

@@ -49,8 +49,10 @@ TEST_CASE("and with profiles along rows, columns and diagonals, through their ve
     scene.settings.from_azimuth =
         Angle::degrees(90.0 * quarter + (diagonal ? 45 : 0) - turn.in_degrees());
     const double row_m = length(quarter % 2 ? grid.plane().column_step_m : grid.plane().row_step_m);
-    // The first profile is half of the spacing behind the nearest vertex.
-    scene.settings.plan = GroundSpacing{(diagonal ? std::sqrt(2.0) : 2.0) * row_m};
+    // Every row, or every second; the first profile is half of the spacing behind the nearest
+    // vertex, or on the next row.
+    const auto rows = static_cast<double>(1 + seed % 2);
+    scene.settings.plan = GroundSpacing{(diagonal ? std::sqrt(2.0) : rows) * row_m};
     scene.settings.projection =
         random.chance(0.7) ? Projection::orthographic : Projection::perspective;
     if (scene.settings.projection == Projection::perspective)
