@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostStrips = 64;
 // Tried from 2 to 16: with fewer vertices in a block the blocks themselves cost, with more the
 // bounds decide less.
-constexpr double kVerticesABlock = 4;
+constexpr double kVerticesABlock = 6;
 constexpr std::size_t kMostBlocks = 1U << 16U;
 // Beyond this, where the page doesn't end, one block holds all.
 constexpr double kFarAside = 8;

@@ -216,7 +216,8 @@ private:
   static std::uint8_t bits(Real sign, Real bound, Real heights) {
     const int may_face = !(sign < -bound), may_turn = !(sign > bound),
               is_there = heights == heights;
-    return static_cast<std::uint8_t>((may_face * kMayFace + may_turn * kMayTurn) * is_there);
+    static_assert(kMayFace == 1 && kMayTurn == 2);
+    return static_cast<std::uint8_t>((may_face | (may_turn << 1)) & (0 - is_there));
   }
 
   // Asks again of the triangles in doubt.

@@ -87,22 +87,41 @@ void PlaneOverBlocks::seen_parts(double depth_m, const URange& within, const See
     else
       out.push_back(part);
   };
+  const auto is_seen = [&](int block, int across) {
+    return ground.seen[along_columns_ ? ground.index(block, across)
+                                      : ground.index(across, block)] != 0;
+  };
+  // Blocks that the plane passes through seen ground alone are taken many at a time.
+  double taken_low = 0, taken_high = -1;
+  const auto take_all = [&] {
+    if (taken_low <= taken_high) take(taken_low - kBeside, taken_high + kBeside);
+    taken_high = taken_low - 1;
+  };
   for (int block = begin; block != end + step; block += step) {
     const double a_low = block * kSide, a_high = std::min(a_low + kSide, 1.0 * cells_along_);
     const double b_first = b0 + slope * (step > 0 ? a_low : a_high),
                  b_last = b0 + slope * (step > 0 ? a_high : a_low);
-    const auto [b_low, b_high] = std::minmax({b_first, b_last});
+    const double b_low = std::min(b_first, b_last), b_high = std::max(b_first, b_last);
     if (b_high < -kBeside || b_low > cells_across_ + kBeside) continue;
-    const auto block_at = [&](double b) {
-      return std::clamp(static_cast<int>(std::floor(b / kSide)), 0, most_across);
+    const auto block_at = [&](double b) { // rounded down, but for what is before the first
+      return std::clamp(static_cast<int>(b / kSide), 0, most_across);
     };
     const int lowest = block_at(b_low - kBeside), highest = block_at(b_high + kBeside);
-    for (int i = 0; i <= highest - lowest; ++i) {
+    int seen = 0;
+    for (int across = lowest; across <= highest; ++across) seen += is_seen(block, across) ? 1 : 0;
+    if (seen == highest - lowest + 1) {
+      if (taken_low > taken_high) {
+        taken_low = a_low;
+        taken_high = a_high;
+      }
+      taken_low = std::min(taken_low, a_low);
+      taken_high = std::max(taken_high, a_high);
+      continue;
+    }
+    take_all();
+    for (int i = 0; i <= highest - lowest && seen > 0; ++i) {
       const int across = b_last >= b_first ? lowest + i : highest - i;
-      const bool is_seen =
-          ground.seen[along_columns_ ? ground.index(block, across) : ground.index(across, block)] !=
-          0;
-      if (!is_seen) continue;
+      if (!is_seen(block, across)) continue;
       double part_low = a_low, part_high = a_high;
       if (slope != 0 && lowest != highest) { // where b is in the block
         const auto [from, to] =
@@ -113,6 +132,7 @@ void PlaneOverBlocks::seen_parts(double depth_m, const URange& within, const See
       take(part_low - kBeside, part_high + kBeside);
     }
   }
+  take_all();
 }
 
 } // namespace orograph
