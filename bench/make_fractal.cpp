@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the benchmarks' fractal terrain as an uncompressed GeoTIFF of float32.
+// Writes one of the benchmarks' terrains as an uncompressed GeoTIFF of float32: mountains with
+// slopes as steep at every size, or fractal_alps of the samples, smooth at the size of a cell.
 //
-//   make_fractal VERTICES OUTPUT.tif
+//   make_fractal fractal|smooth VERTICES OUTPUT.tif
 #include <gdal_priv.h>
 
 #include <array>
@@ -9,9 +10,11 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <string_view>
 #include <variant>
 
 #include "bench/scenes.hpp"
+#include "data_samples/terrains.hpp"
 
 namespace {
 
@@ -43,13 +46,19 @@ bool write_geotiff(Grid grid, const char* path) {
 
 int main(int count, char** arguments) {
   int vertices = 0;
-  if (count == 3) std::from_chars(arguments[1], arguments[1] + std::strlen(arguments[1]), vertices);
-  if (vertices < 2 || vertices > 40000) {
-    std::fputs("usage: make_fractal VERTICES OUTPUT.tif (2 to 40000 vertices a side)\n", stderr);
+  const std::string_view kind = count == 4 ? arguments[1] : "";
+  if (count == 4) std::from_chars(arguments[2], arguments[2] + std::strlen(arguments[2]), vertices);
+  if ((kind != "fractal" && kind != "smooth") || vertices < 2 || vertices > 40000) {
+    std::fputs("usage: make_fractal fractal|smooth VERTICES OUTPUT.tif\n"
+               "(2 to 40000 vertices a side)\n",
+               stderr);
     return 2;
   }
-  if (write_geotiff(fractal_terrain(vertices), arguments[2])) return 0;
+  if (write_geotiff(kind == "smooth" ? make_terrain(MadeTerrain::fractal_alps, vertices)
+                                     : fractal_terrain(vertices),
+                    arguments[3]))
+    return 0;
   std::fprintf(stderr, "make_fractal: error: %s can't be written: name a folder with free space\n",
-               arguments[2]);
+               arguments[3]);
   return 1;
 }

@@ -3,9 +3,9 @@
 // any tool, read back and judged by the ray walk (src/reference), which shares no code with the
 // clip. See bench/peers/README.md for how it is done and what it can't tell.
 //
-//   wrong_ink DEM DRAWING ELEVATION_DEG NORTH_OF_ROW TOLERANCE_MM COUNT
+//   wrong_ink DEM DRAWING ELEVATION_DEG LEFT_OUT TOLERANCE_MM COUNT
 //
-// NORTH_OF_ROW: how far north of the rows the lines lie, in rows.
+// LEFT_OUT: rows at each end that the drawing leaves out.
 // Prints `HIDDEN_% MISSING_% UNMATCHED_% FIT_MM ELEVATION_DEG`, or `-` five times where the drawing
 // doesn't fit the terrain's outlines.
 #include "dem/read/read_raster.hpp"
@@ -22,13 +22,13 @@ using namespace orograph;
 
 int main(int count, char** arguments) {
   if (count != 7) {
-    std::fputs("usage: wrong_ink DEM DRAWING ELEVATION_DEG NORTH_OF_ROW TOLERANCE_MM COUNT\n",
+    std::fputs("usage: wrong_ink DEM DRAWING ELEVATION_DEG LEFT_OUT TOLERANCE_MM COUNT\n",
                stderr);
     return 2;
   }
   try {
     const Terrain terrain = read_raster(arguments[1]);
-    const ProfileLines lines{std::get<Grid>(terrain.surface), std::atof(arguments[4])};
+    const ProfileLines lines{std::get<Grid>(terrain.surface), std::atoi(arguments[4])};
     const double tolerance_mm = std::atof(arguments[5]);
     const PlacedDrawing drawing = place_drawing(lines, read_strokes(arguments[2], STROKES_PS),
                                                 Angle::degrees(std::atof(arguments[3])));
