@@ -88,8 +88,9 @@ void PlaneOverBlocks::seen_parts(double depth_m, const URange& within, const See
       out.push_back(part);
   };
   const auto is_seen = [&](int block, int across) {
-    return ground.seen[along_columns_ ? ground.index(block, across)
-                                      : ground.index(across, block)] != 0;
+    return ground
+               .seen[along_columns_ ? ground.index(block, across) : ground.index(across, block)] !=
+           0;
   };
   // Blocks that the plane passes through seen ground alone are taken many at a time.
   double taken_low = 0, taken_high = -1;

@@ -22,8 +22,7 @@ using namespace orograph;
 
 int main(int count, char** arguments) {
   if (count != 7) {
-    std::fputs("usage: wrong_ink DEM DRAWING ELEVATION_DEG LEFT_OUT TOLERANCE_MM COUNT\n",
-               stderr);
+    std::fputs("usage: wrong_ink DEM DRAWING ELEVATION_DEG LEFT_OUT TOLERANCE_MM COUNT\n", stderr);
     return 2;
   }
   try {
