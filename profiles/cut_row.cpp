@@ -88,7 +88,7 @@ private:
     const std::ptrdiff_t step = direction * static_cast<std::ptrdiff_t>(step_);
     const double u_of_row = u_of_row_, exaggeration = view_.exaggeration;
     const auto n = static_cast<std::ptrdiff_t>(count);
-    // Side by side they get to the vector units, here and below: 43 of 75 ms of 14 million vertices.
+    // Heights side by side get to the vector units, here and below: 3 rather than 5 ns a vertex.
     if (step == 1)
       for (std::ptrdiff_t k = 0; k < n; ++k) z[k] = height[k] * exaggeration;
     else

@@ -25,8 +25,8 @@ public:
   /// Adds the profile in the plane to `out`, bit for bit that of `walk_grid`, but for what lies
   /// farther than a few vertices outside `range`. False, with `out` undefined, where it takes that
   /// walk: where the plane holds single vertices, and ground there is missing or level, and where
-  /// rounding has a say in which edges are crossed. Cost: about 5 ns a vertex, 1 ns where the plane
-  /// holds a row or column; no allocation once `out` is warm.
+  /// rounding has a say in which edges are crossed. Cost: about 5 ns a vertex, or that of
+  /// `cut_row`; no allocation once `out` is warm.
   bool cut(const GridPlane& plane, const URange& range, Profile& out) const;
 
 private:
