@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of a row here holds for a column, with columns for rows. Of the edge between two of
-// a row's vertices the first has the lower index; the triangle on its far side in memory (south of
-// a row, east of a column) has the vertex that is a row and a column farther on, the other one the
-// vertex of the row before that is beside the first.
+// What is said of a row here holds for a column, with columns for rows.
 #include "profiles/cut_row.hpp"
+
+#include "profiles/grid_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +39,9 @@ std::optional<Row> row_in_plane(const Grid& grid, const View& view, const LinePl
 template <class Height>
 class RowCut {
 public:
-  RowCut(const Grid& grid, const Height* heights, const View& view, const TriangleSet& level,
-         const LinePlaces& places, Row row)
-      : grid_(grid), heights_(heights), view_(view), level_(level), row_(row),
+  RowCut(const Grid& grid, const Heights<Height>& heights, const View& view,
+         const TriangleSet& level, const LinePlaces& places, Row row)
+      : mesh_{grid, grid.plane(), heights, view}, level_(level), row_(row),
         count_(row.is_column ? grid.rows : grid.columns),
         rows_(row.is_column ? grid.columns : grid.rows),
         first_(row.is_column ? grid.index(row.number, 0) : grid.index(0, row.number)),
@@ -83,10 +82,10 @@ private:
 
   void fill(int begin, int direction, std::size_t count, double depth_m, double* u,
             double* z) const {
-    const Height* height = heights_ + index(begin);
+    const Height* height = mesh_.heights.data() + index(begin);
     const double* place = u_ + begin;
     const std::ptrdiff_t step = direction * static_cast<std::ptrdiff_t>(step_);
-    const double u_of_row = u_of_row_, exaggeration = view_.exaggeration;
+    const double u_of_row = u_of_row_, exaggeration = mesh_.view.exaggeration;
     const auto n = static_cast<std::ptrdiff_t>(count);
     // Heights side by side get to the vector units, here and below: 3 rather than 5 ns a vertex.
     if (step == 1)
@@ -94,14 +93,14 @@ private:
     else
       for (std::ptrdiff_t k = 0; k < n; ++k) z[k] = height[k * step] * exaggeration;
     for (std::ptrdiff_t k = 0; k < n; ++k) u[k] = place[k * direction] + u_of_row;
-    if (view_.drop.any())
-      for (std::ptrdiff_t k = 0; k < n; ++k) z[k] -= view_.drop.at(u[k], depth_m);
+    if (const FrameDrop& drop = mesh_.view.drop; drop.any())
+      for (std::ptrdiff_t k = 0; k < n; ++k) z[k] -= drop.at(u[k], depth_m);
   }
 
   // Whether none of the vertices is missing, nor any of those beside them.
   bool is_whole(int first, int last) const {
-    const Height* const row = heights_ + index(first);
-    const std::size_t to_row = row_.is_column ? 1 : static_cast<std::size_t>(grid_.columns);
+    const Height* const row = mesh_.heights.data() + index(first);
+    const std::size_t to_row = row_.is_column ? 1 : static_cast<std::size_t>(mesh_.grid.columns);
     const std::size_t count = static_cast<std::size_t>(last - first + 1);
     const bool has_before = row_.number > 0, has_behind = row_.number + 1 < rows_;
     return !misses(row, count) && !(has_before && misses(row - to_row, count)) &&
@@ -121,26 +120,22 @@ private:
 
   // What is between vertex i and the next: it is there if either triangle is, level if either is.
   Span span(int i) const {
-    const std::size_t here = index(i), across = static_cast<std::size_t>(grid_.columns);
-    if (std::isnan(heights_[here]) || std::isnan(heights_[here + step_])) return Span::gap;
-    const int before = row_.number - 1;
+    const std::size_t here = index(i), next = here + step_;
+    if (std::isnan(mesh_.heights[here]) || std::isnan(mesh_.heights[next])) return Span::gap;
+    const SurfaceEdge edge{static_cast<std::uint32_t>(here), static_cast<std::uint32_t>(next)};
     Span found = Span::gap;
-    if (row_.number + 1 < rows_ && !std::isnan(heights_[here + across + 1]))
-      found = row_.is_column ? span_in(row_.number, i, Half::lower)
-                             : span_in(i, row_.number, Half::upper);
-    if (before >= 0 && !std::isnan(heights_[here - (row_.is_column ? 1 : across)]))
-      found = std::max(found, row_.is_column ? span_in(before, i, Half::upper)
-                                             : span_in(i, before, Half::lower));
+    for (const bool left : {true, false})
+      if (const auto side = mesh_.if_there(side_of(mesh_.grid, edge, left)))
+        found = std::max(found, span_in(side->triangle));
     return found;
   }
-  Span span_in(int column, int row, Half half) const {
-    return !level_.empty() && level_.has(grid_triangle(grid_, column, row, half)) ? Span::level
-                                                                                  : Span::slope;
+  Span span_in(const CellHalf& t) const {
+    const bool is_level =
+        !level_.empty() && level_.has(grid_triangle(mesh_.grid, t.column, t.row, t.half));
+    return is_level ? Span::level : Span::slope;
   }
 
-  const Grid& grid_;
-  const Height* heights_;
-  const View& view_;
+  GridMesh<PlaneLattice, Height> mesh_;
   const TriangleSet& level_;
   Row row_;
   int count_, rows_;  ///< vertices in it, and rows like it
@@ -159,7 +154,7 @@ bool cut_row(const Grid& grid, const View& view, const TriangleSet& level, const
   if (!row) return false;
   std::visit(
       [&](const auto& heights) {
-        RowCut(grid, heights.data(), view, level, places, *row).cut(depth_m, range, out);
+        RowCut(grid, heights, view, level, places, *row).cut(depth_m, range, out);
       },
       grid.heights_m);
   return true;

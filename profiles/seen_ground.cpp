@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace orograph {
 namespace {
@@ -88,15 +89,15 @@ void PlaneOverBlocks::seen_parts(double depth_m, const URange& within, const See
       out.push_back(part);
   };
   const auto is_seen = [&](int block, int across) {
-    return ground
-               .seen[along_columns_ ? ground.index(block, across) : ground.index(across, block)] !=
-           0;
+    const std::size_t i =
+        along_columns_ ? ground.index(block, across) : ground.index(across, block);
+    return ground.seen[i] != 0;
   };
-  // Blocks that the plane passes through seen ground alone are taken many at a time.
-  double taken_low = 0, taken_high = -1;
-  const auto take_all = [&] {
-    if (taken_low <= taken_high) take(taken_low - kBeside, taken_high + kBeside);
-    taken_high = taken_low - 1;
+  // Where the plane passes seen ground alone, as nearly everywhere, blocks are taken together.
+  std::optional<std::pair<double, double>> together;
+  const auto take_together = [&] {
+    if (together) take(together->first - kBeside, together->second + kBeside);
+    together.reset();
   };
   for (int block = begin; block != end + step; block += step) {
     const double a_low = block * kSide, a_high = std::min(a_low + kSide, 1.0 * cells_along_);
@@ -111,15 +112,12 @@ void PlaneOverBlocks::seen_parts(double depth_m, const URange& within, const See
     int seen = 0;
     for (int across = lowest; across <= highest; ++across) seen += is_seen(block, across) ? 1 : 0;
     if (seen == highest - lowest + 1) {
-      if (taken_low > taken_high) {
-        taken_low = a_low;
-        taken_high = a_high;
-      }
-      taken_low = std::min(taken_low, a_low);
-      taken_high = std::max(taken_high, a_high);
+      if (!together) together.emplace(a_low, a_high);
+      together->first = std::min(together->first, a_low);
+      together->second = std::max(together->second, a_high);
       continue;
     }
-    take_all();
+    take_together();
     for (int i = 0; i <= highest - lowest && seen > 0; ++i) {
       const int across = b_last >= b_first ? lowest + i : highest - i;
       if (!is_seen(block, across)) continue;
@@ -133,7 +131,7 @@ void PlaneOverBlocks::seen_parts(double depth_m, const URange& within, const See
       take(part_low - kBeside, part_high + kBeside);
     }
   }
-  take_all();
+  take_together();
 }
 
 } // namespace orograph
