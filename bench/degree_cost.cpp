@@ -5,11 +5,8 @@
 // least of several rounds.
 //
 //   degree_cost [VERTICES [ROUNDS]]     3600 and 5 unless told otherwise
-#include "cli/draw_scene.hpp"
-#include "cli/scene.hpp"
-#include "cli/stand_on_earth.hpp"
 #include "dem/extent.hpp"
-#include "draw/write_drawing.hpp"
+#include "write/write_drawing.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -19,6 +16,9 @@
 #include <utility>
 
 #include "data_samples/terrains.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
 
 using namespace orograph;
 
@@ -30,8 +30,8 @@ struct Cost {
   double sum_s() const { return place_s + facing_s + cut_s + clip_s + rest_s; }
 };
 
-Terrain in_degrees(Grid grid) {
-  Terrain terrain;
+TerrainData in_degrees(Grid grid) {
+  TerrainData terrain;
   const double step_deg = 1. / (grid.rows - 1);
   const LocalFrame frame(8.5, 45.5);
   terrain.map.earth = EarthFrame{frame, 1, 1};
@@ -42,8 +42,8 @@ Terrain in_degrees(Grid grid) {
 }
 
 // Cells as large as those in the middle of the tile.
-Terrain in_metres(Grid grid, const Terrain& degrees) {
-  Terrain terrain;
+TerrainData in_metres(Grid grid, const TerrainData& degrees) {
+  TerrainData terrain;
   const GridSteps steps = steps_of(std::get<Grid>(degrees.surface));
   grid.lattice = PlaneLattice{{}, {length(steps.column_m), 0}, {0, -length(steps.row_m)}};
   terrain.map.radii = CurvatureRadii{6.37e6, 6.39e6};
@@ -51,12 +51,12 @@ Terrain in_metres(Grid grid, const Terrain& degrees) {
   return terrain;
 }
 
-Cost run(Terrain& terrain, const RenderSettings& settings) {
+Cost run(TerrainData& terrain, const MapSpec& spec) {
   const auto start = std::chrono::steady_clock::now();
-  stand_on_earth(terrain, settings);
-  const Scene scene = place_scene(terrain, settings);
+  stand_on_earth(terrain, spec.view);
+  const PlacedView scene = placed_view(terrain, spec);
   const std::chrono::duration<double> placed = std::chrono::steady_clock::now() - start;
-  const SecondsReport s = draw_scene(terrain, scene, settings, [](double) {}).seconds;
+  const StageSeconds s = draw_map(terrain, scene, spec, [](double) {}).seconds;
   return {placed.count(), s.facing, s.cut, s.clip, s.project + s.layout, scene.depths_m.size()};
 }
 
@@ -75,18 +75,18 @@ void print(const char* name, const Cost& c) {
 int main(int argc, char** argv) {
   const int vertices = argc > 1 ? std::atoi(argv[1]) : 3600;
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
-  Terrain degrees = in_degrees(make_terrain(MadeTerrain::fractal_alps, vertices));
-  Terrain metres = in_metres(make_terrain(MadeTerrain::fractal_alps, vertices), degrees);
+  TerrainData degrees = in_degrees(make_terrain(MadeTerrain::fractal_alps, vertices));
+  TerrainData metres = in_metres(make_terrain(MadeTerrain::fractal_alps, vertices), degrees);
   for (const double elevation : {5.0, 25.0})
     for (const double azimuth : {180.0, 213.0}) {
-      RenderSettings settings;
-      settings.from_azimuth = Angle::degrees(azimuth);
-      settings.from_elevation = Angle::degrees(elevation);
-      settings.exaggeration = 1;
+      MapSpec spec;
+      spec.view.from_azimuth = Angle::degrees(azimuth);
+      spec.view.from_elevation = Angle::degrees(elevation);
+      spec.view.exaggeration = 1;
       Cost on_plane{std::numeric_limits<double>::infinity(), 0, 0, 0, 0, 0}, on_earth = on_plane;
       for (int round = 0; round < rounds; ++round) {
-        on_plane = least(on_plane, run(metres, settings));
-        on_earth = least(on_earth, run(degrees, settings));
+        on_plane = least(on_plane, run(metres, spec));
+        on_earth = least(on_earth, run(degrees, spec));
       }
       std::printf("from %g/%g: degrees / metres = %.2f\n", azimuth, elevation,
                   on_earth.sum_s() / on_plane.sum_s());

@@ -10,10 +10,6 @@
 // the machine disturb less.
 //
 //   growth [--csv FILE] [SIDE...]     500 1000 2000 4000 8000 vertices unless told otherwise
-#include "cli/draw_scene.hpp"
-#include "cli/scene.hpp"
-#include "cli/stopwatch.hpp"
-
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 
@@ -29,6 +25,9 @@
 #include "bench/exponent.hpp"
 #include "bench/grounds.hpp"
 #include "bench/one_a_row.hpp"
+#include "hidden_lines/stopwatch.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
@@ -44,7 +43,7 @@ constexpr std::array kFroms{From{180, 5}, From{213, 5}, From{180, 60}, From{213,
 constexpr int kRounds = 3;
 constexpr double kLeast_s = 0.5, kLong_s = 10;
 
-// Seconds: placing first, then those of SecondsReport, then all of it, by the clock and by the
+// Seconds: placing first, then those of StageSeconds, then all of it, by the clock and by the
 // processor.
 constexpr std::array kStages{"place", "facing", "cut",   "project",
                              "clip",  "layout", "whole", "processor"};
@@ -53,7 +52,7 @@ using Seconds = std::array<double, kStages.size()>;
 struct Drawn {
   Seconds seconds;
   std::size_t profiles;
-  CountsReport counts;
+  Counts counts;
 };
 
 // Of this thread, which does all the work.
@@ -63,25 +62,24 @@ double processor_s() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-Drawn draw(const Terrain& terrain, const From& from) {
-  RenderSettings settings =
-      one_profile_a_row(terrain.surface, from.azimuth_deg, from.elevation_deg);
-  settings.exaggeration = 1;
+Drawn draw(const TerrainData& terrain, const From& from) {
+  MapSpec spec = one_profile_a_row(terrain.surface, from.azimuth_deg, from.elevation_deg);
+  spec.view.exaggeration = 1;
   double place_s = 0, whole_s = 0;
   const double begin_s = processor_s();
   Stopwatch watch, all;
-  const Scene scene = place_scene(terrain, settings);
+  const PlacedView scene = placed_view(terrain, spec);
   watch.mark(place_s);
-  const DrawnScene drawn = draw_scene(terrain, scene, settings, [](double) {});
+  const Map drawn = draw_map(terrain, scene, spec, [](double) {});
   all.mark(whole_s);
-  const SecondsReport& s = drawn.seconds;
+  const StageSeconds& s = drawn.seconds;
   return {{place_s, s.facing, s.cut, s.project, s.clip, s.layout, whole_s, processor_s() - begin_s},
           scene.depths_m.size(),
           drawn.counts};
 }
 
 // The quickest of several rounds, as a whole.
-Drawn quickest(const Terrain& terrain, const From& from) {
+Drawn quickest(const TerrainData& terrain, const From& from) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   Drawn best;
   best.seconds.back() = std::numeric_limits<double>::infinity();
@@ -110,7 +108,7 @@ void measure(const Ground& ground, const std::vector<int>& sides, CsvFile& csv) 
   fmt::print(" s; ns a cell\n");
   std::array<Curve, kFroms.size()> curves;
   for (const int side : sides) {
-    Terrain terrain;
+    TerrainData terrain;
     terrain.surface = ground.made(side);
     const double cells = (side - 1.0) * (side - 1.0);
     for (std::size_t i = 0; i < kFroms.size(); ++i) {

@@ -33,7 +33,7 @@ bool write_geotiff(Grid grid, const char* path) {
                                   5000000 + plane.first_vertex_m.y + cell_m / 2, 0,      -cell_m};
   OGRSpatialReference crs;
   crs.importFromEPSG(32632);
-  std::vector<float>& heights = std::get<Heights<float>>(grid.heights_m).own();
+  const auto heights = std::get<Heights<float>>(grid.heights_m).own();
   return dataset->SetGeoTransform(transform.data()) == CE_None &&
          dataset->SetSpatialRef(&crs) == CE_None &&
          dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, grid.columns, grid.rows,

@@ -3,8 +3,6 @@
 // over it, two instances each, in one process, in turn, the least of several rounds.
 //
 //   solid_cost [VERTICES [ROUNDS]]     2000 and 5 unless told otherwise
-#include "cli/draw_scene.hpp"
-#include "cli/scene.hpp"
 #include "solids/shapes.hpp"
 
 #include <algorithm>
@@ -18,6 +16,8 @@
 
 #include "bench/one_a_row.hpp"
 #include "data_samples/terrains.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
@@ -45,9 +45,9 @@ SceneFile huts(int count, const Grid& grid) {
   return scene;
 }
 
-double drawing_s(const Terrain& terrain, const Scene& scene, const RenderSettings& settings) {
+double drawing_s(const TerrainData& terrain, const PlacedView& scene, const MapSpec& spec) {
   const auto start = std::chrono::steady_clock::now();
-  draw_scene(terrain, scene, settings, [](double) {});
+  draw_map(terrain, scene, spec, [](double) {});
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   return took.count();
 }
@@ -58,26 +58,26 @@ int main(int argc, char** argv) {
   const int vertices = argc > 1 ? std::atoi(argv[1]) : 2000;
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
   constexpr std::array<int, 6> kHuts{0, 1, 10, 100, 500, 1000};
-  Terrain terrain;
+  TerrainData terrain;
   terrain.surface = make_terrain(MadeTerrain::fractal_alps, vertices);
   const Grid& grid = std::get<Grid>(terrain.surface);
   for (const bool one_a_row : {false, true})
     for (const double elevation : {5.0, 25.0}) {
-      RenderSettings settings = one_profile_a_row(terrain.surface, 213, elevation);
-      if (!one_a_row) settings.plan.reset();
-      settings.layers = RenderSettings().layers;
+      MapSpec spec = one_profile_a_row(terrain.surface, 213, elevation);
+      if (!one_a_row) spec.style.plan.reset();
+      spec.style.layers = MapSpec().layers;
       std::array<double, kHuts.size()> least_s;
       least_s.fill(std::numeric_limits<double>::infinity());
-      std::vector<Scene> scenes;
+      std::vector<PlacedView> scenes;
       std::vector<std::shared_ptr<const SceneFile>> files;
       for (const int count : kHuts) {
         files.push_back(std::make_shared<const SceneFile>(huts(count, grid)));
-        settings.solids = count > 0 ? files.back() : nullptr;
-        scenes.push_back(place_scene(terrain, settings));
+        spec.solids = count > 0 ? files.back() : nullptr;
+        scenes.push_back(placed_view(terrain, spec));
       }
       for (int round = 0; round < rounds; ++round)
         for (std::size_t i = 0; i < kHuts.size(); ++i)
-          least_s[i] = std::min(least_s[i], drawing_s(terrain, scenes[i], settings));
+          least_s[i] = std::min(least_s[i], drawing_s(terrain, scenes[i], spec));
       std::printf("213/%g, %zu profiles: none %.1f ms", elevation, scenes[0].depths_m.size(),
                   1e3 * least_s[0]);
       for (std::size_t i = 1; i < kHuts.size(); ++i)

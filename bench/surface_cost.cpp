@@ -4,8 +4,6 @@
 // one process, in turn, the least of several rounds.
 //
 //   surface_cost [VERTICES [ROUNDS]]     2000 and 5 unless told otherwise
-#include "cli/draw_scene.hpp"
-#include "cli/scene.hpp"
 #include "profiles/silhouettes.hpp"
 
 #include <algorithm>
@@ -16,6 +14,8 @@
 
 #include "bench/one_a_row.hpp"
 #include "data_samples/terrains.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
@@ -30,9 +30,9 @@ Cost least(const Cost& a, const Cost& b) {
   return a.sum_s() <= b.sum_s() ? a : b;
 }
 
-Cost run(const Terrain& terrain, const Scene& scene, RenderSettings settings, Occluder occluder) {
-  settings.occluder = occluder;
-  const SecondsReport s = draw_scene(terrain, scene, settings, [](double) {}).seconds;
+Cost run(const TerrainData& terrain, const PlacedView& scene, MapSpec spec, Occluder occluder) {
+  spec.style.occluder = occluder;
+  const StageSeconds s = draw_map(terrain, scene, spec, [](double) {}).seconds;
   return {s.facing, s.cut, s.project, s.clip};
 }
 
@@ -46,18 +46,18 @@ void print(const char* name, const Cost& cost) {
 int main(int argc, char** argv) {
   const int vertices = argc > 1 ? std::atoi(argv[1]) : 2000;
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
-  Terrain terrain;
+  TerrainData terrain;
   terrain.surface = make_terrain(MadeTerrain::fractal_alps, vertices);
   for (const double elevation : {5.0, 20.0})
     for (const double azimuth : {180.0, 213.0}) {
-      const RenderSettings settings = one_profile_a_row(terrain.surface, azimuth, elevation);
-      const Scene scene = place_scene(terrain, settings);
+      const MapSpec spec = one_profile_a_row(terrain.surface, azimuth, elevation);
+      const PlacedView scene = placed_view(terrain, spec);
       const double infinity = std::numeric_limits<double>::infinity();
       Cost profiles{infinity, 0, 0, 0}, surface = profiles;
       double facing_s = infinity;
       for (int round = 0; round < rounds; ++round) {
-        profiles = least(profiles, run(terrain, scene, settings, Occluder::profiles));
-        surface = least(surface, run(terrain, scene, settings, Occluder::surface));
+        profiles = least(profiles, run(terrain, scene, spec, Occluder::profiles));
+        surface = least(surface, run(terrain, scene, spec, Occluder::surface));
         const auto start = std::chrono::steady_clock::now();
         const std::size_t edges = silhouette_edges(terrain.surface, scene.view).size();
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;

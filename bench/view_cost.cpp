@@ -8,9 +8,6 @@
 // degrees.
 //
 //   view_cost [--csv FILE] [VERTICES [ROUNDS]]     4000 and 3 unless told otherwise
-#include "cli/draw_scene.hpp"
-#include "cli/scene.hpp"
-#include "cli/stopwatch.hpp"
 #include "profiles/cut_surface.hpp"
 
 #include <fmt/format.h>
@@ -25,6 +22,9 @@
 #include "bench/one_a_row.hpp"
 #include "bench/scenes.hpp"
 #include "data_samples/terrains.hpp"
+#include "hidden_lines/stopwatch.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
@@ -44,18 +44,18 @@ double seconds_of(const Run& run) {
 struct Cost {
   double facing = kNever, cut = kNever, project = kNever, clip = kNever, layout = kNever,
          whole = kNever;
-  CountsReport counts;
+  Counts counts;
 
   double sum() const { return cut + project + clip; }
 };
 
-Cost draw(const Terrain& terrain, const Scene& scene, const RenderSettings& settings,
+Cost draw(const TerrainData& terrain, const PlacedView& scene, const MapSpec& spec,
           std::size_t threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   Cost cost;
-  DrawnScene drawn;
-  cost.whole = seconds_of([&] { drawn = draw_scene(terrain, scene, settings, [](double) {}); });
-  const SecondsReport& s = drawn.seconds;
+  Map drawn;
+  cost.whole = seconds_of([&] { drawn = draw_map(terrain, scene, spec, [](double) {}); });
+  const StageSeconds& s = drawn.seconds;
   cost.facing = s.facing;
   cost.cut = s.cut;
   cost.project = s.project;
@@ -65,7 +65,7 @@ Cost draw(const Terrain& terrain, const Scene& scene, const RenderSettings& sett
   return cost;
 }
 
-double cut_alone(const Terrain& terrain, const Scene& scene) {
+double cut_alone(const TerrainData& terrain, const PlacedView& scene) {
   const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles, scene.border);
   Profile profile;
   return seconds_of([&] {
@@ -73,7 +73,7 @@ double cut_alone(const Terrain& terrain, const Scene& scene) {
   });
 }
 
-double read_once(const Terrain& terrain) {
+double read_once(const TerrainData& terrain) {
   double sum = 0;
   const double seconds = seconds_of([&] {
     std::visit(
@@ -98,16 +98,16 @@ void keep_less(Cost& least, const Cost& cost) {
   }
 }
 
-void measure(const char* name, const Terrain& terrain, int rounds, CsvFile& csv) {
+void measure(const char* name, const TerrainData& terrain, int rounds, CsvFile& csv) {
   for (const double elevation : {5.0, 25.0, 60.0})
     for (const double azimuth : {180.0, 213.0}) {
-      const RenderSettings settings = one_profile_a_row(terrain.surface, azimuth, elevation);
-      const Scene scene = place_scene(terrain, settings);
+      const MapSpec spec = one_profile_a_row(terrain.surface, azimuth, elevation);
+      const PlacedView scene = placed_view(terrain, spec);
       Cost one, two;
       double cut_s = kNever, read_s = kNever;
       for (int round = 0; round < rounds; ++round) {
-        keep_less(one, draw(terrain, scene, settings, 1));
-        keep_less(two, draw(terrain, scene, settings, 2));
+        keep_less(one, draw(terrain, scene, spec, 1));
+        keep_less(two, draw(terrain, scene, spec, 2));
         cut_s = std::min(cut_s, cut_alone(terrain, scene));
         read_s = std::min(read_s, read_once(terrain));
       }
@@ -141,7 +141,7 @@ int main(int argc, char** argv) {
       "project_s,clip_s,layout_s,whole_s,two_cores_s,cutting_alone_s,reading_s");
   const int vertices = argc > 1 ? std::atoi(argv[1]) : 4000;
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 3;
-  Terrain terrain;
+  TerrainData terrain;
   std::printf("smooth: fractal_alps, %d x %d\n", vertices, vertices);
   terrain.surface = make_terrain(MadeTerrain::fractal_alps, vertices);
   measure("smooth", terrain, rounds, csv);

@@ -2,11 +2,9 @@
 // `orograph info`.
 #include "cli/info.hpp"
 
-#include "cli/map_bounds.hpp"
 #include "dem/extent.hpp"
-#include "dem/height_range.hpp"
 #include "dem/read/read_terrain.hpp"
-#include "profiles/tin_edges.hpp"
+#include "profiles/surface_edges.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +12,8 @@
 #include <cstdio>
 #include <numbers>
 #include <string_view>
+
+#include "placing/map_bounds.hpp"
 
 namespace orograph {
 namespace {
@@ -126,7 +126,7 @@ void add_triangulation(std::string& text, const TriangulationCounts& counts) {
 
 } // namespace
 
-std::string describe(const Terrain& terrain) {
+std::string describe(const TerrainData& terrain) {
   const Surface& surface = terrain.surface;
   const MapFrame& map = terrain.map;
   const SurfaceExtent extent = extent_of(surface);

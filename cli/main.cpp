@@ -6,11 +6,13 @@
 #include "cli/options/help.hpp"
 #include "cli/options/options.hpp"
 #include "cli/render.hpp"
+#include "cli/signals.hpp"
 #include "cli/sweep/launcher.hpp"
 #include "cli/sweep/ranks.hpp"
 #include "cli/tin.hpp"
-#include "draw/output_file.hpp"
+#include "dem/read/gdal.hpp"
 #include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -28,12 +30,27 @@ void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
+// Cores to use, 0 for all. A sweep gives them to its views itself.
+int cores_of(const SweepSettings&) {
+  return 0;
+}
+int cores_of(const MergeSettings&) {
+  return 0;
+}
+template <class Settings>
+int cores_of(const Settings& settings) {
+  if constexpr (requires { settings.render; })
+    return settings.render.jobs;
+  else
+    return settings.jobs;
+}
+
 // What a command line asks for, or the command's help where it asks for that.
 template <class Settings, class Parse, class Run>
 void run_command(const Command& command, const std::vector<std::string>& rest, const Parse& parse,
                  const Run& run) {
   if (const std::optional<Settings> settings = parse(rest))
-    run(*settings);
+    on_cores(cores_of(*settings), {}, [&] { run(*settings); });
   else
     print(command_help(command));
 }
@@ -97,6 +114,7 @@ int fail(std::string message, int exit_code) {
 int main(int argc, char** argv) {
   try {
     remove_output_files_on_signals();
+    set_gdal_for_this_program();
     run({argv + std::min(argc, 1), argv + argc});
     return 0;
   } catch (const StoppedElsewhere&) {

@@ -9,10 +9,10 @@ bool is_scene(const std::string& input) {
   return input.ends_with(".toml") || input.ends_with(".TOML");
 }
 
-Terrain read_ground(const RenderSettings& settings) {
+TerrainData read_ground(const RenderSettings& settings) {
   if (settings.inputs.size() != 1 || !is_scene(settings.inputs.front()))
     return read_terrain(settings.inputs, settings.reading);
-  Terrain bare;
+  TerrainData bare;
   bare.surface = Tin{};
   bare.map.crs_name = "none";
   bare.source = settings.inputs.front();

@@ -13,6 +13,6 @@ bool is_scene(const std::string& input);
 
 /// The terrain that the settings name; of a scene alone one without ground (`has_ground`). Throws
 /// Error as `read_terrain` does.
-Terrain read_ground(const RenderSettings& settings);
+TerrainData read_ground(const RenderSettings& settings);
 
 } // namespace orograph

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/render.hpp"
 
-#include "cli/describe_run.hpp"
-#include "cli/draw_scene.hpp"
 #include "cli/progress.hpp"
 #include "cli/read_ground.hpp"
-#include "cli/scene.hpp"
-#include "cli/terrain_of_view.hpp"
+#include "cli/report/run_report.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdio>
+
+#include "map/describe_map.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
 
 namespace orograph {
 namespace {
@@ -23,61 +25,65 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Runs a stage and tells how long it took.
-template <class Stage>
-auto timed(double& seconds, const Stage& stage) {
-  const auto start = Clock::now();
-  auto result = stage();
-  seconds = seconds_since(start);
-  return result;
-}
-
-void say(const RenderSettings& settings, const std::string& text) {
-  if (!settings.quiet) fmt::print(stderr, "orograph: {}\n", text);
-}
-
 void check_outputs(const RenderSettings& settings) {
   if (settings.output != "-") check_writable(settings.output, settings.write);
   if (!settings.report.empty()) check_writable(settings.report, settings.write);
 }
 
-} // namespace
+void tell_exaggeration(const PlacedView& placed, bool quiet) {
+  if (!quiet && placed.exaggeration_chosen && placed.exaggeration != 1)
+    fmt::print(stderr,
+               "orograph: heights are exaggerated {} times (--exaggeration 1 draws them true)\n",
+               placed.exaggeration);
+}
 
-void render(const RenderSettings& settings) {
-  const auto start = Clock::now();
-  check_outputs(settings);
-  RunReport report;
-  SecondsReport& seconds = report.seconds;
-
-  const Terrain whole = timed(seconds.read, [&] { return read_ground(settings); });
-  const auto place_start = Clock::now();
-  const TerrainOfView of_view(whole, settings);
-  const Terrain& terrain = *of_view;
-  const Scene scene = place_scene(terrain, settings, &of_view.uncut());
-  seconds.place = seconds_since(place_start);
-  if (scene.exaggeration_chosen && scene.exaggeration != 1)
-    say(settings, fmt::format("heights are exaggerated {} times (--exaggeration 1 draws them true)",
-                              scene.exaggeration));
-
-  ProgressBar bar(shows_progress(settings.quiet, settings.progress));
-  DrawnScene drawn =
-      draw_scene(terrain, scene, settings, [&](double fraction) { bar.show(fraction); });
-  check_not_empty(drawn, settings);
-  if (const auto& check = drawn.check)
+void tell_check(const std::optional<CheckCounts>& check) {
+  if (check)
     fmt::print(stderr,
                "orograph: check: {} points asked, {} tied, {} drawn but hidden, {} visible but not "
                "drawn\n",
                check->asked, check->ties, check->hidden, check->missing);
-  entitle(drawn.drawing, terrain, scene, settings);
+}
+
+} // namespace
+
+void check_not_empty(const Map& map, const RenderSettings& settings) {
+  if (map.facts.counts.strokes == 0)
+    throw Error(fmt::format("nothing of the {} is on the page",
+                            is_scene(settings.inputs.front()) ? "scene" : "terrain"),
+                settings.map.view.file
+                    ? "turn the view towards it, or widen its window"
+                    : "turn the view towards it, widen --fov, or raise an eye that faces a slope");
+}
+
+void render(const RenderSettings& settings) {
+  const auto start = Clock::now();
+  check_outputs(settings);
+  const TerrainData whole = read_ground(settings);
+  const double read_s = seconds_since(start);
+
+  const auto place_start = Clock::now();
+  const TerrainOfView terrain(whole, settings.map.view);
+  const PlacedView placed = placed_view(terrain, settings.map, settings.solids.get());
+  const double place_s = seconds_since(place_start);
+  tell_exaggeration(placed, settings.quiet);
+
+  ProgressBar bar(shows_progress(settings.quiet, settings.progress));
+  Map map = draw_map(*terrain, placed, settings.map, [&](double fraction) { bar.show(fraction); });
+  check_not_empty(map, settings);
+  tell_check(map.facts.check);
+
   const auto write_start = Clock::now();
-  write_drawing(drawn.drawing, settings.output, settings.write);
+  write_drawing(map.drawing, settings.output, settings.write);
+  StageSeconds& seconds = map.facts.seconds;
+  seconds.read = read_s;
+  seconds.place = place_s;
   seconds.write = seconds_since(write_start);
   bar.finish();
-
   if (settings.report.empty()) return;
   seconds.total = seconds_since(start);
-  describe_run(report, terrain, scene, drawn, settings);
-  write_report(report, settings.report, settings.write.overwrite);
+  describe_map(map, *terrain, placed, settings.map);
+  write_report(run_report(map, settings), settings.report, settings.write.overwrite);
 }
 
 } // namespace orograph

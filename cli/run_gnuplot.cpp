@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/run_gnuplot.hpp"
 
-#include "draw/output_file.hpp"
 #include "geometry/error.hpp"
+#include "write/output_file.hpp"
 
 #include <fmt/format.h>
 #include <spawn.h>

@@ -2,11 +2,12 @@
 #include "cli/tin.hpp"
 
 #include "dem/approximate/approximate_grid.hpp"
-#include "dem/read/in_brief.hpp"
+#include "dem/read/asked_window.hpp"
+#include "dem/read/read_options.hpp"
 #include "dem/read/read_terrain.hpp"
-#include "draw/output_file.hpp"
-#include "draw/write_drawing.hpp"
 #include "geometry/error.hpp"
+#include "write/output_file.hpp"
+#include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ TinFormat format_of(const TinSettings& settings) {
 }
 
 // The grid's approximation in its place; tells how many vertices it had.
-void approximate_surface(Terrain& terrain, const TinSettings& settings) {
+void approximate_surface(TerrainData& terrain, const TinSettings& settings) {
   const Grid& grid = std::get<Grid>(terrain.surface);
   if (grid.is_on_earth())
     throw Error(terrain.source + " is in degrees, in which triangles aren't written",
@@ -68,7 +69,7 @@ std::string told(const TriangulationCounts& counts) {
 void tin(const TinSettings& settings) {
   const TinFormat format = format_of(settings);
   check_writable(settings.output, {.overwrite = settings.overwrite});
-  Terrain terrain = read_terrain(settings.inputs, settings.reading);
+  TerrainData terrain = read_terrain(settings.inputs, settings.reading);
   if (std::holds_alternative<Grid>(terrain.surface))
     approximate_surface(terrain, settings);
   else if (settings.max_error_m)

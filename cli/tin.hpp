@@ -18,6 +18,7 @@ struct TinSettings {
   std::optional<double> max_error_m; ///< how far from a grid the TIN may be; for rasters
   std::optional<TinFormat> format;   ///< none: by the output's extension
   bool overwrite = false;
+  int jobs = 0; ///< as in RenderSettings
   bool quiet = false;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/write_text.hpp"
 
-#include "draw/byte_sink.hpp"
-#include "draw/output_file.hpp"
+#include "write/byte_sink.hpp"
+#include "write/output_file.hpp"
 
 namespace orograph {
 

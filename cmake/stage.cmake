@@ -1,13 +1,25 @@
-# orograph_stage(NAME SOURCES a.cpp b.cpp [DEPENDS stage…] [PRIVATE library…])
+# orograph_stage(NAME [TOGETHER] SOURCES a.cpp b.cpp [DEPENDS stage…] [PRIVATE library…])
 # One library for each folder. Stages link only downhill (DEPENDS); foreign libraries are PRIVATE,
-# behind the one source file that includes them.
+# behind the one source file that includes them. TOGETHER: several files are compiled at a time,
+# compile_once.cmake.
 function(orograph_stage name)
-  cmake_parse_arguments(STAGE "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(STAGE "TOGETHER" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   add_library(orograph_${name} STATIC ${STAGE_SOURCES})
+  # Into the shared library, which shows nothing but what OROGRAPH_API marks.
+  set_target_properties(orograph_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   list(TRANSFORM STAGE_DEPENDS PREPEND orograph_)
   target_link_libraries(orograph_${name} PUBLIC ${STAGE_DEPENDS} PRIVATE ${STAGE_PRIVATE})
   target_include_directories(orograph_${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src)
   orograph_compile_options(orograph_${name})
+  if(STAGE_TOGETHER)
+    orograph_compile_together(orograph_${name})
+  endif()
+  if("CGAL::CGAL" IN_LIST STAGE_PRIVATE) # which brings -frounding-math
+    orograph_precompile(orograph_${name} rounding)
+  else()
+    orograph_precompile(orograph_${name} plain)
+  endif()
 endfunction()
 
 # The same drawing for the same input on every machine: no contraction to fused multiply-add

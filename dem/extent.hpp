@@ -2,6 +2,7 @@
 // Where a surface's heights are, by blocks.
 #pragma once
 
+#include "dem/grid.hpp"
 #include "dem/surface.hpp"
 #include "geometry/blocked_points.hpp"
 
@@ -42,5 +43,13 @@ double cell_size_m(const Surface& surface);
 
 /// Bound on how far vertices are from the ground frame's origin, in metres on the ground.
 double reach_m(const Surface& surface);
+
+/// The range of a grid's true heights, wherever its vertices lie.
+struct HeightRange {
+  double low_m, high_m, mean_m;
+};
+
+/// REQUIRES a vertex with a height. One pass, at the speed of memory.
+HeightRange height_range(const Grid& grid);
 
 } // namespace orograph

@@ -3,10 +3,14 @@
 #pragma once
 
 #include "dem/frame/earth_lattice.hpp"
-#include "dem/heights.hpp"
 #include "geometry/vec.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,6 +33,49 @@ struct PlaneLattice {
   }
   /// Whether rows run to the left of columns, seen from above; no reader makes such a grid.
   bool is_mirrored() const { return cross(column_step_m, row_step_m) > 0; }
+};
+
+/// An array whose copies share their values until one of them is written to, so that a terrain can
+/// stand in many frames at the cost of one. Reading from several threads is safe.
+template <class T>
+class Heights {
+public:
+  using value_type = T;
+
+  Heights() : Heights(std::vector<T>{}) {}
+  Heights(std::initializer_list<T> values) : Heights(std::vector<T>(values)) {}
+  Heights(std::vector<T> values)
+      : values_(std::make_shared<std::vector<T>>(std::move(values))), data_(values_->data()),
+        size_(values_->size()) {}
+  /// Borrowed: they aren't copied, and `owner` is kept for as long as anybody has them. REQUIRES
+  /// that they stay where and what they are until then.
+  Heights(std::span<const T> values, std::shared_ptr<const void> owner)
+      : owner_(std::move(owner)), data_(values.data()), size_(values.size()) {}
+
+  const T& operator[](std::size_t i) const { return data_[i]; }
+  std::size_t size() const { return size_; }
+  const T* data() const { return data_; }
+  const T* begin() const { return data(); }
+  const T* end() const { return data() + size(); }
+  bool operator==(const Heights& other) const {
+    return std::equal(begin(), end(), other.begin(), other.end());
+  }
+
+  /// To be written to: copied first, if another shares them or they are borrowed.
+  std::span<T> own() {
+    if (!values_ || values_.use_count() > 1) {
+      values_ = std::make_shared<std::vector<T>>(begin(), end());
+      data_ = values_->data();
+      owner_.reset();
+    }
+    return *values_;
+  }
+
+private:
+  std::shared_ptr<std::vector<T>> values_; ///< null where they are borrowed
+  std::shared_ptr<const void> owner_;      ///< of borrowed ones
+  const T* data_;
+  std::size_t size_;
 };
 
 /// Vertices in rows from the north, columns from the west, with heights in metres; NaN where there

@@ -4,7 +4,7 @@
 
 #include "dem/frame/local_frame.hpp"
 #include "dem/surface.hpp"
-#include "dem/triangulate/triangulate.hpp"
+#include "dem/triangulate/triangulation_counts.hpp"
 #include "geometry/vec.hpp"
 
 #include <cmath>
@@ -62,7 +62,7 @@ struct MapFrame {
   }
 };
 
-struct Terrain {
+struct TerrainData {
   Surface surface;
   MapFrame map;
   std::string source;             ///< what it was read from, in brief
@@ -72,6 +72,15 @@ struct Terrain {
   /// How far the surface may be, in height, from what it was made to stand for; 0 where it stands
   /// for itself.
   double surface_error_m = 0;
+  /// Whether it is an overview of the file's heights, whose distance from them nobody knows.
+  bool is_overview = false;
 };
+
+/// Puts the origin of the ground frame to a place (longitude and latitude in degrees, as the
+/// terrain's CRS counts them), so that there up is the frame's z, and gives every vertex its place
+/// there with its height times `exaggeration`. REQUIRES a grid in degrees. Throws Error where the
+/// place is none, and where the terrain reaches farther from it than a sixth of the earth's way
+/// round, where it would fold over itself. Cost: tables a column and a row; heights aren't touched.
+void reframe(TerrainData& terrain, double lon_deg, double lat_deg, double exaggeration);
 
 } // namespace orograph

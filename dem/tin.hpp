@@ -5,6 +5,8 @@
 #include "geometry/vec.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -28,5 +30,19 @@ struct Tin {
 
   bool operator==(const Tin&) const = default;
 };
+
+/// The area of a triangle as seen from above.
+inline double plan_area_m2(const Tin& tin, std::size_t triangle) {
+  const auto& [a, b, c] = tin.triangles[triangle];
+  const Vec3 ab = tin.vertices_m[b] - tin.vertices_m[a], ac = tin.vertices_m[c] - tin.vertices_m[a];
+  return 0.5 * std::abs(ab.x * ac.y - ab.y * ac.x);
+}
+
+/// That of all triangles together.
+inline double plan_area_m2(const Tin& tin) {
+  double sum = 0;
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t) sum += plan_area_m2(tin, t);
+  return sum;
+}
 
 } // namespace orograph

@@ -2,7 +2,7 @@
 // Draws a house through the whole view pipeline, stage by stage, in a perspective and in an oblique
 // parallel view (docs/pipeline.md). usage: draw_house OUT_DIR
 #include "geometry/error.hpp"
-#include "view/view_orientation.hpp"
+#include "view/pipeline.hpp"
 
 #include <cstdio>
 #include <string>

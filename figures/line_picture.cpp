@@ -3,9 +3,9 @@
 
 #include "draw/drawing.hpp"
 #include "draw/round_drawing.hpp"
-#include "draw/write_drawing.hpp"
 #include "geometry/error.hpp"
 #include "view/pipeline.hpp"
+#include "write/write_drawing.hpp"
 
 #include <algorithm>
 #include <array>

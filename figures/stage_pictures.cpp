@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/stage_pictures.hpp"
 
-#include "view/clip_to_volume.hpp"
 #include "view/pipeline.hpp"
-#include "view/view_orientation.hpp"
 
 #include <Eigen/LU>
 

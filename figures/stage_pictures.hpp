@@ -2,7 +2,7 @@
 // The house and its view volume after each stage of the view pipeline, as pictures.
 #pragma once
 
-#include "view/view_mapping.hpp"
+#include "view/pipeline.hpp"
 
 #include "figures/line_picture.hpp"
 

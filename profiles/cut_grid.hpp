@@ -25,7 +25,7 @@ namespace orograph {
 /// Cost a plane: O(columns + rows), and no allocation once `out` is warm.
 class GridCutter {
 public:
-  /// REQUIRES a grid on a map plane (profiles/cut_tin.hpp cuts those on the ellipsoid), and that
+  /// REQUIRES a grid on a map plane (profiles/cut_mesh.hpp cuts those on the ellipsoid), and that
   /// `grid` and `level` (the triangles whose spans are marked level; may be empty)
   /// outlive the cutter.
   GridCutter(const Grid& grid, const View& view, const TriangleSet& level);

@@ -3,9 +3,8 @@
 #pragma once
 
 #include "dem/surface.hpp"
-#include "profiles/cut_earth_grid.hpp"
 #include "profiles/cut_grid.hpp"
-#include "profiles/cut_tin.hpp"
+#include "profiles/cut_mesh.hpp"
 
 #include <span>
 #include <variant>

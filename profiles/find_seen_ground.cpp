@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "profiles/find_seen_ground.hpp"
-
 #include "dem/extent.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "profiles/cut_grid.hpp"
-#include "profiles/project_profile.hpp"
+#include "profiles/profile.hpp"
+#include "profiles/seen_ground.hpp"
 
 #include <algorithm>
 #include <array>
@@ -278,6 +277,7 @@ void Finder::sweep_band(std::size_t band, SeenGround& seen) const {
   std::vector<Segment> uprights;
   std::vector<URange> parts;
   for (std::size_t plane = 0; plane < planes_; ++plane) {
+    throw_if_stopped();
     const double depth_m = depth_of_plane(plane);
     if (!view_.is_perspective() || depth_m > view_.near_m) {
       over_blocks_.seen_parts(depth_m, u_range(view_, depth_m, {begin, end}), seen, parts);

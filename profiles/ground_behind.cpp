@@ -3,9 +3,8 @@
 // right; the ray leaves a triangle over the edge between the two.
 #include "profiles/ground_behind.hpp"
 
-#include "profiles/grid_mesh.hpp"
+#include "profiles/mesh.hpp"
 #include "profiles/slab_lines.hpp"
-#include "profiles/tin_mesh.hpp"
 
 #include <algorithm>
 #include <array>

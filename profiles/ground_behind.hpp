@@ -4,7 +4,7 @@
 
 #include "dem/surface.hpp"
 #include "geometry/profile_point.hpp"
-#include "profiles/surface_edge.hpp"
+#include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
 #include <cstdint>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles of a row of cells are numbered lower 0, upper 0, lower 1, … (2 * column + half), each a
-// neighbour of the next. A run is a stretch of level ones; runs of neighbouring rows are joined
-// where a lower triangle meets the upper one south of it, by union-find.
 #include "profiles/level_ground.hpp"
 
+#include "dem/tin.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "profiles/surface_edges.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,10 @@
 
 namespace orograph {
 namespace {
+
+// Triangles of a row of cells are numbered lower 0, upper 0, lower 1, … (2 * column + half), each a
+// neighbour of the next. A run is a stretch of level ones; runs of neighbouring rows are joined
+// where a lower triangle meets the upper one south of it, by union-find.
 
 struct Run {
   std::int32_t row, begin, end; ///< triangles [begin, end) of the row
@@ -121,6 +124,7 @@ LevelGround find(const Grid& grid, const Heights<Height>& heights, std::size_t s
   const std::vector<Run> runs = runs_of(grid, heights);
   Sets sets(runs.size());
   for (std::size_t north = 0, end = 0; end < runs.size();) {
+    throw_if_stopped();
     const std::size_t south = end;
     while (end < runs.size() && runs[end].row == runs[south].row) ++end;
     if (runs[north].row + 1 == runs[south].row) join_rows(runs, north, south, end, sets);
@@ -128,9 +132,11 @@ LevelGround find(const Grid& grid, const Heights<Height>& heights, std::size_t s
   }
 
   std::vector<std::size_t> size(runs.size(), 0);
-  for (std::size_t i = 0; i < runs.size(); ++i)
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    throw_if_stopped(i);
     size[sets.find(static_cast<std::uint32_t>(i))] +=
         static_cast<std::size_t>(runs[i].end - runs[i].begin);
+  }
   LevelGround level;
   level.regions = static_cast<std::size_t>(
       std::count_if(size.begin(), size.end(), [&](std::size_t s) { return s >= smallest; }));
@@ -140,10 +146,12 @@ LevelGround find(const Grid& grid, const Heights<Height>& heights, std::size_t s
   const auto is_large = [&](std::size_t i) {
     return size[sets.find(static_cast<std::uint32_t>(i))] >= smallest;
   };
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    if (is_large(i))
-      for (std::int32_t t = runs[i].begin; t < runs[i].end; ++t)
-        level.triangles.add(grid_triangle(grid, t / 2, runs[i].row, static_cast<Half>(t % 2)));
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!is_large(i)) continue;
+    throw_if_stopped();
+    for (std::int32_t t = runs[i].begin; t < runs[i].end; ++t)
+      level.triangles.add(grid_triangle(grid, t / 2, runs[i].row, static_cast<Half>(t % 2)));
+  }
 
   // A shore has level ground on one side and, on the other, terrain that isn't.
   const auto land = [&](int column, int row, Half half) {
@@ -156,6 +164,7 @@ LevelGround find(const Grid& grid, const Heights<Height>& heights, std::size_t s
   };
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!is_large(i)) continue;
+    throw_if_stopped();
     const int row = runs[i].row;
     for (std::int32_t t = runs[i].begin; t < runs[i].end; ++t) {
       const int c = t / 2;
@@ -184,6 +193,54 @@ LevelGround find_level_ground(const Grid& grid, std::size_t smallest) {
 
 LevelGround find_water(const Grid& grid) {
   return find_level_ground(grid, std::max<std::size_t>(500, 2 * grid.size() / 5000));
+}
+
+namespace {
+
+// A share of the TIN's ground: 45 mm² of an A4 map.
+constexpr double kSmallestWater = 1e-3;
+
+bool is_level(const Tin& tin, std::size_t t) {
+  const auto& [a, b, c] = tin.triangles[t];
+  return tin.vertices_m[a].z == tin.vertices_m[b].z && tin.vertices_m[b].z == tin.vertices_m[c].z;
+}
+
+} // namespace
+
+LevelGround find_level_ground(const Tin& tin, double smallest_m2) {
+  LevelGround level;
+  TriangleSet seen(tin.triangles.size());
+  std::vector<std::uint32_t> region;
+  for (std::uint32_t first = 0; first < tin.triangles.size(); ++first) {
+    if (seen.has(first) || !is_level(tin, first)) continue;
+    region.assign(1, first);
+    seen.add(first);
+    double area_m2 = 0;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      area_m2 += plan_area_m2(tin, region[i]);
+      for (const std::uint32_t other : tin.neighbours[region[i]])
+        if (other != kNoTriangle && !seen.has(other) && is_level(tin, other)) {
+          seen.add(other);
+          region.push_back(other);
+        }
+    }
+    if (!(area_m2 >= smallest_m2)) continue;
+    ++level.regions;
+    if (level.triangles.empty()) level.triangles = TriangleSet(tin.triangles.size());
+    for (const std::uint32_t t : region) level.triangles.add(t);
+  }
+  if (level.regions == 0) return level;
+  for_each_edge(tin, [&](const TinEdge& e) {
+    if (e.left != kNoTriangle && e.right != kNoTriangle &&
+        level.triangles.has(e.left) != level.triangles.has(e.right))
+      level.shores.push_back(e.edge);
+  });
+  std::sort(level.shores.begin(), level.shores.end());
+  return level;
+}
+
+LevelGround find_water(const Tin& tin) {
+  return find_level_ground(tin, kSmallestWater * plan_area_m2(tin));
 }
 
 } // namespace orograph

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "dem/surface.hpp"
-#include "profiles/surface_edge.hpp"
 #include "profiles/triangles.hpp"
 
 #include <vector>

@@ -5,7 +5,7 @@
 // P(i + 1, J(i) + 1).
 #include "profiles/line_cutter.hpp"
 
-#include "profiles/cut_row.hpp"
+#include "profiles/grid_lines.hpp"
 #include "profiles/line_crossings.hpp"
 
 #include <algorithm>

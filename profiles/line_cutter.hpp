@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dem/grid.hpp"
-#include "profiles/line_places.hpp"
+#include "profiles/grid_lines.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/triangles.hpp"
 #include "profiles/walk_grid.hpp"

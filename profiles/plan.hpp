@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where to cut.
+// Where to cut: the depths at which a page may show ground, and those of the profiles.
 #pragma once
 
 #include "profiles/plan_request.hpp"
@@ -18,6 +18,16 @@ struct PlanGround {
   /// rising. Otherwise empty.
   std::vector<double> row_depths_m = {};
 };
+
+struct DepthRange {
+  double nearest_m, farthest_m; ///< the same, if there is no such depth
+};
+
+/// Depths between which ground, no farther from its mean height than its relief, can be in the
+/// window: all of the terrain where the window was made for it, and in a single sector of a
+/// perspective view what is behind the near plane. By the rays of the window's corners, since depth
+/// at a height is greatest and least there.
+DepthRange shown_depths(const PlanGround& ground, const View& view);
 
 /// Depths of the profiles, rising strictly: front to back, none on the terrain's very ends.
 ///

@@ -4,7 +4,7 @@
 
 #include "dem/surface.hpp"
 #include "profiles/seen_ground.hpp"
-#include "profiles/surface_edge.hpp"
+#include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
 #include <vector>

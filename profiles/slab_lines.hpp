@@ -4,7 +4,7 @@
 
 #include "dem/surface.hpp"
 #include "geometry/profile_point.hpp"
-#include "profiles/surface_edge.hpp"
+#include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include <numeric>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace orograph {
@@ -26,6 +27,46 @@ struct ProfileLine {
 ProfileLine line_of(const Grid& grid, const View& view, SurfaceEdge edge);
 ProfileLine line_of(const Tin& tin, const View& view, SurfaceEdge edge);
 ProfileLine line_of(const Surface& surface, const View& view, SurfaceEdge edge);
+
+/// `line_of`, for who asks it of millions of edges: with what is the same for all edges of a grid
+/// on a map plane decided beforehand: a fifth of its time.
+class EdgeEnds {
+public:
+  /// REQUIRES that both outlive this.
+  EdgeEnds(const Surface& surface, const View& view) : surface_(surface), view_(view) {
+    const Grid* grid = std::get_if<Grid>(&surface);
+    if (!grid || grid->is_on_earth()) return;
+    lattice_ = &grid->plane();
+    columns_ = static_cast<std::uint32_t>(grid->columns);
+    rows_an_index_ = 1.0 / columns_;
+    if (const auto* heights = std::get_if<Heights<float>>(&grid->heights_m))
+      heights_ = heights->data();
+  }
+
+  ProfileLine operator()(SurfaceEdge edge) const {
+    if (!heights_) return line_of(surface_, view_, edge);
+    auto row = static_cast<std::uint32_t>(edge.from * rows_an_index_);
+    // The product is rounded.
+    if (row * columns_ > edge.from) --row;
+    if (edge.from - row * columns_ >= columns_) ++row;
+    const std::uint32_t column = edge.from - row * columns_, step = edge.to - edge.from;
+    const std::uint32_t down = step == 1 ? 0 : 1, across = step == columns_ ? 0 : 1;
+    return {at(column, row, edge.from), at(column + across, row + down, edge.to)};
+  }
+
+private:
+  ProfilePoint at(std::uint32_t column, std::uint32_t row, std::uint32_t index) const {
+    return to_profile_frame(view_, lattice_->vertex_m(static_cast<int>(column),
+                                                      static_cast<int>(row), heights_[index]));
+  }
+
+  const Surface& surface_;
+  const View& view_;
+  const PlaneLattice* lattice_ = nullptr;
+  const float* heights_ = nullptr; ///< where the quick way is to be gone
+  std::uint32_t columns_ = 0;
+  double rows_an_index_ = 0;
+};
 
 /// The part of a line that lies in one slab, from t_begin to t_end (0 at the line's `from` end, 1
 /// at its `to` end). Where a slab's plane cuts a line, the t on both sides is the same number.

@@ -1,13 +1,120 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/surface_edges.hpp"
 
+#include "profiles/facing.hpp"
 #include "profiles/slab_lines.hpp"
-#include "profiles/tin_edges.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
 
 namespace orograph {
+namespace {
+
+// With the vertex of lowest index first, as `facing_of` asks.
+std::array<std::uint32_t, 3> lowest_first(std::array<std::uint32_t, 3> triangle) {
+  std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+  return triangle;
+}
+
+// Whether the edge is the upper border of a wall on one side of it. A vertical edge isn't.
+bool is_top_of(const Tin& tin, std::uint32_t wall, SurfaceEdge edge) {
+  const Vec3 a = tin.vertices_m[edge.from], b = tin.vertices_m[edge.to];
+  const Vec3 apex = tin.vertices_m[apex_of(tin, wall, edge)];
+  const Vec2 along{b.x - a.x, b.y - a.y}, to_apex{apex.x - a.x, apex.y - a.y};
+  const double square = dot(along, along);
+  return square > 0 && apex.z < a.z + dot(to_apex, along) / square * (b.z - a.z);
+}
+
+using Place = std::pair<double, double>;
+
+// At the places of walls' vertices: how high the ground is that lies towards the eye, or along the
+// way to it.
+std::map<Place, double> ground_in_front(const Tin& tin, const TriangleSet& walls,
+                                        const View& view) {
+  std::map<Place, double> heights;
+  const auto place = [&](std::uint32_t vertex) {
+    return Place{tin.vertices_m[vertex].x, tin.vertices_m[vertex].y};
+  };
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t)
+    if (walls.has(t))
+      for (const std::uint32_t vertex : tin.triangles[t]) heights.emplace(place(vertex), kNone);
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+    if (walls.has(t)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto height = heights.find(place(tin.triangles[t][k]));
+      if (height == heights.end()) continue;
+      const auto at = [&](std::size_t i) {
+        return to_profile_frame(view, tin.vertices_m[tin.triangles[t][(k + i) % 3]]);
+      };
+      const ProfilePoint p = at(0), next = at(1), last = at(2);
+      const Vec2 to_eye = view.is_perspective() ? Vec2{-p.u, -p.v} : Vec2{0, -1};
+      const Vec2 to_next{next.u - p.u, next.v - p.v}, to_last{last.u - p.u, last.v - p.v};
+      constexpr double kRounding = 1e-12;
+      if (cross(to_next, to_eye) >= -kRounding * length(to_next) * length(to_eye) &&
+          cross(to_eye, to_last) >= -kRounding * length(to_last) * length(to_eye))
+        height->second = std::max(height->second, tin.vertices_m[tin.triangles[t][k]].z);
+    }
+  }
+  return heights;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> facing_of_triangles(const Tin& tin, const View& view) {
+  std::vector<std::uint8_t> facing(tin.triangles.size());
+  const auto at = [&](std::uint32_t i) { return to_profile_frame(view, tin.vertices_m[i]); };
+  for (std::size_t t = 0; t < facing.size(); ++t) {
+    const auto [a, b, c] = lowest_first(tin.triangles[t]);
+    facing[t] = facing_of(view, at(a), at(b), at(c));
+  }
+  return facing;
+}
+
+TriangleSet walls_of(const Tin& tin) {
+  TriangleSet walls;
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+    const auto& [a, b, c] = tin.triangles[t];
+    const Vec3 p = tin.vertices_m[a], q = tin.vertices_m[b], r = tin.vertices_m[c];
+    const double one = (q.x - p.x) * (r.y - p.y), other = (q.y - p.y) * (r.x - p.x);
+    constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+    if (std::abs(one - other) > kRounding * (std::abs(one) + std::abs(other))) continue;
+    if (walls.empty()) walls = TriangleSet(tin.triangles.size());
+    walls.add(t);
+  }
+  return walls;
+}
+
+std::vector<SurfaceEdge> edges_behind_walls(const Tin& tin, const View& view) {
+  std::vector<SurfaceEdge> edges;
+  const TriangleSet walls = walls_of(tin);
+  if (walls.empty()) return edges;
+  const std::vector<std::uint8_t> facing = facing_of_triangles(tin, view);
+  const std::map<Place, double> heights_in_front = ground_in_front(tin, walls, view);
+  for_each_edge(tin, [&](const TinEdge& e) {
+    const Vec3 a = tin.vertices_m[e.edge.from], b = tin.vertices_m[e.edge.to];
+    if (a.x == b.x && a.y == b.y) {
+      const auto ground = heights_in_front.find({a.x, a.y});
+      if (ground != heights_in_front.end() && ground->second >= std::max(a.z, b.z))
+        edges.push_back(e.edge);
+      return;
+    }
+    for (const std::uint32_t wall : {e.left, e.right}) {
+      if (wall == kNoTriangle || !walls.has(wall) || facing[wall] != kMayTurn ||
+          is_top_of(tin, wall, e.edge))
+        continue;
+      edges.push_back(e.edge);
+      return;
+    }
+  });
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
 namespace {
 
 template <class Height>

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sets of a surface's triangles, and numbers for those of a grid.
+// Names for a surface's triangles and edges, and sets of its triangles.
 #pragma once
 
 #include "dem/grid.hpp"
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
 namespace orograph {
+
+/// An edge of the triangulation, from the vertex of lower index to the higher. Points on it are
+/// always reckoned in this direction, so that they are the same numbers everywhere, and the same
+/// for a grid and the TIN of its triangles.
+struct SurfaceEdge {
+  std::uint32_t from, to; ///< vertex indices, from < to
+  auto operator<=>(const SurfaceEdge&) const = default;
+};
 
 /// A set of triangles, a bit each.
 class TriangleSet {

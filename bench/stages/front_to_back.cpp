@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/stages/front_to_back.hpp"
 
-#include "cli/strip_sweep.hpp"
+#include "hidden_lines/strip_pass.hpp"
 
 namespace orograph {
 
-SweepFound sweep_front_to_back(const StagedView& view, const std::vector<SweptLine>& lines,
-                               SweepMeters& meters,
-                               const std::function<void(const ProfileInWork&)>& profile_done) {
+PassFound pass_front_to_back(const StagedView& view, const std::vector<EdgeLine>& lines,
+                             PassMeters& meters,
+                             const std::function<void(const ProfileInWork&)>& profile_done) {
   const SectorInWork work = view.work_with(lines);
   const Sector& sector = view.sector();
   const auto strips = strips_of(work);
-  SweepFound found;
+  PassFound found;
   ProfileInWork profile;
   profile.by_strip.resize(strips.size());
   for (const PlannedProfile& planned : sector.profiles) {

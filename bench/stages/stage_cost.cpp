@@ -42,8 +42,8 @@ public:
     stage_ = {};
     if (!view_ || !is(ground, from)) {
       Grid grid = ground.made(vertices_);
-      const RenderSettings settings = one_profile_a_row(grid, from.azimuth_deg, from.elevation_deg);
-      view_ = std::make_unique<StagedView>(std::move(grid), settings);
+      const MapSpec spec = one_profile_a_row(grid, from.azimuth_deg, from.elevation_deg);
+      view_ = std::make_unique<StagedView>(std::move(grid), spec);
       ground_ = &ground;
       from_ = &from;
     }

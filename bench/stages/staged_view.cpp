@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/stages/staged_view.hpp"
 
-#include "cli/strips.hpp"
-#include "cli/tie_tolerance.hpp"
-
 #include <limits>
 #include <utility>
+
+#include "hidden_lines/strips.hpp"
+#include "hidden_lines/tie_tolerance.hpp"
 
 namespace orograph {
 namespace {
 
-Terrain terrain_of(Surface surface) {
-  Terrain terrain;
+TerrainData terrain_of(Surface surface) {
+  TerrainData terrain;
   terrain.surface = std::move(surface);
   return terrain;
 }
 
 } // namespace
 
-StagedView::StagedView(Surface surface, RenderSettings s)
-    : terrain(terrain_of(std::move(surface))), settings(std::move(s)),
-      scene(place_scene(terrain, settings)),
+StagedView::StagedView(Surface surface, MapSpec s)
+    : terrain(terrain_of(std::move(surface))), spec(std::move(s)),
+      scene(placed_view(terrain, spec)),
       cutter(terrain.surface, sector().view, scene.level.triangles, scene.border),
-      tolerance(tie_tolerance(sector(), settings.visibility_tolerance_mm)) {
+      tolerance(tie_tolerance(sector(), spec.style.visibility_tolerance_mm)) {
   strokes.to_page = scene.to_page;
   strokes.frame_mm = scene.frame_mm;
   strokes.depth = scene.depth;
-  strokes.simplify_mm = settings.simplify_mm;
-  strokes.min_stroke_mm = settings.min_stroke_mm;
+  strokes.simplify_mm = spec.style.simplify_mm;
+  strokes.min_stroke_mm = spec.style.min_stroke_mm;
 }
 
-SectorInWork StagedView::work_with(const std::vector<SweptLine>& lines) const {
+SectorInWork StagedView::work_with(const std::vector<EdgeLine>& lines) const {
   const View& view = sector().view;
   return {terrain,
           scene,

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/stages/stages.hpp"
 
-#include "cli/draw_scene.hpp"
-#include "cli/profile_strokes.hpp"
-#include "cli/scene_lines.hpp"
-#include "draw/byte_sink.hpp"
 #include "draw/round_drawing.hpp"
 #include "draw/simplify.hpp"
-#include "draw/writers.hpp"
+#include "write/byte_sink.hpp"
+#include "write/writers.hpp"
 
 #include <memory>
 #include <utility>
 
 #include "bench/stages/front_to_back.hpp"
+#include "hidden_lines/profile_strokes.hpp"
+#include "hidden_lines/surface_lines.hpp"
+#include "map/draw_map.hpp"
 
 namespace orograph {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 // Which edges hide: a vertex is a height of the grid.
 Stage facing(const StagedView& view) {
   return [&view](Meter& meter) {
-    meter.measure([&] { lines_of(view.terrain, view.scene, view.settings); });
+    meter.measure([&] { lines_of(view.terrain, view.scene, view.spec.style); });
     const Grid& grid = std::get<Grid>(view.terrain.surface);
     return static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
   };
@@ -53,11 +53,11 @@ Stage project(const StagedView& view) {
   };
 }
 
-// One of the meters of a sweep.
-Stage clip(const StagedView& view, Meter SweepMeters::*part) {
-  return [&view, part, lines = lines_of(view.terrain, view.scene, view.settings)](Meter& meter) {
-    SweepMeters meters;
-    const SweepFound found = sweep_front_to_back(view, lines, meters, [](const ProfileInWork&) {});
+// One of the meters of a pass.
+Stage clip(const StagedView& view, Meter PassMeters::*part) {
+  return [&view, part, lines = lines_of(view.terrain, view.scene, view.spec.style)](Meter& meter) {
+    PassMeters meters;
+    const PassFound found = pass_front_to_back(view, lines, meters, [](const ProfileInWork&) {});
     const Meter& measured = meters.*part;
     meter.seconds += measured.seconds;
     meter.allocations.count += measured.allocations.count;
@@ -67,17 +67,17 @@ Stage clip(const StagedView& view, Meter SweepMeters::*part) {
 }
 
 StrokeSettings not_simplified(const StagedView& view) {
-  StrokeSettings settings = view.strokes;
-  settings.simplify_mm = 0;
-  return settings;
+  StrokeSettings spec = view.strokes;
+  spec.simplify_mm = 0;
+  return spec;
 }
 
 // Visible runs joined into strokes; a vertex is a point of these.
 Stage merge_profiles(const StagedView& view) {
-  return [&view, settings = not_simplified(view),
+  return [&view, spec = not_simplified(view),
           profiles = clipped_profiles(view)](Meter& meter) mutable {
     Layer layer;
-    meter.measure([&] { layer = laid_out(view, settings, profiles); });
+    meter.measure([&] { layer = laid_out(view, spec, profiles); });
     return layer.page_mm.size();
   };
 }
@@ -85,17 +85,17 @@ Stage merge_profiles(const StagedView& view) {
 // Visible parts of silhouettes joined where strips and slabs have cut them, then at shared
 // vertices.
 Stage merge_lines(const StagedView& view) {
-  RenderSettings drawing = view.settings;
+  Style drawing = view.spec.style;
   drawing.layers = {"silhouettes"};
-  std::vector<SweptLine> lines = lines_of(view.terrain, view.scene, drawing);
-  SweepMeters unused;
+  std::vector<EdgeLine> lines = lines_of(view.terrain, view.scene, drawing);
+  PassMeters unused;
   std::vector<LinePart> visible =
-      sweep_front_to_back(view, lines, unused, [](const ProfileInWork&) {}).visible;
-  return [&view, settings = not_simplified(view), lines = std::move(lines),
+      pass_front_to_back(view, lines, unused, [](const ProfileInWork&) {}).visible;
+  return [&view, spec = not_simplified(view), lines = std::move(lines),
           visible = std::move(visible)](Meter& meter) {
     std::vector<LinePart> parts = visible;
     Layer layer;
-    StrokeBuilder builder(settings, layer);
+    StrokeBuilder builder(spec, layer);
     meter.measure([&] {
       join(parts);
       draw_parts(view.terrain.surface, view.scene.view, lines, parts, builder);
@@ -129,18 +129,18 @@ Stage round_strokes(const StagedView& view) {
 
 // The text or file's content, which goes nowhere: no disk is measured.
 Stage write(const StagedView& view, Format format) {
-  RenderSettings settings = view.settings;
-  settings.write.format = format;
-  Drawing drawing = draw_scene(view.terrain, view.scene, settings, [](double) {}).drawing;
-  return [settings, drawing = std::move(drawing)](Meter& meter) {
+  MapSpec spec = view.spec;
+  spec.ground_points = is_tied_to_ground(format);
+  Drawing drawing = draw_map(view.terrain, view.scene, spec, [](double) {}).drawing;
+  return [format, drawing = std::move(drawing)](Meter& meter) {
     meter.measure([&] {
       ByteSink out("/dev/null", "/dev/null");
-      if (settings.write.format == Format::svg)
+      if (format == Format::svg)
         write_svg(drawing, out);
-      else if (settings.write.format == Format::geojson)
+      else if (format == Format::geojson)
         write_geojson(drawing, out);
       else
-        write_by_cairo(drawing, settings.write, out);
+        write_by_cairo(drawing, {.format = format}, out);
       out.finish();
     });
     std::size_t points = 0;
@@ -153,20 +153,21 @@ Stage write(const StagedView& view, Format format) {
 
 std::vector<ProfileInWork> clipped_profiles(const StagedView& view) {
   std::vector<ProfileInWork> profiles;
-  SweepMeters unused;
-  sweep_front_to_back(view, lines_of(view.terrain, view.scene, view.settings), unused,
-                      [&](const ProfileInWork& profile) { profiles.push_back(profile); });
+  PassMeters unused;
+  pass_front_to_back(view, lines_of(view.terrain, view.scene, view.spec.style), unused,
+                     [&](const ProfileInWork& profile) { profiles.push_back(profile); });
   return profiles;
 }
 
-Layer laid_out(const StagedView& view, const StrokeSettings& settings,
+Layer laid_out(const StagedView& view, const StrokeSettings& spec,
                std::vector<ProfileInWork>& profiles) {
   Layer layer;
   for (ProfileInWork& profile : profiles) {
     join_strips(profile);
     profile.strokes.clear();
-    StrokeBuilder builder(settings, profile.strokes);
-    ProfileStrokes(view.scene.view, view.sector(), view.settings.flat == FlatGround::draw, builder)
+    StrokeBuilder builder(spec, profile.strokes);
+    ProfileStrokes(view.scene.view, view.sector(), view.spec.style.flat == FlatGround::draw,
+                   builder)
         .add(profile.profile, profile.planned.number, profile.visible);
     append(layer, profile.strokes);
   }
@@ -178,8 +179,8 @@ const std::vector<NamedStage>& all_stages() {
       {"facing", facing},
       {"cut", cut},
       {"project", project},
-      {"clip_lines", [](const StagedView& view) { return clip(view, &SweepMeters::lines); }},
-      {"clip_profiles", [](const StagedView& view) { return clip(view, &SweepMeters::profiles); }},
+      {"clip_lines", [](const StagedView& view) { return clip(view, &PassMeters::lines); }},
+      {"clip_profiles", [](const StagedView& view) { return clip(view, &PassMeters::profiles); }},
       {"merge_profiles", merge_profiles},
       {"merge_lines", merge_lines},
       {"simplify", simplify_strokes},

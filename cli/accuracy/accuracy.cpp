@@ -4,13 +4,14 @@
 #include "cli/accuracy/accuracy_report.hpp"
 #include "cli/accuracy/plot_accuracy.hpp"
 #include "cli/progress.hpp"
-#include "cli/terrain_of_view.hpp"
 #include "cli/write_text.hpp"
 #include "dem/read/read_terrain.hpp"
-#include "draw/output_file.hpp"
+#include "write/output_file.hpp"
 
 #include <cstdio>
 #include <filesystem>
+
+#include "placing/terrain_of_view.hpp"
 
 namespace orograph {
 
@@ -20,9 +21,9 @@ void accuracy(const AccuracySettings& settings) {
                     svg = settings.prefix + ".svg";
   for (const std::string& path : {csv, json, svg}) check_writable(path, render.write);
 
-  const Terrain whole = read_terrain(render.inputs, render.reading);
-  const TerrainOfView of_view(whole, render);
-  const Terrain& terrain = *of_view;
+  const TerrainData whole = read_terrain(render.inputs, render.reading);
+  const TerrainOfView of_view(whole, render.map.view);
+  const TerrainData& terrain = *of_view;
   std::vector<AccuracyRow> rows = accuracy_rows(settings);
   ProgressBar bar(shows_progress(render.quiet, render.progress));
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -36,8 +37,8 @@ void accuracy(const AccuracySettings& settings) {
   write_text(accuracy_csv(rows), csv, render.write.overwrite);
   write_text(accuracy_json(rows, terrain.source), json, render.write.overwrite);
   OutputFile curve(svg, render.write.overwrite);
-  const std::string name = !render.title.empty()
-                               ? render.title
+  const std::string name = !render.map.title.empty()
+                               ? render.map.title
                                : std::filesystem::path(terrain.source).filename().string();
   plot_accuracy(rows, name, curve.temporary_path());
   curve.commit();

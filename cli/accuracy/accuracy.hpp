@@ -27,8 +27,8 @@ struct AccuracySettings {
 std::vector<AccuracyRow> accuracy_rows(const AccuracySettings& settings);
 
 /// The row's measures into it. REQUIRES that `full` was read from the file at full heights.
-/// Throws Error as `read_raster` and `place_scene` do.
-void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terrain& full);
+/// Throws Error as `read_raster` and `placed_view` do.
+void measure_row(AccuracyRow& row, const AccuracySettings& settings, const TerrainData& full);
 
 /// Measures all rows, prints the table, writes PREFIX.csv, PREFIX.json and the curve PREFIX.svg.
 /// Throws Error where a row's measured error is more than was promised, after all is written.

@@ -34,7 +34,7 @@ std::string percent(const InkSample& ink) {
 }
 
 Cells cells_of(const AccuracyRow& row) {
-  const SecondsReport& s = row.seconds;
+  const StageSeconds& s = row.seconds;
   const auto promised_percent =
       row.promise.ink_error ? number(100 * *row.promise.ink_error) : std::string("-");
   return {name_of(row),

@@ -6,7 +6,7 @@
 #include "cli/accuracy/ink_meter.hpp"
 #include "cli/accuracy/simplified_distance.hpp"
 #include "cli/render_settings.hpp"
-#include "cli/report.hpp"
+#include "cli/report/run_report.hpp"
 
 #include <optional>
 #include <string>
@@ -38,8 +38,8 @@ struct AccuracyRow {
   RowPromise promise;
 
   std::size_t profile_count = 0;
-  SecondsReport seconds; ///< facing to layout; total is their sum
-  CountsReport counts;
+  StageSeconds seconds; ///< facing to layout; total is their sum
+  Counts counts;
   InkSample profiles, lines; ///< ink of the profiles, and of all other lines
   EndSample ends;
   std::optional<SimplifiedDistance> simplified; ///< none where nothing was laid out

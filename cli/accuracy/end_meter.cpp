@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/accuracy/end_meter.hpp"
 
-#include "cli/tie_tolerance.hpp"
-#include "profiles/project_profile.hpp"
+#include "profiles/profile.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
+
+#include "hidden_lines/tie_tolerance.hpp"
 
 namespace orograph {
 namespace {
@@ -18,11 +19,11 @@ constexpr double kNearest_mm = 1e-9;
 
 } // namespace
 
-EndMeter::EndMeter(const Surface& surface, const Scene& scene, const RenderSettings& settings,
+EndMeter::EndMeter(const Surface& surface, const PlacedView& scene, const MapSpec& spec,
                    Wanted wanted)
-    : scene_(scene), tolerance_mm_(settings.visibility_tolerance_mm),
-      draws_level_(settings.flat == FlatGround::draw),
-      judges_(judges_of(surface, scene, settings.visibility_tolerance_mm)), wanted_(wanted) {}
+    : scene_(scene), tolerance_mm_(spec.style.visibility_tolerance_mm),
+      draws_level_(spec.style.flat == FlatGround::draw),
+      judges_(judges_of(surface, scene, spec.style.visibility_tolerance_mm)), wanted_(wanted) {}
 
 // The profile as runs of connected stretches on the page, and which segment is which stretch.
 void EndMeter::trace(const Profile& profile, const std::vector<Segment>& segments) {
@@ -138,8 +139,8 @@ void EndMeter::measure_some(std::uint64_t count, bool on_edge) {
   }
 }
 
-void EndMeter::see(const Sector& sector, const Profile& profile,
-                   const std::vector<Segment>& segments, const std::vector<Piece>& visible) {
+void EndMeter::see(const SeenProfile& seen) {
+  const auto& [sector, clipped, profile, segments, visible] = seen;
   sector_ = &sector;
   trace(profile, segments);
   found_.clear();
@@ -157,8 +158,8 @@ void EndMeter::see(const Sector& sector, const Profile& profile,
   measure_some(wanted_.of_profile, false);
 }
 
-void EndMeter::see(const Sector& sector, const LineSweep& lines,
-                   const std::vector<LinePart>& visible) {
+void EndMeter::see(const SeenLines& seen) {
+  const auto& [sector, clipped, lines, visible] = seen;
   sector_ = &sector;
   path_.clear();
   found_.clear();

@@ -2,14 +2,16 @@
 // Displacement: how far the ends of drawn pieces are from where the line truly disappears.
 #pragma once
 
-#include "cli/instruments.hpp"
-#include "cli/judge.hpp"
-#include "cli/line_on_page.hpp"
-#include "cli/scene.hpp"
+#include "reference/judge.hpp"
 
 #include <cstdint>
 #include <random>
 #include <vector>
+
+#include "hidden_lines/instruments.hpp"
+#include "map/check.hpp"
+#include "map/line_on_page.hpp"
+#include "placing/placed_view.hpp"
 
 namespace orograph {
 
@@ -33,13 +35,10 @@ public:
     std::uint64_t of_profile, of_lines;
   };
   /// REQUIRES that all outlive the meter.
-  EndMeter(const Surface& surface, const Scene& scene, const RenderSettings& settings,
-           Wanted wanted);
+  EndMeter(const Surface& surface, const PlacedView& scene, const MapSpec& spec, Wanted wanted);
 
-  void see(const Sector& sector, const Profile& profile, const std::vector<Segment>& segments,
-           const std::vector<Piece>& visible) override;
-  void see(const Sector& sector, const LineSweep& lines,
-           const std::vector<LinePart>& visible) override;
+  void see(const SeenProfile& profile) override;
+  void see(const SeenLines& lines) override;
 
   const EndSample& ends() const { return ends_; }
 
@@ -63,7 +62,7 @@ private:
   ProfilePoint at(const Stretch& of_run, double mm) const;
   double above_mm(ProfilePoint p, bool on_edge) const;
 
-  const Scene& scene_;
+  const PlacedView& scene_;
   const Sector* sector_ = nullptr; ///< that is being seen
   double tolerance_mm_;
   bool draws_level_;

@@ -2,13 +2,14 @@
 // The seed's method in exact rational arithmetic, to see what arithmetic in double costs.
 #pragma once
 
-#include "cli/draw_scene.hpp"
-#include "cli/instruments.hpp"
+#include "hidden_lines/instruments.hpp"
+#include "map/draw_map.hpp"
 
 namespace orograph {
 
 /// What profiles alone hide, by `exact_clip`: told to the observer and counted, not drawn.
 /// Memory: all projected profiles.
-DrawnScene draw_exactly(const Terrain& terrain, const Scene& scene, LineObserver* observer);
+Map draw_exactly(const TerrainData& terrain, const PlacedView& scene,
+                 const std::vector<LineObserver*>& observers);
 
 } // namespace orograph

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/accuracy/ink_meter.hpp"
 
-#include "cli/tie_tolerance.hpp"
 #include "dem/height_at.hpp"
-#include "profiles/project_profile.hpp"
+#include "profiles/profile.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "hidden_lines/tie_tolerance.hpp"
 
 namespace orograph {
 
@@ -32,10 +33,10 @@ InkSample operator+(const InkSample& a, const InkSample& b) {
           a.hidden + b.hidden, a.missing + b.missing, a.length_mm + b.length_mm};
 }
 
-InkMeter::InkMeter(const Surface& surface, const Scene& scene, const RenderSettings& settings,
+InkMeter::InkMeter(const Surface& surface, const PlacedView& scene, const MapSpec& spec,
                    double stride_mm, const Surface* full_heights)
-    : scene_(scene), full_(full_heights), draws_level_(settings.flat == FlatGround::draw),
-      judges_(judges_of(full_ ? *full_ : surface, scene, settings.visibility_tolerance_mm)),
+    : scene_(scene), full_(full_heights), draws_level_(spec.style.flat == FlatGround::draw),
+      judges_(judges_of(full_ ? *full_ : surface, scene, spec.style.visibility_tolerance_mm)),
       stride_mm_(stride_mm), to_next_mm_(stride_mm * share()),
       rest_of_stride_mm_(stride_mm_ - to_next_mm_) {}
 
@@ -87,8 +88,8 @@ void InkMeter::ask(const Sector& sector, const ProfileLine& line, bool on_edge,
   to_next_mm_ = place - on_page->length_mm();
 }
 
-void InkMeter::see(const Sector& sector, const Profile& profile,
-                   const std::vector<Segment>& segments, const std::vector<Piece>& visible) {
+void InkMeter::see(const SeenProfile& seen) {
+  const auto& [sector, clipped, profile, segments, visible] = seen;
   const auto at = [&](std::uint32_t vertex) {
     return ProfilePoint{profile.u_m[vertex], profile.depth_m, profile.z_m[vertex]};
   };
@@ -106,8 +107,8 @@ void InkMeter::see(const Sector& sector, const Profile& profile,
   }
 }
 
-void InkMeter::see(const Sector& sector, const LineSweep& lines,
-                   const std::vector<LinePart>& visible) {
+void InkMeter::see(const SeenLines& seen) {
+  const auto& [sector, clipped, lines, visible] = seen;
   if (full_) return;
   const View& view = sector.view;
   auto first = visible.begin();

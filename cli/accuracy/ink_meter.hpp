@@ -2,14 +2,16 @@
 // Ink error: how much of a drawing's lines is drawn but hidden, or visible but missing.
 #pragma once
 
-#include "cli/instruments.hpp"
-#include "cli/judge.hpp"
-#include "cli/line_on_page.hpp"
-#include "cli/scene.hpp"
+#include "reference/judge.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <random>
+
+#include "hidden_lines/instruments.hpp"
+#include "map/check.hpp"
+#include "map/line_on_page.hpp"
+#include "placing/placed_view.hpp"
 
 namespace orograph {
 
@@ -30,7 +32,7 @@ struct InkSample {
 
 InkSample operator+(const InkSample& a, const InkSample& b);
 
-/// Asks the ray walk of a point at random in every `stride_mm` of the lines that a scene shows,
+/// Asks the ray walk of a point at random in every `stride_mm` of the lines that a view shows,
 /// their hidden parts included. Where it is given full heights, the lines stand for theirs: each
 /// point is asked of the full heights' surface above the same ground, in the same view, and how far
 /// the two are apart on the page is measured as well. Only profiles are asked of then, since a
@@ -38,13 +40,11 @@ InkSample operator+(const InkSample& a, const InkSample& b);
 class InkMeter : public LineObserver {
 public:
   /// REQUIRES that all outlive the meter. A stride of infinity only measures lengths.
-  InkMeter(const Surface& surface, const Scene& scene, const RenderSettings& settings,
-           double stride_mm, const Surface* full_heights);
+  InkMeter(const Surface& surface, const PlacedView& scene, const MapSpec& spec, double stride_mm,
+           const Surface* full_heights);
 
-  void see(const Sector& sector, const Profile& profile, const std::vector<Segment>& segments,
-           const std::vector<Piece>& visible) override;
-  void see(const Sector& sector, const LineSweep& lines,
-           const std::vector<LinePart>& visible) override;
+  void see(const SeenProfile& profile) override;
+  void see(const SeenLines& lines) override;
 
   const InkSample& profiles() const { return profiles_; }
   const InkSample& lines() const { return lines_; }
@@ -60,7 +60,7 @@ private:
   double share();
   const Judge& judge_of(const Sector& sector) const { return judges_[sector.behind ? 1 : 0]; }
 
-  const Scene& scene_;
+  const PlacedView& scene_;
   const Surface* full_;
   bool draws_level_;
   std::vector<Judge> judges_;        ///< by sector

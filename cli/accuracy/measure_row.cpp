@@ -3,15 +3,17 @@
 #include "cli/accuracy/accuracy.hpp"
 #include "cli/accuracy/exact_run.hpp"
 #include "cli/accuracy/visible_record.hpp"
-#include "cli/cut_by_view.hpp"
-#include "cli/draw_scene.hpp"
-#include "cli/error_budget.hpp"
+#include "cli/render.hpp"
 #include "dem/read/read_raster.hpp"
-#include "dem/reframe.hpp"
+#include "dem/terrain.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "map/draw_map.hpp"
+#include "map/error_budget.hpp"
+#include "placing/terrain_of_view.hpp"
 
 namespace orograph {
 namespace {
@@ -29,13 +31,13 @@ int one_a_cell(const Surface& surface) {
 }
 
 RenderSettings settings_of(const AccuracyRow& row, const RenderSettings& render,
-                           const Terrain& full) {
+                           const TerrainData& full) {
   RenderSettings out = render;
-  out.occluder = row.settings.occluder;
-  out.plan = ProfileCount{row.settings.profiles.value_or(one_a_cell(full.surface))};
-  out.simplify_mm = row.settings.simplify_mm;
+  out.map.style.occluder = row.settings.occluder;
+  out.map.style.plan = ProfileCount{row.settings.profiles.value_or(one_a_cell(full.surface))};
+  out.map.style.simplify_mm = row.settings.simplify_mm;
   out.reading.overview = row.settings.overview;
-  if (row.settings.arithmetic == Arithmetic::exact) out.layers = {"profiles"};
+  if (row.settings.arithmetic == Arithmetic::exact) out.map.style.layers = {"profiles"};
   return out;
 }
 
@@ -52,29 +54,11 @@ RowPromise promise_of(const RowSettings& settings, const ErrorBudget& budget) {
   return out;
 }
 
-class AllOf : public LineObserver {
-public:
-  explicit AllOf(std::vector<LineObserver*> observers) : observers_(std::move(observers)) {}
-  void add(LineObserver& observer) { observers_.push_back(&observer); }
-
-  void see(const Sector& sector, const Profile& profile, const std::vector<Segment>& segments,
-           const std::vector<Piece>& visible) override {
-    for (LineObserver* observer : observers_) observer->see(sector, profile, segments, visible);
-  }
-  void see(const Sector& sector, const LineSweep& lines,
-           const std::vector<LinePart>& visible) override {
-    for (LineObserver* observer : observers_) observer->see(sector, lines, visible);
-  }
-
-private:
-  std::vector<LineObserver*> observers_;
-};
-
 void keep_least(double& least, double seconds) {
   if (!(least <= seconds)) least = seconds; // also where nothing was measured yet
 }
 
-void keep_least(SecondsReport& least, const SecondsReport& run) {
+void keep_least(StageSeconds& least, const StageSeconds& run) {
   keep_least(least.facing, run.facing);
   keep_least(least.cut, run.cut);
   keep_least(least.project, run.project);
@@ -84,73 +68,72 @@ void keep_least(SecondsReport& least, const SecondsReport& run) {
 
 } // namespace
 
-void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terrain& full) {
+void measure_row(AccuracyRow& row, const AccuracySettings& settings, const TerrainData& full) {
   const RenderSettings render = settings_of(row, settings.render, full);
-  std::optional<Terrain> overview;
+  std::optional<TerrainData> overview;
   if (row.settings.overview) {
     overview = read_rasters(render.inputs, render.reading);
     if (const auto& earth = full.map.earth)
       reframe(*overview, earth->local.origin_lon_deg(), earth->local.origin_lat_deg(),
               earth->exaggeration);
-    if (auto cut = cut_by_view(*overview, render)) overview = std::move(cut);
+    if (auto cut = cut_by_view(*overview, render.map.view)) overview = std::move(cut);
   }
-  const Terrain& terrain = overview ? *overview : full;
+  const TerrainData& terrain = overview ? *overview : full;
   const Surface* full_heights = overview ? &full.surface : nullptr;
-  const Scene scene = place_scene(terrain, render);
+  const PlacedView scene = placed_view(terrain, render.map);
   row.profile_count = scene.depths_m.size();
-  row.promise = promise_of(row.settings, error_budget(terrain, scene, render));
+  row.promise = promise_of(row.settings, error_budget(terrain, scene, render.map));
 
   const bool exact = row.settings.arithmetic == Arithmetic::exact;
-  const auto run = [&](const RenderSettings& with, LineObserver* observer) {
-    if (exact) return draw_exactly(terrain, scene, observer);
-    const Instruments instruments{.observer = observer,
+  const auto run = [&](const std::vector<LineObserver*>& observers) {
+    if (exact) return draw_exactly(terrain, scene, observers);
+    const Instruments instruments{.observers = observers,
                                   .collapse = row.settings.collapse,
                                   .single_precision =
                                       row.settings.arithmetic == Arithmetic::float32,
                                   .beyond_page = true};
-    return draw_scene(
-        terrain, scene, with, [](double) {}, instruments);
+    return draw_map(
+        terrain, scene, render.map, [](double) {}, instruments);
   };
 
   // Lengths don't depend on what is hidden, so double precision measures those of any row.
-  RenderSettings unsimplified = render;
-  unsimplified.simplify_mm = 0;
-  InkMeter lengths(terrain.surface, scene, render, kNever, full_heights);
-  const DrawnScene whole = draw_scene(terrain, scene, unsimplified, [](double) {},
-                                      {.observer = &lengths, .beyond_page = true});
+  MapSpec unsimplified = render.map;
+  unsimplified.style.simplify_mm = 0;
+  InkMeter lengths(terrain.surface, scene, render.map, kNever, full_heights);
+  const Map whole = draw_map(terrain, scene, unsimplified, [](double) {},
+                             {.observers = {&lengths}, .beyond_page = true});
   check_not_empty(whole, render);
 
   // Profiles get the points that were asked for, whether other lines are drawn too or not: rows
   // with the same profiles are asked of the same points.
   const double stride_mm = lengths.profiles().length_mm / settings.probes;
-  InkMeter ink(terrain.surface, scene, render, stride_mm, full_heights);
+  InkMeter ink(terrain.surface, scene, render.map, stride_mm, full_heights);
   const auto ends = static_cast<std::uint64_t>(settings.probes / kProbesAnEnd);
-  EndMeter end_meter(terrain.surface, scene, render,
+  EndMeter end_meter(terrain.surface, scene, render.map,
                      {ends / 2 / scene.depths_m.size() + 1, ends / 2 + 1});
   VisibleRecord visible(scene);
-  AllOf observers({&ink});
-  if (!overview) observers.add(end_meter);
-  if (row.group == "arithmetic") observers.add(visible);
-  const DrawnScene probed = run(render, &observers);
+  std::vector<LineObserver*> observers{&ink};
+  if (!overview) observers.push_back(&end_meter);
+  if (row.group == "arithmetic") observers.push_back(&visible);
+  const Map probed = run(observers);
 
-  row.counts = probed.counts;
+  row.counts = probed.facts.counts;
   row.profiles = ink.profiles();
   row.lines = ink.lines();
   row.ends = end_meter.ends();
   if (overview) row.detail_mm = ink.farthest_mm();
   if (exact) {
-    row.seconds = probed.seconds; // too slow to be repeated
+    row.seconds = probed.facts.seconds; // too slow to be repeated
   } else {
     row.simplified = simplified_distance(probed.drawing, whole.drawing);
-    for (int i = 0; i < settings.repeats; ++i)
-      keep_least(row.seconds, run(render, nullptr).seconds);
+    for (int i = 0; i < settings.repeats; ++i) keep_least(row.seconds, run({}).facts.seconds);
     if (row.group == "arithmetic") {
       VisibleRecord exactly(scene);
-      draw_exactly(terrain, scene, &exactly);
+      draw_exactly(terrain, scene, {&exactly});
       row.arithmetic_mm = longest_difference_mm(visible, exactly);
     }
   }
-  SecondsReport& seconds = row.seconds;
+  StageSeconds& seconds = row.seconds;
   seconds.total = seconds.facing + seconds.cut + seconds.project + seconds.clip + seconds.layout;
 }
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/accuracy/visible_record.hpp"
 
-#include "cli/line_on_page.hpp"
-#include "profiles/project_profile.hpp"
+#include "profiles/profile.hpp"
 
 #include <algorithm>
 
+#include "map/line_on_page.hpp"
+
 namespace orograph {
 
-void VisibleRecord::see(const Sector& sector, const Profile& profile,
-                        const std::vector<Segment>& segments, const std::vector<Piece>& visible) {
+void VisibleRecord::see(const SeenProfile& seen) {
+  const auto& [sector, clipped, profile, segments, visible] = seen;
   Stretches& stretches = profiles_.emplace_back();
   const auto at = [&](std::uint32_t vertex) {
     return ProfilePoint{profile.u_m[vertex], profile.depth_m, profile.z_m[vertex]};

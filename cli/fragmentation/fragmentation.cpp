@@ -5,13 +5,14 @@
 #include "cli/fragmentation/plot_fragmentation.hpp"
 #include "cli/fragmentation/worst_cases.hpp"
 #include "cli/progress.hpp"
-#include "cli/terrain_of_view.hpp"
 #include "cli/write_text.hpp"
 #include "dem/read/read_terrain.hpp"
-#include "draw/output_file.hpp"
+#include "write/output_file.hpp"
 
 #include <cstdio>
 #include <filesystem>
+
+#include "placing/terrain_of_view.hpp"
 
 namespace orograph {
 
@@ -21,9 +22,9 @@ void fragmentation(const FragmentationSettings& settings) {
                     json = settings.prefix + ".json", svg = settings.prefix + ".svg";
   for (const std::string& path : {csv, series, json, svg}) check_writable(path, render.write);
 
-  const Terrain whole = read_terrain(render.inputs, render.reading);
-  const TerrainOfView of_view(whole, render);
-  const Terrain& terrain = *of_view;
+  const TerrainData whole = read_terrain(render.inputs, render.reading);
+  const TerrainOfView of_view(whole, render.map.view);
+  const TerrainData& terrain = *of_view;
   std::vector<FragmentationRow> rows = fragmentation_rows(settings);
   for (const FragmentationRow& row : worst_case_rows(settings)) rows.push_back(row);
   ProgressBar bar(shows_progress(render.quiet, render.progress));

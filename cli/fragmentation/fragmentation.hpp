@@ -28,9 +28,9 @@ struct FragmentationSettings {
 /// The rows to measure on a terrain: each number of profiles in each view, with either occluder.
 std::vector<FragmentationRow> fragmentation_rows(const FragmentationSettings& settings);
 
-/// The row's measures into it. Throws Error as `place_scene` does.
+/// The row's measures into it. Throws Error as `placed_view` does.
 void measure_row(FragmentationRow& row, const FragmentationSettings& settings,
-                 const Terrain& terrain);
+                 const TerrainData& terrain);
 
 /// Measures all rows and the worst cases, prints the tables, writes PREFIX.csv, PREFIX-series.csv,
 /// PREFIX.json and the plots, PREFIX.svg. Throws Error where collapse doesn't keep a horizon at its

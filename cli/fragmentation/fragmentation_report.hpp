@@ -11,7 +11,7 @@ namespace orograph {
 
 /// Aligned columns, a heading of two lines; "-" where nothing was run.
 std::string fragmentation_table(const std::vector<FragmentationRow>& rows);
-/// The exponents of growth with the number of profiles, a line for each scene and view with more
+/// The exponents of growth with the number of profiles, a line for each terrain and view with more
 /// than one number of them; empty where there is none.
 std::string growth_table(const std::vector<FragmentationRow>& rows);
 

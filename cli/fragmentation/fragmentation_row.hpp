@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One row of `orograph fragmentation`: a scene, and how its horizon fragments.
+// One row of `orograph fragmentation`: a terrain and a view, and how the horizon fragments.
 #pragma once
 
 #include "cli/render_settings.hpp"

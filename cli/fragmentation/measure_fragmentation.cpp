@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One row's runs: with collapse, without, and in exact arithmetic.
-#include "cli/draw_scene.hpp"
 #include "cli/fragmentation/fragmentation.hpp"
-#include "cli/scene_lines.hpp"
-#include "cli/sweep_sector.hpp"
-#include "cli/tie_tolerance.hpp"
 #include "reference/exact_clip.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
 
+#include "hidden_lines/sector_pass.hpp"
+#include "hidden_lines/surface_lines.hpp"
+#include "hidden_lines/tie_tolerance.hpp"
+#include "map/draw_map.hpp"
+
 namespace orograph {
 namespace {
 
 RenderSettings settings_of(const FragmentationRow& row, const RenderSettings& render) {
   RenderSettings out = render;
-  out.occluder = row.occluder;
-  out.from_azimuth = Angle::degrees(row.azimuth_deg);
-  out.from_elevation = Angle::degrees(row.elevation_deg);
-  out.plan = ProfileCount{row.profiles};
-  out.silhouette_jump = 0; // which decides what is drawn, after all is clipped
+  out.map.style.occluder = row.occluder;
+  out.map.view.from_azimuth = Angle::degrees(row.azimuth_deg);
+  out.map.view.from_elevation = Angle::degrees(row.elevation_deg);
+  out.map.style.plan = ProfileCount{row.profiles};
+  out.map.style.silhouette_jump = 0; // which decides what is drawn, after all is clipped
   // With the paper's occluders the profiles are all there is.
-  if (row.occluder == Occluder::profiles) out.layers = {"profiles"};
+  if (row.occluder == Occluder::profiles) out.map.style.layers = {"profiles"};
   return out;
 }
 
@@ -42,11 +43,11 @@ public:
     sector_most_ = std::max(sector_most_, size);
   }
 
-  void see(const Sector&, const Profile&, const std::vector<Segment>&,
-           const std::vector<Piece>& visible) override {
+  void see(const SeenProfile& seen) override {
+    const auto& visible = seen.visible;
     visible_ += visible.size();
   }
-  void see(const Sector&, const LineSweep&, const std::vector<LinePart>&) override {}
+  void see(const SeenLines&) override {}
   void see_horizon(const Sector&, const Horizon& horizon) override { take(horizon.size()); }
 
   std::uint64_t visible() const { return visible_; }
@@ -74,8 +75,8 @@ public:
   void finish() { least_.at_end += at_end_; }
   std::vector<HorizonPiece>& occluders() { return occluders_; }
 
-  void see(const Sector&, const Profile&, const std::vector<Segment>& segments,
-           const std::vector<Piece>&) override {
+  void see(const SeenProfile& seen) override {
+    const auto& segments = seen.segments;
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     if (surface_) {
@@ -91,7 +92,7 @@ public:
     least_.run.work += exact_->size();
     occluders_.clear();
   }
-  void see(const Sector&, const LineSweep&, const std::vector<LinePart>&) override {}
+  void see(const SeenLines&) override {}
   void see_horizon(const Sector& sector, const Horizon& horizon) override {
     const Horizon exact = exact_->pieces();
     sizes_.take(exact.size());
@@ -113,28 +114,27 @@ private:
 };
 
 struct MeasuredScene {
-  const Terrain& terrain;
-  const Scene& scene;
-  const std::vector<SweptLine>& lines;
-  const RenderSettings& settings;
+  const TerrainData& terrain;
+  const PlacedView& scene;
+  const std::vector<EdgeLine>& lines;
+  const Style& style;
 };
 
 struct Totals {
-  CountsReport counts;
-  SecondsReport seconds;
+  Counts counts;
+  StageSeconds seconds;
 };
 
 template <class Meter>
 Totals run(const MeasuredScene& s, const Instruments& instruments, Meter& meter) {
   Totals out;
-  SecondsReport& seconds = out.seconds;
+  StageSeconds& seconds = out.seconds;
   seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.check = seconds.layout =
       0;
-  std::optional<CheckReport> check;
   for (const Sector& sector : s.scene.sectors) {
     meter.begin_sector();
-    sweep_sector(s.terrain, s.scene, sector, s.lines, nullptr, s.settings, instruments, nullptr,
-                 {out.counts, seconds, check}, [] {});
+    sector_pass(s.terrain, s.scene, sector, s.lines, nullptr, s.style, instruments, nullptr,
+                {out.counts, seconds}, [] {});
     meter.end_sector();
   }
   return out;
@@ -147,7 +147,7 @@ FragmentationRun timed(const MeasuredScene& s, bool collapse, int repeats) {
     FragmentationRun once;
     SizeMeter meter(once);
     const Totals totals =
-        run(s, {.observer = &meter, .collapse = collapse, .one_list = true}, meter);
+        run(s, {.observers = {&meter}, .collapse = collapse, .one_list = true}, meter);
     once.work = totals.counts.pieces_before_collapse;
     once.seconds = std::min(out.seconds, totals.seconds.clip);
     out = std::move(once);
@@ -174,18 +174,18 @@ std::vector<FragmentationRow> fragmentation_rows(const FragmentationSettings& se
 }
 
 void measure_row(FragmentationRow& row, const FragmentationSettings& settings,
-                 const Terrain& terrain) {
+                 const TerrainData& terrain) {
   const RenderSettings render = settings_of(row, settings.render);
-  const Scene scene = place_scene(terrain, render);
-  const std::vector<SweptLine> lines = lines_of(terrain, scene, render);
-  const MeasuredScene measured{terrain, scene, lines, render};
+  const PlacedView scene = placed_view(terrain, render.map);
+  const std::vector<EdgeLine> lines = lines_of(terrain, scene, render.map.style);
+  const MeasuredScene measured{terrain, scene, lines, render.map.style};
   const bool surface = row.occluder == Occluder::surface;
 
   FragmentationRun counted;
   SizeMeter meter(counted);
   std::vector<HorizonPiece> occluders;
   row.segments =
-      run(measured, {.observer = &meter, .one_list = true, .occluders = &occluders}, meter)
+      run(measured, {.observers = {&meter}, .one_list = true, .occluders = &occluders}, meter)
           .counts.segments;
   row.visible = meter.visible();
   row.occluders = surface ? occluders.size() : row.segments;
@@ -193,8 +193,9 @@ void measure_row(FragmentationRow& row, const FragmentationSettings& settings,
   if (row.occluders <= static_cast<std::uint64_t>(settings.fragmented_segments))
     row.fragmented = timed(measured, false, settings.repeats);
   if (row.occluders <= static_cast<std::uint64_t>(settings.exact_segments)) {
-    LeastMeter exact(row.least.emplace(), surface, render.visibility_tolerance_mm);
-    run(measured, {.observer = &exact, .one_list = true, .occluders = &exact.occluders()}, exact);
+    LeastMeter exact(row.least.emplace(), surface, render.map.style.visibility_tolerance_mm);
+    run(measured, {.observers = {&exact}, .one_list = true, .occluders = &exact.occluders()},
+        exact);
     exact.finish();
   }
 }

@@ -13,14 +13,14 @@ constexpr auto kGate = "gate before ridges", kComb = "comb before a slope";
 constexpr double kAzimuth_deg = 180, kElevation_deg = 10;
 constexpr double kWidth_m = 1000, kDepth_m = 1000;
 
-Terrain terrain_of(Surface surface, const std::string& name) {
-  Terrain terrain{std::move(surface), {}, name, {}, {}, {}, 0};
+TerrainData terrain_of(Surface surface, const std::string& name) {
+  TerrainData terrain{std::move(surface), {}, name, {}, {}, {}, 0};
   return terrain;
 }
 
 } // namespace
 
-Terrain gate_before_ridges(int ridges) {
+TerrainData gate_before_ridges(int ridges) {
   constexpr int kColumns = 16, kPost = 5; // columns of either post
   constexpr double kPostHeight_m = 1200;  // above the eye: what is beside the gate is hidden
   const int rows = 2 * ridges + 2;
@@ -44,7 +44,7 @@ Terrain gate_before_ridges(int ridges) {
   return terrain_of(std::move(grid), kGate);
 }
 
-Terrain comb_before_slope(int teeth) {
+TerrainData comb_before_slope(int teeth) {
   constexpr double kTooth_m = 600; // on the page the slope ends below it
   const auto corner = [](double x, double y, double z) { return Vec3{x, y, z}; };
   TriangleSoup soup;
@@ -85,7 +85,7 @@ std::vector<FragmentationRow> worst_case_rows(const FragmentationSettings& setti
   return rows;
 }
 
-Terrain worst_case_terrain(const FragmentationRow& row) {
+TerrainData worst_case_terrain(const FragmentationRow& row) {
   return row.scene == kGate ? gate_before_ridges(row.profiles) : comb_before_slope(row.profiles);
 }
 

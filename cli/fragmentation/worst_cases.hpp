@@ -14,16 +14,16 @@ namespace orograph {
 /// ridge is higher on the page than the one before, and its edges lie elsewhere in X. The true
 /// horizon is the last ridge in the gate and the posts, whatever `ridges` is; without collapse
 /// every ridge leaves the places of its edges. A grid of 16 columns and two rows a ridge.
-Terrain gate_before_ridges(int ridges);
+TerrainData gate_before_ridges(int ridges);
 
 /// A comb of `teeth` across the view in front of a slope of two triangles: each profile on the
 /// slope shows in every gap of the comb, so what is visible is the square of what is there.
-Terrain comb_before_slope(int teeth);
+TerrainData comb_before_slope(int teeth);
 
 /// Rows of both in growing sizes up to `settings.worst_case`, with as many profiles as there are
 /// ridges or teeth.
 std::vector<FragmentationRow> worst_case_rows(const FragmentationSettings& settings);
 /// The terrain of such a row.
-Terrain worst_case_terrain(const FragmentationRow& row);
+TerrainData worst_case_terrain(const FragmentationRow& row);
 
 } // namespace orograph

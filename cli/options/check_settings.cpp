@@ -4,9 +4,10 @@
 
 #include "cli/options/option_values.hpp"
 #include "cli/read_ground.hpp"
-#include "draw/write_drawing.hpp"
+#include "cli/report/view_of_report.hpp"
 #include "geometry/error.hpp"
 #include "solids/read_scene.hpp"
+#include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
 
@@ -51,7 +52,7 @@ void check_no_input(const RenderSettings& settings, const std::string& path,
   const ReadOptions& reading = settings.reading;
   std::vector<std::pair<std::string, const char*>> inputs{{reading.breaklines, "--breaklines"},
                                                           {reading.boundary, "--boundary"},
-                                                          {settings.view_file, "--view"},
+                                                          {settings.map.view.file_name, "--view"},
                                                           {settings.scene_file, "--scene"}};
   for (const std::string& input : settings.inputs) inputs.emplace_back(input, "INPUT");
   for (const auto& [input, name] : inputs)
@@ -86,31 +87,38 @@ void check_report(const RenderSettings& settings, const GivenOptions& given) {
 }
 
 void check_eye(const RenderSettings& settings, const GivenOptions& given) {
-  if (!settings.has_eye())
+  if (!settings.map.view.has_eye())
     for (const char* option : {"--eye-height", "--look-azimuth", "--pitch"})
       if (given.contains(option))
         throw UsageError(fmt::format("{} has no meaning without an eye", option),
                          "give --eye X,Y or --eye-lonlat LON,LAT too");
-  if (given.contains("--pitch") && !settings.look_azimuth)
+  if (given.contains("--pitch") && !settings.map.view.look_azimuth)
     throw UsageError("--pitch needs a direction to look in", "give --look-azimuth DEG too");
-  const bool by_lonlat = settings.eye_lonlat.has_value();
-  const auto& eye = by_lonlat ? settings.eye_lonlat : settings.eye_map;
-  if (eye && eye->z && settings.eye_height_m)
+  const bool by_lonlat = settings.map.view.eye_lonlat.has_value();
+  const auto& eye = by_lonlat ? settings.map.view.eye_lonlat : settings.map.view.eye_map;
+  if (eye && eye->z && settings.map.view.eye_height_m)
     throw UsageError(fmt::format("--eye-height is for an eye on the ground, and {} has a height",
                                  by_lonlat ? "--eye-lonlat" : "--eye"),
                      by_lonlat ? "give --eye-lonlat LON,LAT, or leave --eye-height out"
                                : "give --eye X,Y, or leave --eye-height out");
-  if (eye && eye == (by_lonlat ? settings.look_at_lonlat : settings.look_at_map))
+  if (eye && eye == (by_lonlat ? settings.map.view.look_at_lonlat : settings.map.view.look_at_map))
     throw UsageError("the eye and what it looks at are the same point", "look at another point");
+}
+
+// A layer that has a switch of its own may be named in the list of layers as well.
+void add_layers(RenderSettings& settings) {
+  Style& style = settings.map.style;
+  if (settings.void_edges && !style.asks_for("voids")) style.layers.push_back("voids");
+  if (settings.dashes_hidden) style.layers.push_back("hidden");
 }
 
 void check_view(RenderSettings& settings, const GivenOptions& given) {
   if (given.contains("--oblique")) {
-    if (given.contains("--projection") && settings.projection != Projection::oblique)
+    if (given.contains("--projection") && settings.map.view.projection != Projection::oblique)
       throw UsageError("--oblique is a projection of its own", "leave --projection out");
-    settings.projection = Projection::oblique;
+    settings.map.view.projection = Projection::oblique;
   }
-  if (settings.projection != Projection::perspective)
+  if (settings.map.view.projection != Projection::perspective)
     for (const auto& [option, right] :
          {std::pair{"--distance", "leave it out"}, std::pair{"--fov", "leave it out"},
           std::pair{"--eye", "give --view-from AZ/EL"},
@@ -121,7 +129,7 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
       if (given.contains(option))
         throw UsageError(fmt::format("{} has no meaning in a parallel view", option),
                          fmt::format("{}, or use --projection perspective", right));
-  if (settings.projection != Projection::perspective)
+  if (settings.map.view.projection != Projection::perspective)
     for (const char* option : {"--refraction", "--curvature-coefficient"})
       if (given.contains(option))
         throw UsageError(
@@ -131,7 +139,7 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
 }
 
 void check_page(const RenderSettings& settings) {
-  const auto& page = settings.page;
+  const auto& page = settings.map.page;
   const double shorter_mm = std::min(page.width_mm, page.height_mm);
   const double longer_mm = std::max(page.width_mm, page.height_mm);
   if (shorter_mm - 2 * page.margin_mm < 1)
@@ -174,8 +182,8 @@ void check_scene_alone(const RenderSettings& settings, const GivenOptions& given
     if (given.contains(option))
       throw UsageError(fmt::format("{} has no meaning without a terrain", option),
                        "leave it out, or give a DEM as INPUT and the scene as --scene");
-  const auto& layers = settings.layers;
-  if (!settings.dashes_hidden && std::find(layers.begin(), layers.end(), "solids") == layers.end())
+  const Style& style = settings.map.style;
+  if (!style.asks_for("hidden") && !style.asks_for("solids"))
     throw UsageError("--layers leaves nothing to draw of a scene without a terrain",
                      "leave it out, or give --layers solids");
 }
@@ -190,11 +198,11 @@ void take_scene(RenderSettings& settings, const GivenOptions& given) {
     check_scene_alone(settings, given);
   }
   if (settings.scene_file.empty()) {
-    if (settings.dashes_hidden)
+    if (settings.map.style.asks_for("hidden"))
       throw UsageError("--hidden has no meaning without solids", "give --scene FILE too");
     return;
   }
-  if (settings.occluder == Occluder::profiles)
+  if (settings.map.style.occluder == Occluder::profiles)
     throw UsageError("solids stand in front of the surface and behind it, not of profiles",
                      "leave --occluder profiles out");
   settings.solids = std::make_shared<const SceneFile>(read_scene(settings.scene_file));
@@ -232,13 +240,17 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
 }
 
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given) {
+  add_layers(settings);
+  settings.map.ground_points = is_tied_to_ground(settings.write.format);
   check_view(settings, given);
   check_page(settings);
   take_scene(settings, given);
-  if (!settings.view_file.empty()) settings.view = read_view_file(settings.view_file);
-  if (settings.curvature == Curvature::on && settings.view && settings.view->cuts())
+  if (!settings.map.view.file_name.empty())
+    settings.map.view.file = read_view(settings.map.view.file_name);
+  if (settings.map.view.curvature == Curvature::on && settings.map.view.file &&
+      settings.map.view.file->cuts())
     throw UsageError("--curvature on bends the terrain away from the view's front and back plane",
-                     "leave it out, or leave the planes out of " + settings.view_file);
+                     "leave it out, or leave the planes out of " + settings.map.view.file_name);
 }
 
 void refuse_scenes(const std::vector<std::string>& inputs) {

@@ -48,38 +48,39 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
                      .value = "X,Y[,Z]",
                      .help = "Stand at this point, without Z on the ground there; perspective only",
                      .allowed = kMapPlace,
-                     .take = stored(parse_place, s.eye_map)});
+                     .take = stored(parse_place, s.map.view.eye_map)});
   options.push_back(
       with_lonlat({.name = "--eye-lonlat",
                    .help = "The same by longitude and latitude, without H on the ground there"},
-                  s.eye_lonlat));
-  options.push_back(with_number(
-      {.group = kGroup,
-       .name = "--eye-height",
-       .value = "M",
-       .help = "Of an eye without Z or H: how high above the ground it is",
-       .by_default = fmt::format("{}", kEyeHeight_m)},
-      {.unit = "metres", .low = 0, .low_excluded = true}, [&s](double m) { s.eye_height_m = m; }));
+                  s.map.view.eye_lonlat));
+  options.push_back(
+      with_number({.group = kGroup,
+                   .name = "--eye-height",
+                   .value = "M",
+                   .help = "Of an eye without Z or H: how high above the ground it is",
+                   .by_default = fmt::format("{}", kEyeHeight_m)},
+                  {.unit = "metres", .low = 0, .low_excluded = true},
+                  [&s](double m) { s.map.view.eye_height_m = m; }));
   options.push_back({.group = kGroup,
                      .name = "--look-at",
                      .value = "X,Y[,Z]",
                      .help = "Look at this point, without Z at the ground there",
                      .allowed = kMapPlace,
                      .by_default = "the terrain's centre",
-                     .take = stored(parse_place, s.look_at_map)});
+                     .take = stored(parse_place, s.map.view.look_at_map)});
   options.push_back(
       with_lonlat({.name = "--look-at-lonlat",
                    .help = "The same by longitude and latitude, without H at the ground there"},
-                  s.look_at_lonlat));
-  options.push_back(
-      with_number({.group = kGroup,
-                   .name = "--look-azimuth",
-                   .value = "DEG",
-                   .help = "With an eye, look in this direction instead of at a point: clockwise "
-                           "from true north, as a compass rose has it, which differs from the "
-                           "map's by the convergence of meridians (from the map's own north where "
-                           "the terrain has no CRS, or a local one)"},
-                  {.unit = "degrees"}, [&s](double deg) { s.look_azimuth = Angle::degrees(deg); }));
+                  s.map.view.look_at_lonlat));
+  options.push_back(with_number(
+      {.group = kGroup,
+       .name = "--look-azimuth",
+       .value = "DEG",
+       .help = "With an eye, look in this direction instead of at a point: clockwise "
+               "from true north, as a compass rose has it, which differs from the "
+               "map's by the convergence of meridians (from the map's own north where "
+               "the terrain has no CRS, or a local one)"},
+      {.unit = "degrees"}, [&s](double deg) { s.map.view.look_azimuth = Angle::degrees(deg); }));
   options.push_back(
       with_number({.group = kGroup,
                    .name = "--pitch",
@@ -88,7 +89,7 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
                            "negative",
                    .by_default = "0"},
                   {.unit = "degrees", .low = -90, .high = 90},
-                  [&s](double deg) { s.pitch = Angle::degrees(deg); }));
+                  [&s](double deg) { s.map.view.pitch = Angle::degrees(deg); }));
 }
 
 } // namespace orograph

@@ -26,6 +26,16 @@ Option quiet_option(bool& quiet) {
           .take = set_to(quiet, true)};
 }
 
+Option jobs_option(int& jobs) {
+  return with_integer({.group = kGroup,
+                       .name = "--jobs",
+                       .letter = 'j',
+                       .value = "N",
+                       .help = "Cores to use, which changes nothing but the time",
+                       .by_default = "all"},
+                      1, 1024, [&jobs](int n) { jobs = n; });
+}
+
 void add_general_options(std::vector<Option>& options, bool& quiet, std::optional<bool>& progress) {
   options.push_back(quiet_option(quiet));
   options.push_back({.group = kGroup,

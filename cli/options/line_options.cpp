@@ -8,14 +8,38 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
+#include <string>
+#include <vector>
+
+#include "map/layer_table.hpp"
 
 namespace orograph {
 namespace {
 
 constexpr auto kGroup = "Profiles and lines";
-const std::array<std::string, 8> kLayerNames{"profiles", "edges",       "shores",  "border",
-                                             "voids",    "silhouettes", "skyline", "solids"};
+
+// Of all layers but `hidden`, which is an option of its own.
+std::vector<std::string> layer_names() {
+  std::vector<std::string> names;
+  for (const LayerRow& row : layer_table())
+    if (row.source != LineSource::hidden_solids) names.emplace_back(row.name);
+  return names;
+}
+
+std::vector<std::string> names_of(const std::vector<LayerSpec>& layers) {
+  std::vector<std::string> names;
+  for (const LayerSpec& layer : layers) names.push_back(layer.name);
+  return names;
+}
+
+// Whether each is there, and only once.
+bool are_layers(const std::vector<std::string>& names) {
+  const std::vector<std::string> known = layer_names();
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return std::count(names.begin(), names.end(), name) == 1 &&
+           std::count(known.begin(), known.end(), name) == 1;
+  });
+}
 
 } // namespace
 
@@ -25,7 +49,7 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                                   .value = "N",
                                   .help = "Number of profiles",
                                   .by_default = "as many as --spacing gives"},
-                                 1, 100000, [&s](int n) { s.plan = ProfileCount{n}; }));
+                                 1, 100000, [&s](int n) { s.map.style.plan = ProfileCount{n}; }));
   options.push_back({.group = kGroup,
                      .name = "--spacing",
                      .value = "LENGTH",
@@ -34,51 +58,52 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                      .allowed = "a length above 0 with its unit, 0.6mm on the page or 100m on the "
                                 "ground",
                      .by_default = "four pen widths on the page",
-                     .take = stored(parse_spacing, s.plan)});
+                     .take = stored(parse_spacing, s.map.style.plan)});
   options.push_back(with_choice<Occluder>(
       {.group = kGroup,
        .name = "--occluder",
        .help = "What hides: the whole surface, exactly, or only the profiles drawn",
        .by_default = "surface"},
-      {{"surface", Occluder::surface}, {"profiles", Occluder::profiles}}, s.occluder));
-  options.push_back(with_number({.group = kGroup,
-                                 .name = "--visibility-tolerance",
-                                 .value = "MM",
-                                 .help = "Lines that lie this close to the horizon, on the page, "
-                                         "count as tied with it and are drawn once; 0 compares "
-                                         "exactly",
-                                 .by_default = fmt::format("{}", s.visibility_tolerance_mm)},
-                                {.unit = "mm", .low = 0, .high = 10},
-                                [&s](double mm) { s.visibility_tolerance_mm = mm; }));
+      {{"surface", Occluder::surface}, {"profiles", Occluder::profiles}}, s.map.style.occluder));
+  options.push_back(
+      with_number({.group = kGroup,
+                   .name = "--visibility-tolerance",
+                   .value = "MM",
+                   .help = "Lines that lie this close to the horizon, on the page, "
+                           "count as tied with it and are drawn once; 0 compares "
+                           "exactly",
+                   .by_default = fmt::format("{}", s.map.style.visibility_tolerance_mm)},
+                  {.unit = "mm", .low = 0, .high = 10},
+                  [&s](double mm) { s.map.style.visibility_tolerance_mm = mm; }));
   options.push_back(with_number({.group = kGroup,
                                  .name = "--simplify",
                                  .value = "MM",
                                  .help = "Largest displacement of a line when points are left out; "
                                          "0 keeps all",
-                                 .by_default = fmt::format("{}", s.simplify_mm)},
+                                 .by_default = fmt::format("{}", s.map.style.simplify_mm)},
                                 {.unit = "mm", .low = 0, .high = 10},
-                                [&s](double mm) { s.simplify_mm = mm; }));
-  options.push_back(
-      with_number({.group = kGroup,
-                   .name = "--silhouette-jump",
-                   .value = "SHARE",
-                   .help = "Draw a silhouette only where the ground behind is farther "
-                           "by more than this share of the depth; 0 draws all",
-                   .by_default = fmt::format("{}", s.silhouette_jump)},
-                  {.low = 0, .high = 10}, [&s](double share) { s.silhouette_jump = share; }));
+                                [&s](double mm) { s.map.style.simplify_mm = mm; }));
+  options.push_back(with_number(
+      {.group = kGroup,
+       .name = "--silhouette-jump",
+       .value = "SHARE",
+       .help = "Draw a silhouette only where the ground behind is farther "
+               "by more than this share of the depth; 0 draws all",
+       .by_default = fmt::format("{}", s.map.style.silhouette_jump)},
+      {.low = 0, .high = 10}, [&s](double share) { s.map.style.silhouette_jump = share; }));
   options.push_back(with_number({.group = kGroup,
                                  .name = "--min-stroke",
                                  .value = "MM",
                                  .help = "Leave out visible strokes shorter than this",
-                                 .by_default = fmt::format("{}", s.min_stroke_mm)},
+                                 .by_default = fmt::format("{}", s.map.style.min_stroke_mm)},
                                 {.unit = "mm", .low = 0, .high = 1000},
-                                [&s](double mm) { s.min_stroke_mm = mm; }));
+                                [&s](double mm) { s.map.style.min_stroke_mm = mm; }));
   options.push_back(with_choice<FlatGround>(
       {.group = kGroup,
        .name = "--flat",
        .help = "Level ground such as sea and lakes: only its shores, or its profiles too",
        .by_default = "shore"},
-      {{"shore", FlatGround::shore}, {"draw", FlatGround::draw}}, s.flat));
+      {{"shore", FlatGround::shore}, {"draw", FlatGround::draw}}, s.map.style.flat));
   options.push_back({.group = kGroup,
                      .name = "--void-edges",
                      .help = "Draw the outlines of voids, gaps that terrain encloses, as well; the "
@@ -89,14 +114,12 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                      .value = "LIST",
                      .help = "Layers to draw, with commas between; edges are those of the "
                              "terrain's triangles",
-                     .allowed = fmt::format("each once of {}", fmt::join(kLayerNames, ", ")),
-                     .by_default = fmt::format("{}", fmt::join(s.layers, ",")),
+                     .allowed = fmt::format("each once of {}", fmt::join(layer_names(), ", ")),
+                     .by_default = fmt::format("{}", fmt::join(names_of(s.map.style.layers), ",")),
                      .take = [&s](const std::string& text) {
-                       s.layers = split(text, ',');
-                       return std::all_of(s.layers.begin(), s.layers.end(), [&](const auto& layer) {
-                         return std::count(s.layers.begin(), s.layers.end(), layer) == 1 &&
-                                std::count(kLayerNames.begin(), kLayerNames.end(), layer) == 1;
-                       });
+                       const std::vector<std::string> names = split(text, ',');
+                       s.map.style.layers.assign(names.begin(), names.end());
+                       return are_layers(names);
                      }});
 }
 

@@ -42,5 +42,6 @@ void add_tin_options(std::vector<Option>& options, TinSettings& settings);
 
 Option help_option();
 Option quiet_option(bool& quiet);
+Option jobs_option(int& jobs);
 
 } // namespace orograph

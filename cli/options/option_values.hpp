@@ -2,7 +2,6 @@
 // The values of options, from text. Nothing here knows which option it reads.
 #pragma once
 
-#include "cli/given_place.hpp"
 #include "geometry/angle.hpp"
 #include "geometry/box.hpp"
 #include "geometry/vec.hpp"
@@ -13,6 +12,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "placing/map_spec.hpp"
 
 namespace orograph {
 

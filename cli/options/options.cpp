@@ -6,8 +6,8 @@
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_kinds.hpp"
 #include "cli/options/parse_arguments.hpp"
-#include "draw/write_drawing.hpp"
 #include "geometry/error.hpp"
+#include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -72,6 +72,7 @@ Command render_command(RenderSettings& settings) {
   add_scene_options(command.options, settings);
   add_page_options(command.options, settings);
   add_output_options(command.options, settings);
+  command.options.push_back(jobs_option(settings.jobs));
   add_general_options(command.options, settings.quiet, settings.progress);
   return command;
 }
@@ -92,6 +93,7 @@ Command accuracy_command(AccuracySettings& settings) {
   add_view_options(command.options, render);
   add_page_options(command.options, render);
   add_accuracy_options(command.options, settings);
+  command.options.push_back(jobs_option(render.jobs));
   add_general_options(command.options, render.quiet, render.progress);
   return command;
 }
@@ -111,6 +113,7 @@ Command fragmentation_command(FragmentationSettings& settings) {
   command.conflicts.push_back({"--quiet", "--progress", "give one of the two"});
   add_terrain_options(command.options, render.inputs, render.reading);
   add_fragmentation_options(command.options, settings);
+  command.options.push_back(jobs_option(render.jobs));
   add_general_options(command.options, render.quiet, render.progress);
   return command;
 }
@@ -123,6 +126,7 @@ Command info_command(InfoSettings& settings) {
       .conflicts = terrain_conflicts(),
       .examples = {{"orograph info dem.tif", "What the file holds, as render reads it."}}};
   add_terrain_options(command.options, settings.inputs, settings.reading);
+  command.options.push_back(jobs_option(settings.jobs));
   command.options.push_back(help_option());
   return command;
 }

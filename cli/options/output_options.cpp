@@ -2,7 +2,7 @@
 // What a drawing is written as, and what is told of it.
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_kinds.hpp"
-#include "draw/write_drawing.hpp"
+#include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -52,7 +52,7 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
                                           "the terrain, and tell how many are drawn wrongly",
                                   .by_default = "0"},
                                  0, 100000000,
-                                 [&s](int n) { s.check = static_cast<unsigned>(n); }));
+                                 [&s](int n) { s.map.check = static_cast<unsigned>(n); }));
 }
 
 } // namespace orograph

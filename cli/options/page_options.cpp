@@ -24,7 +24,7 @@ void add_page_options(std::vector<Option>& options, RenderSettings& s) {
                                             "each 1 to 10000",
                                             fmt::join(paper_names(), ", ")),
                      .by_default = "a4",
-                     .take = [&page = s.page](const std::string& text) {
+                     .take = [&page = s.map.page](const std::string& text) {
                        const auto named = paper_size_mm(text);
                        const auto size = named ? named : parse_width_x_height(text);
                        if (!size) return false;
@@ -37,32 +37,32 @@ void add_page_options(std::vector<Option>& options, RenderSettings& s) {
   options.push_back({.group = kGroup,
                      .name = "--portrait",
                      .help = "Page upright",
-                     .take = set_to(s.page.orientation, Orientation::portrait)});
+                     .take = set_to(s.map.page.orientation, Orientation::portrait)});
   options.push_back({.group = kGroup,
                      .name = "--landscape",
                      .help = "Page on its side",
-                     .take = set_to(s.page.orientation, Orientation::landscape)});
+                     .take = set_to(s.map.page.orientation, Orientation::landscape)});
   options.push_back(with_number({.group = kGroup,
                                  .name = "--margin",
                                  .value = "MM",
                                  .help = "Empty paper on each side",
-                                 .by_default = fmt::format("{}", s.page.margin_mm)},
+                                 .by_default = fmt::format("{}", s.map.page.margin_mm)},
                                 {.unit = "mm", .low = 0},
-                                [&s](double mm) { s.page.margin_mm = mm; }));
+                                [&s](double mm) { s.map.page.margin_mm = mm; }));
   options.push_back(with_number({.group = kGroup,
                                  .name = "--pen-width",
                                  .value = "MM",
                                  .help = "Width of the pen that draws the profiles",
-                                 .by_default = fmt::format("{}", s.pen_width_mm)},
+                                 .by_default = fmt::format("{}", s.map.style.pen_width_mm)},
                                 {.unit = "mm", .low = 0.01, .high = 10},
-                                [&s](double mm) { s.pen_width_mm = mm; }));
+                                [&s](double mm) { s.map.style.pen_width_mm = mm; }));
   options.push_back({.group = kGroup,
                      .name = "--title",
                      .value = "TEXT",
                      .help = "Title in the file's metadata",
                      .by_default = "INPUT's file name",
                      .take = [&s](const std::string& text) {
-                       s.title = text;
+                       s.map.title = text;
                        return true;
                      }});
 }

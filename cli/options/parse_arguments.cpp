@@ -3,8 +3,8 @@
 #include "cli/options/parse_arguments.hpp"
 
 #include "cli/options/option_values.hpp"
-#include "geometry/edit_distance.hpp"
 #include "geometry/error.hpp"
+#include "text/words.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

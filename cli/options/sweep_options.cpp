@@ -225,13 +225,16 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
   if (given.contains("--eye-step") && settings.eye_path.empty())
     throw UsageError("--eye-step has no meaning without a path", "give --eye-path FILE too");
   if (!settings.eye_path.empty()) {
-    if (render.projection != Projection::perspective)
+    if (render.map.view.projection != Projection::perspective)
       throw UsageError("--eye-path has no meaning in a parallel view",
                        "give --azimuth and --elevation, or use --projection perspective");
     RenderSettings on_path = render; // somewhere on it
-    on_path.eye_map = GivenPlace(0, 0);
-    if (!on_path.look_azimuth && given.contains("--pitch")) on_path.look_azimuth = Angle();
+    on_path.map.view.eye_map = GivenPlace(0, 0);
+    if (!on_path.map.view.look_azimuth && given.contains("--pitch"))
+      on_path.map.view.look_azimuth = Angle();
     check_picture_settings(on_path, given);
+    render.map.style.layers = on_path.map.style.layers;
+    render.map.ground_points = on_path.map.ground_points;
     render.scene_file = on_path.scene_file;
     render.solids = on_path.solids;
   } else {
@@ -240,7 +243,7 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
   if (settings.views_file.empty()) return;
   settings.views = read_view_list(settings.views_file);
   for (const NamedView& view : settings.views)
-    if (render.curvature == Curvature::on && view.view.cuts())
+    if (render.map.view.curvature == Curvature::on && view.view.cuts())
       throw UsageError("--curvature on bends the terrain away from a view's front and back plane",
                        "leave it out, or leave the planes out of " + settings.views_file);
 }

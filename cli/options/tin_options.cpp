@@ -41,6 +41,7 @@ void add_tin_options(std::vector<Option>& options, TinSettings& settings) {
                      .name = "--overwrite",
                      .help = "Replace an existing file",
                      .take = set_to(settings.overwrite, true)});
+  options.push_back(jobs_option(settings.jobs));
   options.push_back(quiet_option(settings.quiet));
   options.push_back(help_option());
 }

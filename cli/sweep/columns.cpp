@@ -57,7 +57,7 @@ Column column_of(Parameter parameter) {
 
 // What a parameter was where it isn't varied.
 Cell of_report(Parameter parameter, const RunReport& report) {
-  const ViewReport& view = report.view;
+  const ViewFacts& view = report.view;
   switch (parameter) {
   case Parameter::view:
   case Parameter::eye:
@@ -94,11 +94,11 @@ bool is_shown(Parameter parameter, const std::vector<Axis>& axes) {
 
 Columns::Columns(const SweepSettings& settings, const ViewList& views)
     : settings_(settings), views_(views) {
-  const auto add = [&](Column column, std::function<Cell(const ViewFacts&)> of) {
+  const auto add = [&](Column column, std::function<Cell(const DrawnView&)> of) {
     measured_.push_back({std::move(column), std::move(of)});
   };
   const auto eye = [](double Vec3::*coordinate) {
-    return [coordinate](const ViewFacts& f) {
+    return [coordinate](const DrawnView& f) {
       const auto& place = f.report.view.eye;
       return place ? cell((*place).*coordinate) : Cell();
     };
@@ -107,46 +107,45 @@ Columns::Columns(const SweepSettings& settings, const ViewList& views)
   add({"eye_y", "", "the eye's place, in the terrain's CRS"}, eye(&Vec3::y));
   add({"eye_z", "", "the eye's height, in the unit of the terrain's heights"}, eye(&Vec3::z));
   add({"eye_height_m", "m", "the eye above the ground, where there is ground"},
-      [](const ViewFacts& f) { return cell(f.report.view.eye_height_m); });
+      [](const DrawnView& f) { return cell(f.report.view.eye_height_m); });
   const auto count = [&](const std::string& name, const std::string& about,
-                         std::uint64_t CountsReport::*of) {
-    add({name, "", about}, [of](const ViewFacts& f) { return cell(f.report.counts.*of); });
+                         std::uint64_t Counts::*of) {
+    add({name, "", about}, [of](const DrawnView& f) { return cell(f.report.counts.*of); });
   };
-  count("cut_vertices", "vertices of all profiles", &CountsReport::cut_vertices);
-  count("segments", "projected pieces of profiles", &CountsReport::segments);
+  count("cut_vertices", "vertices of all profiles", &Counts::cut_vertices);
+  count("segments", "projected pieces of profiles", &Counts::segments);
   count("horizon_pieces_made", "before pieces of one source were joined, over all profiles",
-        &CountsReport::pieces_before_collapse);
-  count("horizon_pieces_kept", "after that, over all profiles",
-        &CountsReport::pieces_after_collapse);
-  count("horizon_largest", "pieces of the largest horizon", &CountsReport::largest_horizon);
-  count("ties", "pieces that lie along the horizon", &CountsReport::ties);
-  count("strokes", "lines of the drawing", &CountsReport::strokes);
-  count("points", "of these lines", &CountsReport::points);
+        &Counts::pieces_before_collapse);
+  count("horizon_pieces_kept", "after that, over all profiles", &Counts::pieces_after_collapse);
+  count("horizon_largest", "pieces of the largest horizon", &Counts::largest_horizon);
+  count("ties", "pieces that lie along the horizon", &Counts::ties);
+  count("strokes", "lines of the drawing", &Counts::strokes);
+  count("points", "of these lines", &Counts::points);
   add({"visible_mm", "mm", "visible length of the profiles on the page, before simplification"},
-      [](const ViewFacts& f) { return cell(f.ground.visible_mm()); });
+      [](const DrawnView& f) { return cell(f.ground.visible_mm()); });
   add({"visible_share", "", "of the ground that profiles cut, what the picture shows"},
-      [](const ViewFacts& f) { return cell(f.ground.visible_share()); });
+      [](const DrawnView& f) { return cell(f.ground.visible_share()); });
   add({"pen_down_mm", "mm", "length of all lines"},
-      [](const ViewFacts& f) { return cell(f.report.drawing.pen_down_mm); });
+      [](const DrawnView& f) { return cell(f.report.pen_down_mm); });
   add({"pen_up_mm", "mm", "between lines"},
-      [](const ViewFacts& f) { return cell(f.report.drawing.pen_up_mm); });
-  if (settings.render.check > 0) {
+      [](const DrawnView& f) { return cell(f.report.pen_up_mm); });
+  if (settings.render.map.check > 0) {
     const auto checked = [&](const std::string& name, const std::string& about,
-                             std::uint64_t CheckReport::*of) {
-      add({name, "", about}, [of](const ViewFacts& f) {
+                             std::uint64_t CheckCounts::*of) {
+      add({name, "", about}, [of](const DrawnView& f) {
         return f.report.check ? cell((*f.report.check).*of) : Cell();
       });
     };
-    checked("check_asked", "points asked of the ray walk", &CheckReport::asked);
-    checked("check_ties", "of these, not judged", &CheckReport::ties);
-    checked("check_hidden", "of these, drawn but hidden", &CheckReport::hidden);
-    checked("check_missing", "of these, visible but not drawn", &CheckReport::missing);
+    checked("check_asked", "points asked of the ray walk", &CheckCounts::asked);
+    checked("check_ties", "of these, not judged", &CheckCounts::ties);
+    checked("check_hidden", "of these, drawn but hidden", &CheckCounts::hidden);
+    checked("check_missing", "of these, visible but not drawn", &CheckCounts::missing);
   }
   add({"error_bound_mm", "mm", "the farthest that a line may be from its place on paper"},
-      [](const ViewFacts& f) { return cell(f.report.error_budget.total_mm()); });
+      [](const DrawnView& f) { return cell(f.report.error_budget.total_mm()); });
   if (settings.seconds)
     add({"seconds", "s", "to place, draw and write the view"},
-        [](const ViewFacts& f) { return cell(f.seconds); });
+        [](const DrawnView& f) { return cell(f.seconds); });
 }
 
 std::vector<Column> Columns::columns() const {
@@ -158,7 +157,7 @@ std::vector<Column> Columns::columns() const {
 }
 
 std::vector<Cell> Columns::row(std::size_t number, const std::string& file,
-                               const std::string& error, const ViewFacts* facts) const {
+                               const std::string& error, const DrawnView* facts) const {
   std::vector<Cell> row{static_cast<std::int64_t>(number), views_.name(number), file,
                         error.empty() ? Cell() : Cell(error)};
   const std::vector<Axis>& axes = views_.axes();

@@ -2,7 +2,7 @@
 // What a sweep's tables tell of a view.
 #pragma once
 
-#include "cli/report.hpp"
+#include "cli/report/run_report.hpp"
 #include "cli/sweep/ground_meter.hpp"
 #include "cli/sweep/view_list.hpp"
 
@@ -27,7 +27,7 @@ struct Column {
 enum LeadingColumn : std::size_t { kViewColumn, kNameColumn, kFileColumn, kErrorColumn };
 
 /// A drawn view.
-struct ViewFacts {
+struct DrawnView {
   const RunReport& report;
   const GroundMeter& ground;
   double seconds;
@@ -41,12 +41,12 @@ public:
   std::vector<Column> columns() const;
   /// A row of view `number`; what was measured is left out of one that failed, which has no facts.
   std::vector<Cell> row(std::size_t number, const std::string& file, const std::string& error,
-                        const ViewFacts* facts) const;
+                        const DrawnView* facts) const;
 
 private:
   struct Measured {
     Column column;
-    std::function<Cell(const ViewFacts&)> of;
+    std::function<Cell(const DrawnView&)> of;
   };
   const SweepSettings& settings_;
   const ViewList& views_;

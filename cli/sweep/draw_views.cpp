@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/draw_views.hpp"
 
-#include "cli/describe_run.hpp"
-#include "cli/draw_scene.hpp"
-#include "cli/scene.hpp"
+#include "cli/render.hpp"
+#include "cli/report/run_report.hpp"
 #include "cli/sweep/preview.hpp"
 #include "cli/sweep/record.hpp"
-#include "cli/terrain_of_view.hpp"
 #include "geometry/error.hpp"
 
 #include <tbb/global_control.h>
@@ -18,6 +16,11 @@
 #include <memory>
 #include <mutex>
 #include <new>
+
+#include "map/describe_map.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
 
 namespace orograph {
 namespace {
@@ -57,29 +60,25 @@ void draw_view(const SweepRun& run, std::size_t view) {
   settings.output = (std::filesystem::path(run.settings.out_dir) / file).string();
   settings.write.overwrite = true; // a drawing without a row: the sweep ended between the two
   try {
-    RunReport report;
-    const auto of_view =
-        drawn_or_why([&] { return std::make_unique<TerrainOfView>(run.terrain, settings); });
-    const Terrain& terrain = **of_view;
-    const Scene scene = drawn_or_why([&] {
-      const Terrain* const uncut = &of_view->uncut();
-      return run.facts && &terrain == &run.terrain
-                 ? place_scene(terrain, *run.facts, settings, uncut)
-                 : place_scene(terrain, settings, uncut);
+    const auto terrain = drawn_or_why(
+        [&] { return std::make_unique<TerrainOfView>(run.terrain, settings.map.view); });
+    const PlacedView placed = drawn_or_why([&] {
+      return placed_view(*terrain, settings.map, settings.solids.get(),
+                         run.facts ? &*run.facts : nullptr);
     });
-    GroundMeter ground(scene);
-    DrawnScene drawn = drawn_or_why([&] {
-      DrawnScene out = draw_scene(terrain, scene, settings, [](double) {}, {.observer = &ground});
+    GroundMeter ground(placed);
+    Map map = drawn_or_why([&] {
+      Map out = draw_map(**terrain, placed, settings.map, [](double) {}, {.observers = {&ground}});
       check_not_empty(out, settings);
       return out;
     });
-    entitle(drawn.drawing, terrain, scene, settings);
-    write_drawing(drawn.drawing, settings.output, settings.write);
-    describe_run(report, terrain, scene, drawn, settings);
+    write_drawing(map.drawing, settings.output, settings.write);
+    describe_map(map, **terrain, placed, settings.map);
+    const RunReport report = run_report(map, settings);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    const ViewFacts facts{report, ground, seconds};
+    const DrawnView facts{report, ground, seconds};
     write_record(run.settings.out_dir, run.plan, view, run.columns.row(view, file, "", &facts),
-                 preview_of(drawn.drawing));
+                 preview_of(map.drawing));
   } catch (const Undrawn& undrawn) {
     write_failure(run, view, undrawn.why);
   }

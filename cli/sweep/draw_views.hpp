@@ -2,7 +2,6 @@
 // Views from a queue to drawings and rows.
 #pragma once
 
-#include "cli/scene.hpp"
 #include "cli/sweep/columns.hpp"
 #include "cli/sweep/plan.hpp"
 #include "cli/sweep/view_queue.hpp"
@@ -11,12 +10,14 @@
 #include <functional>
 #include <optional>
 
+#include "placing/placed_view.hpp"
+
 namespace orograph {
 
 /// What all views share.
 struct SweepRun {
   const SweepSettings& settings;
-  const Terrain& terrain;
+  const TerrainData& terrain;
   const ViewList& views;
   const Columns& columns;
   const Plan& plan;

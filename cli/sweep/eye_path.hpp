@@ -2,13 +2,14 @@
 // Eyes along a line in a vector file.
 #pragma once
 
-#include "cli/given_place.hpp"
 #include "dem/terrain.hpp"
 #include "geometry/angle.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "placing/map_spec.hpp"
 
 namespace orograph {
 

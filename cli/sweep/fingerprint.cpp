@@ -81,7 +81,10 @@ void add(Mixer& mixer, const ScenePlace& place) {
 void add(Mixer& mixer, const SolidInstance& instance) {
   const std::uint64_t numbers[] = {instance.place, instance.solid};
   mixer.add(numbers, sizeof numbers);
-  mixer.add(instance.to_place.data(), sizeof(double) * 16);
+  const auto& [x, y, z, origin] = instance.to_place;
+  const double matrix[] = {x.x, x.y, x.z, 0, y.x,      y.y,      y.z,      0,
+                           z.x, z.y, z.z, 0, origin.x, origin.y, origin.z, 1};
+  mixer.add(matrix, sizeof matrix);
 }
 
 std::string text_of(const Mixer& mixer) {
@@ -90,7 +93,7 @@ std::string text_of(const Mixer& mixer) {
 
 } // namespace
 
-std::string fingerprint(const Terrain& terrain) {
+std::string fingerprint(const TerrainData& terrain) {
   Mixer mixer;
   std::visit([&](const auto& surface) { add(mixer, surface); }, terrain.surface);
   mixer.add_all(terrain.map.crs_wkt);

@@ -12,7 +12,7 @@ namespace orograph {
 /// Sixteen hexadecimal digits from the vertices' places and heights, bit for bit, and the CRS;
 /// where the files are and what they are called takes no part. For telling mistakes, not for
 /// security. Cost: one pass, at the speed of memory.
-std::string fingerprint(const Terrain& terrain);
+std::string fingerprint(const TerrainData& terrain);
 
 /// The same of a scene's solids, places and instances, whatever its parts are called.
 std::string fingerprint(const SceneFile& scene);

@@ -4,8 +4,8 @@
 #include "cli/sweep/record.hpp"
 #include "cli/sweep/tables.hpp"
 #include "cli/write_text.hpp"
-#include "draw/byte_sink.hpp"
 #include "geometry/error.hpp"
+#include "write/byte_sink.hpp"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/ground_meter.hpp"
 
-#include "cli/line_on_page.hpp"
-#include "geometry/plain_length.hpp"
-#include "profiles/project_profile.hpp"
+#include "geometry/vec.hpp"
+#include "profiles/profile.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "map/line_on_page.hpp"
 
 namespace orograph {
 namespace {
@@ -56,8 +57,8 @@ double GroundMeter::width_m(const Sector& sector, double depth_m) const {
   return std::max(to - from, 0.0);
 }
 
-void GroundMeter::see(const Sector& sector, const Profile& profile,
-                      const std::vector<Segment>& segments, const std::vector<Piece>& visible) {
+void GroundMeter::see(const SeenProfile& seen) {
+  const auto& [sector, clipped, profile, segments, visible] = seen;
   double ground_m = 0;
   for (std::size_t i = 0; i + 1 < profile.size(); ++i)
     if (profile.after[i] != Span::gap) ground_m += profile.u_m[i + 1] - profile.u_m[i];

@@ -2,10 +2,10 @@
 // How much of the ground a picture shows.
 #pragma once
 
-#include "cli/instruments.hpp"
-#include "cli/scene.hpp"
-
 #include <optional>
+
+#include "hidden_lines/instruments.hpp"
+#include "placing/placed_view.hpp"
 
 namespace orograph {
 
@@ -13,12 +13,11 @@ namespace orograph {
 /// is outside of the frame isn't shown.
 class GroundMeter : public LineObserver {
 public:
-  /// REQUIRES that the scene outlives the meter.
-  explicit GroundMeter(const Scene& scene) : scene_(scene) {}
+  /// REQUIRES that the placed view outlives the meter.
+  explicit GroundMeter(const PlacedView& scene) : scene_(scene) {}
 
-  void see(const Sector& sector, const Profile& profile, const std::vector<Segment>& segments,
-           const std::vector<Piece>& visible) override;
-  void see(const Sector&, const LineSweep&, const std::vector<LinePart>&) override {}
+  void see(const SeenProfile& profile) override;
+  void see(const SeenLines&) override {}
 
   /// Length on the page of what is visible of the profiles, before any of it is simplified.
   double visible_mm() const { return visible_mm_; }
@@ -30,7 +29,7 @@ public:
 private:
   double width_m(const Sector& sector, double depth_m) const;
 
-  const Scene& scene_;
+  const PlacedView& scene_;
   double visible_mm_ = 0, ground_m2_ = 0, visible_m2_ = 0;
 };
 

@@ -3,11 +3,12 @@
 #pragma once
 
 #include "cli/sweep/parameter.hpp"
-#include "cli/view_file.hpp"
 
 #include <cstddef>
 #include <string>
 #include <vector>
+
+#include "placing/view_file.hpp"
 
 namespace orograph {
 

@@ -80,28 +80,28 @@ void set_parameter(RenderSettings& settings, Parameter parameter, double value) 
   case Parameter::eye:
     return;
   case Parameter::azimuth:
-    settings.from_azimuth = Angle::degrees(value);
+    settings.map.view.from_azimuth = Angle::degrees(value);
     return;
   case Parameter::elevation:
-    settings.from_elevation = Angle::degrees(value);
+    settings.map.view.from_elevation = Angle::degrees(value);
     return;
   case Parameter::look_azimuth:
-    settings.look_azimuth = Angle::degrees(value);
+    settings.map.view.look_azimuth = Angle::degrees(value);
     return;
   case Parameter::pitch:
-    settings.pitch = Angle::degrees(value);
+    settings.map.view.pitch = Angle::degrees(value);
     return;
   case Parameter::distance:
-    settings.distance_m = value;
+    settings.map.view.distance_m = value;
     return;
   case Parameter::fov:
-    settings.field_of_view = Angle::degrees(value);
+    settings.map.view.field_of_view = Angle::degrees(value);
     return;
   case Parameter::exaggeration:
-    settings.exaggeration = value;
+    settings.map.view.exaggeration = value;
     return;
   case Parameter::profiles:
-    settings.plan = ProfileCount{static_cast<int>(value)};
+    settings.map.style.plan = ProfileCount{static_cast<int>(value)};
     return;
   }
 }

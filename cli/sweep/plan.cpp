@@ -4,8 +4,9 @@
 #include "cli/sweep/fingerprint.hpp"
 #include "cli/sweep/whole_file.hpp"
 #include "cli/version.hpp"
-#include "draw/write_drawing.hpp"
+#include "dem/read/asked_window.hpp"
 #include "geometry/error.hpp"
+#include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,7 +31,7 @@ Json json_of(const SceneFile& scene) {
 }
 
 Json json_of(const SweepSettings& settings, const ViewList& views, const Columns& columns,
-             const Terrain& terrain, const std::string& title) {
+             const TerrainData& terrain, const std::string& title) {
   Json json{
       {"schema", 1},
       {"program", {{"name", "orograph"}, {"version", kVersion}}},
@@ -123,9 +124,9 @@ void check_options(const Json& old_options, const Json& options, const std::stri
 } // namespace
 
 Plan make_plan(const SweepSettings& settings, const ViewList& views, const Columns& columns,
-               const Terrain& terrain) {
-  const std::string title = !settings.render.title.empty()
-                                ? settings.render.title
+               const TerrainData& terrain) {
+  const std::string title = !settings.render.map.title.empty()
+                                ? settings.render.map.title
                                 : std::filesystem::path(terrain.source).filename().string();
   // Names may be in any encoding; JSON is UTF-8.
   const std::string text = json_of(settings, views, columns, terrain, title)

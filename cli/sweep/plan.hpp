@@ -33,7 +33,7 @@ struct Plan {
 
 /// The same for the same sweep of the same heights, wherever the files are.
 Plan make_plan(const SweepSettings& settings, const ViewList& views, const Columns& columns,
-               const Terrain& terrain);
+               const TerrainData& terrain);
 
 /// In OUT_DIR.
 std::string plan_path(const std::string& out_dir);

@@ -2,7 +2,7 @@
 #include "cli/sweep/preview.hpp"
 
 #include "draw/simplify.hpp"
-#include "geometry/plain_length.hpp"
+#include "geometry/vec.hpp"
 
 #include <algorithm>
 #include <array>

@@ -91,13 +91,14 @@ RenderSettings ViewList::settings(std::size_t number) const {
     const Parameter parameter = axes_[axis].parameter;
     const auto index = static_cast<std::size_t>(at[axis]);
     if (parameter == Parameter::view) {
-      settings.view = sweep_.views[index].view;
-      settings.view_file = sweep_.views_file;
+      settings.map.view.file = sweep_.views[index].view;
+      settings.map.view.file_name = sweep_.views_file;
     } else if (parameter == Parameter::eye) {
-      settings.eye_map = eyes_[index].place;
-      if (settings.eye_height_m) settings.eye_map->z.reset();
-      const bool looks = settings.look_at_map || settings.look_at_lonlat || settings.look_azimuth;
-      if (!looks) settings.look_azimuth = eyes_[index].look;
+      settings.map.view.eye_map = eyes_[index].place;
+      if (settings.map.view.eye_height_m) settings.map.view.eye_map->z.reset();
+      const bool looks = settings.map.view.look_at_map || settings.map.view.look_at_lonlat ||
+                         settings.map.view.look_azimuth;
+      if (!looks) settings.map.view.look_azimuth = eyes_[index].look;
     } else {
       set_parameter(settings, parameter, at[axis]);
     }

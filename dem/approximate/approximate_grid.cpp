@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/approximate/approximate_grid.hpp"
 
-#include "dem/approximate/grid_ground.hpp"
-#include "dem/approximate/lattice_edge.hpp"
-#include "dem/approximate/lattice_insertion_order.hpp"
-#include "dem/approximate/lattice_plane.hpp"
-#include "dem/approximate/lattice_tin.hpp"
+#include "dem/approximate/lattice_triangle.hpp"
 #include "dem/approximate/lattice_triangulation.hpp"
-#include "dem/approximate/surface_distance.hpp"
 #include "geometry/error.hpp"
 
 #include <algorithm>
@@ -21,6 +16,57 @@
 
 namespace orograph {
 namespace {
+
+struct GridOutline {
+  std::size_t triangles = 0; ///< of the whole grid
+  // Vertices where a triangle that is there meets one that isn't: row-major. Where the outline is
+  // the grid's own end, only those at which it leaves that.
+  std::vector<LatticePoint> vertices;
+};
+
+// As many triangles as a vertex would have around it in a grid without gaps.
+int triangles_possible(const Grid& grid, int column, int row) {
+  const int west = column > 0, east = column + 1 < grid.columns;
+  const int north = row > 0, south = row + 1 < grid.rows;
+  return north * (2 * west + east) + south * (west + 2 * east);
+}
+
+GridOutline outline_of(const Grid& grid) {
+  GridOutline outline;
+  std::visit(
+      [&](const auto& heights) {
+        CellRow north(grid.columns), south(grid.columns);
+        for (int row = 0; row < grid.rows; ++row) {
+          find_triangles(grid, heights, row, south);
+          for (int column = 0; column < grid.columns; ++column) {
+            const auto c = static_cast<std::size_t>(column);
+            outline.triangles += south.lower[c] + south.upper[c];
+            const int around = triangles_around(c, north, south);
+            if (around > 0 && around < triangles_possible(grid, column, row))
+              outline.vertices.push_back({column, row});
+          }
+          std::swap(north, south);
+        }
+      },
+      grid.heights_m);
+  return outline;
+}
+
+// Whether there is ground next to corner `a` in a, b, c (twice_area > 0): in all of the triangle,
+// where no edge of the outline crosses it. REQUIRES a triangle within the grid.
+bool has_ground(const Grid& grid, LatticePoint a, LatticePoint b, LatticePoint c) {
+  // The grid's triangles around a vertex lie between each two of these directions.
+  constexpr std::array<LatticePoint, 7> around{
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, 0}}};
+  const LatticePoint inward{(b.column - a.column) + (c.column - a.column),
+                            (b.row - a.row) + (c.row - a.row)};
+  const auto there = [&](LatticePoint step) {
+    return !std::isnan(grid.height_m(a.column + step.column, a.row + step.row));
+  };
+  std::size_t i = 0;
+  while (twice_area({}, around[i], inward) < 0 || twice_area({}, inward, around[i + 1]) < 0) ++i;
+  return there({}) && there(around[i]) && there(around[i + 1]);
+}
 
 // The corners of the grid's rectangle, missing ones too, and the outline of its ground. Every edge
 // of the outline is then an edge of the triangulation (lattice_triangulation.hpp, 2), so that each

@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Delaunay triangulation of some of a grid's vertices, by their columns and rows.
+// A Delaunay triangulation of some of a grid's vertices, by their columns and rows; the Tin that it
+// makes on the ground, and how far that is from the grid.
 #pragma once
+
+#include "dem/approximate/lattice_triangle.hpp"
+#include "dem/grid.hpp"
+#include "dem/tin.hpp"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
 namespace orograph {
-
-/// A vertex of a grid.
-struct LatticePoint {
-  int column = 0, row = 0;
-  bool operator==(const LatticePoint&) const = default;
-};
-
-/// Twice the area of a, b, c as if cells were squares of side 1, x the column and y the row;
-/// positive where they run counterclockwise with y up. REQUIRES columns and rows below 2^30.
-inline std::int64_t twice_area(LatticePoint a, LatticePoint b, LatticePoint c) {
-  const std::int64_t bx = b.column - a.column, by = b.row - a.row;
-  const std::int64_t cx = c.column - a.column, cy = c.row - a.row;
-  return bx * cy - by * cx;
-}
 
 /// Triangles over the whole rectangle of a grid, in exact whole numbers, as if cells were squares
 /// in which the diagonal from (column, row) to (column + 1, row + 1) is shorter than the other one
@@ -65,5 +56,35 @@ private:
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> changed_, to_check_;
 };
+
+/// Rounds, each of about twice as many vertices as the one before and drawn as if by lot, and
+/// within a round near ones after each other (biased randomized insertion order: Amenta, Choi and
+/// Rote 2003). The same order on every machine.
+std::vector<LatticePoint> insertion_order(const std::vector<LatticePoint>& points);
+
+/// A Tin of some of a grid's vertices.
+struct LatticeTin {
+  Tin tin;
+  std::vector<LatticePoint> at; ///< where its vertices are in the grid
+};
+
+/// The triangles for which `wanted` isn't 0, with the grid's positions and heights. Vertices in
+/// row-major order; each triangle begins with its vertex of lowest index, and triangles are in the
+/// order of their vertices, however the triangulation came about.
+LatticeTin lattice_tin(const Grid& grid, const LatticeTriangulation& triangulation,
+                       const std::vector<unsigned char>& wanted);
+
+/// Greatest vertical distance at the grid's vertices: each triangle against all those that it
+/// covers, its edges included. `at` tells where the Tin's vertices are in the grid. REQUIRES a Tin
+/// over the grid's ground only.
+double greatest_distance_at_vertices_m(const Grid& grid, const Tin& tin,
+                                       const std::vector<LatticePoint>& at);
+
+/// Greatest vertical distance where edges of the Tin cross edges of the grid (column lines, row
+/// lines and diagonals) between their ends. With the one at vertices it bounds the distance
+/// anywhere: both surfaces are flat on each piece of ground that is left between all those edges,
+/// so that their distance is greatest at a corner of one. Cost as many edges as cross.
+double greatest_distance_at_crossings_m(const Grid& grid, const Tin& tin,
+                                        const std::vector<LatticePoint>& at);
 
 } // namespace orograph

@@ -2,10 +2,7 @@
 // One pass over the rows of cells: neighbours are known from the row before and the cell before.
 #include "dem/approximate/tin_of_grid.hpp"
 
-#include "dem/approximate/grid_cells.hpp"
-
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace orograph {

@@ -3,9 +3,9 @@
 // become a Tin that are needed; then that is cut at plane after plane.
 #include "dem/mesh/keep_within.hpp"
 
-#include "dem/approximate/grid_cells.hpp"
 #include "dem/approximate/tin_of_grid.hpp"
 #include "dem/mesh/cut_at_plane.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -31,6 +31,7 @@ public:
 
   // Takes away triangles that have all vertices beyond one plane.
   void leave_out(int row, CellRow& cells) {
+    throw_if_stopped();
     find(row, north_, north_row_);
     find(row + 1, south_, south_row_);
     for (std::size_t c = 0; c + 1 < north_.size(); ++c) {
@@ -71,7 +72,10 @@ private:
 Tin leave_out_beyond(const Tin& tin, std::span<const HalfSpace> spaces) {
   std::vector<Beyond> beyond;
   beyond.reserve(tin.vertices_m.size());
-  for (const Vec3& vertex : tin.vertices_m) beyond.push_back(find_beyond(spaces, vertex));
+  for (const Vec3& vertex : tin.vertices_m) {
+    throw_if_stopped(beyond.size());
+    beyond.push_back(find_beyond(spaces, vertex));
+  }
   Tin left;
   std::vector<std::uint32_t> number(tin.triangles.size(), kNoTriangle),
       vertex_number(tin.vertices_m.size(), kNoTriangle);

@@ -3,8 +3,6 @@
 // higher one (few sides a vertex). Sides of one edge are neighbours then.
 #include "dem/mesh/neighbours.hpp"
 
-#include "dem/tin.hpp"
-
 #include <algorithm>
 #include <utility>
 
@@ -71,6 +69,14 @@ Neighbours find_neighbours(std::span<const std::array<std::uint32_t, 3>> triangl
     }
   }
   return neighbours;
+}
+
+bool run_alike(const Tin& tin, std::uint32_t a, std::uint32_t side, std::uint32_t b) {
+  const auto [from, to] = ends_of(tin.triangles[a], side);
+  const auto& other = tin.triangles[b];
+  for (std::uint32_t k = 0; k < 3; ++k)
+    if (ends_of(other, k) == std::array{from, to}) return true;
+  return false;
 }
 
 } // namespace orograph

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which triangles lie side by side.
+// Which triangles lie side by side, and along which edges.
 #pragma once
+
+#include "dem/tin.hpp"
 
 #include <array>
 #include <cstdint>
@@ -33,5 +35,17 @@ inline std::array<std::uint32_t, 2> ends_of(const std::array<std::uint32_t, 3>& 
                                             std::uint32_t side) {
   return {triangle[(side + 1) % 3], triangle[(side + 2) % 3]};
 }
+
+using PlanEdge = std::array<std::uint32_t, 2>; ///< two vertices, the lower one first
+
+/// The edge of a triangle that is opposite to its vertex `side`.
+inline PlanEdge edge_of(const std::array<std::uint32_t, 3>& triangle, std::uint32_t side) {
+  const auto [a, b] = ends_of(triangle, side);
+  return a < b ? PlanEdge{a, b} : PlanEdge{b, a};
+}
+
+/// The two run the same way along the edge opposite to vertex `side` of a. REQUIRES that they are
+/// neighbours there.
+bool run_alike(const Tin& tin, std::uint32_t a, std::uint32_t side, std::uint32_t b);
 
 } // namespace orograph

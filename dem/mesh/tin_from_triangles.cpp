@@ -1,22 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/mesh/tin_from_triangles.hpp"
 
-#include "dem/mesh/edges_fit.hpp"
-#include "dem/mesh/merge_points.hpp"
-#include "dem/mesh/orientation.hpp"
 #include "dem/mesh/overlap.hpp"
 #include "dem/mesh/upper_surface.hpp"
-#include "dem/mesh/wall_directions.hpp"
+#include "dem/mesh/verify_tin.hpp"
+#include "dem/mesh/walls.hpp"
+#include "dem/triangulate/orientation.hpp"
 #include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
+#include "geometry/vec.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 namespace orograph {
 namespace {
+
+// Points that are given more than once are found by a hash table with open addresses: a soup of
+// millions of points is merged in the time that it takes to go to memory for each.
+
+constexpr std::uint32_t none = 0xffffffff;
+
+// Multiplication by an odd number carries low bits upwards; the shift brings them back.
+std::uint64_t mixed(std::uint64_t bits) {
+  bits *= 0x9e3779b97f4a7c15; // 2^64 / golden ratio (Knuth, volume 3, section 6.4)
+  return bits ^ (bits >> 32U);
+}
+
+std::uint64_t hash(const Vec3& p) {
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); }; // -0: 0
+  return mixed(mixed(mixed(bits(p.x)) ^ bits(p.y)) ^ bits(p.z));
+}
+
+// For each point the number of the first one that is equal to it in all coordinates: its own
+// unless an earlier one is. 0 and -0 are equal. REQUIRES finite coordinates. Cost O(n).
+std::vector<std::uint32_t> first_equal(std::span<const Vec3> points) {
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * points.size() + 1), none);
+  std::vector<std::uint32_t> first(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    throw_if_stopped(i);
+    std::size_t place = hash(points[i]) & (table.size() - 1);
+    while (table[place] != none && points[table[place]] != points[i])
+      place = (place + 1) & (table.size() - 1);
+    if (table[place] == none) table[place] = i;
+    first[i] = table[place];
+  }
+  return first;
+}
 
 void require_finite(const TriangleSoup& soup, const std::string& source) {
   for (std::size_t i = 0; i < soup.points_m.size(); ++i) {
@@ -45,6 +81,7 @@ Prepared prepare(const TriangleSoup& soup) {
   std::size_t no_area = 0, turned = 0;
   prepared.tin.vertices_m = soup.points_m;
   for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
+    throw_if_stopped(t);
     std::array<std::uint32_t, 3> triangle = soup.triangles[t];
     for (std::uint32_t& v : triangle) v = first[v];
     const Vec3 &a = soup.points_m[triangle[0]], &b = soup.points_m[triangle[1]],

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/mesh/upper_surface.hpp"
 
-#include "dem/mesh/common_ground.hpp"
-#include "dem/mesh/cut_to_upper.hpp"
-#include "dem/mesh/neighbours.hpp"
-#include "dem/mesh/overlap.hpp"
-#include "dem/mesh/standing_walls.hpp"
+#include "dem/mesh/walls.hpp"
 
 #include <algorithm>
 #include <cmath>

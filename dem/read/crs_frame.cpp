@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/crs_frame.hpp"
 
-#include "dem/frame/ellipsoid.hpp"
+#include "dem/frame/local_frame.hpp"
+#include "dem/read/gdal.hpp"
 #include "geometry/angle.hpp"
 #include "geometry/error.hpp"
 
@@ -92,6 +93,7 @@ void ReleaseCrs::operator()(OGRSpatialReference* crs) const {
 }
 
 Crs crs_from_text(const std::string& text) {
+  const GdalMessages unheard;
   Crs crs(new OGRSpatialReference);
   // Never from a file or an address that the text might name.
   const char* const options[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
@@ -147,6 +149,7 @@ bool same_place(const std::string& wkt, const std::string& other_wkt) {
   if (wkt == other_wkt) return true;
   const Crs one = crs_from_text(wkt), other = crs_from_text(other_wkt);
   if (!one || !other) return false;
+  const GdalMessages unheard;
   one->StripVertical();
   other->StripVertical();
   // Files hold their coordinates in the same order, whatever order the CRS has for its axes.
@@ -164,6 +167,7 @@ std::optional<double> whole_turn(const std::string& wkt) {
 }
 
 void set_centre(MapFrame& map, Vec2 centre) {
+  const GdalMessages unheard;
   const Crs crs = map.crs_wkt.empty() ? nullptr : crs_from_text(map.crs_wkt);
   if (crs) map.radii = radii_at(*crs, centre);
   if (!map.earth) return;

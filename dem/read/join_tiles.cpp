@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/join_tiles.hpp"
 
-#include "dem/read/in_brief.hpp"
-#include "dem/read/tile_errors.hpp"
-#include "dem/read/whole_turns.hpp"
+#include "dem/read/asked_window.hpp"
+#include "dem/read/read_options.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
@@ -11,12 +10,83 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 
 namespace orograph {
 namespace {
+
+std::string cells_in_words(const RasterLattice& lattice) {
+  return fmt::format("{:.10g} x {:.10g}", length(lattice.pixel_step), length(lattice.line_step));
+}
+
+// A file's name with "_joined" before its extension, beside nothing: where the user works.
+std::string name_of_copy(const std::string& path) {
+  return std::filesystem::path(path).stem().string() + "_joined.tif";
+}
+
+// The command that resamples the tile to the base's lattice: to those of its cells whose centres
+// are in the tile's cells, so that none at the tile's border are left without a height.
+std::string warp_to(const Tile& base, const Tile& tile) {
+  const RasterLattice &b = base.lattice, &t = tile.lattice;
+  const bool upright = b.pixel_step.y == 0 && b.line_step.x == 0;
+  if (!upright)
+    return fmt::format("make one raster of them: gdalwarp -r cubic {} {} joined.tif", base.path,
+                       tile.path);
+  Box2 cells; // of the tile, counted in the base's vertices
+  for (const double pixel : {-0.5, t.pixels - 0.5})
+    for (const double line : {-0.5, t.lines - 0.5})
+      cells.include(b.index_of(t.position(pixel, line)));
+  const double slack = 1e-6;
+  const Vec2 north_west =
+      b.position(std::ceil(cells.low.x - slack) - 0.5, std::ceil(cells.low.y - slack) - 0.5);
+  const Vec2 south_east =
+      b.position(std::floor(cells.high.x + slack) + 0.5, std::floor(cells.high.y + slack) + 0.5);
+  return fmt::format("resample one to the other's: gdalwarp -r cubic -tr {:.15g} {:.15g} -te "
+                     "{:.15g} {:.15g} {:.15g} {:.15g} {} {}",
+                     b.pixel_step.x, -b.line_step.y, north_west.x, south_east.y, south_east.x,
+                     north_west.y, tile.path, name_of_copy(tile.path));
+}
+
+// Throws Error: the tile's vertices aren't those of the base's lattice, with the command that
+// brings them there. `same_steps`: only its place doesn't fit.
+[[noreturn]] void refuse_lattices(const Tile& base, const Tile& tile, bool same_steps,
+                                  std::optional<int> overview) {
+  if (overview)
+    throw Error(
+        fmt::format("overviews {} of {} and {} aren't on one lattice of vertices", *overview,
+                    base.path, tile.path),
+        "leave --overview out, or make one file with overviews of its own: gdalbuildvrt all.vrt "
+        "FILES && gdaladdo -ro all.vrt 2 4 8");
+  if (!same_steps)
+    throw Error(fmt::format("{} has cells of {}, and {} of {}", tile.path,
+                            cells_in_words(tile.lattice), base.path, cells_in_words(base.lattice)),
+                warp_to(base, tile));
+  const Vec2 index = base.lattice.index_of(tile.lattice.first);
+  throw Error(fmt::format("{} is {:.5g} x {:.5g} of a cell beside the lattice of {}", tile.path,
+                          std::abs(index.x - std::round(index.x)),
+                          std::abs(index.y - std::round(index.y)), base.path),
+              warp_to(base, tile));
+}
+
+// Throws Error: some tiles touch none of those that are `together`.
+[[noreturn]] void refuse_apart(const std::vector<Tile>& tiles, const std::vector<bool>& together) {
+  std::vector<std::string> apart;
+  Box2 there, others;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const Box2 box = box_of(tiles[i].lattice);
+    Box2& into = together[i] ? others : there;
+    if (!together[i]) apart.push_back(tiles[i].path);
+    into.include(box.low);
+    into.include(box.high);
+  }
+  throw Error(fmt::format("{} ({}) {} the other files ({})", in_brief(apart), in_words(there),
+                          apart.size() == 1 ? "doesn't touch" : "don't touch", in_words(others)),
+              "files of one terrain overlap or lie side by side: add what lies between, or draw "
+              "them one by one");
+}
 
 // Coordinates and steps are written with 15 digits, as those of SRTM and Copernicus tiles are. That
 // leaves an error of 5e-13 degrees in a longitude beyond 100, 2e-8 of a cell of 0.1 arc seconds,
@@ -128,6 +198,15 @@ JoinedTiles joined(const std::vector<Tile>& tiles, const std::vector<Window>& wi
   return out;
 }
 
+struct Span {
+  double west, width;
+};
+
+// How far eastward from one longitude to another, from 0 to a turn.
+double eastward(double from, double to, double turn) {
+  return (to - from) - turn * std::floor((to - from) / turn);
+}
+
 } // namespace
 
 JoinedTiles join_tiles(std::vector<Tile> tiles, std::optional<double> turn,
@@ -158,6 +237,48 @@ void continue_around(JoinedTiles& joined, double turn, const Box2& window) {
   lattice.first = lattice.position(first, 0);
   lattice.pixels = end - first;
   for (TilePlace& place : joined.places) place.at.pixel -= first;
+}
+
+void bring_together(std::vector<Tile>& tiles, double turn) {
+  std::vector<Span> spans;
+  for (const Tile& tile : tiles) {
+    const Box2 box = box_of(tile.lattice);
+    spans.push_back({box.low.x, box.width()});
+  }
+  const double rounding = length(tiles.front().lattice.pixel_step) / 4;
+  std::optional<std::size_t> start;
+  double widest = 0;
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    double reach = 0;
+    for (const Span& s : spans)
+      reach = std::max(reach, eastward(spans[i].west, s.west, turn) + s.width);
+    const double gap = turn - reach;
+    const bool tied = start && std::abs(gap - widest) <= rounding;
+    if (start && !(tied ? spans[i].west < spans[*start].west : gap > widest)) continue;
+    start = i;
+    widest = gap;
+  }
+  const double west = spans[*start].west;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const double there = west + eastward(west, spans[i].west, turn);
+    tiles[i].lattice.first.x += turn * std::round((there - spans[i].west) / turn);
+  }
+}
+
+double turned_onto(double x, double width, double low, double high, double turn) {
+  const auto common = [&](double from) {
+    return std::min(from + width, high) - std::max(from, low);
+  };
+  const double nearest = std::round((low - x) / turn);
+  double best = x;
+  for (const double turns : {nearest - 1, nearest, nearest + 1}) {
+    const double from = x + turns * turn;
+    const double more = common(from) - common(best);
+    const double rounding = 1e-9 * turn;
+    if (more > rounding || (more >= -rounding && std::abs(from - x) < std::abs(best - x)))
+      best = from;
+  }
+  return best;
 }
 
 } // namespace orograph

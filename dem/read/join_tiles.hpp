@@ -46,4 +46,14 @@ JoinedTiles join_tiles(std::vector<Tile> tiles, std::optional<double> turn,
 /// columns.
 void continue_around(JoinedTiles& joined, double turn, const Box2& window);
 
+/// Moves tiles by whole turns of longitude to where they meet: the widest gap between them is cut,
+/// and they follow each other eastward from it. The tile at the cut's east keeps its counting.
+/// Where gaps are equally wide (there are none, around the whole earth) it is the one that begins
+/// westmost as the files count.
+void bring_together(std::vector<Tile>& tiles, double turn);
+
+/// `x` plus the whole turns that bring the interval from `x` to `x + width` over most of that from
+/// `low` to `high`; as few as may be.
+double turned_onto(double x, double width, double low, double high, double turn);
+
 } // namespace orograph

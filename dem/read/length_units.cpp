@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/length_units.hpp"
 
-#include "geometry/words.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
 

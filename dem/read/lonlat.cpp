@@ -2,7 +2,7 @@
 #include "dem/read/lonlat.hpp"
 
 #include "dem/read/crs_frame.hpp"
-#include "dem/read/gdal_messages.hpp"
+#include "dem/read/gdal.hpp"
 
 #include <ogr_spatialref.h>
 

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/raster_heights.hpp"
 
-#include "dem/read/gdal_messages.hpp"
+#include "dem/read/gdal.hpp"
 #include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
 
+#include <cpl_string.h>
 #include <fmt/format.h>
+#include <gdal_alg.h>
 #include <gdal_priv.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace orograph {
 namespace {
@@ -131,6 +134,7 @@ public:
     for (int pixel = first_pixel; pixel < end_pixel;
          pixel += std::min(size.pixels, end_pixel - pixel))
       for (int line = first_line; line < end_line; line += std::min(size.lines, end_line - line)) {
+        throw_if_stopped();
         RasterWindow at{std::max(pixel, window_.pixel), std::max(line, window_.line), 0, 0};
         at.pixels = std::min(size.pixels, end_pixel - pixel) - (at.pixel - pixel);
         at.lines = std::min(size.lines, end_line - line) - (at.line - line);
@@ -184,6 +188,49 @@ private:
   std::vector<unsigned char> mask_tile_;
 };
 
+// A raster in memory over the values, which it neither copies nor owns.
+template <class Value>
+Dataset raster_over(std::vector<Value>& values, int columns, int rows, GDALDataType type) {
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
+  Dataset dataset(driver ? driver->Create("", columns, rows, 0, type, nullptr) : nullptr);
+  char pointer[64];
+  pointer[CPLPrintPointer(pointer, values.data(), sizeof pointer - 1)] = '\0';
+  CPLStringList band;
+  band.SetNameValue("DATAPOINTER", pointer);
+  if (!dataset || dataset->AddBand(type, band.List()) != CE_None)
+    throw Error("voids can't be filled: GDAL has no rasters in memory here",
+                "install GDAL's MEM driver, or leave --fill-voids out");
+  return dataset;
+}
+
+// GDAL's fill works in single precision, on a copy: heights that are there keep all their digits.
+template <class Height>
+FilledVoids fill(std::span<Height> heights, int columns, int rows, double cells) {
+  FilledVoids voids;
+  std::vector<std::uint8_t> is_there(heights.size());
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    is_there[i] = std::isnan(heights[i]) ? 0 : 255;
+    voids.left += is_there[i] == 0;
+  }
+  if (voids.left == 0 || voids.left == heights.size()) return voids;
+  std::vector<float> filled(heights.begin(), heights.end());
+  const Dataset surface = raster_over(filled, columns, rows, GDT_Float32);
+  const Dataset mask = raster_over(is_there, columns, rows, GDT_Byte);
+  CPLStringList options;
+  options.SetNameValue("TEMP_FILE_DRIVER", "MEM");
+  if (GDALFillNodata(surface->GetRasterBand(1), mask->GetRasterBand(1), cells, 0, 0, options.List(),
+                     nullptr, nullptr) != CE_None)
+    throw Error("GDAL can't fill the voids", "leave --fill-voids out");
+  surface->FlushCache();
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    if (std::isnan(heights[i]) && !std::isnan(filled[i])) {
+      heights[i] = static_cast<Height>(filled[i]);
+      ++voids.filled;
+      --voids.left;
+    }
+  return voids;
+}
+
 } // namespace
 
 HeightCode height_code(GDALRasterBand& band, double unit_m) {
@@ -218,6 +265,23 @@ void read_heights(GDALRasterBand& band, const RasterWindow& window, const GridOr
   std::visit(
       [&](auto& values) { Reader(band, window, path).read(order, code, values, differences); },
       heights);
+}
+
+FilledVoids fill_voids(Grid& grid, double cells) {
+  const GdalMessages unheard;
+  return std::visit(
+      [&](auto& heights) { return fill(heights.own(), grid.columns, grid.rows, cells); },
+      grid.heights_m);
+}
+
+void use_large_pages(void* begin, std::size_t bytes) noexcept {
+  constexpr std::uintptr_t kPage = 4096; // smaller where there are larger ones: then it is refused
+  constexpr std::size_t kWorthIt = 4 << 20;
+  if (bytes < kWorthIt) return;
+  const auto from = reinterpret_cast<std::uintptr_t>(begin);
+  const std::uintptr_t first = (from + kPage - 1) / kPage * kPage,
+                       end = (from + bytes) / kPage * kPage;
+  ::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
 }
 
 } // namespace orograph

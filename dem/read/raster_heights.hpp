@@ -5,6 +5,7 @@
 #include "dem/grid.hpp"
 #include "dem/read/raster_order.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -49,5 +50,27 @@ bool has_unwritten_blocks(GDALRasterBand& band, const RasterWindow& window);
 void read_heights(GDALRasterBand& band, const RasterWindow& window, const GridOrder& order,
                   const HeightCode& code, const std::string& path, ReadHeights& heights,
                   HeightDifferences* differences);
+
+/// What became of vertices without a height.
+struct FilledVoids {
+  std::size_t filled = 0, left = 0; ///< how many
+};
+
+/// Fills missing heights from those around them, by inverse distance in eight directions, as GDAL
+/// does (GDALFillNodata, without smoothing), no farther than `cells` from a height. Heights that
+/// are there stay what they are. Throws Error where GDAL fails.
+FilledVoids fill_voids(Grid& grid, double cells);
+
+/// Asks the kernel to give memory that wasn't touched yet in pages of 2 MB: in those of 4 kB, each
+/// of which it hands out at its first touch, 16 million heights took 45 ms. Changes nothing else.
+void use_large_pages(void* begin, std::size_t bytes) noexcept;
+
+/// `values.assign(count, value)` for an empty vector.
+template <class Value>
+void fill_on_large_pages(std::vector<Value>& values, std::size_t count, Value value) {
+  values.reserve(count);
+  use_large_pages(values.data(), count * sizeof(Value));
+  values.assign(count, value);
+}
 
 } // namespace orograph

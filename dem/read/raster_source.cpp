@@ -1,15 +1,205 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/raster_source.hpp"
 
-#include "dem/read/gdal_messages.hpp"
-#include "dem/read/open_raster.hpp"
-#include "dem/read/raster_frame.hpp"
+#include "dem/read/crs_frame.hpp"
+#include "dem/read/length_units.hpp"
 #include "dem/read/raster_shares.hpp"
+#include "geometry/error.hpp"
 
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <fmt/format.h>
 #include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
 
 namespace orograph {
 namespace {
+
+bool is_there(const std::string& path) {
+  VSIStatBufL stat;
+  return VSIStatExL(path.c_str(), &stat, VSI_STAT_EXISTS_FLAG) == 0;
+}
+
+std::string first_file_in(const std::string& archive) {
+  const CPLStringList names(VSIReadDirRecursive(archive.c_str()));
+  for (int i = 0; i < names.size(); ++i)
+    if (const std::string_view name = names[i]; !name.ends_with('/')) return names[i];
+  return "FILE";
+}
+
+// How to name what is inside, for archives that GDAL doesn't open by themselves.
+std::string archive_hint(const std::string& path) {
+  if (path.ends_with(".zip"))
+    return fmt::format("name the file inside, as in /vsizip/{}/{}", path,
+                       first_file_in("/vsizip/" + path));
+  if (path.ends_with(".tar") || path.ends_with(".tgz") || path.ends_with(".tar.gz"))
+    return fmt::format("name the file inside, as in /vsitar/{}/{}", path,
+                       first_file_in("/vsitar/" + path));
+  if (path.ends_with(".gz")) return fmt::format("let GDAL unpack it: /vsigzip/{}", path);
+  return "";
+}
+
+[[noreturn]] void refuse(const std::string& path, const GdalMessages& messages) {
+  if (!is_there(path) && path.find(':') == std::string::npos)
+    throw Error(fmt::format("{}: no such file", path), "give the path of a DEM");
+  if (const std::string hint = archive_hint(path); !hint.empty())
+    throw Error(fmt::format("{} is an archive, not a raster", path), hint);
+  throw Error(fmt::format("{} can't be opened as a raster ({})", path, messages.last_failure()),
+              "give a DEM that GDAL reads, such as GeoTIFF, .hgt or .asc ('gdalinfo --formats' "
+              "lists them), or triangles or points in a file with a usual extension");
+}
+
+[[noreturn]] void refuse_container(GDALDataset& dataset, const std::string& path) {
+  const CPLStringList parts(dataset.GetMetadata("SUBDATASETS"), false);
+  const char* first = parts.FetchNameValue("SUBDATASET_1_NAME");
+  if (first)
+    throw Error(fmt::format("{} holds several rasters", path),
+                fmt::format("name one of them, such as '{}'", first));
+  throw Error(fmt::format("{} has no bands", path), "give a raster that holds heights");
+}
+
+bool is_colour(GDALColorInterp meaning) {
+  return meaning >= GCI_RedBand && meaning <= GCI_YCbCr_CrBand;
+}
+
+// Band `number`, counted from 1. Throws Error where there is none or it doesn't hold heights:
+// colours, a palette, complex numbers.
+GDALRasterBand& height_band(GDALDataset& dataset, const std::string& path, int number) {
+  const int count = dataset.GetRasterCount();
+  if (number < 1 || number > count)
+    throw Error(fmt::format("{} has no band {}", path, number),
+                count == 1 ? "it has one band, number 1"
+                           : fmt::format("its bands are 1 to {}", count));
+  GDALRasterBand& band = *dataset.GetRasterBand(number);
+  const GDALDataType type = band.GetRasterDataType();
+  if (GDALDataTypeIsComplex(type))
+    throw Error(fmt::format("{}: band {} holds complex numbers, not heights", path, number),
+                "give a band of real numbers");
+
+  const GDALColorInterp meaning = band.GetColorInterpretation();
+  if (meaning == GCI_PaletteIndex)
+    throw Error(
+        fmt::format("{}: band {} holds numbers of a palette's colours, not heights", path, number),
+        "give the DEM that the picture was made from");
+  // Float bands are sometimes tagged red, green, blue only because there are three of them.
+  if (is_colour(meaning) && (type == GDT_Byte || type == GDT_UInt16))
+    throw Error(
+        fmt::format("{}: band {} holds colours ({}), not heights", path, number,
+                    GDALGetColorInterpretationName(meaning)),
+        fmt::format("give the DEM itself; if this is Terrain-RGB, decode it with: gdal_calc.py "
+                    "-R {0} --R_band=1 -G {0} --G_band=2 -B {0} --B_band=3 --type=Float32 "
+                    "--outfile=heights.tif --calc='(R*65536.0+G*256.0+B)*0.1-10000'",
+                    path));
+  return band;
+}
+
+// The overview `level` of the same file, after checking that there is one.
+Dataset open_overview(const std::string& path, std::vector<std::string> open_options,
+                      GDALRasterBand& full, int level, GdalMessages& messages) {
+  const int count = full.GetOverviewCount();
+  if (level < 0 || level >= count)
+    throw Error(fmt::format("{} has no overview {}", path, level),
+                count == 0   ? "it has none; 'gdaladdo' makes them"
+                : count == 1 ? "it has one, level 0"
+                             : fmt::format("its levels are 0 to {}", count - 1));
+  open_options.push_back(fmt::format("OVERVIEW_LEVEL={}", level));
+  return open_raster(path, open_options, messages);
+}
+
+void set_horizontal(MapFrame& map, const OGRSpatialReference* crs, const std::string& path,
+                    Vec2 centre, std::vector<std::string>& notes) {
+  map.crs_name = "none";
+  if (!tells_place(crs)) {
+    notes.push_back("The file has no CRS: its coordinates are taken as metres.");
+    return;
+  }
+  set_crs(map, *crs, path, FileKind::raster, centre);
+}
+
+// What is given goes before what the file says. Where eastings are in feet, heights of no unit may
+// be either: a guess would be wrong by a factor of three.
+void set_vertical(MapFrame& map, const OGRSpatialReference* crs, const std::string& given,
+                  const std::string& in_file, const std::string& path,
+                  std::vector<std::string>& notes) {
+  const std::string& written = given.empty() ? in_file : given;
+  if (written.empty() && crs && set_height_unit(map, *crs)) return;
+  if (written.empty()) {
+    if (map.unit_m != 1)
+      throw Error(fmt::format("{} names no unit of height, and its coordinates are in units of "
+                              "{:.6g} m ({})",
+                              path, map.unit_m, map.unit_name),
+                  "say which: --height-unit m, ft or us-ft");
+    notes.push_back("The file names no unit of height: metres are taken.");
+    return;
+  }
+  if (!given.empty() && !in_file.empty() && given != in_file)
+    notes.push_back(
+        fmt::format("Heights are taken as {}, though the file says {}.", given, in_file));
+  const auto unit = length_unit(written);
+  if (!unit)
+    throw Error(
+        fmt::format("{}: heights in '{}' can't be brought to metres", path, written),
+        "units known are m, ft, us-ft, km, dm, cm and mm; 'gdal_edit.py -units m' sets one");
+  map.height_unit_m = unit->metres;
+  map.height_unit_name = unit->name;
+}
+
+[[noreturn]] void refuse_place(const std::string& path, const char* told_by, const char* option) {
+  throw Error(fmt::format("{}: its place is told by {} only", path, told_by),
+              fmt::format("bring it to a grid first: gdalwarp {}{} grid.tif", option, path));
+}
+
+// Whether there is a geotransform, and not the one that stands for none.
+bool has_georeference(GDALDataset& dataset) {
+  std::array<double, 6> gt{};
+  const std::array<double, 6> unset{0, 1, 0, 0, 0, 1};
+  return dataset.GetGeoTransform(gt.data()) == CE_None && gt != unset;
+}
+
+// From the geotransform: vertices at cell centres, in map coordinates. Without one, cells of size
+// 1 with line 0 in the north, and a note. Throws Error where the place is told by control points,
+// RPCs or geolocation arrays only, or the geotransform doesn't span a plane.
+RasterLattice raster_lattice(GDALDataset& dataset, const std::string& path,
+                             std::vector<std::string>& notes) {
+  std::array<double, 6> gt{};
+  dataset.GetGeoTransform(gt.data());
+  if (!has_georeference(dataset)) {
+    if (dataset.GetGCPCount() > 0) refuse_place(path, "ground control points", "-tps ");
+    if (dataset.GetMetadata("RPC")) refuse_place(path, "rational polynomials (RPC)", "-rpc ");
+    if (dataset.GetMetadata("GEOLOCATION")) refuse_place(path, "geolocation arrays", "-geoloc ");
+    notes.push_back(
+        "The file has no georeference: cells are taken as 1 m, with the first row in the north.");
+    gt = {0, 1, 0, 0, 0, -1};
+  }
+  RasterLattice lattice;
+  lattice.pixels = dataset.GetRasterXSize();
+  lattice.lines = dataset.GetRasterYSize();
+  lattice.pixel_step = {gt[1], gt[4]};
+  lattice.line_step = {gt[2], gt[5]};
+  lattice.first = Vec2{gt[0], gt[3]} + 0.5 * lattice.pixel_step + 0.5 * lattice.line_step;
+  if (!spans_a_plane(lattice))
+    throw Error(fmt::format("{}: its geotransform has no area", path),
+                "pixel and line steps must be finite and span a cell; see gdalinfo");
+  return lattice;
+}
+
+// CRS and units of `band`; the origin stays to be set. `centre` is in map coordinates.
+// `height_unit`, if it isn't empty, goes before the file's own. Throws Error for a geocentric CRS,
+// for an unknown height unit, and where none is told though the CRS's own isn't the metre.
+MapFrame raster_map_frame(GDALDataset& dataset, GDALRasterBand& band, const std::string& path,
+                          Vec2 centre, const std::string& height_unit,
+                          std::vector<std::string>& notes) {
+  const OGRSpatialReference* crs = dataset.GetSpatialRef();
+  MapFrame map;
+  set_horizontal(map, crs, path, centre, notes);
+  set_vertical(map, crs, height_unit, band.GetUnitType(), path, notes);
+  return map;
+}
 
 // The same ground with the overview's fewer, larger cells. Their ratio is seldom a whole number.
 RasterLattice coarser(const RasterLattice& full, int pixels, int lines) {
@@ -25,6 +215,23 @@ GDALRasterBand& band_of(const RasterSource& source, const ReadOptions& options) 
 }
 
 } // namespace
+
+Dataset open_raster(const std::string& path, const std::vector<std::string>& open_options,
+                    GdalMessages& messages) {
+  CPLStringList options;
+  for (const std::string& option : open_options) {
+    if (option.find('=') == std::string::npos)
+      throw Error(fmt::format("open option '{}' has no value", option), "write NAME=VALUE");
+    options.AddString(option.c_str());
+  }
+  messages.forget();
+  Dataset dataset(GDALDataset::Open(path.c_str(),
+                                    GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                                    nullptr, options.List(), nullptr));
+  if (!dataset) refuse(path, messages);
+  if (dataset->GetRasterCount() == 0) refuse_container(*dataset, path);
+  return dataset;
+}
 
 RasterSource open_source(const std::string& path, const ReadOptions& options,
                          const std::function<void(const RasterSource&)>& on_lattice) {

@@ -2,7 +2,7 @@
 // One raster among those of a terrain: what it tells before its heights are read.
 #pragma once
 
-#include "dem/read/gdal_dataset.hpp"
+#include "dem/read/gdal.hpp"
 #include "dem/read/raster_heights.hpp"
 #include "dem/read/raster_order.hpp"
 #include "dem/read/read_options.hpp"
@@ -44,5 +44,9 @@ void read_part(RasterSource& source, const ReadOptions& options, const RasterWin
 
 /// Adds the note that a part of the file was never written.
 void note_unwritten(RasterSource& source);
+
+/// Throws Error with a hint: not there, not a raster, an archive, a container of several rasters.
+Dataset open_raster(const std::string& path, const std::vector<std::string>& open_options,
+                    GdalMessages& messages);
 
 } // namespace orograph

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/read_line.hpp"
 
-#include "dem/read/gdal_dataset.hpp"
-#include "dem/read/gdal_messages.hpp"
+#include "dem/read/gdal.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/read/read_mesh.hpp"
-
-#include "dem/read/check_mesh.hpp"
-#include "dem/read/mesh_comments.hpp"
+// Triangles of mesh files, through CGAL: the only place that knows its readers.
+#include "dem/read/crs_frame.hpp"
+#include "dem/read/gdal.hpp"
+#include "dem/read/length_units.hpp"
+#include "dem/read/map_shapes.hpp"
 #include "geometry/error.hpp"
-#include "geometry/words.hpp"
+#include "text/words.hpp"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
@@ -14,15 +15,94 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <exception>
 #include <fstream>
 #include <sstream>
-#include <string_view>
 #include <utility>
 
 namespace orograph {
 namespace {
+
+constexpr std::string_view mark = "orograph: ";
+
+// The text from `at` to the end of its line, if the line is a comment that begins with the mark.
+std::string_view comment_at(std::string_view text, std::size_t at) {
+  const std::size_t begin = text.rfind('\n', at) + 1; // npos + 1 is 0
+  std::string_view before = text.substr(begin, at - begin);
+  while (!before.empty() && before.back() == ' ') before.remove_suffix(1);
+  if (before != "#" && before != "comment") return {};
+  std::string_view line = text.substr(at + mark.size());
+  line = line.substr(0, line.find('\n'));
+  while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+  return line;
+}
+
+// A positive length; `words` loses it. `key` is what the comment begins with.
+double next_length(std::string_view& words, std::string_view key, bool may_be_zero,
+                   const MapShapes& shapes) {
+  const std::string_view all = words;
+  while (!words.empty() && words.front() == ' ') words.remove_prefix(1);
+  double value = 0;
+  const auto [end, fault] = std::from_chars(words.data(), words.data() + words.size(), value);
+  if (fault != std::errc{} || !std::isfinite(value) || value < 0 || (value == 0 && !may_be_zero))
+    throw Error(
+        fmt::format("{}: its comment 'orograph: {} {:.40}' tells no length", shapes.path, key, all),
+        "metres are wanted there; take the comment out if it isn't known");
+  words.remove_prefix(static_cast<std::size_t>(end - words.data()));
+  return value;
+}
+
+void read_crs(std::string_view wkt, MapShapes& shapes) {
+  const GdalMessages messages;
+  const Crs crs = crs_from_text(std::string(wkt));
+  if (!tells_place(crs.get())) {
+    shapes.notes.push_back("The CRS in the file's comment can't be understood: it is left out.");
+    return;
+  }
+  set_crs(shapes.map, *crs, shapes.path, FileKind::other, {});
+  if (!set_height_unit(shapes.map, *crs)) {
+    shapes.map.height_unit_m = shapes.map.unit_m;
+    shapes.map.height_unit_name = shapes.map.unit_name;
+  }
+  shapes.units_known = true;
+}
+
+void read_units(std::string_view words, MapShapes& shapes) {
+  MapFrame& map = shapes.map;
+  map.unit_m = next_length(words, "units", false, shapes);
+  map.height_unit_m = next_length(words, "units", false, shapes);
+  map.unit_name = unit_name(map.unit_m);
+  map.height_unit_name = unit_name(map.height_unit_m);
+  shapes.units_known = true;
+}
+
+// From lines of comment ('#' in OFF and OBJ, 'comment' in PLY):
+//     orograph: crs WKT
+//     orograph: units METRES_IN_A_UNIT METRES_IN_A_UNIT_OF_HEIGHT
+//     orograph: surface_error_m METRES
+// each on one line. `text` may be the whole file. Throws Error where one of them can't be right.
+void read_mesh_comments(std::string_view text, MapShapes& shapes) {
+  std::string_view units;
+  for (std::size_t at = text.find(mark); at != std::string_view::npos;
+       at = text.find(mark, at + mark.size())) {
+    std::string_view line = comment_at(text, at);
+    const auto starts = [&](std::string_view word) {
+      if (!line.starts_with(word)) return false;
+      line.remove_prefix(word.size());
+      return true;
+    };
+    if (starts("crs "))
+      read_crs(line, shapes);
+    else if (starts("units "))
+      units = line;
+    else if (starts("surface_error_m "))
+      shapes.surface_error_m = next_length(line, "surface_error_m", true, shapes);
+  }
+  // After the CRS, whose units they make more precise.
+  if (!units.empty()) read_units(units, shapes);
+}
 
 using Points = std::vector<CGAL::Simple_cartesian<double>::Point_3>;
 using Faces = std::vector<std::vector<std::uint32_t>>;
@@ -39,19 +119,6 @@ std::string text_of(const std::string& path) {
   if (!file) throw Error(fmt::format("{} can't be read", path), "give the path of a mesh file");
   if (text.empty()) throw Error(fmt::format("{} is empty", path), "give a file with triangles");
   return text;
-}
-
-void check(MeshFormat format, std::string_view text, const std::string& path) {
-  switch (format) {
-  case MeshFormat::off:
-    return check_off(text, path);
-  case MeshFormat::ply:
-    return check_ply(text, path);
-  case MeshFormat::obj:
-    return check_obj(text, path);
-  case MeshFormat::stl:
-    return check_stl(text, path);
-  }
 }
 
 bool read(MeshFormat format, std::istream& in, Points& points, Faces& faces) {
@@ -124,7 +191,7 @@ MapShapes read_mesh(const std::string& path, MeshFormat format) {
   MapShapes shapes;
   shapes.path = path;
   std::string text = text_of(path);
-  check(format, text, path);
+  check_mesh(format, text, path);
   if (format == MeshFormat::ply)
     read_mesh_comments(std::string_view(text).substr(0, text.find("end_header")), shapes);
   else if (format != MeshFormat::stl)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a user says of the files that a terrain is read from.
+// What is asked of the files that a terrain is read from.
 #pragma once
 
 #include "geometry/box.hpp"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/read/read_points.hpp"
-
+// Points from text.
+#include "dem/read/map_shapes.hpp"
 #include "geometry/error.hpp"
-#include "geometry/words.hpp"
+#include "geometry/on_all_cores.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,9 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <fstream>
-#include <optional>
-#include <string_view>
-#include <vector>
 
 namespace orograph {
 namespace {
@@ -189,6 +187,7 @@ MapShapes read_points(const std::string& path, const std::array<std::string, 3>&
   }
 
   const auto add_point = [&] {
+    throw_if_stopped(lines.number());
     split(lines.text(), separator, fields);
     drop_empty_end(fields, count);
     if (fields.size() != count)

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/read_raster.hpp"
 
+#include "dem/read/asked_window.hpp"
 #include "dem/read/crs_frame.hpp"
-#include "dem/read/early_heights.hpp"
-#include "dem/read/fill_voids.hpp"
-#include "dem/read/in_brief.hpp"
+#include "dem/read/grid_in_frame.hpp"
 #include "dem/read/join_tiles.hpp"
-#include "dem/read/large_pages.hpp"
 #include "dem/read/lonlat.hpp"
+#include "dem/read/raster_heights.hpp"
+#include "dem/read/raster_shares.hpp"
 #include "dem/read/raster_source.hpp"
-#include "dem/read/same_terrain.hpp"
-#include "dem/read/whole_turns.hpp"
-#include "dem/read/window_words.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
@@ -24,6 +21,83 @@
 
 namespace orograph {
 namespace {
+
+[[noreturn]] void refuse_crs(const RasterSource& one, const RasterSource& other) {
+  const auto is_in = [](const RasterSource& source) {
+    return source.map.crs_wkt.empty()
+               ? fmt::format("{} has no CRS", source.path)
+               : fmt::format("{} is in {}", source.path, source.map.crs_name);
+  };
+  const RasterSource& known = one.map.crs_wkt.empty() ? other : one;
+  const bool both = !one.map.crs_wkt.empty() && !other.map.crs_wkt.empty();
+  const std::string crs = crs_for_command(known.map.crs_wkt);
+  throw Error(fmt::format("{}, but {}", is_in(one), is_in(other)),
+              both ? fmt::format("make one raster of them: gdalwarp -t_srs {} -r cubic {} {} "
+                                 "joined.tif",
+                                 crs, one.path, other.path)
+                   : fmt::format("if it is the same, say so: gdal_edit.py -a_srs {} {}", crs,
+                                 &known == &one ? other.path : one.path));
+}
+
+void check_datum(std::vector<RasterSource>& sources) {
+  const RasterSource* told = nullptr;
+  for (const RasterSource& source : sources) {
+    const std::string& above = source.map.vertical_crs_name;
+    if (above.empty()) continue;
+    if (told && told->map.vertical_crs_name != above)
+      throw Error(fmt::format("heights of {} are above {}, and those of {} above {}", told->path,
+                              told->map.vertical_crs_name, source.path, above),
+                  "bring them to one with gdalwarp -s_srs and -t_srs, which take vertical CRSs "
+                  "too (EPSG:4326+5773)");
+    told = told ? told : &source;
+  }
+  if (!told) return;
+  for (RasterSource& source : sources)
+    if (source.map.vertical_crs_name.empty())
+      source.notes.push_back(
+          fmt::format("The file doesn't say what its heights are above: {} is taken, as {} has it.",
+                      told->map.vertical_crs_name, told->path));
+}
+
+// Throws Error, naming two of them, where several rasters aren't in one CRS, their heights are
+// above different things, or one doesn't tell its place. Adds a note where some tell what their
+// heights are above and others don't. Units of height may differ: heights are in metres.
+void check_same_terrain(std::vector<RasterSource>& sources) {
+  if (sources.size() < 2) return;
+  const RasterSource& first = sources.front();
+  for (const RasterSource& source : sources) {
+    if (!source.has_place)
+      throw Error(fmt::format("{} has no georeference, so its place among the other files isn't "
+                              "known",
+                              source.path),
+                  fmt::format("set one: gdal_edit.py -a_ullr XMIN YMAX XMAX YMIN {}", source.path));
+    if (!same_place(first.map.crs_wkt, source.map.crs_wkt)) refuse_crs(first, source);
+  }
+  check_datum(sources);
+}
+
+// Each note once; with the files that it is about, where it isn't about all.
+std::vector<std::string> notes_of(const std::vector<RasterSource>& sources) {
+  struct Note {
+    std::string text;
+    std::vector<std::string> paths;
+  };
+  std::vector<Note> notes;
+  for (const RasterSource& source : sources)
+    for (const std::string& text : source.notes) {
+      auto note =
+          std::find_if(notes.begin(), notes.end(), [&](const Note& n) { return n.text == text; });
+      if (note == notes.end()) note = notes.insert(notes.end(), {text, {}});
+      if (note->paths.empty() || note->paths.back() != source.path)
+        note->paths.push_back(source.path);
+    }
+  std::vector<std::string> texts;
+  for (const Note& note : notes)
+    texts.push_back(note.paths.size() == sources.size()
+                        ? note.text
+                        : fmt::format("{}: {}", in_brief(note.paths), note.text));
+  return texts;
+}
 
 // The window's vertices in the lattice; `lonlat` is as it was asked for, if it was so.
 RasterWindow vertices_in(const Box2& window, const RasterLattice& lattice, const MapFrame& map,
@@ -47,7 +121,7 @@ RasterWindow vertices_in(const Box2& window, const RasterLattice& lattice, const
 void cut_to(const Box2& box, const RasterLattice& lattice, const GridOrder& order, Grid& grid) {
   std::visit(
       [&]<class Value>(Heights<Value>& read) {
-        std::vector<Value>& heights = read.own();
+        const auto heights = read.own();
         for (int row = 0; row < grid.rows; ++row)
           for (int column = 0; column < grid.columns; ++column)
             if (!in_box(lattice, order.first + column * order.column_step + row * order.row_step,
@@ -55,52 +129,6 @@ void cut_to(const Box2& box, const RasterLattice& lattice, const GridOrder& orde
               heights[grid.index(column, row)] = std::numeric_limits<Value>::quiet_NaN();
       },
       grid.heights_m);
-}
-
-bool has_height(const Grid& grid) {
-  return std::visit(
-      [](const auto& heights) {
-        return std::any_of(heights.begin(), heights.end(), [](auto h) { return !std::isnan(h); });
-      },
-      grid.heights_m);
-}
-
-DegreeLattice degree_lattice(const GridOrder& order, double unit_deg,
-                             const std::vector<std::string>& paths) {
-  const std::string path = in_brief(paths);
-  if (order.column_step.y != 0 || order.row_step.x != 0)
-    throw Error(
-        fmt::format("{} is turned against meridians and parallels", path),
-        fmt::format("bring it to their order first: gdalwarp {} degrees.tif", in_command(paths)));
-  const DegreeLattice lattice{
-      order.first.x * unit_deg, order.column_step.x * unit_deg, order.columns,
-      order.first.y * unit_deg, order.row_step.y * unit_deg,    order.rows};
-  const double south_deg = lattice.lat_deg(order.rows - 1);
-  // A row at a pole itself may be off it by rounding, and is no surface.
-  if (!(lattice.first_lat_deg < 90 && south_deg > -90))
-    throw Error(
-        fmt::format("{} reaches from latitude {:.10g} to {:.10g} degrees", path, south_deg,
-                    lattice.first_lat_deg),
-        "latitudes are within -90 to 90, the poles themselves left out; --bbox keeps a part");
-  if (std::abs(lattice.lon_step_deg) * (order.columns - 1) > 360)
-    throw Error(fmt::format("{} goes round the earth more than once", path),
-                "--bbox keeps a part of it");
-  return lattice;
-}
-
-// On a map plane the origin is at vertex (0, 0): then positions are whole multiples of the steps,
-// the same numbers however the file stores them.
-Grid empty_grid(const GridOrder& order, const MapFrame& map,
-                const std::vector<std::string>& paths) {
-  Grid grid;
-  grid.columns = order.columns;
-  grid.rows = order.rows;
-  if (map.earth)
-    grid.lattice =
-        EarthLattice(degree_lattice(order, map.earth->unit_deg, paths), map.earth->local);
-  else
-    grid.lattice = PlaneLattice{{}, map.unit_m * order.column_step, map.unit_m * order.row_step};
-  return grid;
 }
 
 template <class Value>
@@ -190,7 +218,8 @@ void note_filled(const FilledVoids& voids, double cells, std::vector<std::string
                   voids.filled, cells, voids.left));
 }
 
-Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) {
+TerrainData read(const std::vector<std::string>& paths, const ReadOptions& options) {
+  const GdalMessages unheard; // where nobody else listens, until all files are closed
   std::vector<RasterSource> sources;
   EarlyHeights early;
   const auto begin_early = [&](const RasterSource& source) {
@@ -202,9 +231,10 @@ Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) 
   }
   check_same_terrain(sources);
   JoinedTiles joined = join(sources, options.overview);
-  Terrain terrain;
+  TerrainData terrain;
   terrain.source = in_brief(paths);
   terrain.paths = paths;
+  terrain.is_overview = options.overview.has_value();
   terrain.map = sources.front().map;
 
   std::optional<Box2> box = wanted_window(options, terrain.map, terrain.source);
@@ -236,7 +266,7 @@ Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) 
 
 } // namespace
 
-Terrain read_rasters(const std::vector<std::string>& paths, const ReadOptions& options) {
+TerrainData read_rasters(const std::vector<std::string>& paths, const ReadOptions& options) {
   const auto too_large = [&] {
     return Error(fmt::format("{} doesn't fit into memory", in_brief(paths)),
                  "use --overview or --bbox");
@@ -250,7 +280,7 @@ Terrain read_rasters(const std::vector<std::string>& paths, const ReadOptions& o
   }
 }
 
-Terrain read_raster(const std::string& path, const ReadOptions& options) {
+TerrainData read_raster(const std::string& path, const ReadOptions& options) {
   return read_rasters({path}, options);
 }
 

@@ -22,7 +22,7 @@ namespace orograph {
 /// window doesn't exist or holds fewer than 2 x 2 vertices; every height is nodata; the CRS is
 /// geographic (degrees) or geocentric; the image is colours (Terrain-RGB, RGBA bytes, a palette),
 /// complex, or has ground control points only.
-Terrain read_raster(const std::string& path, const ReadOptions& options = {});
+TerrainData read_raster(const std::string& path, const ReadOptions& options = {});
 
 /// The same of several files as one terrain (dem/read/join_tiles.hpp): bit for bit what one file of
 /// all of them gives. Where files overlap the first that has a height there is taken, and a note
@@ -33,6 +33,6 @@ Terrain read_raster(const std::string& path, const ReadOptions& options = {});
 ///
 /// Throws Error also where files differ in CRS, in what heights are above or in their lattice,
 /// don't touch, or have no georeference. REQUIRES at least one.
-Terrain read_rasters(const std::vector<std::string>& paths, const ReadOptions& options = {});
+TerrainData read_rasters(const std::vector<std::string>& paths, const ReadOptions& options = {});
 
 } // namespace orograph

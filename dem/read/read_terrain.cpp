@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/read_terrain.hpp"
 
-#include "dem/read/in_brief.hpp"
-#include "dem/read/read_landxml.hpp"
-#include "dem/read/read_mesh.hpp"
-#include "dem/read/read_points.hpp"
+#include "dem/read/asked_window.hpp"
+#include "dem/read/map_shapes.hpp"
+#include "dem/read/read_options.hpp"
 #include "dem/read/read_raster.hpp"
-#include "dem/read/read_vector.hpp"
-#include "dem/read/terrain_from_shapes.hpp"
 #include "geometry/error.hpp"
-#include "geometry/words.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
 
@@ -68,12 +65,12 @@ void refuse_survey_options(const ReadOptions& options, const std::string& what) 
   if (option) throw Error(fmt::format("{} is for points, but {}", option, what), "leave it out");
 }
 
-Terrain from_triangles(MapShapes shapes, const ReadOptions& options) {
+TerrainData from_triangles(MapShapes shapes, const ReadOptions& options) {
   refuse_survey_options(options, fmt::format("{} holds triangles", shapes.path));
   return terrain_from_triangles(std::move(shapes), options);
 }
 
-Terrain from_points(MapShapes shapes, const ReadOptions& options) {
+TerrainData from_points(MapShapes shapes, const ReadOptions& options) {
   std::optional<MapShapes> lines, boundary;
   if (!options.breaklines.empty())
     lines = read_vector(options.breaklines, VectorUse::breaklines, options);
@@ -82,13 +79,13 @@ Terrain from_points(MapShapes shapes, const ReadOptions& options) {
   return terrain_from_points(std::move(shapes), std::move(lines), std::move(boundary), options);
 }
 
-Terrain from_rasters(const std::vector<std::string>& paths, const ReadOptions& options) {
-  Terrain terrain = read_rasters(paths, options);
+TerrainData from_rasters(const std::vector<std::string>& paths, const ReadOptions& options) {
+  TerrainData terrain = read_rasters(paths, options);
   refuse_survey_options(options, fmt::format("{} is a raster", paths.front()));
   return terrain;
 }
 
-Terrain from_vector(const std::string& path, const ReadOptions& options) {
+TerrainData from_vector(const std::string& path, const ReadOptions& options) {
   MapShapes shapes = read_vector(path, VectorUse::terrain, options);
   return shapes.triangles.empty() ? from_points(std::move(shapes), options)
                                   : from_triangles(std::move(shapes), options);
@@ -114,7 +111,7 @@ Kind kind_of(const std::string& path, const ReadOptions& options) {
   return is_vector ? Kind::vector : Kind::raster;
 }
 
-Terrain read(const std::string& path, const ReadOptions& options) {
+TerrainData read(const std::string& path, const ReadOptions& options) {
   switch (kind_of(path, options)) {
   case Kind::mesh:
     return from_triangles(read_mesh(path, *mesh_format(path, first_bytes(path))), options);
@@ -130,7 +127,7 @@ Terrain read(const std::string& path, const ReadOptions& options) {
   return from_rasters({path}, options);
 }
 
-Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) {
+TerrainData read(const std::vector<std::string>& paths, const ReadOptions& options) {
   for (const std::string& path : paths)
     if (kind_of(path, options) != Kind::raster)
       throw Error(fmt::format("{} isn't a raster, and of several files all must be", path),
@@ -140,13 +137,13 @@ Terrain read(const std::vector<std::string>& paths, const ReadOptions& options) 
 
 } // namespace
 
-Terrain read_terrain(const std::vector<std::string>& paths, const ReadOptions& options) {
+TerrainData read_terrain(const std::vector<std::string>& paths, const ReadOptions& options) {
   const auto too_large = [&] {
     return Error(fmt::format("{} doesn't fit into memory", in_brief(paths)),
                  "cut it into parts first");
   };
   try {
-    Terrain terrain = paths.size() == 1 ? read(paths.front(), options) : read(paths, options);
+    TerrainData terrain = paths.size() == 1 ? read(paths.front(), options) : read(paths, options);
     terrain.paths = paths;
     return terrain;
   } catch (const std::bad_alloc&) {
@@ -156,7 +153,7 @@ Terrain read_terrain(const std::vector<std::string>& paths, const ReadOptions& o
   }
 }
 
-Terrain read_terrain(const std::string& path, const ReadOptions& options) {
+TerrainData read_terrain(const std::string& path, const ReadOptions& options) {
   return read_terrain(std::vector<std::string>{path}, options);
 }
 

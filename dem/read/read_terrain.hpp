@@ -17,10 +17,10 @@ namespace orograph {
 ///  - points in text with named columns, or in a vector layer (with Z or a height field): the
 ///    Tin of their triangulation, with the breaklines and the boundary that the options name.
 /// Throws Error in one clear line.
-Terrain read_terrain(const std::string& path, const ReadOptions& options = {});
+TerrainData read_terrain(const std::string& path, const ReadOptions& options = {});
 
 /// Of several files, which must be rasters then: they are joined (`read_rasters`).
 /// REQUIRES at least one.
-Terrain read_terrain(const std::vector<std::string>& paths, const ReadOptions& options = {});
+TerrainData read_terrain(const std::vector<std::string>& paths, const ReadOptions& options = {});
 
 } // namespace orograph

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/read/terrain_from_shapes.hpp"
-
+// From what files hold to a Terrain.
 #include "dem/mesh/tin_from_triangles.hpp"
+#include "dem/read/asked_window.hpp"
 #include "dem/read/crs_frame.hpp"
-#include "dem/read/window_words.hpp"
+#include "dem/read/map_shapes.hpp"
 #include "dem/triangulate/triangulate.hpp"
 #include "geometry/error.hpp"
 
@@ -190,12 +190,12 @@ void append(std::vector<std::vector<Vec3>>& to, std::vector<std::vector<Vec3>>& 
 
 } // namespace
 
-Terrain terrain_from_triangles(MapShapes shapes, const ReadOptions& options) {
+TerrainData terrain_from_triangles(MapShapes shapes, const ReadOptions& options) {
   keep_used_points(shapes);
   check_places(shapes);
   if (const auto window = wanted_window(options, shapes.map, shapes.path))
     cut_triangles(shapes, *window);
-  Terrain terrain;
+  TerrainData terrain;
   terrain.map = shapes.map;
   terrain.source = shapes.path;
   terrain.notes = std::move(shapes.notes);
@@ -210,8 +210,8 @@ Terrain terrain_from_triangles(MapShapes shapes, const ReadOptions& options) {
   return terrain;
 }
 
-Terrain terrain_from_points(MapShapes shapes, std::optional<MapShapes> lines,
-                            std::optional<MapShapes> boundary, const ReadOptions& options) {
+TerrainData terrain_from_points(MapShapes shapes, std::optional<MapShapes> lines,
+                                std::optional<MapShapes> boundary, const ReadOptions& options) {
   if (lines) {
     bring_together(shapes, *lines, "breaklines");
     append(shapes.breaklines, lines->breaklines);
@@ -223,7 +223,7 @@ Terrain terrain_from_points(MapShapes shapes, std::optional<MapShapes> lines,
   check_places(shapes);
   if (const auto window = wanted_window(options, shapes.map, shapes.path))
     cut_survey(shapes, *window, box_of_survey(shapes));
-  Terrain terrain;
+  TerrainData terrain;
   terrain.map = shapes.map;
   terrain.source = shapes.path;
   terrain.notes = std::move(shapes.notes);

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/triangulate/plane_lines.hpp"
+// Lines in a plane triangulation: heights where they are split, rings that cut, and what is inside
+// of rings.
+#include "dem/tin.hpp"
+#include "dem/triangulate/place_order.hpp"
+#include "dem/triangulate/plane_triangulation.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +48,55 @@ SplitHeights take_means(Told& told, std::vector<double>& heights_m) {
 
 void make_room(const PlaneTriangulation& plane, std::vector<double>& heights_m) {
   heights_m.resize(plane.places().size(), std::numeric_limits<double>::quiet_NaN());
+}
+
+// In an order of place, so that each is found near the one before.
+std::vector<Vec2> in_order(const std::vector<std::vector<Vec2>>& rings) {
+  std::vector<Vec2> all, ordered;
+  for (const auto& ring : rings) all.insert(all.end(), ring.begin(), ring.end());
+  for (const std::uint32_t i : hilbert_order(all)) ordered.push_back(all[i]);
+  return ordered;
+}
+
+double height_at(const std::vector<Share>& around, const std::vector<double>& heights_m) {
+  if (around.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const double first = heights_m[around.front().vertex];
+  double height = first;
+  for (const auto& [vertex, share] : around) height += share * (heights_m[vertex] - first);
+  return height;
+}
+
+void insert(PlaneTriangulation& plane, Vec2 place, std::vector<double>& heights_m) {
+  const double height = height_at(plane.around(place), heights_m);
+  if (plane.insert(place) == heights_m.size()) heights_m.push_back(height);
+}
+
+// Edges of all triangles with heights that the rings meet.
+std::vector<Edge> edges_along(const PlaneTriangulation& plane,
+                              const std::vector<std::vector<Vec2>>& rings,
+                              const std::vector<double>& heights_m) {
+  std::vector<Edge> edges;
+  for (const auto& ring : rings)
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      for (const auto& [a, b, c] : plane.triangles_along(ring[k], ring[(k + 1) % ring.size()]))
+        if (!std::isnan(heights_m[a] + heights_m[b] + heights_m[c]))
+          edges.insert(edges.end(), {{a, b}, {b, c}, {c, a}});
+  return edges;
+}
+
+std::vector<std::uint64_t> odd_edges(const PlaneTriangulation& plane,
+                                     std::span<const std::uint32_t> ring_lines) {
+  std::vector<std::uint64_t> all, odd;
+  for (const std::uint32_t number : ring_lines) {
+    const auto line = plane.line(number);
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) all.push_back(edge_key(line[k], line[k + 1]));
+  }
+  std::sort(all.begin(), all.end());
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+    for (end = begin; end < all.size() && all[end] == all[begin];) ++end;
+    if ((end - begin) % 2 == 1) odd.push_back(all[begin]);
+  }
+  return odd;
 }
 
 } // namespace
@@ -104,6 +158,76 @@ SplitHeights add_heights_between(const PlaneTriangulation& plane,
     }
   }
   return take_means(told, heights_m);
+}
+
+std::vector<std::uint32_t> cut_by_rings(PlaneTriangulation& plane,
+                                        const std::vector<std::vector<Vec2>>& rings,
+                                        const std::vector<std::uint32_t>& breaklines,
+                                        std::vector<double>& heights_m) {
+  const auto ordered = in_order(rings);
+  if (ordered.empty()) return {};
+
+  // The hull first: ring vertices beyond it must not change what is within. With them in, all rings
+  // are within the new hull.
+  std::vector<std::uint32_t> fixed = add_lines(plane, plane.hull_edges());
+  for (const Vec2 place : ordered)
+    if (plane.around(place).empty()) insert(plane, place, heights_m);
+  // Then triangles that will be cut, so that they are split and nothing else.
+  const auto along = add_lines(plane, edges_along(plane, rings, heights_m));
+  fixed.insert(fixed.end(), along.begin(), along.end());
+  for (const Vec2 place : ordered) {
+    throw_if_stopped();
+    insert(plane, place, heights_m);
+  }
+
+  std::vector<Edge> edges;
+  for (const auto& ring : rings) {
+    std::vector<std::uint32_t> vertices;
+    for (const Vec2 place : ring) vertices.push_back(plane.insert(place));
+    append_edges(vertices, true, edges);
+  }
+  const auto lines = add_lines(plane, edges);
+
+  // The triangles' edges tell the heights where rings cross them. Where rounding pushed a ring
+  // across a breakline farther off, that tells it. And rings that cross each other within a
+  // triangle are straight there.
+  add_heights_of_lines(plane, fixed, heights_m);
+  add_heights_of_lines(plane, breaklines, heights_m);
+  add_heights_between(plane, lines, heights_m);
+  return lines;
+}
+
+// From the outside inwards: crossing an edge that an odd number of rings run along changes sides.
+std::vector<char> inside_rings(const PlaneTriangulation& plane, const PlaneMesh& mesh,
+                               std::span<const std::uint32_t> ring_lines) {
+  const std::vector<std::uint64_t> odd = odd_edges(plane, ring_lines);
+  std::vector<char> on_ring(plane.places().size(), 0); // most edges needn't be looked up
+  for (const std::uint64_t key : odd) on_ring[key >> 32U] = on_ring[key & 0xffffffffU] = 1;
+  const auto changes_sides = [&](std::size_t triangle, int k) {
+    const std::uint32_t a = mesh.triangles[triangle][(k + 1) % 3];
+    const std::uint32_t b = mesh.triangles[triangle][(k + 2) % 3];
+    return on_ring[a] && on_ring[b] && std::binary_search(odd.begin(), odd.end(), edge_key(a, b));
+  };
+
+  constexpr char unknown = 2;
+  std::vector<char> inside(mesh.triangles.size(), unknown);
+  std::vector<std::uint32_t> open;
+  const auto reach = [&](std::uint32_t triangle, bool is_inside) {
+    if (inside[triangle] != unknown) return;
+    inside[triangle] = is_inside;
+    open.push_back(triangle);
+  };
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (mesh.neighbours[t][k] == kNoTriangle) reach(t, changes_sides(t, k));
+  while (!open.empty()) {
+    const std::uint32_t t = open.back();
+    open.pop_back();
+    for (int k = 0; k < 3; ++k)
+      if (mesh.neighbours[t][k] != kNoTriangle)
+        reach(mesh.neighbours[t][k], (inside[t] != 0) != changes_sides(t, k));
+  }
+  return inside;
 }
 
 } // namespace orograph

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL keeps the triangulation and which edges each line has come to; where lines cross and what is
-// rounding is decided here.
+// All of the plane that rests on CGAL: it keeps a triangulation and which edges each line has come
+// to; where lines cross and what is rounding is decided here.
 #include "dem/triangulate/plane_triangulation.hpp"
 
 #include "dem/tin.hpp"
-#include "dem/triangulate/exact_places.hpp"
-#include "dem/triangulate/insertion_order.hpp"
+#include "dem/triangulate/orientation.hpp"
+#include "dem/triangulate/place_order.hpp"
 #include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
@@ -55,6 +57,16 @@ Vec2 place_of(const Point& p) {
   return {p.x(), p.y()};
 }
 
+std::array<std::uint32_t, 3> numbers_of(WithLines::Face_handle f) {
+  return {f->vertex(0)->info().value, f->vertex(1)->info().value, f->vertex(2)->info().value};
+}
+
+std::vector<std::uint32_t> numbers_on(const WithLines& plane, WithLines::Constraint_id line) {
+  std::vector<std::uint32_t> numbers;
+  for (const auto v : plane.vertices_in_constraint(line)) numbers.push_back(v->info().value);
+  return numbers;
+}
+
 bool nearer(const Point& to, const Point& a, const Point& b) {
   return CGAL::compare_distance(to, a, b) == CGAL::SMALLER;
 }
@@ -76,6 +88,45 @@ bool passes(const Point& a, const Point& b, const Point& vertex, double rounding
          nearer(b, vertex, a);
 }
 
+using Exact = CGAL::Exact_rational;
+
+struct ExactVec {
+  Exact x, y;
+};
+
+ExactVec difference(Vec2 to, Vec2 from) {
+  return {Exact(to.x) - Exact(from.x), Exact(to.y) - Exact(from.y)};
+}
+
+Exact area(const ExactVec& a, const ExactVec& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+// Of a / b.
+double rounded_ratio(const Exact& a, const Exact& b) {
+  return CGAL::to_double(Exact(a / b));
+}
+
+// Where the lines through a and b and through c and d cross. REQUIRES that they aren't parallel.
+Vec2 crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const ExactVec u = difference(b, a), v = difference(d, c);
+  const Exact share = area(difference(c, a), v) / area(u, v);
+  return {CGAL::to_double(Exact(Exact(a.x) + share * u.x)),
+          CGAL::to_double(Exact(Exact(a.y) + share * u.y))};
+}
+
+// p as a share of the way from a to b. REQUIRES a and b different, p on the line through them.
+double share_along(Vec2 a, Vec2 b, Vec2 p) {
+  const ExactVec u = difference(b, a), v = difference(p, a);
+  return u.x != 0 ? rounded_ratio(v.x, u.x) : rounded_ratio(v.y, u.y);
+}
+
+// Shares s with p = a + s[0] (b - a) + s[1] (c - a). REQUIRES that a, b, c aren't on one line.
+std::array<double, 2> shares_in(Vec2 a, Vec2 b, Vec2 c, Vec2 p) {
+  const ExactVec u = difference(b, a), v = difference(c, a), w = difference(p, a);
+  return {rounded_ratio(area(w, v), area(u, v)), rounded_ratio(area(u, w), area(u, v))};
+}
+
 } // namespace
 
 struct PlaneTriangulation::Inside : WithLines {
@@ -94,10 +145,6 @@ struct PlaneTriangulation::Inside : WithLines {
       places.push_back(place_of(v->point()));
     }
     return v->info().value;
-  }
-
-  std::array<std::uint32_t, 3> numbers_of(Face_handle f) const {
-    return {f->vertex(0)->info().value, f->vertex(1)->info().value, f->vertex(2)->info().value};
   }
 
   // Called where a -> b, about to be put in, crosses the constrained edge of f opposite to its
@@ -192,6 +239,7 @@ PlaneTriangulation::PlaneTriangulation(std::span<const Vec2> places)
   const std::vector<std::uint32_t> order = insertion_order(places);
   WithLines::Face_handle near;
   for (const std::uint32_t k : order) {
+    throw_if_stopped(inside_->number_of_vertices());
     inside_->near = inside_->insert(point_at(places[k]), near);
     inside_->near->info().value = k;
     inside_->vertices[k] = inside_->near;
@@ -215,6 +263,7 @@ std::uint32_t PlaneTriangulation::insert(Vec2 place) {
 }
 
 std::uint32_t PlaneTriangulation::add_line(std::uint32_t from, std::uint32_t to) {
+  throw_if_stopped();
   inside_->splits_in_vain = 0;
   inside_->near = inside_->vertices[from];
   const std::vector<std::uint32_t> through = vertices_along(from, to);
@@ -245,10 +294,7 @@ std::vector<std::uint32_t> PlaneTriangulation::vertices_along(std::uint32_t from
 }
 
 std::vector<std::uint32_t> PlaneTriangulation::line(std::uint32_t number) const {
-  std::vector<std::uint32_t> on_line;
-  for (const auto v : inside_->vertices_in_constraint(inside_->lines[number]))
-    on_line.push_back(v->info().value);
-  return on_line;
+  return numbers_on(*inside_, inside_->lines[number]);
 }
 
 std::vector<Share> PlaneTriangulation::around(Vec2 place) const {
@@ -289,7 +335,7 @@ std::vector<std::array<std::uint32_t, 3>> PlaneTriangulation::triangles_along(Ve
     const auto f = open.back();
     open.pop_back();
     if (!inside_->meets(f, begin, end)) continue;
-    found.push_back(inside_->numbers_of(f));
+    found.push_back(numbers_of(f));
     for (int i = 0; i < 3; ++i) {
       const auto next = f->neighbor(i);
       if (inside_->is_infinite(next) || next->info().search == search) continue;
@@ -318,7 +364,7 @@ PlaneMesh PlaneTriangulation::mesh() const {
   mesh.neighbours.reserve(inside_->number_of_faces());
   for (const auto f : inside_->finite_face_handles()) {
     f->info().number = static_cast<std::uint32_t>(mesh.triangles.size());
-    mesh.triangles.push_back(inside_->numbers_of(f));
+    mesh.triangles.push_back(numbers_of(f));
   }
   for (const auto f : inside_->finite_face_handles()) {
     auto& across = mesh.neighbours.emplace_back();
@@ -327,6 +373,30 @@ PlaneMesh PlaneTriangulation::mesh() const {
           inside_->is_infinite(f->neighbor(i)) ? kNoTriangle : f->neighbor(i)->info().number;
   }
   return mesh;
+}
+
+// `intersect` is CGAL's own here: CGAL 5.5's way with crossings of inexact coordinates goes round
+// in circles where lines are nearly parallel, so there mustn't be any.
+TriangulatedLines triangulate_lines(std::span<const Vec2> points, std::span<const Edge> lines) {
+  WithLines plane;
+  std::vector<WithLines::Vertex_handle> vertices;
+  WithLines::Face_handle near;
+  for (const Vec2 p : points) {
+    vertices.push_back(plane.insert(point_at(p), near));
+    vertices.back()->info().value = static_cast<std::uint32_t>(vertices.size() - 1);
+    near = vertices.back()->face();
+  }
+  std::vector<WithLines::Constraint_id> ids;
+  for (const auto& [from, to] : lines)
+    ids.push_back(plane.insert_constraint(vertices[from], vertices[to]));
+  TriangulatedLines result;
+  for (const auto face : plane.finite_face_handles()) result.faces.push_back(numbers_of(face));
+  for (const auto& id : ids) result.through.push_back(numbers_on(plane, id));
+  return result;
+}
+
+int exact_orientation(Vec2 a, Vec2 b, Vec2 c) {
+  return static_cast<int>(CGAL::orientation(point_at(a), point_at(b), point_at(c)));
 }
 
 } // namespace orograph

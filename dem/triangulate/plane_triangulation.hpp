@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A constrained Delaunay triangulation of the plane that grows; the only place that knows CGAL's.
+// Triangulations of the plane that have given lines among their edges.
 #pragma once
 
 #include "geometry/vec.hpp"
@@ -63,5 +63,62 @@ private:
   struct Inside;
   std::unique_ptr<Inside> inside_;
 };
+
+using Edge = std::array<std::uint32_t, 2>; ///< two vertices
+
+/// Whatever the direction: equal for an edge and its reverse.
+inline std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+  return a < b ? std::uint64_t{a} << 32U | b : std::uint64_t{b} << 32U | a;
+}
+
+/// The steps of a polyline that go anywhere.
+void append_edges(std::span<const std::uint32_t> polyline, bool closed, std::vector<Edge>& edges);
+
+/// Adds each edge once, in an order that doesn't depend on the given one; the line of each.
+std::vector<std::uint32_t> add_lines(PlaneTriangulation& plane, std::span<const Edge> edges);
+
+struct SplitHeights {
+  std::uint64_t vertices = 0; ///< that got a height
+  double greatest_m = 0;      ///< how far apart the lines were at one of them
+};
+
+/// A vertex without height (NaN) that splits lines gets the mean of those lines' own heights there.
+/// A line's height goes evenly from its first vertex to its last. `heights_m` grows to the number
+/// of places.
+SplitHeights add_heights_of_lines(const PlaneTriangulation& plane,
+                                  std::span<const std::uint32_t> lines,
+                                  std::vector<double>& heights_m);
+
+/// The same, where a line's height goes evenly between those of its vertices that have one; beyond
+/// them it has none.
+SplitHeights add_heights_between(const PlaneTriangulation& plane,
+                                 std::span<const std::uint32_t> lines,
+                                 std::vector<double>& heights_m);
+
+/// Puts rings that have no heights, by their places, into the triangulation so that each of their
+/// edges runs along its edges, and the surface stays as it is: triangles that a ring meets are only
+/// split. Vertices beyond the hull of what was there have no height (NaN) afterwards; all others
+/// have one. `heights_m` holds one for each vertex and grows with them. Returns the rings' lines.
+std::vector<std::uint32_t> cut_by_rings(PlaneTriangulation& plane,
+                                        const std::vector<std::vector<Vec2>>& rings,
+                                        const std::vector<std::uint32_t>& breaklines,
+                                        std::vector<double>& heights_m);
+
+/// A flag for each triangle of `plane.mesh()`. `ring_lines` are the lines of closed rings, a line
+/// as often as rings run along it.
+std::vector<char> inside_rings(const PlaneTriangulation& plane, const PlaneMesh& mesh,
+                               std::span<const std::uint32_t> ring_lines);
+
+/// A triangulation with some straight lines as edges.
+struct TriangulatedLines {
+  /// Counterclockwise, exactly; no two overlap. They fill the points' convex hull.
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  /// For each given line the points that it goes through, from its first to its last.
+  std::vector<std::vector<std::uint32_t>> through;
+};
+
+/// The constrained Delaunay triangulation of points, taken in their order, and of lines between
+/// them. REQUIRES points that are all different, and lines of which none crosses another.
+TriangulatedLines triangulate_lines(std::span<const Vec2> points, std::span<const Edge> lines);
 
 } // namespace orograph

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/tin.hpp"
+#include "dem/triangulate/triangulation_counts.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -26,17 +27,6 @@ struct Survey {
   std::vector<BoundaryRing> boundary;
   /// Triangles with a longer edge (seen from above) are taken away, from the border inwards.
   std::optional<double> max_edge_m;
-};
-
-struct TriangulationCounts {
-  std::uint64_t points = 0;     ///< given, the vertices of lines included
-  std::uint64_t merged = 0;     ///< points that lay where another one was
-  double greatest_merged_m = 0; ///< how far apart in height they were at one place, at most
-  std::uint64_t breaklines = 0;
-  std::uint64_t crossings = 0;       ///< places where lines cross between their vertices
-  double greatest_crossing_m = 0;    ///< how far apart in height the lines are there, at most
-  std::uint64_t beyond_max_edge = 0; ///< triangles taken away
-  std::uint64_t outside = 0;         ///< triangles outside the boundary
 };
 
 struct Triangulated {

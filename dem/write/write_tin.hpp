@@ -26,7 +26,7 @@ std::optional<TinFormat> tin_format_of(const std::string& path);
 /// is left to whoever named it (a temporary file that is renamed when all is well). Messages call
 /// the file `name`, or `path` where that is empty.
 /// REQUIRES a Tin in `terrain.surface`. Throws Error where the file can't be written whole.
-void write_tin(const Terrain& terrain, const std::string& path, TinFormat format,
+void write_tin(const TerrainData& terrain, const std::string& path, TinFormat format,
                const std::string& name = {});
 
 } // namespace orograph

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "draw/chain.hpp"
 
+#include "geometry/on_all_cores.hpp"
 #include "geometry/sort_by_number.hpp"
 
 namespace orograph {
@@ -44,6 +45,7 @@ Chains chain(std::span<const ChainLink> links) {
   chains.pieces.reserve(links.size());
   const auto walk = [&](std::uint32_t entry) {
     while (entry != kNone && !used[entry / 2]) {
+      throw_if_stopped(chains.pieces.size());
       used[entry / 2] = true;
       chains.pieces.push_back({entry / 2, entry % 2 == 1});
       entry = partner[entry ^ 1U];

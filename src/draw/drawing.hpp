@@ -2,11 +2,13 @@
 // A drawing: layers of strokes on a page, in millimetres, and where each lies on the ground.
 #pragma once
 
+#include "geometry/api.hpp"
 #include "geometry/box.hpp"
 #include "geometry/vec.hpp"
 
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -52,12 +54,14 @@ struct Layer {
     strokes.clear();
   }
 };
-/// Adds another layer's strokes behind those of `layer`.
-void append(Layer& layer, const Layer& other);
 
 /// The step of page coordinates in every format: 4 decimals of a millimetre, a hundredth of what a
 /// plotter can do.
 constexpr double kPageStep_mm = 1e-4;
+/// How far that moves a point, at most.
+constexpr double page_rounding_mm() {
+  return 0.5 * std::numbers::sqrt2 * kPageStep_mm;
+}
 
 struct Drawing {
   Page page;
@@ -67,9 +71,28 @@ struct Drawing {
   std::vector<Layer> layers; ///< in drawing order
 };
 
+/// Adds another layer's strokes behind those of `layer`.
+OROGRAPH_API void append(Layer& layer, const Layer& other);
+
+/// The layer with each stroke cut into dashes, from one of its ends to the other: as many whole
+/// ones as fit, dash and gap stretched together so that it begins and ends with a dash. Dashes are
+/// strokes of their own, so that a plotter draws them too. A stroke that is shorter than a dash and
+/// a gap stays whole. REQUIRES a layer without map points, and lengths above 0.
+OROGRAPH_API Layer dashed(const Layer& layer, double dash_mm, double gap_mm);
+
+/// How far a plotter's pen goes to draw a drawing.
+struct PenTravel {
+  double down_mm = 0; ///< the strokes' length
+  double up_mm = 0;   ///< between strokes
+};
+
+/// Strokes in drawing order, each from its first point. The pen starts above the page's upper left
+/// corner, as plotters do, and its way back after the last stroke isn't counted.
+OROGRAPH_API PenTravel pen_travel(const Drawing& drawing);
+
 /// The first thing that is wrong with a drawing, or nothing: every point finite, on the step and
 /// inside the margins; no stroke with fewer than two points or without length; no two equal
 /// strokes in a layer (nor one the reverse of the other).
-std::optional<std::string> find_fault(const Drawing& drawing);
+OROGRAPH_API std::optional<std::string> find_fault(const Drawing& drawing);
 
 } // namespace orograph

@@ -3,12 +3,12 @@
 #include "draw/page.hpp"
 
 #include "geometry/error.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 namespace orograph {
@@ -84,8 +84,7 @@ Page oriented_page(const Box2& window, const PageRequest& request) {
 } // namespace
 
 std::optional<Vec2> paper_size_mm(std::string_view name) {
-  std::string lower(name);
-  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string lower = in_lower_case(name);
   const auto* const paper =
       std::ranges::find(kPapers, lower, &std::pair<std::string_view, Vec2>::first);
   if (paper == kPapers.end()) return {};

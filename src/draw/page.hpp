@@ -3,6 +3,7 @@
 #pragma once
 
 #include "draw/drawing.hpp"
+#include "draw/page_request.hpp"
 #include "geometry/box.hpp"
 #include "geometry/homography.hpp"
 
@@ -12,14 +13,6 @@
 #include <vector>
 
 namespace orograph {
-
-enum class Orientation { as_given, by_picture, portrait, landscape };
-
-struct PageRequest {
-  double width_mm = 210, height_mm = 297;
-  Orientation orientation = Orientation::by_picture;
-  double margin_mm = 10;
-};
 
 struct Placement {
   Page page;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rounding page points to the step that every format prints, and dropping what that makes empty.
+// Rounding page points to the step that every format prints, and dropping what that makes empty or
+// draws twice.
 #pragma once
 
 #include "draw/drawing.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace orograph {
 
@@ -25,6 +28,11 @@ struct RoundingCounts {
 /// REQUIRES: strokes in the order of their points, without overlap; `map` empty or as long as
 /// `page_mm`. Cost O(points), in place.
 RoundingCounts round_strokes(Layer& layer);
+
+/// The numbers, rising, of the layer's strokes that have the points of an earlier one, in order or
+/// reversed. REQUIRES that strokes lie within its points and no coordinate is -0. Cost O(points)
+/// expected, on all cores, with 24 to 40 bytes for each stroke.
+std::vector<std::uint32_t> repeated_strokes(const Layer& layer);
 
 /// Drops strokes that repeat an earlier one. REQUIRES a layer as `round_strokes` leaves it. In
 /// place; costs what `repeated_strokes` does.

@@ -3,6 +3,7 @@
 // view along the grid is along the grid and a view from 90 degrees is a plan, to the last bit.
 #pragma once
 
+#include "geometry/api.hpp"
 #include "geometry/vec.hpp"
 
 namespace orograph {
@@ -12,7 +13,7 @@ public:
   constexpr Angle() = default;
   static constexpr Angle degrees(double deg) { return Angle(deg); }
   constexpr double in_degrees() const { return deg_; }
-  double in_radians() const;
+  OROGRAPH_API double in_radians() const;
   constexpr auto operator<=>(const Angle&) const = default;
 
 private:
@@ -31,13 +32,13 @@ constexpr Angle operator*(double s, Angle a) {
 }
 
 /// Exact (0, 1, -1) at multiples of 90 degrees; elsewhere right to 1 ulp of the reduced angle.
-double sin(Angle a);
-double cos(Angle a);
-double tan(Angle a);
+OROGRAPH_API double sin(Angle a);
+OROGRAPH_API double cos(Angle a);
+OROGRAPH_API double tan(Angle a);
 /// Angle of the vector (x, y) from the x axis, in (-180, 180] degrees; exact on the axes.
-Angle atan2_angle(double y, double x);
+OROGRAPH_API Angle atan2_angle(double y, double x);
 
 /// Unit vector (east, north) of an azimuth, clockwise from north.
-Vec2 direction_of_azimuth(Angle azimuth);
+OROGRAPH_API Vec2 direction_of_azimuth(Angle azimuth);
 
 } // namespace orograph

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one exception type. Readers, writers and option parsing throw it; algorithms get checked
-// input and don't throw.
+// The one exception type. Readers, writers and checks of what is asked throw it; algorithms get
+// checked input and don't throw.
 #pragma once
+
+#include "geometry/api.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -9,17 +11,35 @@
 
 namespace orograph {
 
-/// What is wrong, and what would be right: each a phrase without a full stop or line break.
-/// `what()` is "wrong: right", the text that follows "orograph: error: " on stderr.
-class Error : public std::runtime_error {
-public:
-  Error(const std::string& wrong, const std::string& right) : runtime_error(wrong + ": " + right) {}
+enum class ErrorCode {
+  input,     ///< a terrain, a scene or a view in a file can't be used
+  request,   ///< what is asked for can't be done, or makes no sense
+  output,    ///< a file can't be written
+  cancelled, ///< the caller stopped the work
 };
 
-/// An error of the command line itself (exit code 2); any other Error is exit code 1.
-class UsageError : public Error {
+/// What is wrong, and what would be right: each a phrase without a full stop or line break.
+/// `what()` is "wrong: right", the text that follows "orograph: error: " on stderr.
+class OROGRAPH_API Error : public std::runtime_error {
 public:
-  using Error::Error;
+  Error(const std::string& wrong, const std::string& right, ErrorCode code = ErrorCode::input)
+      : runtime_error(wrong + ": " + right), wrong_length_(wrong.size()), code_(code) {}
+
+  ErrorCode code() const { return code_; }
+  std::string wrong() const { return std::string(what()).substr(0, wrong_length_); }
+  std::string right() const { return std::string(what()).substr(wrong_length_ + 2); }
+
+private:
+  std::size_t wrong_length_;
+  ErrorCode code_;
+};
+
+/// An error of what is asked for, told without looking at any file (exit code 2 of the command; any
+/// other Error is exit code 1).
+class OROGRAPH_API UsageError : public Error {
+public:
+  UsageError(const std::string& wrong, const std::string& right)
+      : Error(wrong, right, ErrorCode::request) {}
 };
 
 } // namespace orograph

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A source segment: a projected straight line of the terrain in the visibility plane.
+// The terrain in the visibility plane: source segments, which are projected straight lines of it,
+// and whole profiles.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace orograph {
 
@@ -32,5 +34,21 @@ inline double height_difference(const Segment& p, const Segment& s, double x) {
   const double s_rise = (s_left ? x - s.x0 : x - s.x1) * s.slope;
   return ((p_left ? p.y0 : p.y1) - (s_left ? s.y0 : s.y1)) + (p_rise - s_rise);
 }
+
+/// Of the visibility plane.
+struct XRange {
+  double begin, end;
+};
+
+/// Vertices `first` to `last` of a profile, with ground between each and the next.
+struct VertexRun {
+  std::uint32_t first, last;
+};
+
+/// All vertices of a profile; X never falls along a run.
+struct ProjectedProfile {
+  std::vector<double> x, y;
+  std::vector<VertexRun> runs;
+};
 
 } // namespace orograph

@@ -2,6 +2,8 @@
 // Sorting many things by a whole number.
 #pragma once
 
+#include "geometry/on_all_cores.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -21,6 +23,7 @@ void sort_by_number(std::vector<Thing>& things, const NumberOf& number_of) {
   for (const Thing& thing : things) greatest = std::max<std::uint64_t>(greatest, number_of(thing));
   std::vector<Thing> sorted(things.size());
   for (unsigned shift = 0; shift < 64 && greatest >> shift > 0; shift += kBits) {
+    throw_if_stopped();
     const auto digit = [&](const Thing& thing) {
       return static_cast<std::size_t>(std::uint64_t{number_of(thing)} >> shift & kMask);
     };

@@ -2,7 +2,7 @@
 #include "horizon/blocked_horizon.hpp"
 
 #include "horizon/clip_step.hpp"
-#include "horizon/horizon_pieces.hpp"
+#include "horizon/horizon.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The quick form of `clip` for what is compared with the horizon and doesn't raise it: a whole
-// profile, vertex after vertex, against a horizon in blocks.
+// Clipping of whole profiles, vertex after vertex, against a horizon in blocks: the quick form of
+// `clip` for what is compared with the horizon and doesn't raise it. And of profiles along walls,
+// segments with no extent in X.
 #pragma once
 
-#include "geometry/projected_profile.hpp"
+#include "geometry/segment.hpp"
 #include "horizon/blocked_horizon.hpp"
+#include "horizon/clip.hpp"
 #include "horizon/compare.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace orograph {
@@ -36,5 +39,18 @@ struct ProfileClipCounts {
 void clip_profile(const ProjectedProfile& profile, XRange range, BlockedHorizon& horizon,
                   const TieTolerance& tolerance, std::vector<VisibleRun>& visible,
                   ProfileClipCounts& counts);
+
+/// What of each upright segment (x0 == x1; a profile's way up or down a wall that the eye sees) is
+/// above `horizon`, as pieces numbered by `uprights`. Where the horizon has a step at that X, its
+/// lower side counts: the wall's own top stands on the higher one. `beside` is what is that close
+/// in X counts as being at it.
+template <class AnyHorizon> // Horizon or BlockedHorizon
+std::vector<Piece> visible_uprights(std::span<const Segment> uprights, const AnyHorizon& horizon,
+                                    double beside);
+
+/// Puts uprights and their visible pieces where they belong among a profile's segments and pieces:
+/// in order of ids.
+void insert_uprights(std::span<const Segment> uprights, std::span<const Piece> visible_uprights,
+                     std::vector<Segment>& segments, std::vector<Piece>& visible);
 
 } // namespace orograph

@@ -3,7 +3,7 @@
 #include "horizon/surface_line.hpp"
 
 #include "horizon/compare.hpp"
-#include "horizon/horizon_pieces.hpp"
+#include "horizon/horizon.hpp"
 
 #include <algorithm>
 #include <cmath>

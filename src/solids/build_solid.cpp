@@ -3,14 +3,17 @@
 
 #include "geometry/box.hpp"
 #include "geometry/error.hpp"
-#include "solids/closed_parts.hpp"
 #include "solids/plane_polygon.hpp"
+#include "solids/solid.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <span>
+#include <vector>
 
 namespace orograph {
 namespace {
@@ -20,6 +23,8 @@ using Face = std::vector<Index>;
 
 constexpr double kFarthest_m = 1e12; // cubes of it, and of its rounding, are still plain numbers
 constexpr auto kSplitIt = "split it into triangles";
+constexpr auto kListCounterclockwise =
+    "list the corners of each face counterclockwise for who looks from outside";
 
 // A side of a face, or of a triangle within one.
 struct HalfEdge {
@@ -147,7 +152,7 @@ void check_edge(std::span<const HalfEdge> sides) {
   if (sides[0].from == sides[1].from)
     throw Error(fmt::format("faces {} and {} run along {} the same way", sides[0].face,
                             sides[1].face, edge),
-                list_counterclockwise);
+                kListCounterclockwise);
 }
 
 void drop_unused_vertices(Solid& solid) {
@@ -184,6 +189,55 @@ std::vector<SolidEdge> paired(std::vector<HalfEdge>& sides, const Polyhedron& po
                                                             std::array{side.from, side.to})});
   }
   return edges;
+}
+
+// Triangles that are joined, each set by one of them.
+class Parts {
+public:
+  explicit Parts(std::size_t triangles) : of_(triangles) {
+    std::iota(of_.begin(), of_.end(), Index{0});
+  }
+
+  void join(Index a, Index b) { of_[root(a)] = root(b); }
+  Index root(Index triangle) {
+    while (of_[triangle] != triangle) triangle = of_[triangle] = of_[of_[triangle]];
+    return triangle;
+  }
+
+private:
+  std::vector<Index> of_;
+};
+
+struct Measure {
+  double six_volumes_m3 = 0, twice_area_m2 = 0;
+};
+
+// Throws Error if a closed part of the solid, all that edges join, has no volume to rounding, or
+// is inside out. `face_of` is the face of each triangle, for messages; the part's first is named.
+// REQUIRES that every edge has its two triangles.
+void require_outward(const Solid& solid, const std::vector<std::uint32_t>& face_of, double size_m) {
+  Parts parts(solid.triangles.size());
+  for (const SolidEdge& edge : solid.edges) parts.join(edge.left, edge.right);
+  std::vector<Measure> measures(solid.triangles.size());
+  const auto corner = [&](Index triangle, int number) {
+    return solid.vertices_m[solid.triangles[triangle][number]];
+  };
+  for (Index i = 0; i < measures.size(); ++i) {
+    const Index part = parts.root(i);
+    const Vec3 normal = cross(corner(i, 1) - corner(i, 0), corner(i, 2) - corner(i, 0));
+    // From a point of the part, so that a far part has no smaller volume.
+    measures[part].six_volumes_m3 += dot(corner(i, 0) - corner(part, 0), normal);
+    measures[part].twice_area_m2 += length(normal);
+  }
+  for (Index i = 0; i < measures.size(); ++i) {
+    const Measure& part = measures[parts.root(i)];
+    if (std::abs(part.six_volumes_m3) <= 1e-14 * part.twice_area_m2 * size_m)
+      throw Error(fmt::format("the closed part with face {} has no volume", face_of[i]),
+                  "a sheet needs a thickness");
+    if (part.six_volumes_m3 < 0)
+      throw Error(fmt::format("the closed part with face {} is inside out", face_of[i]),
+                  kListCounterclockwise);
+  }
 }
 
 } // namespace

@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// From a body as it is described, by the polygons that bound it, to a solid.
 #pragma once
 
-#include "solids/polyhedron.hpp"
+#include "geometry/vec.hpp"
 #include "solids/solid.hpp"
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace orograph {
+
+struct Polyhedron {
+  std::vector<Vec3> vertices_m;
+  /// Plane polygons, convex or not, their corners counterclockwise for who looks from outside.
+  std::vector<std::vector<std::uint32_t>> faces;
+  /// Edges of a curved surface, drawn only as its outline; in either direction.
+  std::vector<std::array<std::uint32_t, 2>> smooth_edges;
+};
 
 /// The polyhedron as a solid: its faces in triangles (a fan, or ears cut off where a face is not
 /// convex), each edge once, with the triangles on either side, edges within a face smooth. Vertices

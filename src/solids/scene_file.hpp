@@ -4,8 +4,6 @@
 
 #include "solids/solid.hpp"
 
-#include <Eigen/Core>
-
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -22,11 +20,17 @@ struct ScenePlace {
   std::size_t line = 0;         ///< of the file
 };
 
+/// A place p becomes p.x * x + p.y * y + p.z * z + origin.
+struct AffineMap {
+  Vec3 x, y, z; ///< what the unit vectors become
+  Vec3 origin;  ///< what the origin becomes
+  bool operator==(const AffineMap&) const = default;
+};
+
 /// One path through the scene graph, from a place to a solid. A negative determinant mirrors it.
 struct SolidInstance {
   std::size_t place = 0, solid = 0;
-  /// From the solid's own frame to the place's, metres; affine, not singular.
-  Eigen::Matrix4d to_place;
+  AffineMap to_place; ///< from the solid's own frame to the place's, metres; not singular
 };
 
 struct SceneFile {

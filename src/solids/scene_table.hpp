@@ -1,18 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of a scene file by their keys, and what their values should be.
+// What a scene file says, as a tree of plain values that know their lines; and its tables by their
+// keys, with what their values should be.
 #pragma once
 
 #include "geometry/vec.hpp"
-#include "solids/scene_value.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace orograph {
+
+struct SceneEntry;
+
+struct SceneValue {
+  using List = std::vector<SceneValue>;
+  using Table = std::vector<SceneEntry>; ///< in the file's order
+  struct Time {};
+
+  std::size_t line = 0;
+  std::variant<std::string, double, bool, Time, List, Table> value;
+
+  const List* list() const { return std::get_if<List>(&value); }
+  const Table* table() const { return std::get_if<Table>(&value); }
+};
+
+/// A key of a table with its value; printable.
+struct SceneEntry {
+  std::string key;
+  SceneValue value;
+};
+
+/// For messages: "text", "the number 7", "a list of 2 values".
+std::string words_for(const SceneValue& value);
+
+/// Reads TOML. Throws Error, which begins with the path: no such file, a folder, over 10 MB, not
+/// TOML, names with over 1000 dots (with the line).
+SceneValue::Table parse_scene(const std::string& path);
 
 /// A key that a table may have.
 struct SceneKey {

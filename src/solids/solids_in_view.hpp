@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All solids of a scene in one view: what they hide of lines.
+// Standing solids as a view has them: light and dark triangles, what they hide of lines, and
+// whether the eye is inside of one.
 #pragma once
 
 #include "geometry/box.hpp"
-#include "solids/share.hpp"
-#include "solids/solid_in_view.hpp"
+#include "solids/shadow.hpp"
+#include "solids/standing_solid.hpp"
+#include "view/view.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,6 +15,46 @@
 #include <vector>
 
 namespace orograph {
+
+/// A box in the visibility plane, and depths. Infinite where something reaches beside the eye.
+struct SeenBox {
+  double x_begin, x_end, y_low, y_high, nearest_m, farthest_m;
+};
+/// Of points of the profile frame.
+SeenBox seen_box(const View& view, const Vec3* points, std::size_t count);
+/// It stands in front of nothing then. What is nearer than the near plane does, though it has no
+/// picture.
+inline bool is_behind_eye(const View& view, const SeenBox& box) {
+  return view.is_perspective() && box.farthest_m <= 0;
+}
+
+/// What a light triangle hides.
+struct TriangleShadow {
+  Shadow shadow;
+  SeenBox box;
+  std::uint32_t triangle;
+};
+
+/// How an edge stands to the eye (Chen and Sabbagh 1983, sections 5.8 and 5.9: light and dark
+/// faces).
+enum class EdgeFacing : std::uint8_t {
+  seen,     ///< between two light triangles, or the outline; or a wire
+  dark,     ///< behind its own solid as a whole
+  not_drawn ///< smooth, and no outline
+};
+
+struct SolidInView {
+  const StandingSolid* standing = nullptr;
+  std::vector<Vec3> vertices; ///< profile frame
+  std::vector<TriangleShadow> shadows;
+  std::vector<EdgeFacing> edges;
+  SeenBox box{};
+  double rounding_m = 0; ///< bound on the rounding of positions
+};
+
+/// REQUIRES that the standing solid outlives what comes back. A triangle that is seen edge-on
+/// counts as dark.
+SolidInView in_view(const StandingSolid& standing, const View& view);
 
 /// A straight line of the profile frame, in front of the near plane.
 struct LineInView {
@@ -107,5 +149,11 @@ private:
   std::size_t side_ = 0;         ///< buckets across, and up
   std::vector<std::vector<std::uint32_t>> buckets_, columns_;
 };
+
+/// Whether the eye of a perspective view is inside of a solid, however its closed parts lie in or
+/// across each other: which of its triangles are above the eye is told by the same signs for
+/// neighbours, so that none is counted twice and none is missed. An eye on the surface, to
+/// rounding, may count as inside or not. Cost: a pass over the triangles.
+bool holds_eye(const StandingSolid& standing, const View& view);
 
 } // namespace orograph

@@ -2,7 +2,7 @@
 #include "solids/walk_scene.hpp"
 
 #include "geometry/error.hpp"
-#include "view/model_transform.hpp"
+#include "view/pipeline.hpp"
 
 #include <fmt/format.h>
 
@@ -115,6 +115,11 @@ void check_matrix(const Eigen::Matrix4d& matrix, const PartUse& place, const std
   }
 }
 
+AffineMap affine_map(const Eigen::Matrix4d& matrix) {
+  const auto column = [&](int i) { return Vec3{matrix(0, i), matrix(1, i), matrix(2, i)}; };
+  return {column(0), column(1), column(2), column(3)};
+}
+
 } // namespace
 
 std::vector<SolidInstance> walk_scene(const SceneGraph& graph, const std::string& path) {
@@ -127,7 +132,7 @@ std::vector<SolidInstance> walk_scene(const SceneGraph& graph, const std::string
     const auto enter = [&](Index part, const Eigen::Matrix4d& matrix) {
       if (const auto solid = graph.parts[part].solid) {
         check_matrix(matrix, place, graph.parts[part].name, path);
-        instances.push_back({i, *solid, matrix});
+        instances.push_back({i, *solid, affine_map(matrix)});
       }
       steps.push_back({part});
       matrices.push_back(matrix);

@@ -4,8 +4,8 @@
 // D + q with q = (P-T).F cos e - (z-T_z) sin e, where D is the distance from eye to target.
 #include "view/place_view.hpp"
 
+#include "geometry/blocked_points.hpp"
 #include "geometry/error.hpp"
-#include "view/extremes.hpp"
 #include "view/sectors.hpp"
 
 #include <algorithm>

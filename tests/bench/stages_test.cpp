@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages that are measured one by one are those of a drawing: put together they make it.
-#include "cli/draw_scene.hpp"
-#include "cli/scene_lines.hpp"
-#include "cli/strips.hpp"
-#include "cli/sweep_strips.hpp"
 #include "draw/round_drawing.hpp"
 #include "tests/catch.hpp"
 
@@ -16,6 +12,10 @@
 #include "bench/scenes.hpp"
 #include "bench/stages/front_to_back.hpp"
 #include "bench/stages/stages.hpp"
+#include "hidden_lines/strips.hpp"
+#include "hidden_lines/strips_pass.hpp"
+#include "hidden_lines/surface_lines.hpp"
+#include "map/draw_map.hpp"
 
 using namespace orograph;
 
@@ -24,8 +24,9 @@ namespace {
 // The northernmost rows of the benchmarks' mountains.
 Grid mountains(int columns, int rows) {
   Grid grid = fractal_terrain(columns);
-  auto& heights = std::get<Heights<float>>(grid.heights_m).own();
-  heights.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  const float* const heights = std::get<Heights<float>>(grid.heights_m).data();
+  grid.heights_m = std::vector<float>(heights, heights + static_cast<std::size_t>(columns) *
+                                                             static_cast<std::size_t>(rows));
   grid.rows = rows;
   return grid;
 }
@@ -33,8 +34,8 @@ Grid mountains(int columns, int rows) {
 // Wide enough for several strips.
 StagedView wide_view(double azimuth_deg, double elevation_deg) {
   Grid grid = mountains(1000, 60);
-  RenderSettings settings = one_profile_a_row(grid, azimuth_deg, elevation_deg);
-  return {std::move(grid), std::move(settings)};
+  MapSpec spec = one_profile_a_row(grid, azimuth_deg, elevation_deg);
+  return {std::move(grid), std::move(spec)};
 }
 
 bool same(const LinePart& a, const LinePart& b) {
@@ -50,7 +51,7 @@ TEST_CASE("profiles taken stage by stage are those of the drawing", "[bench]") {
     CHECK(profiles.front().by_strip.size() > 1);
     Layer layer = laid_out(view, view.strokes, profiles);
     round_to_page_step(layer);
-    const DrawnScene drawn = draw_scene(view.terrain, view.scene, view.settings, [](double) {});
+    const Map drawn = draw_map(view.terrain, view.scene, view.spec, [](double) {});
     const Layer& whole = drawn.drawing.layers.front();
     CHECK(whole.page_mm.size() > 1000);
     CHECK(layer.page_mm == whole.page_mm);
@@ -59,19 +60,19 @@ TEST_CASE("profiles taken stage by stage are those of the drawing", "[bench]") {
   }
 }
 
-TEST_CASE("lines taken stage by stage are those of the sweep in strips", "[bench]") {
+TEST_CASE("lines taken stage by stage are those of the pass in strips", "[bench]") {
   for (const auto& [azimuth_deg, elevation_deg] : {std::pair{180., 25.}, {182., 5.}}) {
     const StagedView view = wide_view(azimuth_deg, elevation_deg);
-    RenderSettings drawing = view.settings;
+    Style drawing = view.spec.style;
     drawing.layers = {"silhouettes", "border"}; // some of which is in the last plane
-    const std::vector<SweptLine> lines = lines_of(view.terrain, view.scene, drawing);
-    SweepMeters meters;
-    SweepFound found = sweep_front_to_back(view, lines, meters, [](const ProfileInWork&) {});
+    const std::vector<EdgeLine> lines = lines_of(view.terrain, view.scene, drawing);
+    PassMeters meters;
+    PassFound found = pass_front_to_back(view, lines, meters, [](const ProfileInWork&) {});
     join(found.visible);
-    CountsReport counts;
-    SecondsReport seconds;
+    Counts counts;
+    StageSeconds seconds;
     seconds.cut = seconds.project = seconds.clip = seconds.layout = seconds.facing = 0;
-    const SweptSector whole = sweep_strips(
+    const SectorParts whole = strips_pass(
         view.work_with(lines), [](ProfileInWork&) {}, [](ProfileInWork&) {}, counts, seconds);
     CHECK(whole.visible.size() > 1000);
     CHECK(std::ranges::equal(found.visible, whole.visible, same));
@@ -81,8 +82,8 @@ TEST_CASE("lines taken stage by stage are those of the sweep in strips", "[bench
 
 TEST_CASE("each stage does the same whenever it runs, and says what it costs", "[bench]") {
   Grid grid = mountains(60, 60);
-  RenderSettings settings = one_profile_a_row(grid, 180, 25);
-  const StagedView view(std::move(grid), std::move(settings));
+  MapSpec spec = one_profile_a_row(grid, 180, 25);
+  const StagedView view(std::move(grid), std::move(spec));
   for (const NamedStage& named : all_stages()) {
     INFO(named.name);
     Stage stage = named.of(view);

@@ -12,7 +12,6 @@
 //   every M                  metres of depth from profile to profile, the first after half of it
 //   layer NAME STROKES MM    what must be drawn in a layer, and how long it is in all, to 0.01 mm;
 //                            "any" for either where the check alone decides
-#include "cli/draw_scene.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/grid_of.hpp"
@@ -25,6 +24,8 @@
 #include <limits>
 #include <sstream>
 
+#include "map/draw_map.hpp"
+
 using namespace orograph;
 
 namespace {
@@ -35,8 +36,8 @@ struct WantedLayer {
 
 struct Case {
   std::string caption;
-  Terrain terrain;
-  RenderSettings settings;
+  TerrainData terrain;
+  MapSpec spec;
   std::vector<WantedLayer> layers;
 };
 
@@ -57,8 +58,10 @@ std::vector<double> numbers_in(std::istringstream& words) {
 }
 
 void add_rows(Grid& grid, int count, const std::vector<double>& row) {
-  auto& heights = std::get<Heights<double>>(grid.heights_m).own();
+  const auto& before = std::get<Heights<double>>(grid.heights_m);
+  std::vector<double> heights(before.begin(), before.end());
   for (int i = 0; i < count; ++i) heights.insert(heights.end(), row.begin(), row.end());
+  grid.heights_m = std::move(heights);
   if (grid.rows == 0) grid.columns = static_cast<int>(row.size());
   REQUIRE(row.size() == static_cast<std::size_t>(grid.columns));
   grid.rows += count;
@@ -66,7 +69,7 @@ void add_rows(Grid& grid, int count, const std::vector<double>& row) {
 
 void read_line(Case& scene, const std::string& word, std::istringstream& words) {
   Grid& grid = grid_of(scene.terrain);
-  RenderSettings& settings = scene.settings;
+  MapSpec& spec = scene.spec;
   if (word == "layer") {
     WantedLayer wanted;
     words >> wanted.name >> wanted.strokes >> wanted.length_mm;
@@ -86,29 +89,29 @@ void read_line(Case& scene, const std::string& word, std::istringstream& words) 
     n.erase(n.begin());
     add_rows(grid, count, n);
   } else if (word == "view-from" || word == "perspective") {
-    settings.projection =
+    spec.view.projection =
         word == "perspective" ? Projection::perspective : Projection::orthographic;
-    settings.from_azimuth = Angle::degrees(n.at(0));
-    settings.from_elevation = Angle::degrees(n.at(1));
+    spec.view.from_azimuth = Angle::degrees(n.at(0));
+    spec.view.from_elevation = Angle::degrees(n.at(1));
   } else if (word == "eye") {
-    settings.projection = Projection::perspective;
-    settings.eye_map = Vec3{n.at(0), n.at(1), n.at(2)};
-    settings.look_at_map = Vec3{n.at(3), n.at(4), n.at(5)};
-    settings.field_of_view = Angle::degrees(60);
+    spec.view.projection = Projection::perspective;
+    spec.view.eye_map = Vec3{n.at(0), n.at(1), n.at(2)};
+    spec.view.look_at_map = Vec3{n.at(3), n.at(4), n.at(5)};
+    spec.view.field_of_view = Angle::degrees(60);
   } else {
     REQUIRE(word == "every");
-    settings.plan = GroundSpacing{n.at(0)};
+    spec.style.plan = GroundSpacing{n.at(0)};
   }
 }
 
 Case read_case(const std::filesystem::path& path) {
   Case scene;
   grid_of(scene.terrain) = {0, 0, PlaneLattice{{}, {1, 0}, {0, -1}}, std::vector<double>()};
-  scene.settings.exaggeration = 1;
-  scene.settings.flat = FlatGround::draw;
-  scene.settings.simplify_mm = 0;
-  scene.settings.silhouette_jump = 0;
-  scene.settings.check = 4000;
+  scene.spec.view.exaggeration = 1;
+  scene.spec.style.flat = FlatGround::draw;
+  scene.spec.style.simplify_mm = 0;
+  scene.spec.style.silhouette_jump = 0;
+  scene.spec.check = 4000;
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
     INFO(path.filename() << ": " << line);
@@ -147,14 +150,14 @@ void check_layer(const Drawing& drawing, const WantedLayer& wanted) {
 }
 
 void check_case(const Case& wanted) {
-  const Scene scene = place_scene(wanted.terrain, wanted.settings);
-  const DrawnScene drawn = draw_scene(wanted.terrain, scene, wanted.settings, [](double) {});
+  const PlacedView scene = placed_view(wanted.terrain, wanted.spec);
+  const Map drawn = draw_map(wanted.terrain, scene, wanted.spec, [](double) {});
   const auto fault = find_fault(drawn.drawing);
   INFO(fault.value_or(""));
   CHECK(!fault);
-  REQUIRE(drawn.check);
-  CHECK(drawn.check->hidden == 0);
-  CHECK(drawn.check->missing == 0);
+  REQUIRE(drawn.facts.check);
+  CHECK(drawn.facts.check->hidden == 0);
+  CHECK(drawn.facts.check->missing == 0);
   for (const WantedLayer& layer : wanted.layers) check_layer(drawn.drawing, layer);
 }
 

@@ -31,7 +31,7 @@ AccuracySettings small_settings() {
 }
 
 std::vector<AccuracyRow> measured(const AccuracySettings& settings) {
-  const Terrain terrain = read_rasters(settings.render.inputs, settings.render.reading);
+  const TerrainData terrain = read_rasters(settings.render.inputs, settings.render.reading);
   std::vector<AccuracyRow> rows = accuracy_rows(settings);
   for (AccuracyRow& row : rows) measure_row(row, settings, terrain);
   return rows;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the report says of places on the earth, and where things are drawn, by GeographicLib.
-#include "cli/describe_run.hpp"
-#include "cli/stand_on_earth.hpp"
+#include "cli/render_settings.hpp"
+#include "cli/report/run_report.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/earth_terrain.hpp"
 #include "tests/support/random.hpp"
@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "map/describe_map.hpp"
+#include "placing/terrain_of_view.hpp"
+
 using namespace orograph;
 using Json = nlohmann::json;
 
@@ -21,7 +24,7 @@ namespace {
 constexpr int kSize = 25;
 
 // Hills around a place, 2 km across.
-Terrain hills_in_degrees(Random& random, double lon_deg, double lat_deg) {
+TerrainData hills_in_degrees(Random& random, double lon_deg, double lat_deg) {
   const double north_deg = 0.0008;
   const double east_deg = north_deg / cos(Angle::degrees(lat_deg));
   const double phase = random.between(0, 6);
@@ -33,8 +36,8 @@ Terrain hills_in_degrees(Random& random, double lon_deg, double lat_deg) {
                        });
 }
 
-Terrain hills_in_utm(Random& random, double lon_deg, double lat_deg) {
-  Terrain terrain;
+TerrainData hills_in_utm(Random& random, double lon_deg, double lat_deg) {
+  TerrainData terrain;
   Grid grid{kSize, kSize, PlaneLattice{{}, {80, 0}, {0, -80}}, {}};
   std::vector<double> heights;
   for (std::size_t i = 0; i < grid.size(); ++i) heights.push_back(random.between(0, 300));
@@ -53,13 +56,12 @@ struct Run {
   Json view;
   Drawing drawing;
 };
-Run run_of(Terrain& terrain, const RenderSettings& settings) {
-  stand_on_earth(terrain, settings);
-  const Scene scene = place_scene(terrain, settings);
-  DrawnScene drawn = draw_scene(terrain, scene, settings, [](double) {});
-  RunReport report;
-  describe_run(report, terrain, scene, drawn, settings);
-  return {Json::parse(report_text(report))["view"], std::move(drawn.drawing)};
+Run run_of(TerrainData& terrain, const MapSpec& spec) {
+  stand_on_earth(terrain, spec.view);
+  const PlacedView scene = placed_view(terrain, spec);
+  Map drawn = draw_map(terrain, scene, spec, [](double) {});
+  describe_map(drawn, terrain, scene, spec);
+  return {Json::parse(report_text(run_report(drawn, {})))["view"], std::move(drawn.drawing)};
 }
 
 double turned_apart_deg(double one_deg, double other_deg) {
@@ -75,19 +77,19 @@ TEST_CASE("distance and azimuth of the report are the geodesic's, of degrees and
     const bool in_utm = i % 2 == 1;
     const double lat_deg = in_utm ? random.between(30, 70) : random.between(-80, 80);
     const double lon_deg = in_utm ? random.between(6, 12) : random.between(-180, 180);
-    Terrain terrain = in_utm ? hills_in_utm(random, lon_deg, lat_deg)
-                             : hills_in_degrees(random, lon_deg, lat_deg);
+    TerrainData terrain = in_utm ? hills_in_utm(random, lon_deg, lat_deg)
+                                 : hills_in_degrees(random, lon_deg, lat_deg);
     const auto& geodesic = GeographicLib::Geodesic::WGS84();
     double eye_lat = 0, eye_lon = 0;
     geodesic.Direct(lat_deg, lon_deg, random.between(-180, 180),
                     random.pick({3e3, 5e4, 2e5}) * random.between(0.7, 1), eye_lat, eye_lon);
-    RenderSettings settings;
-    settings.eye_lonlat = Vec3{eye_lon, eye_lat, 4000};
+    MapSpec spec;
+    spec.view.eye_lonlat = Vec3{eye_lon, eye_lat, 4000};
     const double target_lon = lon_deg + random.between(-0.01, 0.01);
     const double target_lat = lat_deg + random.between(-0.005, 0.005);
-    settings.look_at_lonlat = Vec3{target_lon, target_lat, random.between(0, 500)};
-    settings.layers = {"border"};
-    const Json view = run_of(terrain, settings).view;
+    spec.view.look_at_lonlat = Vec3{target_lon, target_lat, random.between(0, 500)};
+    spec.style.layers = {"border"};
+    const Json view = run_of(terrain, spec).view;
     double distance_m = 0, azimuth_deg = 0, there_deg = 0;
     geodesic.Inverse(eye_lat, eye_lon, target_lat, target_lon, distance_m, azimuth_deg, there_deg);
     const double off_m = std::abs(view["geodesic"]["distance_m"].get<double>() - distance_m);
@@ -115,15 +117,15 @@ TEST_CASE("the azimuth that is asked for is the report's, from true north, up to
   for (double lat_deg = -80; lat_deg <= 80; lat_deg += 4)
     for (const bool on_ground : {true, false}) {
       const double lon_deg = random.between(-180, 360), asked_deg = random.between(0, 360);
-      Terrain terrain = hills_in_degrees(random, lon_deg, lat_deg);
-      RenderSettings settings;
-      settings.eye_lonlat = GivenPlace(lon_deg, lat_deg);
-      if (!on_ground) settings.eye_lonlat->z = 2500;
-      settings.look_azimuth = Angle::degrees(asked_deg);
-      settings.pitch = Angle::degrees(-20);
-      settings.field_of_view = Angle::degrees(60);
-      settings.layers = {"border"};
-      const Json view = run_of(terrain, settings).view;
+      TerrainData terrain = hills_in_degrees(random, lon_deg, lat_deg);
+      MapSpec spec;
+      spec.view.eye_lonlat = GivenPlace(lon_deg, lat_deg);
+      if (!on_ground) spec.view.eye_lonlat->z = 2500;
+      spec.view.look_azimuth = Angle::degrees(asked_deg);
+      spec.view.pitch = Angle::degrees(-20);
+      spec.view.field_of_view = Angle::degrees(60);
+      spec.style.layers = {"border"};
+      const Json view = run_of(terrain, spec).view;
       CAPTURE(lat_deg, lon_deg, asked_deg);
       CHECK(turned_apart_deg(view["look_azimuth_true_deg"].get<double>(), asked_deg) <= 1e-7);
       CHECK(turned_apart_deg(view["look_azimuth_deg"].get<double>(), asked_deg) <= 1e-9);
@@ -143,24 +145,24 @@ TEST_CASE("vertices are drawn where LocalCartesian has them, within 1 mm on the 
   int compared = 0;
   for (int i = 0; i < 60; ++i) {
     const double lat_deg = random.between(-85, 85), lon_deg = random.between(-180, 180);
-    Terrain terrain = hills_in_degrees(random, lon_deg, lat_deg);
-    const Terrain as_read = terrain;
-    RenderSettings settings;
+    TerrainData terrain = hills_in_degrees(random, lon_deg, lat_deg);
+    const TerrainData as_read = terrain;
+    MapSpec spec;
     double eye_lat = 0, eye_lon = 0;
     GeographicLib::Geodesic::WGS84().Direct(lat_deg, lon_deg, random.between(-180, 180),
                                             random.pick({1500., 2500., 6e4}), eye_lat, eye_lon);
     const bool far = i % 3 == 2;
-    settings.eye_lonlat = Vec3{eye_lon, eye_lat, far ? 6000.0 : 1400.0};
-    settings.look_at_lonlat = Vec3{lon_deg, lat_deg, 500};
-    settings.field_of_view = Angle::degrees(random.between(5, 60));
-    settings.exaggeration = random.pick({1.0, 2.0});
-    settings.roll = Angle::degrees(random.pick({0.0, 17.0}));
-    settings.curvature = Curvature::on;
-    settings.refraction = random.pick({0.0, 0.13, 0.5});
-    settings.layers = {"edges"};
-    settings.simplify_mm = 0;
-    settings.write.format = Format::geojson;
-    const Run run = run_of(terrain, settings);
+    spec.view.eye_lonlat = Vec3{eye_lon, eye_lat, far ? 6000.0 : 1400.0};
+    spec.view.look_at_lonlat = Vec3{lon_deg, lat_deg, 500};
+    spec.view.field_of_view = Angle::degrees(random.between(5, 60));
+    spec.view.exaggeration = random.pick({1.0, 2.0});
+    spec.view.roll = Angle::degrees(random.pick({0.0, 17.0}));
+    spec.view.curvature = Curvature::on;
+    spec.view.refraction = random.pick({0.0, 0.13, 0.5});
+    spec.style.layers = {"edges"};
+    spec.style.simplify_mm = 0;
+    spec.ground_points = true;
+    const Run run = run_of(terrain, spec);
 
     const Vec3 eye{run.view["eye"][0], run.view["eye"][1], run.view["eye"][2]};
     const Vec2 forward{run.view["forward"][0], run.view["forward"][1]};
@@ -174,7 +176,7 @@ TEST_CASE("vertices are drawn where LocalCartesian has them, within 1 mm on the 
       const double v = frame_m.x * forward.x + frame_m.y * forward.y;
       return to_page.at({u, frame_m.z + lift * (u * u + v * v) - k * eye.z, v});
     };
-    CAPTURE(i, lon_deg, lat_deg, settings.refraction, k, eye.x, eye.y, eye.z);
+    CAPTURE(i, lon_deg, lat_deg, spec.view.refraction, k, eye.x, eye.y, eye.z);
     const Grid& grid = std::get<Grid>(as_read.surface);
     const DegreeLattice& lattice = grid.earth().degrees();
     const Layer& edges = run.drawing.layers.front();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `orograph fragmentation`: its measures against brute force, what it writes, and its refusals.
-#include "cli/draw_scene.hpp"
 #include "cli/fragmentation/fragmentation.hpp"
 #include "cli/fragmentation/fragmentation_report.hpp"
 #include "cli/fragmentation/growth.hpp"
@@ -21,6 +20,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "map/draw_map.hpp"
+
 using namespace orograph;
 
 namespace {
@@ -36,8 +37,8 @@ public:
   std::vector<HorizonPiece> occluders;
   std::vector<std::uint32_t> after;
 
-  void see(const Sector&, const Profile&, const std::vector<Segment>& segments,
-           const std::vector<Piece>&) override {
+  void see(const SeenProfile& seen) override {
+    const auto& segments = seen.segments;
     if (surface_)
       for (const HorizonPiece& piece : occluders)
         in_front_.push_back({piece.source, piece.x_begin, piece.x_end});
@@ -46,14 +47,14 @@ public:
     occluders.clear();
     after.push_back(static_cast<std::uint32_t>(envelope_size(in_front_)));
   }
-  void see(const Sector&, const LineSweep&, const std::vector<LinePart>&) override {}
+  void see(const SeenLines&) override {}
 
 private:
   bool surface_;
   std::vector<EnvelopePart> in_front_;
 };
 
-Terrain terrain_of(Grid grid) {
+TerrainData terrain_of(Grid grid) {
   return {std::move(grid), {}, "made", {}, {}, {}, 0};
 }
 
@@ -67,30 +68,30 @@ FragmentationRow row_of(Occluder occluder, double azimuth_deg, double elevation_
   return row;
 }
 
-std::vector<std::uint32_t> brute_force(const FragmentationRow& row, const Terrain& terrain) {
-  RenderSettings render;
-  render.occluder = row.occluder;
-  render.from_azimuth = Angle::degrees(row.azimuth_deg);
-  render.from_elevation = Angle::degrees(row.elevation_deg);
-  render.plan = ProfileCount{row.profiles};
+std::vector<std::uint32_t> brute_force(const FragmentationRow& row, const TerrainData& terrain) {
+  MapSpec render;
+  render.style.occluder = row.occluder;
+  render.view.from_azimuth = Angle::degrees(row.azimuth_deg);
+  render.view.from_elevation = Angle::degrees(row.elevation_deg);
+  render.style.plan = ProfileCount{row.profiles};
   EnvelopeCounter counter(row.occluder == Occluder::surface);
-  const Scene scene = place_scene(terrain, render);
+  const PlacedView scene = placed_view(terrain, render);
   REQUIRE(scene.sectors.size() == 1);
-  draw_scene(terrain, scene, render, [](double) {},
-             {.observer = &counter, .one_list = true, .occluders = &counter.occluders});
+  draw_map(terrain, scene, render, [](double) {},
+           {.observers = {&counter}, .one_list = true, .occluders = &counter.occluders});
   return counter.after;
 }
 
 const std::vector<FragmentationRow>& quarry_rows() {
   static const std::vector<FragmentationRow> rows = [] {
-    FragmentationSettings settings;
-    settings.render.inputs = {kQuarry};
-    settings.profiles = {15, 60};
-    settings.elevations_deg = {25};
-    settings.azimuths_deg = {180};
-    const Terrain terrain = read_terrain(settings.render.inputs, settings.render.reading);
-    std::vector<FragmentationRow> out = fragmentation_rows(settings);
-    for (FragmentationRow& row : out) measure_row(row, settings, terrain);
+    FragmentationSettings spec;
+    spec.render.inputs = {kQuarry};
+    spec.profiles = {15, 60};
+    spec.elevations_deg = {25};
+    spec.azimuths_deg = {180};
+    const TerrainData terrain = read_terrain(spec.render.inputs, spec.render.reading);
+    std::vector<FragmentationRow> out = fragmentation_rows(spec);
+    for (FragmentationRow& row : out) measure_row(row, spec, terrain);
     return out;
   }();
   return rows;
@@ -122,7 +123,7 @@ TEST_CASE("horizons have as many pieces as brute force finds, behind each profil
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     Random random(seed);
     const GridLattice lattice{9, 9, {0, 80}, {10, 0}, {0, -10}};
-    const Terrain terrain =
+    const TerrainData terrain =
         terrain_of(made_grid(random, lattice, {0, 25, seed == 3 ? 0.1 : 0, false, true}));
     for (const Occluder occluder : {Occluder::profiles, Occluder::surface})
       for (const double azimuth_deg : {180.0, 90.0, 217.0})
@@ -169,32 +170,32 @@ TEST_CASE("the paper's experiment: a triangulated terrain, 60 profiles") {
 }
 
 TEST_CASE("what is too large is not run") {
-  FragmentationSettings settings;
-  settings.exact_segments = 100;
-  settings.fragmented_segments = 200;
-  const Terrain gate = gate_before_ridges(4);
+  FragmentationSettings spec;
+  spec.exact_segments = 100;
+  spec.fragmented_segments = 200;
+  const TerrainData gate = gate_before_ridges(4);
   FragmentationRow row = row_of(Occluder::profiles, 180, 10, 4);
-  measure_row(row, settings, gate);
+  measure_row(row, spec, gate);
   REQUIRE(row.occluders > 100);
   REQUIRE(row.occluders <= 200);
   CHECK_FALSE(row.least);
   CHECK(row.fragmented);
   CHECK(broken_promise(row).empty()); // not known
-  settings.fragmented_segments = 100;
+  spec.fragmented_segments = 100;
   row = row_of(Occluder::profiles, 180, 10, 4);
-  measure_row(row, settings, gate);
+  measure_row(row, spec, gate);
   CHECK_FALSE(row.fragmented);
   CHECK(fragmentation_csv({row}).find(",,,,") != std::string::npos);
 }
 
 TEST_CASE("the worst cases grow as they are made to") {
   CHECK_FALSE(verify(std::get<Tin>(comb_before_slope(5).surface)));
-  FragmentationSettings settings;
-  settings.worst_case = 128;
-  std::vector<FragmentationRow> rows = worst_case_rows(settings);
+  FragmentationSettings spec;
+  spec.worst_case = 128;
+  std::vector<FragmentationRow> rows = worst_case_rows(spec);
   REQUIRE(rows.size() == 20); // two scenes, two occluders, sizes 8, 16, 32, 64, 128
   for (FragmentationRow& row : rows) {
-    measure_row(row, settings, worst_case_terrain(row));
+    measure_row(row, spec, worst_case_terrain(row));
     INFO(name_of(row));
     CHECK(broken_promise(row).empty());
   }
@@ -218,8 +219,8 @@ TEST_CASE("the worst cases grow as they are made to") {
   CHECK(exponent(growths, comb, profiles, "pieces_with") == Approx(1).margin(0.2));
   CHECK(exponent(growths, comb, profiles, "work_without") > 2.3);
 
-  settings.worst_case = 0;
-  CHECK(worst_case_rows(settings).empty());
+  spec.worst_case = 0;
+  CHECK(worst_case_rows(spec).empty());
 }
 
 TEST_CASE("a row that breaks the promise fails the run") {
@@ -329,7 +330,7 @@ TEST_CASE("without gnuplot all but the plots is written") {
   CHECK(folder.names() == std::vector<std::string>{"f-series.csv", "f.csv", "f.json", "hill.asc"});
 }
 
-TEST_CASE("settings of a study that can't be are refused") {
+TEST_CASE("spec of a study that can't be are refused") {
   CHECK(refusal({"a.tif"}) == "accepted");
   CHECK(refusal({"a.tif", "--profiles", "60,2000", "--azimuths", "-20,0.5"}) == "accepted");
   for (const char* list : {"", ",", "1,", "0", "-3", "1.5", "100001", "60,x"})

@@ -10,8 +10,8 @@ using namespace orograph;
 
 namespace {
 
-Terrain three_by_two() {
-  Terrain terrain;
+TerrainData three_by_two() {
+  TerrainData terrain;
   terrain.source = "a.tif";
   terrain.paths = {"a.tif"};
   grid_of(terrain) = {
@@ -31,7 +31,7 @@ bool has_line(const std::string& text, const std::string& line) {
 } // namespace
 
 TEST_CASE("a terrain's description") {
-  Terrain terrain = three_by_two();
+  TerrainData terrain = three_by_two();
   terrain.notes = {"the file has no height unit: metres are assumed"};
   const std::string text = describe(terrain);
   INFO(text);
@@ -49,7 +49,7 @@ TEST_CASE("a terrain's description") {
 }
 
 TEST_CASE("units other than metres, and turned rows, are told") {
-  Terrain terrain = three_by_two();
+  TerrainData terrain = three_by_two();
   terrain.map.unit_name = "US survey foot";
   terrain.map.unit_m = 1200.0 / 3937;
   terrain.map.height_unit_name = "foot";

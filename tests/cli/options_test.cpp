@@ -57,6 +57,8 @@ bool takes(const Option& option, const std::string& text) {
   }
 }
 
+using Layers = std::vector<LayerSpec>;
+
 } // namespace
 
 TEST_CASE("two names alone give the defaults") {
@@ -64,15 +66,15 @@ TEST_CASE("two names alone give the defaults") {
   CHECK(s.inputs == std::vector<std::string>{"in.tif"});
   CHECK(s.output == "out.svg");
   CHECK(s.write.format == Format::svg);
-  CHECK(s.from_azimuth == Angle::degrees(180));
-  CHECK(s.from_elevation == Angle::degrees(25));
-  CHECK(s.projection == Projection::perspective);
-  CHECK_FALSE(s.plan);
-  CHECK_FALSE(s.exaggeration);
-  CHECK_FALSE(s.field_of_view);
+  CHECK(s.map.view.from_azimuth == Angle::degrees(180));
+  CHECK(s.map.view.from_elevation == Angle::degrees(25));
+  CHECK(s.map.view.projection == Projection::perspective);
+  CHECK_FALSE(s.map.style.plan);
+  CHECK_FALSE(s.map.view.exaggeration);
+  CHECK_FALSE(s.map.view.field_of_view);
   CHECK_FALSE(s.progress);
-  CHECK(s.page.width_mm == 210);
-  CHECK(s.page.orientation == Orientation::by_picture);
+  CHECK(s.map.page.width_mm == 210);
+  CHECK(s.map.page.orientation == Orientation::by_picture);
 }
 
 TEST_CASE("terrain options") {
@@ -93,17 +95,17 @@ TEST_CASE("terrain options") {
 TEST_CASE("view options") {
   const auto framed = given({"--view-from", "225/15", "--fov", "60", "--distance", "5000",
                              "--look-at=-1,2,3", "--roll", "-10", "--exaggeration", "2"});
-  CHECK(framed.from_azimuth == Angle::degrees(225));
-  CHECK(framed.from_elevation == Angle::degrees(15));
-  CHECK(framed.field_of_view == Angle::degrees(60));
-  CHECK(framed.distance_m == 5000.0);
-  CHECK(framed.look_at_map == Vec3{-1, 2, 3});
-  CHECK(framed.roll == Angle::degrees(-10));
-  CHECK(framed.exaggeration == 2.0);
-  CHECK_FALSE(given({"--exaggeration", "auto"}).exaggeration);
-  CHECK(given({"--eye", "-120,5,3"}).eye_map == Vec3{-120, 5, 3});
-  CHECK(given({"--roll", "-.5"}).roll == Angle::degrees(-0.5));
-  CHECK(given({"--projection", "orthographic"}).projection == Projection::orthographic);
+  CHECK(framed.map.view.from_azimuth == Angle::degrees(225));
+  CHECK(framed.map.view.from_elevation == Angle::degrees(15));
+  CHECK(framed.map.view.field_of_view == Angle::degrees(60));
+  CHECK(framed.map.view.distance_m == 5000.0);
+  CHECK(framed.map.view.look_at_map == Vec3{-1, 2, 3});
+  CHECK(framed.map.view.roll == Angle::degrees(-10));
+  CHECK(framed.map.view.exaggeration == 2.0);
+  CHECK_FALSE(given({"--exaggeration", "auto"}).map.view.exaggeration);
+  CHECK(given({"--eye", "-120,5,3"}).map.view.eye_map == Vec3{-120, 5, 3});
+  CHECK(given({"--roll", "-.5"}).map.view.roll == Angle::degrees(-0.5));
+  CHECK(given({"--projection", "orthographic"}).map.view.projection == Projection::orthographic);
 
   check_refused({"--view-from", "180"}, "EL from 0 to 90");
   check_refused({"--view-from", "180/91"}, "EL from 0 to 90");
@@ -117,11 +119,11 @@ TEST_CASE("view options") {
 }
 
 TEST_CASE("oblique and axonometric views by name") {
-  CHECK(given({"--projection", "oblique"}).projection == Projection::oblique);
+  CHECK(given({"--projection", "oblique"}).map.view.projection == Projection::oblique);
   const auto length_and_rise = [](const Arguments& options) {
     const RenderSettings s = given(options);
-    CHECK(s.projection == Projection::oblique);
-    return std::pair(s.oblique.length, s.oblique.rise.in_degrees());
+    CHECK(s.map.view.projection == Projection::oblique);
+    return std::pair(s.map.view.oblique.length, s.map.view.oblique.rise.in_degrees());
   };
   CHECK(length_and_rise({"--projection", "oblique"}) == std::pair(1.0, 45.0));
   CHECK(length_and_rise({"--oblique", "cavalier"}) == std::pair(1.0, 45.0));
@@ -129,10 +131,11 @@ TEST_CASE("oblique and axonometric views by name") {
   CHECK(length_and_rise({"--oblique", "military"}) == std::pair(1.0, 90.0));
   CHECK(length_and_rise({"--oblique", "0.7,135"}) == std::pair(0.7, 135.0));
   const RenderSettings isometric = given({"--axonometric", "isometric"});
-  CHECK(isometric.projection == Projection::orthographic);
+  CHECK(isometric.map.view.projection == Projection::orthographic);
   // Of the three axes of the map, shortened by the view.
   const auto shares = [](const RenderSettings& s) {
-    const double a = s.from_azimuth.in_radians(), e = s.from_elevation.in_radians();
+    const double a = s.map.view.from_azimuth.in_radians(),
+                 e = s.map.view.from_elevation.in_radians();
     return std::array{std::hypot(std::cos(a), std::sin(a) * std::sin(e)),
                       std::hypot(std::sin(a), std::cos(a) * std::sin(e)), std::cos(e)};
   };
@@ -194,24 +197,27 @@ TEST_CASE("options of lines and page") {
                         "0.3",
                         "--title",
                         "Two words"});
-  CHECK(std::get<ProfileCount>(s.plan.value()).count == 150);
-  CHECK(s.occluder == Occluder::surface);
-  CHECK(s.visibility_tolerance_mm == 0);
-  CHECK(s.simplify_mm == 0);
-  CHECK(s.flat == FlatGround::draw);
-  CHECK(s.layers == Arguments{"border", "profiles"});
+  CHECK(std::get<ProfileCount>(s.map.style.plan.value()).count == 150);
+  CHECK(s.map.style.occluder == Occluder::surface);
+  CHECK(s.map.style.visibility_tolerance_mm == 0);
+  CHECK(s.map.style.simplify_mm == 0);
+  CHECK(s.map.style.flat == FlatGround::draw);
+  CHECK(s.map.style.layers == Layers{"border", "profiles"});
   CHECK_FALSE(s.void_edges);
   CHECK(given({"--void-edges"}).void_edges);
-  CHECK(given({"--layers", "voids,border"}).layers == Arguments{"voids", "border"});
-  CHECK(s.page.width_mm == 297);
-  CHECK(s.page.height_mm == 420);
-  CHECK(s.page.orientation == Orientation::landscape);
-  CHECK(s.page.margin_mm == 5);
-  CHECK(s.pen_width_mm == 0.3);
-  CHECK(s.title == "Two words");
-  CHECK(std::get<PageSpacing>(given({"--spacing", "0.6mm"}).plan.value()).mm == 0.6);
-  CHECK(given({"--page", "400x250"}).page.orientation == Orientation::as_given);
-  CHECK(given({"--portrait", "--page", "400x250"}).page.orientation == Orientation::portrait);
+  CHECK(given({"--void-edges"}).map.style.asks_for("voids"));
+  CHECK_FALSE(given({}).map.style.asks_for("voids"));
+  CHECK(given({"--void-edges", "--layers", "voids"}).map.style.layers == Layers{"voids"});
+  CHECK(given({"--layers", "voids,border"}).map.style.layers == Layers{"voids", "border"});
+  CHECK(s.map.page.width_mm == 297);
+  CHECK(s.map.page.height_mm == 420);
+  CHECK(s.map.page.orientation == Orientation::landscape);
+  CHECK(s.map.page.margin_mm == 5);
+  CHECK(s.map.style.pen_width_mm == 0.3);
+  CHECK(s.map.title == "Two words");
+  CHECK(std::get<PageSpacing>(given({"--spacing", "0.6mm"}).map.style.plan.value()).mm == 0.6);
+  CHECK(given({"--page", "400x250"}).map.page.orientation == Orientation::as_given);
+  CHECK(given({"--portrait", "--page", "400x250"}).map.page.orientation == Orientation::portrait);
 
   check_refused({"--profiles", "0"}, "1 to 100000");
   check_refused({"--profiles", "100001"}, "1 to 100000");
@@ -273,16 +279,17 @@ TEST_CASE("options that exclude each other") {
 TEST_CASE("eye and target on the ground, by longitude and latitude, in a direction") {
   const auto s = given({"--eye-lonlat", "-118.2,34.3", "--eye-height", "1.6", "--look-azimuth",
                         "-30", "--pitch", "-2.5"});
-  CHECK(s.eye_lonlat == GivenPlace(-118.2, 34.3));
-  CHECK_FALSE(s.eye_map);
-  CHECK(s.has_eye());
-  CHECK(s.eye_height_m == 1.6);
-  CHECK(s.look_azimuth == Angle::degrees(-30));
-  CHECK(s.pitch == Angle::degrees(-2.5));
-  CHECK(given({"--eye", "4e5,5e6"}).eye_map == GivenPlace(4e5, 5e6));
-  CHECK(given({"--look-at-lonlat", "235.5,-90,12"}).look_at_lonlat == Vec3{235.5, -90, 12});
-  CHECK_FALSE(given({"--look-at", "1,2"}).has_eye());
-  CHECK(given({"--projection", "orthographic", "--look-at-lonlat", "1,2"}).look_at_lonlat);
+  CHECK(s.map.view.eye_lonlat == GivenPlace(-118.2, 34.3));
+  CHECK_FALSE(s.map.view.eye_map);
+  CHECK(s.map.view.has_eye());
+  CHECK(s.map.view.eye_height_m == 1.6);
+  CHECK(s.map.view.look_azimuth == Angle::degrees(-30));
+  CHECK(s.map.view.pitch == Angle::degrees(-2.5));
+  CHECK(given({"--eye", "4e5,5e6"}).map.view.eye_map == GivenPlace(4e5, 5e6));
+  CHECK(given({"--look-at-lonlat", "235.5,-90,12"}).map.view.look_at_lonlat ==
+        Vec3{235.5, -90, 12});
+  CHECK_FALSE(given({"--look-at", "1,2"}).map.view.has_eye());
+  CHECK(given({"--projection", "orthographic", "--look-at-lonlat", "1,2"}).map.view.look_at_lonlat);
 
   for (const std::string option : {"--eye-lonlat", "--look-at-lonlat"}) {
     check_refused({option, "34.3,-118.2"}, "-118.2 is no latitude: longitude comes first: "
@@ -344,9 +351,9 @@ TEST_CASE("a command line that isn't one") {
 }
 
 TEST_CASE("forms of giving a value") {
-  CHECK(given({"--title="}).title.empty());
-  CHECK(given({"--title", ""}).title.empty());
-  CHECK(given({"--title=--fov"}).title == "--fov");
+  CHECK(given({"--title="}).map.title.empty());
+  CHECK(given({"--title", ""}).map.title.empty());
+  CHECK(given({"--title=--fov"}).map.title == "--fov");
   CHECK(given({"-b2"}).reading.band == 2);
   CHECK(given({"-qb", "2"}).reading.band == 2);
   CHECK(parse_render({"--", "-in.tif", "-out.svg"})->inputs == std::vector<std::string>{"-in.tif"});

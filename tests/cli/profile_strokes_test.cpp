@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strokes of profiles against their definition, span after span.
-#include "cli/profile_strokes.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <utility>
+
+#include "hidden_lines/profile_strokes.hpp"
 
 using namespace orograph;
 
@@ -43,7 +44,7 @@ std::vector<VisibleRun> made_runs(Random& random, std::uint32_t spans) {
   return runs;
 }
 
-using Polyline = std::vector<Vec3>; // in the scene's frame
+using Polyline = std::vector<Vec3>; // in the view's frame
 
 std::vector<Polyline> by_definition(const Profile& profile, const std::vector<VisibleRun>& runs,
                                     bool draws_level, double sign) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The run report.
-#include "cli/report.hpp"
+#include "cli/report/run_report.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"

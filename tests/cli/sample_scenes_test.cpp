@@ -2,10 +2,9 @@
 // The scenes of data_samples/: each is read, and those of the sources have the edges, light and
 // dark, that these tell (Chen and Sabbagh 1983; Angell and Jones 1983, chapter 9).
 #include "cli/read_ground.hpp"
-#include "cli/scene.hpp"
-#include "cli/view_file.hpp"
+#include "cli/report/view_of_report.hpp"
 #include "solids/read_scene.hpp"
-#include "solids/solid_in_view.hpp"
+#include "solids/solids_in_view.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>
@@ -13,6 +12,8 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+
+#include "placing/placed_view.hpp"
 
 using namespace orograph;
 namespace fs = std::filesystem;
@@ -31,18 +32,19 @@ RenderSettings settings_of(const std::string& scene) {
 // A scene alone, as a view has its only solid.
 struct Seen {
   RenderSettings settings;
-  Scene scene;
+  PlacedView scene;
   SolidInView solid;
 
   explicit Seen(RenderSettings of)
-      : settings(std::move(of)), scene(place_scene(read_ground(settings), settings)) {
+      : settings(std::move(of)),
+        scene(placed_view(read_ground(settings), settings.map, settings.solids.get())) {
     REQUIRE(scene.solids.size() == 1);
     solid = in_view(scene.solids.front(), scene.view);
   }
   Seen(const std::string& scene_name, const std::string& view)
       : Seen([&] {
           RenderSettings with_view = settings_of(scene_name);
-          with_view.view = read_view_file((kSamples / "views" / view).string());
+          with_view.map.view.file = read_view((kSamples / "views" / view).string());
           return with_view;
         }()) {}
 
@@ -81,9 +83,10 @@ TEST_CASE("every scene of data_samples is read and has something to draw") {
 TEST_CASE("the tent: light in front and on the right, in perspective and in parallel") {
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
     RenderSettings settings = settings_of("tent.toml");
-    settings.from_azimuth = Angle::degrees(150);
-    settings.from_elevation = Angle::degrees(20);
-    settings.projection = projection;
+    ViewSpec& view = settings.map.view;
+    view.from_azimuth = Angle::degrees(150);
+    view.from_elevation = Angle::degrees(20);
+    view.projection = projection;
     const Seen tent(settings);
     std::set<std::pair<std::uint32_t, std::uint32_t>> dark;
     for (std::size_t i = 0; i < tent.edges().size(); ++i)

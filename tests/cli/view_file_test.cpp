@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // View files: what is read, what is refused and in which words, and the way there and back.
-#include "cli/view_file.hpp"
+#include "cli/report/view_of_report.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"
 #include "tests/view/matrices.hpp"
@@ -87,10 +87,10 @@ void check_refused_file(const std::string& content, const std::string& words,
   const MadeFolder folder;
   const std::string path = folder.write(name, content);
   INFO(content.substr(0, 1000));
-  check_refused([&] { read_view_file(path); }, words);
-  check_refused([&] { read_view_file(path); }, path);
+  check_refused([&] { read_view(path); }, words);
+  check_refused([&] { read_view(path); }, path);
   try {
-    read_view_file(path);
+    read_view(path);
     FAIL("it isn't refused");
   } catch (const Error& error) {
     CHECK(std::string(error.what()).starts_with(path));
@@ -101,7 +101,7 @@ void check_refused_file(const std::string& content, const std::string& words,
 
 TEST_CASE("a view file in TOML") {
   const MadeFolder folder;
-  const ViewFile a = read_view_file(folder.write("a.toml", kPerspective));
+  const ViewFile a = read_view(folder.write("a.toml", kPerspective));
   CHECK(a.projection == PhigsProjection::perspective);
   CHECK(a.vrp_map == Vec3{512000, 118000, 1200.5});
   CHECK(a.vpn == Vec3{0, -1, 0.25});
@@ -113,7 +113,7 @@ TEST_CASE("a view file in TOML") {
   CHECK(!a.back_m);
 
   // Whatever the name's ending, but for .json.
-  const ViewFile b = read_view_file(folder.write("b", kParallel));
+  const ViewFile b = read_view(folder.write("b", kParallel));
   CHECK(b.projection == PhigsProjection::parallel);
   CHECK(b.vrp_map == Vec3{512000, 123456789, 0});
   CHECK(b.vup == Vec3{0, 0, 2});
@@ -131,7 +131,7 @@ TEST_CASE("a view that is written reads back bit for bit") {
     const ViewFile view = random_view_file(random);
     const std::string text = view_file_text(view);
     INFO("seed " << seed << '\n' << text);
-    const ViewFile back = read_view_file(folder.write("view.toml", text));
+    const ViewFile back = read_view(folder.write("view.toml", text));
     REQUIRE(bits(back) == bits(view));
     REQUIRE(view_file_text(back) == text);
   }
@@ -159,7 +159,7 @@ TEST_CASE("a view from a run report") {
                                {"back", plane(view.back_m)}};
     const nlohmann::json report{{"schema", 1}, {"view", {{"projection", "-"}, {"phigs", phigs}}}};
     INFO("seed " << seed << '\n' << report.dump(2));
-    REQUIRE(bits(read_view_file(folder.write("r.JSON", report.dump(2)))) == bits(view));
+    REQUIRE(bits(read_view(folder.write("r.JSON", report.dump(2)))) == bits(view));
   }
   const std::string none = "no report of a run with a view to take over (view.phigs)";
   for (const char* text : {"{}", "[]", "3", "{\"view\": null}", "{\"view\": {\"eye\": null}}",
@@ -186,10 +186,10 @@ TEST_CASE("a view from a run report") {
 
 TEST_CASE("what is no view file") {
   const MadeFolder folder;
-  check_refused([&] { read_view_file(folder.path("nowhere.toml")); }, "nowhere.toml: no such file");
-  check_refused([&] { read_view_file(folder.path("nowhere.json")); }, "nowhere.json: no such file");
-  check_refused([&] { read_view_file(folder.path()); }, " is a folder");
-  check_refused([&] { read_view_file("/dev/zero"); }, "/dev/zero is too large for a view");
+  check_refused([&] { read_view(folder.path("nowhere.toml")); }, "nowhere.toml: no such file");
+  check_refused([&] { read_view(folder.path("nowhere.json")); }, "nowhere.json: no such file");
+  check_refused([&] { read_view(folder.path()); }, " is a folder");
+  check_refused([&] { read_view("/dev/zero"); }, "/dev/zero is too large for a view");
   check_refused_file(std::string(1'000'001, '#'), "is too large for a view (over 1 MB)");
   check_refused_file(ascii_grid(3, 3, [](int, int) { return 1.0; }), "line 1: this isn't TOML");
   check_refused_file(geotiff(3, 3, [](int, int) { return 1.0; }), "line 1: this isn't TOML");
@@ -279,7 +279,7 @@ TEST_CASE("views that no terrain can be drawn in") {
                             const std::string& line) {
     const std::string path = folder.write("view.toml", with(text, key, line));
     INFO(line);
-    CHECK_NOTHROW(read_view_file(path));
+    CHECK_NOTHROW(read_view(path));
   };
   accepted(kPerspective, "front", "front = 3999.999");
   accepted(kPerspective, "back", "back = 3999.999");

@@ -3,8 +3,7 @@
 // vertex and triangle by itself.
 #include "dem/extent.hpp"
 #include "dem/height_at.hpp"
-#include "dem/height_range.hpp"
-#include "dem/reframe.hpp"
+#include "dem/terrain.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/grid_of.hpp"
@@ -23,8 +22,8 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // About an origin that may lie far away.
-Terrain made_terrain(Random& random, double missing, double rise_m = 40) {
-  Terrain terrain;
+TerrainData made_terrain(Random& random, double missing, double rise_m = 40) {
+  TerrainData terrain;
   Grid& grid = grid_of(terrain);
   grid.columns = random.whole(2, 70);
   grid.rows = random.whole(2, 70);
@@ -85,8 +84,8 @@ TEST_CASE("the extent of a grid on the ellipsoid is that of its vertices") {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     Random random(seed);
     INFO("seed " << seed);
-    const Terrain terrain = made_terrain(random, random.pick({0.0, 0.3, 0.97}),
-                                         random.pick({40., 2000.})); // cliffs lean over
+    const TerrainData terrain = made_terrain(random, random.pick({0.0, 0.3, 0.97}),
+                                             random.pick({40., 2000.})); // cliffs lean over
     const Grid& grid = grid_of(terrain);
     SurfaceExtent extent = extent_of(grid);
     Box3 box;
@@ -163,7 +162,7 @@ TEST_CASE("the height at a point on the ellipsoid is that of the triangle that h
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     Random random(seed);
     INFO("seed " << seed);
-    const Terrain terrain = made_terrain(random, random.pick({0.0, 0.2}));
+    const TerrainData terrain = made_terrain(random, random.pick({0.0, 0.2}));
     const Grid& grid = grid_of(terrain);
     const auto triangles = triangles_of(grid);
     if (triangles.empty()) continue;
@@ -206,7 +205,7 @@ TEST_CASE("another frame has every vertex at the same place of the earth") {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
     INFO("seed " << seed);
-    Terrain terrain = made_terrain(random, 0.1);
+    TerrainData terrain = made_terrain(random, 0.1);
     const DegreeLattice lattice = grid_of(terrain).earth().degrees();
     const double lon = lattice.first_lon_deg + random.between(-3, 3),
                  lat = lattice.first_lat_deg + random.between(-3, 3),
@@ -231,7 +230,7 @@ TEST_CASE("another frame has every vertex at the same place of the earth") {
 }
 
 TEST_CASE("a terrain that reaches too far round the earth is refused") {
-  Terrain terrain;
+  TerrainData terrain;
   terrain.source = "world.tif";
   Grid& grid = grid_of(terrain);
   grid.columns = grid.rows = 3;

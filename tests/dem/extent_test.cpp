@@ -116,7 +116,7 @@ TEST_CASE("boxes, mean and points of blocks are those of brute force") {
 
 TEST_CASE("a single valid vertex is the extent") {
   Grid grid = scattered_grid<float>(50, 50, 1);
-  auto& heights = std::get<Heights<float>>(grid.heights_m).own();
+  const auto heights = std::get<Heights<float>>(grid.heights_m).own();
   heights[grid.index(40, 10)] = -7;
   const SurfaceExtent extent = extent_of(grid);
   CHECK(extent.valid == 1);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rounding gives the decimals that are printed, and leaves no empty or repeated stroke.
-#include "draw/repeated_strokes.hpp"
 #include "draw/round_drawing.hpp"
 #include "tests/catch.hpp"
 #include "tests/draw/made_drawing.hpp"

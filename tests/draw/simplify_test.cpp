@@ -2,6 +2,7 @@
 // Simplification by its definition: the Hausdorff distance, by dense sampling both ways.
 #include "draw/simplify.hpp"
 #include "tests/catch.hpp"
+#include "tests/draw/to_segment.hpp"
 #include "tests/support/random.hpp"
 
 #include <algorithm>
@@ -11,13 +12,6 @@
 using namespace orograph;
 
 namespace {
-
-double to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  const double squared = dot(along, along);
-  const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0;
-  return length(p - (a + t * along));
-}
 
 double to_polyline(Vec2 p, const std::vector<Vec2>& line) {
   double least = line.empty() ? HUGE_VAL : length(p - line.front());

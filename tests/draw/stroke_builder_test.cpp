@@ -2,6 +2,7 @@
 // Strokes against sampled points of the polylines that they come from.
 #include "draw/stroke_builder.hpp"
 #include "tests/catch.hpp"
+#include "tests/draw/to_segment.hpp"
 #include "tests/support/random.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ Homography camera(double descent, double mm) {
   return compose({{mm, 0, 100, 0, -mm, 70, 0, 0, 1}}, {{1, 0, 0, 0, c, s, 0, -s, c}});
 }
 
-struct Scene {
+struct PlacedView {
   StrokeSettings settings;
   bool perspective = false;
   std::vector<StrokePoint> points;
@@ -32,8 +33,8 @@ Vec2 plane_of(const StrokePoint& p) {
   return {p.plane.x / p.plane.z, p.plane.y / p.plane.z};
 }
 
-Scene made_scene(Random& random) {
-  Scene scene;
+PlacedView made_scene(Random& random) {
+  PlacedView scene;
   StrokeSettings& settings = scene.settings;
   scene.perspective = random.chance(0.7);
   settings.frame_mm = {{10, 10}, {190, 140}};
@@ -54,20 +55,13 @@ Scene made_scene(Random& random) {
   return scene;
 }
 
-Layer drawn(const Scene& scene) {
+Layer drawn(const PlacedView& scene) {
   Layer layer;
   StrokeBuilder builder(scene.settings, layer);
   builder.begin(3, 250);
   for (const StrokePoint& p : scene.points) builder.add(p);
   builder.end();
   return layer;
-}
-
-double to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  const double squared = dot(along, along);
-  const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0;
-  return length(p - (a + t * along));
 }
 
 double to_strokes(Vec2 p, const Layer& layer) {
@@ -84,7 +78,7 @@ double to_strokes(Vec2 p, const Layer& layer) {
 struct Nearness {
   double plane, space;
 };
-Nearness to_polyline(const Scene& scene, Vec3 map) {
+Nearness to_polyline(const PlacedView& scene, Vec3 map) {
   const StrokePoint p = seen({map.x, map.y, map.z}, scene.perspective);
   Nearness least{HUGE_VAL, HUGE_VAL};
   for (std::size_t i = 0; i + 1 < scene.points.size(); ++i) {
@@ -107,7 +101,7 @@ TEST_CASE("what lies in the frame is drawn, and nothing else") {
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
     Random random(seed);
     INFO("seed " << seed);
-    const Scene scene = made_scene(random);
+    const PlacedView scene = made_scene(random);
     const Layer layer = drawn(scene);
     const Box2& frame = scene.settings.frame_mm;
     const Homography& to_page = scene.settings.to_page;
@@ -162,7 +156,7 @@ TEST_CASE("what lies in the frame is drawn, and nothing else") {
 }
 
 TEST_CASE("a polyline that comes in through a vertex on the frame goes on from there") {
-  Scene scene;
+  PlacedView scene;
   scene.settings.frame_mm = {{10, 10}, {190, 140}};
   for (const double x : {5.0, 10.0, 20.0, 190.0, 195.0, 190.0, 150.0})
     scene.points.push_back({{x, 50 + x, 1}, {x, 0, 0}});
@@ -178,7 +172,7 @@ TEST_CASE("a polyline that comes in through a vertex on the frame goes on from t
 }
 
 TEST_CASE("strokes are simplified within the tolerance, and points counted before") {
-  Scene scene;
+  PlacedView scene;
   scene.settings.frame_mm = {{0, 0}, {300, 300}};
   scene.settings.simplify_mm = 0.02;
   for (int i = 0; i <= 100; ++i)
@@ -196,7 +190,7 @@ TEST_CASE("strokes are simplified within the tolerance, and points counted befor
 }
 
 TEST_CASE("strokes end at the front and back plane, and lines in a plane stay whole") {
-  Scene scene;
+  PlacedView scene;
   scene.settings.frame_mm = {{-1000, -1000}, {1000, 1000}};
   scene.settings.simplify_mm = 0;
   scene.settings.to_map = [](ProfilePoint p) { return Vec3{p.u, p.v, p.z}; };

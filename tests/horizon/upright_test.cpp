@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Profiles along walls, asked of the horizon at many places of each.
-#include "horizon/upright.hpp"
+#include "horizon/clip_profile.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 

@@ -2,8 +2,7 @@
 // The cut of a grid on the ellipsoid: bit for bit that of the TIN of its triangles, and every
 // triangle's section by the plane, on its own, in long double.
 #include "dem/approximate/tin_of_grid.hpp"
-#include "profiles/cut_earth_grid.hpp"
-#include "profiles/cut_tin.hpp"
+#include "profiles/cut_mesh.hpp"
 #include "tests/catch.hpp"
 #include "tests/profiles/tin_sections.hpp"
 #include "tests/profiles/triangle_cuts.hpp"

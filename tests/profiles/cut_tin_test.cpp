@@ -3,7 +3,7 @@
 // double.
 #include "dem/approximate/tin_of_grid.hpp"
 #include "profiles/cut_grid.hpp"
-#include "profiles/cut_tin.hpp"
+#include "profiles/cut_mesh.hpp"
 #include "tests/catch.hpp"
 #include "tests/profiles/tin_sections.hpp"
 #include "tests/profiles/triangle_cuts.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/error.hpp"
 #include "profiles/plan.hpp"
-#include "profiles/shown_depths.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 #include "view/place_view.hpp"

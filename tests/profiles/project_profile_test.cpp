@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "profiles/project_profile.hpp"
+#include "profiles/profile.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_grid.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which edges lie around voids, against a flood over the missing triangles; and TINs by hand.
 #include "dem/approximate/tin_of_grid.hpp"
-#include "profiles/voids.hpp"
+#include "profiles/outline.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_grid.hpp"
 #include "tests/support/made_tin.hpp"
@@ -139,7 +139,7 @@ TEST_CASE("edges around voids are those that floods over missing triangles find"
     heights.missing = random.pick({0.0, 0.03, 0.06, 0.1, 0.2, 0.4});
     Grid grid = made_grid(random, lattice, heights);
     if (random.chance(0.3) && grid.columns > 8 && grid.rows > 8) { // a moat, an island within
-      auto& z = std::get<Heights<float>>(grid.heights_m).own();
+      const auto z = std::get<Heights<float>>(grid.heights_m).own();
       std::fill(z.begin(), z.end(), 1.0F);
       for (int r = 2; r < 7; ++r)
         for (int c = 2; c < 7; ++c)

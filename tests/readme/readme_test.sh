@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The pages for readers tell the truth: their `orograph` commands work as they stand, their links
-# lead somewhere, and every figure drawn is shown.
+# lead somewhere, the files that they name are there, and every figure drawn is shown.
 # usage: readme_test.sh OROGRAPH
 set -euo pipefail
 program=$(realpath "$1")
@@ -48,6 +48,11 @@ links_in() {
   grep -o '](\([^)]*\))' "$1" | sed 's/^](//; s/)$//; s/#.*//' | grep -v '^\(https\{0,1\}:.*\)\{0,1\}$' || true
 }
 
+# Files and folders of ours that a page names in `code`.
+paths_in() {
+  grep -o '`[a-z_]\+/[A-Za-z0-9_./-]*`' "$1" | tr -d '`' | grep -v '^build/' || true
+}
+
 pages=("$root/README.md" "$root/CHANGELOG.md" "$root"/docs/*.md "$root"/docs/decisions/*.md)
 for page in "${pages[@]}"; do
   run_page "$page"
@@ -55,6 +60,10 @@ for page in "${pages[@]}"; do
     [[ -z $link || -e $(dirname "$page")/$link ]] || fail "$page: $link isn't there"
     [[ $link != *figures/* ]] || basename "$link" >>"$scratch/shown"
   done < <(links_in "$page")
+  while IFS= read -r path; do # a program is named without its extension
+    [[ ! -d $root/${path%%/*} || -e $root/$path || -e $root/$path.cpp ]] ||
+      fail "$page: $path isn't there"
+  done < <(paths_in "$page")
 done
 [[ $ran -ge 5 ]] || fail "README.md shows $ran commands: the test has lost them"
 
@@ -66,7 +75,7 @@ done
 
 # The checks see what is wrong.
 mkdir "$scratch/wrong"
-printf '```sh\norograph render dem.tif \\\n  wrong.svg --no-such-option\nls\n```\n[x](nowhere.md)\n' \
+printf '```sh\norograph render dem.tif \\\n  wrong.svg --no-such-option\nls\n```\n[x](nowhere.md) `docs/nowhere.md`\n' \
   >"$scratch/wrong/page.md"
 before=$failures
 run_page "$scratch/wrong/page.md" >/dev/null
@@ -74,6 +83,7 @@ seen=$((failures - before))
 failures=$before
 [[ $seen -eq 1 ]] || fail "a wrong command passes"
 [[ $(links_in "$scratch/wrong/page.md") == nowhere.md ]] || fail "a link isn't found"
+[[ $(paths_in "$scratch/wrong/page.md") == docs/nowhere.md ]] || fail "a path isn't found"
 
 echo "$ran commands ran"
 [[ $failures -eq 0 ]]

@@ -44,9 +44,10 @@ Grid heights_by(const GridLattice& lattice, const std::function<double(int, int)
   Grid grid{lattice.columns, lattice.rows,
             PlaneLattice{lattice.first_vertex_m, lattice.column_step_m, lattice.row_step_m},
             std::vector<double>()};
-  auto& heights = std::get<Heights<double>>(grid.heights_m).own();
+  std::vector<double> heights;
   for (int r = 0; r < grid.rows; ++r)
     for (int c = 0; c < grid.columns; ++c) heights.push_back(height(c, r));
+  grid.heights_m = std::move(heights);
   return grid;
 }
 

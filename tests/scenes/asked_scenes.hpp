@@ -2,17 +2,18 @@
 // Whole scenes, drawn and asked of the ray walk.
 #pragma once
 
-#include "cli/draw_scene.hpp"
 #include "tests/catch.hpp"
 
 #include <cstdint>
+
+#include "map/draw_map.hpp"
 
 namespace orograph {
 
 struct Asked {
   std::uint64_t scenes = 0, asked = 0, ties = 0, hidden = 0, missing = 0;
 
-  void add(const CheckReport& check) {
+  void add(const CheckCounts& check) {
     ++scenes;
     asked += check.asked;
     ties += check.ties;
@@ -23,22 +24,22 @@ struct Asked {
 
 /// Draws with every fold and the outlines of voids, and nothing simplified; checks that nothing
 /// drawn is hidden and nothing visible is missing, and that the drawing has no fault. Throws what
-/// place_scene throws.
-inline CheckReport ask(const Terrain& terrain, RenderSettings settings, std::uint64_t probes) {
-  settings.occluder = Occluder::surface;
-  settings.simplify_mm = 0;
-  settings.silhouette_jump = 0;
-  settings.void_edges = true;
-  settings.check = probes;
-  const Scene scene = place_scene(terrain, settings);
-  const DrawnScene drawn = draw_scene(terrain, scene, settings, [](double) {});
+/// placed_view throws.
+inline CheckCounts ask(const TerrainData& terrain, MapSpec spec, std::uint64_t probes) {
+  spec.style.occluder = Occluder::surface;
+  spec.style.simplify_mm = 0;
+  spec.style.silhouette_jump = 0;
+  spec.style.layers.push_back("voids");
+  spec.check = probes;
+  const PlacedView scene = placed_view(terrain, spec);
+  const Map drawn = draw_map(terrain, scene, spec, [](double) {});
   const auto fault = find_fault(drawn.drawing);
   INFO(fault.value_or(""));
   REQUIRE(!fault);
-  REQUIRE(drawn.check);
-  CHECK(drawn.check->hidden == 0);
-  CHECK(drawn.check->missing == 0);
-  return *drawn.check;
+  REQUIRE(drawn.facts.check);
+  CHECK(drawn.facts.check->hidden == 0);
+  CHECK(drawn.facts.check->missing == 0);
+  return *drawn.facts.check;
 }
 
 inline void report(const char* what, const Asked& sum) {

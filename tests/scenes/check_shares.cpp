@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/scenes/check_shares.hpp"
 
-#include "reference/long_vec.hpp"
+#include "reference/sight_segment.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The earth's curvature, less refraction: the horizon of the sea, mountains beyond it, and made
 // scenes on a small planet, where it shows.
-#include "cli/geodesy.hpp"
 #include "dem/approximate/tin_of_grid.hpp"
 #include "dem/mesh/verify_tin.hpp"
-#include "profiles/project_profile.hpp"
+#include "profiles/profile.hpp"
 #include "tests/scenes/asked_scenes.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/support/grid_of.hpp"
@@ -15,6 +14,8 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+
+#include "placing/geodesy.hpp"
 
 using namespace orograph;
 
@@ -37,8 +38,8 @@ constexpr const char* kUtm32 =
     "PARAMETER[\"false_northing\",0],UNIT[\"metre\",1]]";
 
 // A strip of sea to the north of (0, 0), which begins 100 m behind it, of square cells.
-Terrain sea(double length_m, double cell_m) {
-  Terrain terrain;
+TerrainData sea(double length_m, double cell_m) {
+  TerrainData terrain;
   Grid grid;
   grid.columns = 9;
   grid.rows = static_cast<int>(std::ceil((length_m + 100) / cell_m)) + 1;
@@ -51,30 +52,29 @@ Terrain sea(double length_m, double cell_m) {
   return terrain;
 }
 
-RenderSettings northwards(double eye_m, double refraction) {
-  RenderSettings settings;
-  settings.eye_map = Vec3{0, 0, eye_m};
-  settings.look_at_map = Vec3{0, 10000, eye_m};
-  settings.field_of_view = Angle::degrees(2);
-  settings.curvature = Curvature::on;
-  settings.refraction = refraction;
-  settings.simplify_mm = 0;
-  settings.silhouette_jump = 0;
-  settings.flat = FlatGround::draw;
-  settings.plan = ProfileCount{200};
-  return settings;
+MapSpec northwards(double eye_m, double refraction) {
+  MapSpec spec;
+  spec.view.eye_map = Vec3{0, 0, eye_m};
+  spec.view.look_at_map = Vec3{0, 10000, eye_m};
+  spec.view.field_of_view = Angle::degrees(2);
+  spec.view.curvature = Curvature::on;
+  spec.view.refraction = refraction;
+  spec.style.simplify_mm = 0;
+  spec.style.silhouette_jump = 0;
+  spec.style.flat = FlatGround::draw;
+  spec.style.plan = ProfileCount{200};
+  return spec;
 }
 
 // The greatest Y, straight ahead, of what is drawn.
-double highest_y(const Terrain& terrain, const RenderSettings& settings) {
+double highest_y(const TerrainData& terrain, const MapSpec& spec) {
   class Seen : public LineObserver {
   public:
     const View* view = nullptr;
     double highest = -1e9;
-    void see(const Sector&, const Profile&, const std::vector<Segment>&,
-             const std::vector<Piece>&) override {}
-    void see(const Sector& sector, const LineSweep& lines,
-             const std::vector<LinePart>& visible) override {
+    void see(const SeenProfile&) override {}
+    void see(const SeenLines& seen) override {
+      const auto& [sector, clipped, lines, visible] = seen;
       for (const LinePart& part : visible)
         for (const double t : {part.t_begin, part.t_end}) {
           const Vec2 at = project(sector.view, lines.point(part.line, t));
@@ -82,9 +82,9 @@ double highest_y(const Terrain& terrain, const RenderSettings& settings) {
         }
     }
   } seen;
-  const Scene scene = place_scene(terrain, settings);
+  const PlacedView scene = placed_view(terrain, spec);
   REQUIRE(scene.curvature.applied);
-  draw_scene(terrain, scene, settings, [](double) {}, {.observer = &seen, .beyond_page = true});
+  draw_map(terrain, scene, spec, [](double) {}, {.observers = {&seen}, .beyond_page = true});
   return seen.highest;
 }
 
@@ -94,8 +94,8 @@ void shrink_the_earth(RandomScene& scene, Random& random) {
   const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   const double radius = size * random.pick({1.0, 10.0, 1000.0});
   scene.terrain.map.radii = CurvatureRadii{radius, radius * random.between(1, 1.3)};
-  scene.settings.curvature = Curvature::on;
-  scene.settings.refraction = random.pick({0.0, 0.13, 0.9, -0.5});
+  scene.spec.view.curvature = Curvature::on;
+  scene.spec.view.refraction = random.pick({0.0, 0.13, 0.9, -0.5});
 }
 
 } // namespace
@@ -106,15 +106,15 @@ TEST_CASE("the sea ends at its horizon") {
       const double effective = kRadius_m / (1 - refraction);
       const double distance = std::sqrt(2 * effective * eye);
       const double cell = distance / 400;
-      const Terrain terrain = sea(1.5 * distance, cell);
-      RenderSettings settings = northwards(eye, refraction);
+      const TerrainData terrain = sea(1.5 * distance, cell);
+      MapSpec spec = northwards(eye, refraction);
       const double dip = std::sqrt(2 * eye / effective); // its tangent, of a parabola
-      settings.look_at_map->z = eye - 10000 * dip;
+      spec.view.look_at_map->z = eye - 10000 * dip;
       CAPTURE(eye, refraction, distance);
       // Between vertices the sea is flat: too low by cell^2 / 8R, seen at the horizon's distance;
       // and the farthest that is seen is a vertex, up to half a cell from the horizon.
       const double chord = cell * cell / (8 * effective) / distance;
-      CHECK(std::abs(highest_y(terrain, settings) + dip) <= 2 * chord);
+      CHECK(std::abs(highest_y(terrain, spec) + dip) <= 2 * chord);
       // Degrees: at 9 km 3.0427 without refraction (3.0437 on a sphere, which a parabola isn't).
       if (eye == 9000 && refraction == 0)
         CHECK(std::abs(std::atan(dip) * 180 / std::numbers::pi - 3.0427) < 1e-3);
@@ -129,16 +129,16 @@ TEST_CASE("a mountain beyond the horizon shows from its limiting height on") {
       const double limit = (away - horizon) * (away - horizon) / (2 * effective);
       const double cell = horizon / 200;
       for (const double times : {0.97, 1.03}) {
-        Terrain terrain = sea(1.1 * away, cell);
+        TerrainData terrain = sea(1.1 * away, cell);
         Grid& grid = grid_of(terrain);
         const int row = static_cast<int>(std::round((grid.plane().first_vertex_m.y - away) / cell));
-        auto& heights = std::get<Heights<double>>(grid.heights_m).own();
+        const auto heights = std::get<Heights<double>>(grid.heights_m).own();
         heights[grid.index(4, row)] = times * limit;
-        RenderSettings settings = northwards(eye, refraction);
+        MapSpec spec = northwards(eye, refraction);
         const double dip = std::sqrt(2 * eye / effective);
-        settings.look_at_map->z = eye - 10000 * dip;
+        spec.view.look_at_map->z = eye - 10000 * dip;
         CAPTURE(eye, refraction, times, limit);
-        const double top = highest_y(terrain, settings) + dip;
+        const double top = highest_y(terrain, spec) + dip;
         const double expected = (times - 1) * limit / away;
         if (times < 1)
           CHECK(top < 0.02 * limit / away);
@@ -149,30 +149,30 @@ TEST_CASE("a mountain beyond the horizon shows from its limiting height on") {
 }
 
 TEST_CASE("on a flat map the sea has no end") {
-  const Terrain terrain = sea(20000, 50);
-  RenderSettings settings = northwards(100, 0.13);
-  settings.curvature = Curvature::off;
-  const Scene scene = place_scene(terrain, settings);
+  const TerrainData terrain = sea(20000, 50);
+  MapSpec spec = northwards(100, 0.13);
+  spec.view.curvature = Curvature::off;
+  const PlacedView scene = placed_view(terrain, spec);
   CHECK_FALSE(scene.curvature.applied);
   CHECK_FALSE(scene.view.drop.any());
 }
 
 TEST_CASE("curvature is drawn by itself where it would show, and not in parallel views") {
-  RenderSettings settings;
+  MapSpec spec;
   for (const double length : {300.0, 60000.0}) {
-    Terrain terrain = sea(length, length / 100);
-    auto& heights = std::get<Heights<double>>(grid_of(terrain).heights_m).own();
+    TerrainData terrain = sea(length, length / 100);
+    const auto heights = std::get<Heights<double>>(grid_of(terrain).heights_m).own();
     for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = i % 7;
-    const Scene scene = place_scene(terrain, settings);
+    const PlacedView scene = placed_view(terrain, spec);
     CAPTURE(length, scene.curvature.would_move_mm);
     CHECK(scene.curvature.applied == (length > 1000));
-    RenderSettings flat = settings;
-    flat.projection = Projection::orthographic;
-    CHECK_FALSE(place_scene(terrain, flat).curvature.applied);
-    flat.curvature = Curvature::on;
-    CHECK(place_scene(terrain, flat).curvature.applied);
+    MapSpec flat = spec;
+    flat.view.projection = Projection::orthographic;
+    CHECK_FALSE(placed_view(terrain, flat).curvature.applied);
+    flat.view.curvature = Curvature::on;
+    CHECK(placed_view(terrain, flat).curvature.applied);
     terrain.map.radii.reset(); // without a CRS
-    CHECK_FALSE(place_scene(terrain, settings).curvature.applied);
+    CHECK_FALSE(placed_view(terrain, spec).curvature.applied);
   }
 }
 
@@ -210,19 +210,19 @@ TEST_CASE("what is looked at is in the picture's middle on a round earth too") {
     RandomScene scene = random_scene(seed);
     Random random(seed + 850000);
     shrink_the_earth(scene, random);
-    RenderSettings& settings = scene.settings;
-    settings.projection = Projection::perspective;
+    MapSpec& spec = scene.spec;
+    spec.view.projection = Projection::perspective;
     const Box3 box = extent_of(scene.terrain.surface).box;
     const Vec3 target = box.centre();
-    settings.look_at_map = target;
-    settings.exaggeration = random.pick({1.0, 2.0});
-    settings.field_of_view = Angle::degrees(40);
+    spec.view.look_at_map = target;
+    spec.view.exaggeration = random.pick({1.0, 2.0});
+    spec.view.field_of_view = Angle::degrees(40);
     if (random.chance(0.5))
-      settings.eye_map = target + Vec3{random.between(-1, 1) * (box.high.x - box.low.x),
-                                       box.high.y - box.low.y, box.high.z - box.low.z + 100};
+      spec.view.eye_map = target + Vec3{random.between(-1, 1) * (box.high.x - box.low.x),
+                                        box.high.y - box.low.y, box.high.z - box.low.z + 100};
     else
-      settings.distance_m = 2 * (box.high.x - box.low.x);
-    const Scene placed = place_scene(scene.terrain, settings);
+      spec.view.distance_m = 2 * (box.high.x - box.low.x);
+    const PlacedView placed = placed_view(scene.terrain, spec);
     const View& view = placed.view;
     const Vec3 image =
         view.to_picture.of(project_homogeneous(view, to_profile_frame(view, target)));
@@ -240,12 +240,12 @@ TEST_CASE("the ray walk agrees on a small planet, in any view") {
     Random random(seed + 800000);
     shrink_the_earth(scene, random);
     if (random.chance(0.3)) { // straight down, in two sectors
-      scene.settings.projection = Projection::perspective;
-      scene.settings.from_elevation = Angle::degrees(random.between(75, 90));
+      scene.spec.view.projection = Projection::perspective;
+      scene.spec.view.from_elevation = Angle::degrees(random.between(75, 90));
     }
-    if (random.chance(0.3)) scene.settings.layers.push_back("edges");
-    CAPTURE(seed, scene.what, scene.settings.refraction, scene.terrain.map.radii->meridian_m);
-    sum.add(ask(scene.terrain, scene.settings, 2000));
+    if (random.chance(0.3)) scene.spec.style.layers.push_back("edges");
+    CAPTURE(seed, scene.what, scene.spec.view.refraction, scene.terrain.map.radii->meridian_m);
+    sum.add(ask(scene.terrain, scene.spec, 2000));
   }
   report("small planets", sum);
   CHECK(sum.ties < sum.asked / 20);
@@ -255,15 +255,16 @@ TEST_CASE("and a grid and its TIN are the same there, to the bit") {
   class Seen : public LineObserver {
   public:
     std::vector<double> parts;
-    void see(const Sector&, const Profile& profile, const std::vector<Segment>& segments,
-             const std::vector<Piece>& visible) override {
+    void see(const SeenProfile& seen) override {
+      const auto& [sector, clipped, profile, segments, visible] = seen;
       for (const Piece& p : visible) {
         const std::uint32_t left = left_vertex(segments[p.segment]);
         for (const double x : {profile.u_m[left], profile.z_m[left], p.t_begin, p.t_end})
           parts.push_back(x);
       }
     }
-    void see(const Sector&, const LineSweep& lines, const std::vector<LinePart>& visible) override {
+    void see(const SeenLines& seen) override {
+      const auto& [sector, clipped, lines, visible] = seen;
       for (const LinePart& p : visible) {
         const ProfileLine line = lines.whole(p.line);
         for (const double x :
@@ -277,16 +278,16 @@ TEST_CASE("and a grid and its TIN are the same there, to the bit") {
     RandomScene scene = random_scene(seed);
     Random random(seed + 900000);
     shrink_the_earth(scene, random);
-    scene.settings.flat = FlatGround::draw;
-    Terrain as_tin = scene.terrain;
+    scene.spec.style.flat = FlatGround::draw;
+    TerrainData as_tin = scene.terrain;
     as_tin.surface = tin_of(grid_of(scene.terrain));
-    Scene placed = place_scene(scene.terrain, scene.settings);
+    PlacedView placed = placed_view(scene.terrain, scene.spec);
     Seen by_grid, by_tin;
-    draw_scene(scene.terrain, placed, scene.settings, [](double) {},
-               {.observer = &by_grid, .beyond_page = true});
+    draw_map(scene.terrain, placed, scene.spec, [](double) {},
+             {.observers = {&by_grid}, .beyond_page = true});
     placed.border = border_edges(std::get<Tin>(as_tin.surface));
-    draw_scene(as_tin, placed, scene.settings, [](double) {},
-               {.observer = &by_tin, .beyond_page = true});
+    draw_map(as_tin, placed, scene.spec, [](double) {},
+             {.observers = {&by_tin}, .beyond_page = true});
     CAPTURE(seed, scene.what);
     REQUIRE(by_grid.parts.size() == by_tin.parts.size());
     REQUIRE(std::memcmp(by_grid.parts.data(), by_tin.parts.data(),
@@ -301,7 +302,7 @@ TEST_CASE("and a grid and its TIN are the same there, to the bit") {
 // (Snyder 1987, Map projections: a working manual, chapter 8).
 TEST_CASE("the map plane's own errors are in the budget, where the map is distorted") {
   for (const double east_m : {0.0, 250e3}) {
-    Terrain terrain;
+    TerrainData terrain;
     Grid grid;
     grid.columns = grid.rows = 51;
     grid.plane().first_vertex_m = {-25e3, 25e3};
@@ -312,10 +313,10 @@ TEST_CASE("the map plane's own errors are in the budget, where the map is distor
     terrain.surface = std::move(grid);
     terrain.map.origin = {500e3 + east_m, 5200e3};
     terrain.map.crs_wkt = kUtm32;
-    RenderSettings settings;
-    settings.eye_map = Vec3{500e3 + east_m, 5175e3, 3000};
-    settings.look_at_map = Vec3{500e3 + east_m, 5200e3, 0};
-    const Scene scene = place_scene(terrain, settings);
+    MapSpec spec;
+    spec.view.eye_map = Vec3{500e3 + east_m, 5175e3, 3000};
+    spec.view.look_at_map = Vec3{500e3 + east_m, 5200e3, 0};
+    const PlacedView scene = placed_view(terrain, spec);
     const double r2 = kRadius_m * kRadius_m;
     const double turn = 50e3 * (3 * east_m + 25e3) / (6 * r2);
     const double stretch = 0.0004 - (east_m + 25e3) * (east_m + 25e3) / (2 * r2); // of a given eye

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Known answers on the ellipsoid: where the drawn sea ends, and which mountains show beyond it.
-#include "cli/draw_scene.hpp"
-#include "cli/stand_on_earth.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/earth_terrain.hpp"
 
@@ -10,6 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "map/draw_map.hpp"
+#include "placing/terrain_of_view.hpp"
 
 using namespace orograph;
 
@@ -114,19 +115,19 @@ SeaStrip strip_of_sea(const Eye& eye, double azimuth_deg, double length_m, doubl
   return strip;
 }
 
-RenderSettings looking(const Eye& eye, double azimuth_deg, double dip_deg, double refraction) {
-  RenderSettings settings;
-  settings.eye_map = Vec3{eye.lon_deg, eye.lat_deg, eye.height_m};
-  settings.look_azimuth = Angle::degrees(azimuth_deg);
-  settings.pitch = Angle::degrees(-dip_deg);
-  settings.field_of_view = Angle::degrees(2);
-  settings.curvature = Curvature::on;
-  settings.refraction = refraction;
-  settings.simplify_mm = 0;
-  settings.silhouette_jump = 0;
-  settings.flat = FlatGround::draw;
-  settings.plan = ProfileCount{60};
-  return settings;
+MapSpec looking(const Eye& eye, double azimuth_deg, double dip_deg, double refraction) {
+  MapSpec spec;
+  spec.view.eye_map = Vec3{eye.lon_deg, eye.lat_deg, eye.height_m};
+  spec.view.look_azimuth = Angle::degrees(azimuth_deg);
+  spec.view.pitch = Angle::degrees(-dip_deg);
+  spec.view.field_of_view = Angle::degrees(2);
+  spec.view.curvature = Curvature::on;
+  spec.view.refraction = refraction;
+  spec.style.simplify_mm = 0;
+  spec.style.silhouette_jump = 0;
+  spec.style.flat = FlatGround::draw;
+  spec.style.plan = ProfileCount{60};
+  return spec;
 }
 
 // What is drawn, as level directions from the eye (east, north) with the slope there.
@@ -134,19 +135,19 @@ struct Seen {
   Vec2 level;
   double slope;
 };
-struct SeenLines {
+struct DrawnLines {
   std::vector<Seen> skyline, profiles;
   double mm_per_slope = 0;
   double skyline_share = 0; ///< of the page's width
 };
 
-SeenLines draw(Terrain terrain, const RenderSettings& settings) {
-  stand_on_earth(terrain, settings);
-  const Scene scene = place_scene(terrain, settings);
+DrawnLines draw(TerrainData terrain, const MapSpec& spec) {
+  stand_on_earth(terrain, spec.view);
+  const PlacedView scene = placed_view(terrain, spec);
   REQUIRE(scene.curvature.on_ellipsoid);
-  const DrawnScene drawn = draw_scene(terrain, scene, settings, [](double) {});
+  const Map drawn = draw_map(terrain, scene, spec, [](double) {});
   const Homography from_page = inverse(scene.to_page);
-  SeenLines seen;
+  DrawnLines seen;
   seen.mm_per_slope = scene.to_page.mm_per_y({0, 0});
   for (const Layer& layer : drawn.drawing.layers) {
     if (layer.name != "skyline" && layer.name != "profiles") continue;
@@ -194,7 +195,7 @@ TEST_CASE("the drawn sea ends at the ellipsoid's horizon, along the meridian and
           const double dip_deg =
               -kRadian_deg *
               std::atan(SeaSection({}, lat_deg, forward).horizon_slope(height_m, lift));
-          const SeenLines seen =
+          const DrawnLines seen =
               draw(earth_terrain(strip.lattice, [](double, double) { return 0; }),
                    looking(eye, azimuth_deg, dip_deg, refraction));
           CAPTURE(lat_deg, azimuth_deg, height_m, refraction, dip_deg);
@@ -225,7 +226,7 @@ TEST_CASE("from 9 km the sea's horizon dips by 3.0437 degrees on a sphere") {
   const Eye eye{7.3, 46, 9000};
   const double away_m = std::sqrt(2 * 6371000.0 * 9000), cell_m = away_m / 200;
   const SeaStrip strip = strip_of_sea(eye, 0, 1.15 * away_m, cell_m, 3, kSphere);
-  Terrain terrain = earth_terrain(
+  TerrainData terrain = earth_terrain(
       strip.lattice, [](double, double) { return 0; }, kSphere);
   double highest = -1;
   for (const Seen& at : draw(terrain, looking(eye, 0, 3.04, 0)).skyline)
@@ -259,7 +260,7 @@ TEST_CASE("a mountain shows up to its limiting distance, and is drawn at its pla
           for (const double times : {1 - kLimitingShare, 1 + kLimitingShare}) {
             const double away_m = times * limit_m, cell_m = limit_m / 400;
             const SeaStrip strip = strip_of_sea(eye, azimuth_deg, away_m, cell_m, 4, {});
-            Terrain terrain = earth_terrain(strip.lattice, [](double, double) { return 0; });
+            TerrainData terrain = earth_terrain(strip.lattice, [](double, double) { return 0; });
             Grid& grid = std::get<Grid>(terrain.surface);
             std::get<Heights<double>>(grid.heights_m)
                 .own()[grid.index(strip.end_column, strip.end_row)] = mountain_m;
@@ -273,7 +274,7 @@ TEST_CASE("a mountain shows up to its limiting distance, and is drawn at its pla
             const Vec2 towards{summit.x / level_m, summit.y / level_m};
             const double top = (summit.z + lift * level_m * level_m - eye_m) / level_m;
             const double horizon = SeaSection({}, lat_deg, towards).horizon_slope(eye_m, lift);
-            const SeenLines seen =
+            const DrawnLines seen =
                 draw(terrain, looking(eye, azimuth_deg, -horizon * kRadian_deg, refraction));
             CAPTURE(lat_deg, azimuth_deg, eye_m, mountain_m, refraction, times, limit_m);
             const double page_step = kPageStep_mm / seen.mm_per_slope;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Terrains in degrees: nothing drawn is hidden and nothing visible is missing; grid and TIN are
 // one; whatever longitude it is at, a terrain looks the same.
-#include "cli/stand_on_earth.hpp"
 #include "dem/approximate/tin_of_grid.hpp"
 #include "geometry/error.hpp"
-#include "profiles/project_profile.hpp"
+#include "profiles/profile.hpp"
 #include "tests/scenes/asked_scenes.hpp"
 #include "tests/scenes/random_earth_scene.hpp"
 #include "tests/support/grid_of.hpp"
@@ -13,6 +12,8 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+
+#include "placing/terrain_of_view.hpp"
 
 using namespace orograph;
 
@@ -35,11 +36,11 @@ void ask_from(Stand stand, std::uint64_t probes, Tally& tally) {
     RandomScene scene = random_earth_scene(seed, stand);
     // Edges in the plane beside the eye are drawn a hair ahead of it, and then are off the slope by
     // what the page may show: 2e-4 mm.
-    if (seed % 3 == 0 && stand != Stand::looking_down) scene.settings.layers.push_back("edges");
-    CAPTURE(seed, scene.what, scene.settings.refraction);
+    if (seed % 3 == 0 && stand != Stand::looking_down) scene.spec.style.layers.push_back("edges");
+    CAPTURE(seed, scene.what, scene.spec.view.refraction);
     try {
-      stand_on_earth(scene.terrain, scene.settings);
-      const Scene placed = place_scene(scene.terrain, scene.settings);
+      stand_on_earth(scene.terrain, scene.spec.view);
+      const PlacedView placed = placed_view(scene.terrain, scene.spec);
       REQUIRE(placed.curvature.on_ellipsoid);
       if (placed.extent.turned_over > 0) { // a cliff that leans over hides what is under it
         ++tally.leaning;
@@ -47,7 +48,7 @@ void ask_from(Stand stand, std::uint64_t probes, Tally& tally) {
       }
       tally.two_sectors += placed.sectors.size() == 2;
       tally.with_refraction += placed.view.drop.any();
-      tally.asked.add(ask(scene.terrain, scene.settings, probes));
+      tally.asked.add(ask(scene.terrain, scene.spec, probes));
     } catch (const Error& error) {
       UNSCOPED_INFO(error.what());
       ++tally.refused;
@@ -74,8 +75,8 @@ public:
   };
   std::vector<Part> parts;
 
-  void see(const Sector& sector, const Profile& profile, const std::vector<Segment>& segments,
-           const std::vector<Piece>& visible) override {
+  void see(const SeenProfile& seen) override {
+    const auto& [sector, clipped, profile, segments, visible] = seen;
     for (const Piece& piece : visible) {
       const std::uint32_t left = left_vertex(segments[piece.segment]);
       const auto at = [&](std::uint32_t i) {
@@ -84,8 +85,8 @@ public:
       add(sector, at(left), at(left + 1), -1, piece.t_begin, piece.t_end);
     }
   }
-  void see(const Sector& sector, const LineSweep& lines,
-           const std::vector<LinePart>& visible) override {
+  void see(const SeenLines& seen) override {
+    const auto& [sector, clipped, lines, visible] = seen;
     for (const LinePart& part : visible) {
       const ProfileLine whole = lines.whole(part.line);
       add(sector, whole.from, whole.to, static_cast<int>(lines.line(part.line).kind), part.t_begin,
@@ -117,11 +118,11 @@ bool are_same(const std::vector<Seen::Part>& a, const std::vector<Seen::Part>& b
 // None where the scene is refused.
 std::optional<Seen> seen_of(RandomScene scene) {
   try {
-    stand_on_earth(scene.terrain, scene.settings);
-    const Scene placed = place_scene(scene.terrain, scene.settings);
+    stand_on_earth(scene.terrain, scene.spec.view);
+    const PlacedView placed = placed_view(scene.terrain, scene.spec);
     Seen seen;
-    draw_scene(scene.terrain, placed, scene.settings, [](double) {},
-               {.observer = &seen, .beyond_page = true});
+    draw_map(scene.terrain, placed, scene.spec, [](double) {},
+             {.observers = {&seen}, .beyond_page = true});
     return seen;
   } catch (const Error&) {
     return std::nullopt;
@@ -176,7 +177,7 @@ RandomScene turned(RandomScene scene, double by_deg) {
                            frame.local.ellipsoid());
   grid.lattice = EarthLattice(degrees, frame.local, frame.exaggeration);
   scene.terrain.map.origin.x += by_deg;
-  for (auto* place : {&scene.settings.eye_map, &scene.settings.look_at_map})
+  for (auto* place : {&scene.spec.view.eye_map, &scene.spec.view.look_at_map})
     if (*place) (*place)->x += by_deg;
   return scene;
 }
@@ -216,22 +217,22 @@ TEST_CASE("a grid in degrees and the TIN of its triangles are one drawing, bit f
   std::size_t compared = 0, scenes = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_earth_scene(5000 + seed, static_cast<Stand>(seed % 4));
-    scene.settings.flat = FlatGround::draw; // level ground is told by true heights, or by z
-    scene.settings.void_edges = seed % 2 == 0;
-    if (seed % 3 == 0) scene.settings.layers.push_back("edges");
-    if (seed % 7 == 0) scene.settings.occluder = Occluder::profiles;
+    scene.spec.style.flat = FlatGround::draw; // level ground is told by true heights, or by z
+    if (seed % 2 == 0) scene.spec.style.layers.push_back("voids");
+    if (seed % 3 == 0) scene.spec.style.layers.push_back("edges");
+    if (seed % 7 == 0) scene.spec.style.occluder = Occluder::profiles;
     CAPTURE(seed, scene.what);
     try {
-      stand_on_earth(scene.terrain, scene.settings);
-      Scene placed = place_scene(scene.terrain, scene.settings);
-      Terrain as_tin = scene.terrain;
+      stand_on_earth(scene.terrain, scene.spec.view);
+      PlacedView placed = placed_view(scene.terrain, scene.spec);
+      TerrainData as_tin = scene.terrain;
       as_tin.surface = tin_of(grid_of(scene.terrain));
       Seen by_grid, by_tin;
-      const DrawnScene grid_drawn = draw_scene(scene.terrain, placed, scene.settings, [](double) {},
-                                               {.observer = &by_grid, .beyond_page = true});
+      const Map grid_drawn = draw_map(scene.terrain, placed, scene.spec, [](double) {},
+                                      {.observers = {&by_grid}, .beyond_page = true});
       placed.border = border_edges(std::get<Tin>(as_tin.surface));
-      const DrawnScene tin_drawn = draw_scene(as_tin, placed, scene.settings, [](double) {},
-                                              {.observer = &by_tin, .beyond_page = true});
+      const Map tin_drawn = draw_map(as_tin, placed, scene.spec, [](double) {},
+                                     {.observers = {&by_tin}, .beyond_page = true});
       REQUIRE(are_same(by_grid.parts, by_tin.parts));
       REQUIRE(grid_drawn.drawing.layers.size() == tin_drawn.drawing.layers.size());
       for (std::size_t i = 0; i < grid_drawn.drawing.layers.size(); ++i)

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One surface, as a grid and as the TIN of its triangles: the same lines, bit for bit.
-#include "cli/draw_scene.hpp"
-#include "cli/scene.hpp"
 #include "dem/approximate/tin_of_grid.hpp"
 #include "dem/read/read_raster.hpp"
-#include "profiles/project_profile.hpp"
+#include "profiles/profile.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/support/grid_of.hpp"
 
 #include <cmath>
 #include <cstring>
+
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
@@ -31,8 +32,8 @@ public:
   };
   std::vector<Part> parts;
 
-  void see(const Sector&, const Profile& profile, const std::vector<Segment>& segments,
-           const std::vector<Piece>& visible) override {
+  void see(const SeenProfile& seen) override {
+    const auto& [sector, clipped, profile, segments, visible] = seen;
     for (const Piece& piece : visible) {
       const std::uint32_t left = left_vertex(segments[piece.segment]);
       const auto at = [&](std::uint32_t i) {
@@ -42,7 +43,8 @@ public:
                        piece.t_begin, piece.t_end});
     }
   }
-  void see(const Sector&, const LineSweep& lines, const std::vector<LinePart>& visible) override {
+  void see(const SeenLines& seen) override {
+    const auto& [sector, clipped, lines, visible] = seen;
     for (const LinePart& part : visible) {
       const ProfileLine whole = lines.whole(part.line);
       parts.push_back({whole.from, whole.to, static_cast<int>(lines.line(part.line).kind),
@@ -62,20 +64,20 @@ struct Compared {
   std::size_t parts = 0, strokes = 0, views = 0;
 };
 
-void compare_in(const Terrain& as_grid, const Terrain& as_tin, const RenderSettings& settings,
+void compare_in(const TerrainData& as_grid, const TerrainData& as_tin, const MapSpec& spec,
                 Compared& compared) {
   const Grid& grid = grid_of(as_grid);
   const Tin& tin = std::get<Tin>(as_tin.surface);
-  Scene scene = place_scene(as_grid, settings);
+  PlacedView scene = placed_view(as_grid, spec);
   Seen by_grid, by_tin;
-  const DrawnScene drawn_grid = draw_scene(as_grid, scene, settings, [](double) {},
-                                           {.observer = &by_grid, .beyond_page = true});
+  const Map drawn_grid =
+      draw_map(as_grid, scene, spec, [](double) {}, {.observers = {&by_grid}, .beyond_page = true});
   // The same view and plan; what belongs to the surface is the TIN's own.
   scene.border = border_edges(tin);
-  if (settings.flat == FlatGround::shore)
+  if (spec.style.flat == FlatGround::shore)
     scene.level = find_level_ground(tin, smallest_water_m2(grid));
-  const DrawnScene drawn_tin = draw_scene(as_tin, scene, settings, [](double) {},
-                                          {.observer = &by_tin, .beyond_page = true});
+  const Map drawn_tin =
+      draw_map(as_tin, scene, spec, [](double) {}, {.observers = {&by_tin}, .beyond_page = true});
   REQUIRE(by_grid.parts.size() == by_tin.parts.size());
   std::size_t different = 0;
   for (std::size_t i = 0; i < by_grid.parts.size(); ++i) {
@@ -91,16 +93,16 @@ void compare_in(const Terrain& as_grid, const Terrain& as_tin, const RenderSetti
     different += !same;
   }
   CHECK(different == 0);
-  CHECK(drawn_grid.counts.strokes == drawn_tin.counts.strokes);
+  CHECK(drawn_grid.facts.counts.strokes == drawn_tin.facts.counts.strokes);
   for (std::size_t i = 0; i < drawn_grid.drawing.layers.size(); ++i)
     CHECK((drawn_grid.drawing.layers[i].page_mm == drawn_tin.drawing.layers[i].page_mm));
   compared.parts += by_grid.parts.size();
-  compared.strokes += drawn_grid.counts.strokes;
+  compared.strokes += drawn_grid.facts.counts.strokes;
   ++compared.views;
 }
 
-Terrain tin_terrain(const Terrain& as_grid) {
-  Terrain terrain = as_grid;
+TerrainData tin_terrain(const TerrainData& as_grid) {
+  TerrainData terrain = as_grid;
   terrain.surface = tin_of(grid_of(as_grid));
   return terrain;
 }
@@ -111,20 +113,20 @@ TEST_CASE("all samples, ten views each") {
   Compared compared;
   for (const char* name : {"cone", "plateau", "saddle", "ridge_and_valley", "fractal_alps",
                            "islands", "volcano", "jacksboro"}) {
-    const Terrain as_grid =
+    const TerrainData as_grid =
         read_raster(std::string(OROGRAPH_SOURCE_DIR "/data_samples/") + name + ".tif");
-    const Terrain as_tin = tin_terrain(as_grid);
+    const TerrainData as_tin = tin_terrain(as_grid);
     for (int i = 0; i < 10; ++i) {
-      RenderSettings settings;
-      settings.from_azimuth = Angle::degrees(i % 5 == 0 ? 45.0 * i : 37.3 * i);
-      settings.from_elevation = Angle::degrees(i % 2 ? 8 + 3 * i : 40 - 3 * i);
-      settings.projection = i % 3 == 2 ? Projection::orthographic : Projection::perspective;
-      settings.plan = ProfileCount{40};
-      if (i == 3) settings.occluder = Occluder::profiles;
-      if (i == 4) settings.flat = FlatGround::draw;
-      if (i == 6) settings.layers.push_back("edges");
+      MapSpec spec;
+      spec.view.from_azimuth = Angle::degrees(i % 5 == 0 ? 45.0 * i : 37.3 * i);
+      spec.view.from_elevation = Angle::degrees(i % 2 ? 8 + 3 * i : 40 - 3 * i);
+      spec.view.projection = i % 3 == 2 ? Projection::orthographic : Projection::perspective;
+      spec.style.plan = ProfileCount{40};
+      if (i == 3) spec.style.occluder = Occluder::profiles;
+      if (i == 4) spec.style.flat = FlatGround::draw;
+      if (i == 6) spec.style.layers.push_back("edges");
       CAPTURE(name, i);
-      compare_in(as_grid, as_tin, settings, compared);
+      compare_in(as_grid, as_tin, spec, compared);
     }
   }
   WARN(compared.views << " views, " << compared.parts << " visible parts, " << compared.strokes
@@ -137,9 +139,9 @@ TEST_CASE("and made scenes with holes, spikes and steps") {
   Compared compared;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     RandomScene scene = random_scene(seed);
-    scene.settings.void_edges = seed % 2 == 0;
+    if (seed % 2 == 0) scene.spec.style.layers.push_back("voids");
     CAPTURE(seed, scene.what);
-    compare_in(scene.terrain, tin_terrain(scene.terrain), scene.settings, compared);
+    compare_in(scene.terrain, tin_terrain(scene.terrain), scene.spec, compared);
   }
   WARN(compared.views << " views, " << compared.parts << " visible parts");
   CHECK(compared.parts > 100000);

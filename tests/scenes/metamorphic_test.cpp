@@ -2,7 +2,6 @@
 // Turn, scale, shift: what must not change a drawing. Each is drawn twice and compared layer by
 // layer, before simplification: visible length, and the farthest that ink of one is from ink of the
 // other.
-#include "cli/draw_scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/support/grid_of.hpp"
@@ -11,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+
+#include "map/draw_map.hpp"
 
 using namespace orograph;
 
@@ -23,13 +24,13 @@ constexpr std::uint64_t kScenes = 10;
 #endif
 
 struct Picture {
-  Terrain terrain;
-  RenderSettings settings;
+  TerrainData terrain;
+  MapSpec spec;
 };
 
 Drawing draw(const Picture& picture) {
-  const Scene scene = place_scene(picture.terrain, picture.settings);
-  return draw_scene(picture.terrain, scene, picture.settings, [](double) {}).drawing;
+  const PlacedView scene = placed_view(picture.terrain, picture.spec);
+  return draw_map(picture.terrain, scene, picture.spec, [](double) {}).drawing;
 }
 
 struct Line {
@@ -81,15 +82,15 @@ double lonely_mm(const std::vector<Line>& ink, const std::vector<Line>& other, d
 // A random scene, framed by the view, whose answer doesn't hang on exact ties.
 Picture picture_of(std::uint64_t seed) {
   RandomScene scene = random_scene(seed);
-  Picture picture{std::move(scene.terrain), scene.settings};
-  RenderSettings& settings = picture.settings;
-  settings.simplify_mm = 0;
-  settings.silhouette_jump = 0;
-  settings.flat = FlatGround::draw;
+  Picture picture{std::move(scene.terrain), scene.spec};
+  MapSpec& spec = picture.spec;
+  spec.style.simplify_mm = 0;
+  spec.style.silhouette_jump = 0;
+  spec.style.flat = FlatGround::draw;
   Random random(seed + 5);
-  settings.from_azimuth = Angle::degrees(random.between(0, 360));
-  if (settings.from_elevation < Angle::degrees(1)) settings.from_elevation = Angle::degrees(13);
-  auto& heights = std::get<Heights<float>>(grid_of(picture.terrain).heights_m).own();
+  spec.view.from_azimuth = Angle::degrees(random.between(0, 360));
+  if (spec.view.from_elevation < Angle::degrees(1)) spec.view.from_elevation = Angle::degrees(13);
+  const auto heights = std::get<Heights<float>>(grid_of(picture.terrain).heights_m).own();
   // In double, so that what is done to them rounds little; off their plateaus.
   std::vector<double> wider(heights.begin(), heights.end());
   for (double& h : wider) h += random.between(0, 0.5);
@@ -97,7 +98,7 @@ Picture picture_of(std::uint64_t seed) {
   return picture;
 }
 
-std::vector<double>& heights_of(Picture& picture) {
+std::span<double> heights_of(Picture& picture) {
   return std::get<Heights<double>>(grid_of(picture.terrain).heights_m).own();
 }
 
@@ -149,10 +150,11 @@ TEST_CASE("turning terrain and view together changes nothing") {
             .plane()
             .position_m(grid_of(one.terrain).columns / 2, grid_of(one.terrain).rows / 2);
     Picture first = one;
-    first.settings.look_at_map = Vec3{target.x, target.y, 100};
+    first.spec.view.look_at_map = Vec3{target.x, target.y, 100};
     const Vec2 turned_target = turned(target, turn);
-    other.settings.look_at_map = Vec3{turned_target.x, turned_target.y, 100};
-    other.settings.from_azimuth = Angle::degrees(one.settings.from_azimuth.in_degrees() - degrees);
+    other.spec.view.look_at_map = Vec3{turned_target.x, turned_target.y, 100};
+    other.spec.view.from_azimuth =
+        Angle::degrees(one.spec.view.from_azimuth.in_degrees() - degrees);
     check_same(first, other, kNear, kShare);
   }
 }
@@ -204,11 +206,11 @@ TEST_CASE("doubling every vertex changes nothing") {
             0.5 * (coarse.height_m(c / 2, r / 2) + coarse.height_m((c + 1) / 2, (r + 1) / 2));
     fine.heights_m = std::move(heights);
     // A triangle with a hole at one vertex leaves three of its four small ones.
-    const auto& all = heights_of(one);
+    const auto all = heights_of(one);
     if (std::any_of(all.begin(), all.end(), [](double h) { return std::isnan(h); })) continue;
     ++compared;
     // Where a view begins near the eye is told in cells.
-    one.settings.projection = other.settings.projection = Projection::orthographic;
+    one.spec.view.projection = other.spec.view.projection = Projection::orthographic;
     check_same(one, other, kNear, kShare);
   }
   CHECK(compared > kScenes / 2);
@@ -246,15 +248,15 @@ TEST_CASE("a mirror image of ground whose diagonals don't matter is the mirrored
     grid.plane().first_vertex_m = {0, 0};
     grid.plane().column_step_m = {100, 0};
     grid.plane().row_step_m = {0, -100};
-    one.settings.from_azimuth = Angle::degrees(random.between(0, 360));
+    one.spec.view.from_azimuth = Angle::degrees(random.between(0, 360));
     Picture other = one;
     for (int r = 0; r < grid.rows; ++r) {
       const auto row = heights_of(other).begin() + r * grid.columns;
       std::reverse(row, row + grid.columns);
     }
-    other.settings.from_azimuth = Angle::degrees(-one.settings.from_azimuth.in_degrees());
-    other.settings.oblique.rise =
-        Angle::degrees(180 - one.settings.oblique.rise.in_degrees()); // to the left
+    other.spec.view.from_azimuth = Angle::degrees(-one.spec.view.from_azimuth.in_degrees());
+    other.spec.view.oblique.rise =
+        Angle::degrees(180 - one.spec.view.oblique.rise.in_degrees()); // to the left
     check_same(one, other, kNear, kShare, [](Vec2 p, const Page& page) {
       return Vec2{page.width_mm - p.x, p.y};
     });

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Views by PHIGS's parameters over made terrain: any plate, any direction, with planes that cut.
-#include "cli/cut_by_view.hpp"
-#include "cli/scene_view.hpp"
 #include "dem/extent.hpp"
 #include "dem/mesh/verify_tin.hpp"
 #include "geometry/error.hpp"
-#include "profiles/project_profile.hpp"
+#include "profiles/profile.hpp"
 #include "tests/scenes/asked_scenes.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/support/grid_of.hpp"
@@ -15,6 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "placing/terrain_of_view.hpp"
+#include "placing/view_in_frame.hpp"
 
 using namespace orograph;
 
@@ -33,7 +34,7 @@ Vec3 turned(Vec3 p, double angle) {
 }
 
 // A view plane through the terrain's middle, tilted anyhow, seen from above.
-ViewFile view_of(const Terrain& terrain, Random& random) {
+ViewFile view_of(const TerrainData& terrain, Random& random) {
   const Box3 box = extent_of(terrain.surface).box;
   const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   ViewFile view;
@@ -57,15 +58,16 @@ ViewFile view_of(const Terrain& terrain, Random& random) {
 class Visible : public LineObserver {
 public:
   std::map<std::pair<double, std::uint32_t>, std::vector<std::pair<double, double>>> stretches;
-  void see(const Sector&, const Profile& profile, const std::vector<Segment>& segments,
-           const std::vector<Piece>& visible) override {
+  void see(const SeenProfile& seen) override {
+    const auto& [sector, clipped, profile, segments, visible] = seen;
     for (const Piece& p : visible) {
       // Which profile, by its depth to a millimetre.
       const double depth = std::round(profile.depth_m * 1e3);
       stretches[{depth, left_vertex(segments[p.segment])}].emplace_back(p.t_begin, p.t_end);
     }
   }
-  void see(const Sector&, const LineSweep&, const std::vector<LinePart>& visible) override {
+  void see(const SeenLines& seen) override {
+    const auto& visible = seen.visible;
     for (const LinePart& p : visible) stretches[{-1e99, p.line}].emplace_back(p.t_begin, p.t_end);
   }
 };
@@ -101,19 +103,19 @@ TEST_CASE("the ray walk agrees with any PHIGS view, cut by its planes or not") {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_scene(seed);
     Random random(seed + 600000);
-    scene.settings.view = view_of(scene.terrain, random);
-    scene.settings.exaggeration.reset();
+    scene.spec.view.file = view_of(scene.terrain, random);
+    scene.spec.view.exaggeration.reset();
     CAPTURE(seed, scene.what);
     try {
-      if (auto kept = cut_by_view(scene.terrain, scene.settings)) scene.terrain = std::move(*kept);
+      if (auto kept = cut_by_view(scene.terrain, scene.spec.view)) scene.terrain = std::move(*kept);
       if (const Tin* tin = std::get_if<Tin>(&scene.terrain.surface)) {
         const auto fault = verify(*tin);
         INFO((fault ? fault->what : ""));
         REQUIRE(!fault);
         ++cut;
       }
-      sum.add(ask(scene.terrain, scene.settings, 2000));
-      parallel += scene.settings.view->projection == PhigsProjection::parallel;
+      sum.add(ask(scene.terrain, scene.spec, 2000));
+      parallel += scene.spec.view.file->projection == PhigsProjection::parallel;
     } catch (const Error& error) {
       ++refused; // planes that leave nothing, a parallel view that looks up, an eye under ground
     }
@@ -131,13 +133,13 @@ TEST_CASE("what is visible doesn't depend on the plate, its window or its turn")
   double greatest = 0;
   for (std::uint64_t seed = 1; seed <= kScenes / 4; ++seed) {
     RandomScene scene = random_scene(seed);
-    RenderSettings& settings = scene.settings;
+    MapSpec& spec = scene.spec;
     Random random(seed + 700000);
-    settings.visibility_tolerance_mm = 0;
-    settings.exaggeration.reset();
+    spec.style.visibility_tolerance_mm = 0;
+    spec.view.exaggeration.reset();
     const Box3 box = extent_of(scene.terrain.surface).box;
     const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-    settings.plan = GroundSpacing{size / 15};
+    spec.style.plan = GroundSpacing{size / 15};
     const bool parallel = random.chance(0.5);
     const double heading = random.between(0, 6.28);
     const Vec3 middle = box.centre();
@@ -167,11 +169,11 @@ TEST_CASE("what is visible doesn't depend on the plate, its window or its turn")
         view.window_m = {Vec2{} - half, half};
         view.prp_m = {dot(eye - middle, u), dot(eye - middle, v), dot(eye - middle, n)};
       }
-      settings.view = view;
-      const Scene placed = place_scene(scene.terrain, settings);
+      spec.view.file = view;
+      const PlacedView placed = placed_view(scene.terrain, spec);
       if (placed.sectors.size() > 1) continue; // cut at another near plane
-      draw_scene(scene.terrain, placed, settings, [](double) {},
-                 {.observer = &seen.emplace_back(), .beyond_page = true});
+      draw_map(scene.terrain, placed, spec, [](double) {},
+               {.observers = {&seen.emplace_back()}, .beyond_page = true});
     }
     for (std::size_t i = 1; i < seen.size(); ++i) {
       CAPTURE(seed, scene.what, parallel, i);
@@ -199,29 +201,29 @@ TEST_CASE("terrain of any size comes back through a view file") {
             for (auto& h : heights.own()) h *= static_cast<float>(size);
           },
           grid.heights_m);
-      RenderSettings& settings = scene.settings;
-      settings = {};
-      settings.from_azimuth = Angle::degrees(200);
-      settings.from_elevation = Angle::degrees(40);
-      settings.exaggeration = 1.5;
-      settings.projection = projection[0] == 'p'   ? Projection::perspective
-                            : projection[1] == 'r' ? Projection::orthographic
-                                                   : Projection::oblique;
-      settings.plan = ProfileCount{20};
-      const Scene placed = place_scene(scene.terrain, settings);
-      const DrawnScene named = draw_scene(scene.terrain, placed, settings, [](double) {});
-      RenderSettings by_file = settings;
-      by_file.view = view_file_of(placed.view, scene.terrain.map);
-      by_file.exaggeration.reset();
-      const Scene again = place_scene(scene.terrain, by_file);
-      const DrawnScene filed = draw_scene(scene.terrain, again, by_file, [](double) {});
+      MapSpec& spec = scene.spec;
+      spec = {};
+      spec.view.from_azimuth = Angle::degrees(200);
+      spec.view.from_elevation = Angle::degrees(40);
+      spec.view.exaggeration = 1.5;
+      spec.view.projection = projection[0] == 'p'   ? Projection::perspective
+                             : projection[1] == 'r' ? Projection::orthographic
+                                                    : Projection::oblique;
+      spec.style.plan = ProfileCount{20};
+      const PlacedView placed = placed_view(scene.terrain, spec);
+      const Map named = draw_map(scene.terrain, placed, spec, [](double) {});
+      MapSpec by_file = spec;
+      by_file.view.file = view_file_of(placed.view, scene.terrain.map);
+      by_file.view.exaggeration.reset();
+      const PlacedView again = placed_view(scene.terrain, by_file);
+      const Map filed = draw_map(scene.terrain, again, by_file, [](double) {});
       CAPTURE(size, projection);
-      CHECK(named.counts.strokes > 20);
-      CHECK(std::abs(static_cast<double>(named.counts.strokes) -
-                     static_cast<double>(filed.counts.strokes)) <=
-            0.02 * static_cast<double>(named.counts.strokes)); // ties, by rounding
+      CHECK(named.facts.counts.strokes > 20);
+      CHECK(std::abs(static_cast<double>(named.facts.counts.strokes) -
+                     static_cast<double>(filed.facts.counts.strokes)) <=
+            0.02 * static_cast<double>(named.facts.counts.strokes)); // ties, by rounding
       // The same place of the page for a point of the terrain.
-      const auto page = [&](const Scene& of, Vec3 at) {
+      const auto page = [&](const PlacedView& of, Vec3 at) {
         const Vec3 image =
             of.to_page.of(project_homogeneous(of.view, to_profile_frame(of.view, at)));
         return Vec2{image.x / image.z, image.y / image.z};

@@ -2,18 +2,19 @@
 // Eyes on a grid.
 #pragma once
 
-#include "cli/render_settings.hpp"
 #include "dem/extent.hpp"
 #include "dem/height_at.hpp"
 #include "tests/support/random.hpp"
 
 #include <cmath>
 
+#include "placing/map_spec.hpp"
+
 namespace orograph {
 
 /// A view from an eye on the surface or a little above it, at a vertex or anywhere, which looks at
 /// another vertex.
-inline void put_eye(RenderSettings& settings, const Grid& grid, Random& random) {
+inline void put_eye(MapSpec& spec, const Grid& grid, Random& random) {
   const auto anywhere = [&](bool at_vertex) -> Vec3 {
     for (;;) {
       const double column = random.between(1, grid.columns - 2.001);
@@ -31,11 +32,11 @@ inline void put_eye(RenderSettings& settings, const Grid& grid, Random& random) 
   eye.z += random.pick({0.0, 0.0, 0.001, 1.7, 200.0});
   target.z =
       eye.z + random.pick({0.0, 0.1, -0.1}) * length(Vec2{target.x - eye.x, target.y - eye.y});
-  settings.projection = Projection::perspective;
-  settings.exaggeration = 1;
-  settings.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 90.0}));
-  settings.eye_map = eye;
-  settings.look_at_map = target;
+  spec.view.projection = Projection::perspective;
+  spec.view.exaggeration = 1;
+  spec.view.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 90.0}));
+  spec.view.eye_map = eye;
+  spec.view.look_at_map = target;
 }
 
 } // namespace orograph

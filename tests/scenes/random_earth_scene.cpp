@@ -70,9 +70,9 @@ void roughen(std::vector<float>& heights, const MadeEarth& made, Random& random,
     if (std::isnan(heights[i])) heights[i] = 100;
 }
 
-Terrain terrain_of(MadeTerrain kind, Random& random, std::string& what) {
+TerrainData terrain_of(MadeTerrain kind, Random& random, std::string& what) {
   const MadeEarth made = lattice_of(random);
-  Terrain terrain;
+  TerrainData terrain;
   Grid grid;
   grid.columns = made.columns;
   grid.rows = made.rows;
@@ -115,32 +115,32 @@ Vec2 anywhere(const Grid& grid, Random& random, double beyond) {
                   random.between(-beyond, 1 + beyond) * (grid.rows - 1));
 }
 
-void frame_terrain(RenderSettings& settings, Random& random) {
-  settings.projection = random.pick({Projection::perspective, Projection::perspective,
-                                     Projection::orthographic, Projection::oblique});
-  if (settings.projection == Projection::oblique)
-    settings.oblique =
+void frame_terrain(MapSpec& spec, Random& random) {
+  spec.view.projection = random.pick({Projection::perspective, Projection::perspective,
+                                      Projection::orthographic, Projection::oblique});
+  if (spec.view.projection == Projection::oblique)
+    spec.view.oblique =
         random.pick({kCavalier, kCabinet, kMilitary,
                      Oblique{random.between(0.2, 1.5), Angle::degrees(random.between(0, 180))}});
-  settings.from_azimuth =
+  spec.view.from_azimuth =
       Angle::degrees(random.chance(0.3) ? 45.0 * random.whole(0, 7) : random.between(0, 360));
-  const bool perspective = settings.projection == Projection::perspective;
-  settings.from_elevation = Angle::degrees(random.chance(0.1) ? 0
-                                           : random.chance(0.1) && !perspective
-                                               ? 90
-                                               : random.between(0, perspective ? 50 : 90));
+  const bool perspective = spec.view.projection == Projection::perspective;
+  spec.view.from_elevation = Angle::degrees(random.chance(0.1) ? 0
+                                            : random.chance(0.1) && !perspective
+                                                ? 90
+                                                : random.between(0, perspective ? 50 : 90));
 }
 
-void look_at_something(RenderSettings& settings, const Grid& grid, Random& random) {
+void look_at_something(MapSpec& spec, const Grid& grid, Random& random) {
   if (random.chance(0.5)) {
-    settings.look_azimuth =
+    spec.view.look_azimuth =
         Angle::degrees(random.chance(0.3) ? 45.0 * random.whole(0, 7) : random.between(0, 360));
-    settings.pitch = Angle::degrees(random.pick({0.0, -5.0, random.between(-30, 10)}));
+    spec.view.pitch = Angle::degrees(random.pick({0.0, -5.0, random.between(-30, 10)}));
   } else {
     const Vec2 target = on_ground(grid, random, random.chance(0.5));
-    settings.look_at_map = GivenPlace(target.x, target.y);
+    spec.view.look_at_map = GivenPlace(target.x, target.y);
   }
-  settings.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 100.0}));
+  spec.view.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 100.0}));
 }
 
 } // namespace
@@ -152,12 +152,12 @@ RandomScene random_earth_scene(std::uint64_t seed, Stand stand) {
   scene.what = name_of(kind);
   scene.terrain = terrain_of(kind, random, scene.what);
   const Grid& grid = grid_of(scene.terrain);
-  RenderSettings& settings = scene.settings;
-  settings.exaggeration = random.pick({1.0, 1.0, 3.0});
-  settings.refraction = random.pick({0.0, 0.13, 0.5});
-  settings.curvature = random.pick({Curvature::automatic, Curvature::on});
-  settings.plan = ProfileCount{random.whole(5, 40)};
-  settings.roll = Angle::degrees(random.pick({0.0, 0.0, random.between(-90, 90)}));
+  MapSpec& spec = scene.spec;
+  spec.view.exaggeration = random.pick({1.0, 1.0, 3.0});
+  spec.view.refraction = random.pick({0.0, 0.13, 0.5});
+  spec.view.curvature = random.pick({Curvature::automatic, Curvature::on});
+  spec.style.plan = ProfileCount{random.whole(5, 40)};
+  spec.view.roll = Angle::degrees(random.pick({0.0, 0.0, random.between(-90, 90)}));
   const double wide_m = cell_size_m(grid) * std::max(grid.columns, grid.rows);
   const auto [low, high] = std::visit(
       [](const auto& heights) {
@@ -170,28 +170,28 @@ RandomScene random_earth_scene(std::uint64_t seed, Stand stand) {
       },
       grid.heights_m);
   if (stand == Stand::frames_terrain) {
-    frame_terrain(settings, random);
+    frame_terrain(spec, random);
     return scene;
   }
-  settings.projection = Projection::perspective;
+  spec.view.projection = Projection::perspective;
   Vec2 eye = on_ground(grid, random, random.chance(0.5));
   if (stand == Stand::on_ground) {
-    settings.eye_map = GivenPlace(eye.x, eye.y);
-    settings.eye_height_m = random.pick({0.0, 0.001, 2.0, 100.0});
-    look_at_something(settings, grid, random);
+    spec.view.eye_map = GivenPlace(eye.x, eye.y);
+    spec.view.eye_height_m = random.pick({0.0, 0.001, 2.0, 100.0});
+    look_at_something(spec, grid, random);
   } else if (stand == Stand::in_air) {
     eye = anywhere(grid, random, random.pick({-0.2, 1.0}));
-    settings.eye_map = Vec3{eye.x, eye.y, high + wide_m * random.pick({0.001, 0.05, 0.3})};
+    spec.view.eye_map = Vec3{eye.x, eye.y, high + wide_m * random.pick({0.001, 0.05, 0.3})};
     const Vec2 target = on_ground(grid, random, random.chance(0.5));
-    settings.look_at_map = GivenPlace(target.x, target.y);
-    settings.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 100.0}));
+    spec.view.look_at_map = GivenPlace(target.x, target.y);
+    spec.view.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 100.0}));
   } else {
     if (random.chance(0.6)) eye = anywhere(grid, random, 0.1);
-    settings.eye_map = Vec3{eye.x, eye.y, high + wide_m * random.pick({0.01, 0.2, 1.0})};
+    spec.view.eye_map = Vec3{eye.x, eye.y, high + wide_m * random.pick({0.01, 0.2, 1.0})};
     const Vec2 target = random.chance(0.4) ? eye : anywhere(grid, random, -0.3);
-    settings.look_at_map = Vec3{target.x, target.y, low};
-    settings.from_azimuth = Angle::degrees(random.pick({0.0, 90.0, random.between(0, 360)}));
-    settings.field_of_view = Angle::degrees(random.pick({60.0, 120.0, 170.0}));
+    spec.view.look_at_map = Vec3{target.x, target.y, low};
+    spec.view.from_azimuth = Angle::degrees(random.pick({0.0, 90.0, random.between(0, 360)}));
+    spec.view.field_of_view = Angle::degrees(random.pick({60.0, 120.0, 170.0}));
   }
   return scene;
 }

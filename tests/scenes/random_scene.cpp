@@ -37,7 +37,7 @@ Grid window_of(MadeTerrain made, int most, Random& random) {
 }
 
 void roughen(Grid& grid, Random& random, std::string& what) {
-  auto& heights = std::get<Heights<float>>(grid.heights_m).own();
+  const auto heights = std::get<Heights<float>>(grid.heights_m).own();
   if (random.chance(0.25)) { // a plateau: level ground at some height and above
     const float top =
         heights[static_cast<std::size_t>(random.whole(0, static_cast<int>(grid.size()) - 1))];
@@ -74,29 +74,29 @@ RandomScene random_scene(std::uint64_t seed, int most) {
   grid_of(scene.terrain) = window_of(made, most, random);
   roughen(grid_of(scene.terrain), random, scene.what);
 
-  RenderSettings& settings = scene.settings;
+  MapSpec& spec = scene.spec;
   const double along = 90 * random.whole(0, 3);
   const int kind = random.whole(0, 3);
-  settings.from_azimuth = Angle::degrees(kind == 0   ? along
-                                         : kind == 1 ? along + 45
-                                                     : random.between(0, 360));
-  settings.projection = random.chance(0.5) ? Projection::perspective : Projection::orthographic;
-  const bool perspective = settings.projection == Projection::perspective;
+  spec.view.from_azimuth = Angle::degrees(kind == 0   ? along
+                                          : kind == 1 ? along + 45
+                                                      : random.between(0, 360));
+  spec.view.projection = random.chance(0.5) ? Projection::perspective : Projection::orthographic;
+  const bool perspective = spec.view.projection == Projection::perspective;
   if (!perspective && random.chance(0.4)) {
-    settings.projection = Projection::oblique;
-    settings.oblique =
+    spec.view.projection = Projection::oblique;
+    spec.view.oblique =
         random.pick({kCavalier, kCabinet, kMilitary,
                      Oblique{random.between(0.2, 1.5), Angle::degrees(random.between(0, 180))}});
   }
-  settings.from_elevation = Angle::degrees(random.chance(0.1) ? 0
-                                           : random.chance(0.1) && !perspective
-                                               ? 90
-                                               : random.between(0, perspective ? 50 : 90));
-  settings.exaggeration = random.chance(0.5) ? 1 : random.between(0.5, 4);
-  settings.plan = ProfileCount{random.whole(5, 40)};
-  scene.what += perspective                                       ? ", perspective"
-                : settings.projection == Projection::orthographic ? ", orthographic"
-                                                                  : ", oblique";
+  spec.view.from_elevation = Angle::degrees(random.chance(0.1) ? 0
+                                            : random.chance(0.1) && !perspective
+                                                ? 90
+                                                : random.between(0, perspective ? 50 : 90));
+  spec.view.exaggeration = random.chance(0.5) ? 1 : random.between(0.5, 4);
+  spec.style.plan = ProfileCount{random.whole(5, 40)};
+  scene.what += perspective                                        ? ", perspective"
+                : spec.view.projection == Projection::orthographic ? ", orthographic"
+                                                                   : ", oblique";
   return scene;
 }
 

@@ -2,19 +2,20 @@
 // Seeded terrains and views of every awkward kind.
 #pragma once
 
-#include "cli/render_settings.hpp"
 #include "dem/grid.hpp"
 #include "dem/terrain.hpp"
 
 #include <cstdint>
 #include <string>
 
+#include "placing/map_spec.hpp"
+
 namespace orograph {
 
 struct RandomScene {
-  Terrain terrain;
-  RenderSettings settings; ///< a view and a number of profiles; no files
-  std::string what;        ///< for messages
+  TerrainData terrain;
+  MapSpec spec;     ///< a view and a number of profiles; no files
+  std::string what; ///< for messages
 };
 
 /// A made terrain of 10 to `most` vertices a side, in one seed of four with holes, with plateaus,

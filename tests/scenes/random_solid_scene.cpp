@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/scenes/random_solid_scene.hpp"
 
-#include "cli/scene.hpp"
 #include "dem/extent.hpp"
 #include "dem/height_at.hpp"
 #include "geometry/box.hpp"
@@ -17,6 +16,8 @@
 #include <cmath>
 #include <optional>
 
+#include "placing/placed_view.hpp"
+
 namespace orograph {
 namespace {
 
@@ -31,22 +32,22 @@ void put_lattice(SolidScene& scene, Random& random) {
                             kLatticeStep_m * random.whole(-9, 9)};
   const double high = random.pick({0.5, 8.0, 40.0});
   scene.terrain.surface = made_grid(random, lattice, {0, high, 0, true, true});
-  RenderSettings& settings = scene.settings;
-  settings.exaggeration = 1;
-  settings.from_azimuth = Angle::degrees(45.0 * random.whole(0, 7));
-  settings.projection =
+  MapSpec& spec = scene.spec;
+  spec.view.exaggeration = 1;
+  spec.view.from_azimuth = Angle::degrees(45.0 * random.whole(0, 7));
+  spec.view.projection =
       random.pick({Projection::perspective, Projection::orthographic, Projection::oblique});
-  settings.oblique = random.pick({kCavalier, kCabinet, kMilitary, Oblique{1, Angle()}});
-  const bool perspective = settings.projection == Projection::perspective;
-  settings.from_elevation = Angle::degrees(perspective ? random.pick({0.0, 10.0, 30.0, 50.0})
-                                                       : random.pick({0.0, 30.0, 45.0, 90.0}));
+  spec.view.oblique = random.pick({kCavalier, kCabinet, kMilitary, Oblique{1, Angle()}});
+  const bool perspective = spec.view.projection == Projection::perspective;
+  spec.view.from_elevation = Angle::degrees(perspective ? random.pick({0.0, 10.0, 30.0, 50.0})
+                                                        : random.pick({0.0, 30.0, 45.0, 90.0}));
   scene.what = "lattice";
 }
 
 void put_terrain(SolidScene& scene, std::uint64_t seed, Random& random) {
   const auto take = [&](auto made) {
     scene.terrain = std::move(made.terrain);
-    scene.settings = std::move(made.settings);
+    scene.spec = std::move(made.spec);
     scene.what = made.what;
   };
   const auto kind = seed % 8;
@@ -57,13 +58,13 @@ void put_terrain(SolidScene& scene, std::uint64_t seed, Random& random) {
   // put_eye needs two places on the ground that aren't close together.
   if ((kind != 3 && kind != 7) || 2 * extent.valid < std::get<Grid>(scene.terrain.surface).size())
     return;
-  const RenderSettings without = scene.settings;
-  put_eye(scene.settings, std::get<Grid>(scene.terrain.surface), random);
+  const MapSpec without = scene.spec;
+  put_eye(scene.spec, std::get<Grid>(scene.terrain.surface), random);
   try {
-    place_scene(scene.terrain, scene.settings);
+    placed_view(scene.terrain, scene.spec);
     scene.what += ", from the ground";
   } catch (const Error&) { // under the ground by rounding
-    scene.settings = without;
+    scene.spec = without;
   }
 }
 
@@ -89,7 +90,7 @@ void tilt(Posture& posture, double by_rad) {
 class Placing {
 public:
   Placing(SolidScene& scene, Random& random)
-      : scene_(scene), random_(random), view_(place_scene(scene.terrain, scene.settings).view),
+      : scene_(scene), random_(random), view_(placed_view(scene.terrain, scene.spec).view),
         box_(extent_of(scene.terrain.surface).box), cell_m_(cell_size_m(scene.terrain.surface)),
         is_lattice_(scene.what == "lattice") {
     side_m_ = std::max(box_.high.x - box_.low.x, box_.high.y - box_.low.y);

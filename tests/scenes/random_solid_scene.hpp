@@ -2,7 +2,6 @@
 // Seeded solids on seeded terrains.
 #pragma once
 
-#include "cli/render_settings.hpp"
 #include "dem/terrain.hpp"
 #include "solids/standing_solid.hpp"
 
@@ -11,12 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "placing/map_spec.hpp"
+
 namespace orograph {
 
 /// To be moved, never copied: `standing` points to `solids`.
 struct SolidScene {
-  Terrain terrain;
-  RenderSettings settings; ///< a view that can be placed; no files
+  TerrainData terrain;
+  MapSpec spec; ///< a view that can be placed; no files
   std::deque<Solid> solids;
   std::vector<StandingSolid> standing;
   std::string what; ///< for messages

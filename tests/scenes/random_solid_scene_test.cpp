@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What random solid scenes promise.
-#include "cli/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_solid_scene.hpp"
 #include "tests/support/made_solids.hpp"
 
 #include <array>
 #include <map>
+
+#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
@@ -61,7 +62,7 @@ TEST_CASE("random solid scenes: closed, mirrored as they say, with the eye outsi
     CAPTURE(seed, scene.what);
     REQUIRE(scene.standing.size() >= 1);
     REQUIRE(scene.standing.size() <= 6);
-    const View view = place_scene(scene.terrain, scene.settings).view;
+    const View view = placed_view(scene.terrain, scene.spec).view;
     ++projections[view.projection];
     for (const StandingSolid& standing : scene.standing) {
       REQUIRE(standing.vertices_m.size() == standing.solid->vertices_m.size());

@@ -95,20 +95,20 @@ RandomTinScene random_tin_scene(std::uint64_t seed, bool cracks) {
                           : lattice(random, cracks, scene.what);
   scene.terrain.surface = std::move(tin);
 
-  RenderSettings& settings = scene.settings;
+  MapSpec& spec = scene.spec;
   const int kind = random.whole(0, 3);
-  settings.from_azimuth = Angle::degrees(kind <= 1   ? 90.0 * random.whole(0, 3)
-                                         : kind == 2 ? 45 + 90.0 * random.whole(0, 3)
-                                                     : random.between(0, 360));
-  settings.projection = random.chance(0.5) ? Projection::perspective : Projection::orthographic;
-  const bool perspective = settings.projection == Projection::perspective;
-  settings.from_elevation = Angle::degrees(random.chance(0.1) ? 0
-                                           : random.chance(0.1) && !perspective
-                                               ? 90
-                                               : random.between(0, perspective ? 50 : 90));
-  settings.exaggeration = random.chance(0.5) ? 1 : random.between(0.5, 4);
-  settings.plan = ProfileCount{random.whole(5, 40)};
-  settings.layers.push_back("edges");
+  spec.view.from_azimuth = Angle::degrees(kind <= 1   ? 90.0 * random.whole(0, 3)
+                                          : kind == 2 ? 45 + 90.0 * random.whole(0, 3)
+                                                      : random.between(0, 360));
+  spec.view.projection = random.chance(0.5) ? Projection::perspective : Projection::orthographic;
+  const bool perspective = spec.view.projection == Projection::perspective;
+  spec.view.from_elevation = Angle::degrees(random.chance(0.1) ? 0
+                                            : random.chance(0.1) && !perspective
+                                                ? 90
+                                                : random.between(0, perspective ? 50 : 90));
+  spec.view.exaggeration = random.chance(0.5) ? 1 : random.between(0.5, 4);
+  spec.style.plan = ProfileCount{random.whole(5, 40)};
+  spec.style.layers.push_back("edges");
   scene.what += perspective ? ", perspective" : ", orthographic";
   return scene;
 }

@@ -2,18 +2,19 @@
 // Seeded TINs and views of every awkward kind.
 #pragma once
 
-#include "cli/render_settings.hpp"
 #include "dem/terrain.hpp"
 
 #include <cstdint>
 #include <string>
 
+#include "placing/map_spec.hpp"
+
 namespace orograph {
 
 struct RandomTinScene {
-  Terrain terrain;
-  RenderSettings settings; ///< a view and a number of profiles; all layers; no files
-  std::string what;        ///< for messages
+  TerrainData terrain;
+  MapSpec spec;     ///< a view and a number of profiles; all layers; no files
+  std::string what; ///< for messages
 };
 
 /// A lattice with holes, islands and walls, points and breaklines that were triangulated, or

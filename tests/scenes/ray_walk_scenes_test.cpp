@@ -29,7 +29,7 @@ TEST_CASE("the ray walk agrees with every line of made scenes") {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const RandomScene scene = random_scene(seed);
     CAPTURE(seed, scene.what);
-    sum.add(ask(scene.terrain, scene.settings, 2000));
+    sum.add(ask(scene.terrain, scene.spec, 2000));
   }
   report("made scenes", sum);
   CHECK(sum.ties < sum.asked / 20);
@@ -46,19 +46,19 @@ TEST_CASE("and with profiles along rows, columns and diagonals, through their ve
       grid.plane().row_step_m = {grid.plane().column_step_m.y, -grid.plane().column_step_m.x};
     const Angle turn = atan2_angle(grid.plane().column_step_m.y, grid.plane().column_step_m.x);
     const int quarter = random.whole(0, 3);
-    scene.settings.from_azimuth =
+    scene.spec.view.from_azimuth =
         Angle::degrees(90.0 * quarter + (diagonal ? 45 : 0) - turn.in_degrees());
     const double row_m = length(quarter % 2 ? grid.plane().column_step_m : grid.plane().row_step_m);
     // Every row, or every second; the first profile is half of the spacing behind the nearest
     // vertex, or on the next row.
     const auto rows = static_cast<double>(1 + seed % 2);
-    scene.settings.plan = GroundSpacing{(diagonal ? std::sqrt(2.0) : rows) * row_m};
-    scene.settings.projection =
+    scene.spec.style.plan = GroundSpacing{(diagonal ? std::sqrt(2.0) : rows) * row_m};
+    scene.spec.view.projection =
         random.chance(0.7) ? Projection::orthographic : Projection::perspective;
-    if (scene.settings.projection == Projection::perspective)
-      scene.settings.from_elevation = Angle::degrees(random.between(0, 30));
+    if (scene.spec.view.projection == Projection::perspective)
+      scene.spec.view.from_elevation = Angle::degrees(random.between(0, 30));
     CAPTURE(seed, scene.what, diagonal, quarter);
-    sum.add(ask(scene.terrain, scene.settings, 1000));
+    sum.add(ask(scene.terrain, scene.spec, 1000));
   }
   report("along rows", sum);
   // Where rounding leaves a profile a crumb beside a vertex, there is nothing to be seen.
@@ -71,11 +71,11 @@ TEST_CASE("and from an eye on the surface, on a vertex, a millimetre above it") 
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_scene(seed);
     Random random(seed + 100000);
-    put_eye(scene.settings, grid_of(scene.terrain), random);
-    CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
-            *scene.settings.eye_map->z);
+    put_eye(scene.spec, grid_of(scene.terrain), random);
+    CAPTURE(seed, scene.what, scene.spec.view.eye_map->x, scene.spec.view.eye_map->y,
+            *scene.spec.view.eye_map->z);
     try {
-      sum.add(ask(scene.terrain, scene.settings, 2000));
+      sum.add(ask(scene.terrain, scene.spec, 2000));
     } catch (const Error&) {
       ++refused; // the height below the eye rounds to above it
     }
@@ -91,16 +91,16 @@ TEST_CASE("and of the samples, from several sides") {
   Asked sum;
   for (const char* name : {"cone", "plateau", "saddle", "ridge_and_valley", "fractal_alps",
                            "islands", "jacksboro", "volcano"}) {
-    const Terrain terrain =
+    const TerrainData terrain =
         read_raster(std::string(OROGRAPH_SOURCE_DIR "/data_samples/") + name + ".tif");
     for (int side = 0; side < 4; ++side) {
       CAPTURE(name, side);
-      RenderSettings settings;
-      settings.from_azimuth = Angle::degrees(side % 2 ? 45.0 * side + 3.7 : 90.0 * side);
-      settings.from_elevation = Angle::degrees(2 + 11 * side);
-      if (side >= 2) settings.projection = Projection::orthographic;
-      settings.plan = ProfileCount{40};
-      sum.add(ask(terrain, settings, kSampleProbes));
+      MapSpec spec;
+      spec.view.from_azimuth = Angle::degrees(side % 2 ? 45.0 * side + 3.7 : 90.0 * side);
+      spec.view.from_elevation = Angle::degrees(2 + 11 * side);
+      if (side >= 2) spec.view.projection = Projection::orthographic;
+      spec.style.plan = ProfileCount{40};
+      sum.add(ask(terrain, spec, kSampleProbes));
     }
   }
   report("samples", sum);

@@ -2,7 +2,7 @@
 // Cameras that look straight down or up, or far aside: drawn in two sectors, without a seam.
 #include "dem/height_at.hpp"
 #include "geometry/error.hpp"
-#include "profiles/project_profile.hpp"
+#include "profiles/profile.hpp"
 #include "tests/scenes/asked_scenes.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/support/grid_of.hpp"
@@ -25,7 +25,7 @@ constexpr std::uint64_t kScenes = 40;
 #endif
 
 // From anywhere over the terrain or beside it, low or high, at anything below, with any field.
-void look_down(RenderSettings& settings, const Terrain& terrain, Random& random) {
+void look_down(MapSpec& spec, const TerrainData& terrain, Random& random) {
   const Box3 box = extent_of(terrain.surface).box;
   const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   const auto within = [&](double beyond) {
@@ -40,21 +40,21 @@ void look_down(RenderSettings& settings, const Terrain& terrain, Random& random)
         grid.plane().position_m(random.whole(0, grid.columns - 1), random.whole(0, grid.rows - 1));
   const double height = box.high.z + random.pick({0.01, 0.2, 1.0}) * size;
   const Vec2 target = random.chance(0.4) ? eye : within(-0.3);
-  settings.projection = Projection::perspective;
-  settings.exaggeration = random.pick({1.0, 2.0});
-  settings.eye_map = Vec3{eye.x, eye.y, height};
+  spec.view.projection = Projection::perspective;
+  spec.view.exaggeration = random.pick({1.0, 2.0});
+  spec.view.eye_map = Vec3{eye.x, eye.y, height};
   // On the ground itself, or a hair above it.
   if (const auto ground = height_at(grid, eye); ground && random.chance(0.15))
-    settings.eye_map->z = *ground + random.pick({0.0, 1e-9, 1e-6, 1e-3});
-  settings.look_at_map = Vec3{target.x, target.y, box.low.z};
-  settings.from_azimuth = Angle::degrees(random.pick({0.0, 90.0, random.between(0, 360)}));
-  settings.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 120.0, 170.0}));
-  settings.roll = Angle::degrees(random.pick({0.0, random.between(-180, 180)}));
+    spec.view.eye_map->z = *ground + random.pick({0.0, 1e-9, 1e-6, 1e-3});
+  spec.view.look_at_map = Vec3{target.x, target.y, box.low.z};
+  spec.view.from_azimuth = Angle::degrees(random.pick({0.0, 90.0, random.between(0, 360)}));
+  spec.view.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 120.0, 170.0}));
+  spec.view.roll = Angle::degrees(random.pick({0.0, random.between(-180, 180)}));
 }
 
 // A low hill, all of which can be seen from straight above.
-Terrain gentle(int columns, int rows) {
-  Terrain terrain;
+TerrainData gentle(int columns, int rows) {
+  TerrainData terrain;
   Grid grid;
   grid.columns = columns;
   grid.rows = rows;
@@ -85,15 +85,15 @@ TEST_CASE("the ray walk agrees with cameras that look straight down, and nearly"
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_scene(seed);
     Random random(seed + 400000);
-    look_down(scene.settings, scene.terrain, random);
-    if (random.chance(0.3)) scene.settings.layers.push_back("edges");
-    CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
-            *scene.settings.eye_map->z, scene.settings.look_at_map->x,
-            scene.settings.look_at_map->y);
+    look_down(scene.spec, scene.terrain, random);
+    if (random.chance(0.3)) scene.spec.style.layers.push_back("edges");
+    CAPTURE(seed, scene.what, scene.spec.view.eye_map->x, scene.spec.view.eye_map->y,
+            *scene.spec.view.eye_map->z, scene.spec.view.look_at_map->x,
+            scene.spec.view.look_at_map->y);
     try {
-      const Scene placed = place_scene(scene.terrain, scene.settings);
+      const PlacedView placed = placed_view(scene.terrain, scene.spec);
       two_sectors += placed.sectors.size() == 2;
-      sum.add(ask(scene.terrain, scene.settings, 2000));
+      sum.add(ask(scene.terrain, scene.spec, 2000));
     } catch (const Error&) {
       ++refused; // the eye's height rounds to under the ground
     }
@@ -106,17 +106,17 @@ TEST_CASE("the ray walk agrees with cameras that look straight down, and nearly"
 }
 
 TEST_CASE("who looks down at their own feet sees ground, whatever the terrain's relief") {
-  Terrain terrain = gentle(41, 41);
-  auto& heights = std::get<Heights<double>>(grid_of(terrain).heights_m).own();
+  TerrainData terrain = gentle(41, 41);
+  const auto heights = std::get<Heights<double>>(grid_of(terrain).heights_m).own();
   heights[3] = -2000; // far off, a gorge
   for (const double pitch : {-90.0, -60.0, -30.0}) {
-    RenderSettings settings;
-    settings.eye_map = GivenPlace(3, 4); // at a man's height
-    settings.look_azimuth = Angle::degrees(40);
-    settings.pitch = Angle::degrees(pitch);
-    settings.exaggeration = 1;
-    const Scene scene = place_scene(terrain, settings);
-    const DrawnScene drawn = draw_scene(terrain, scene, settings, [](double) {});
+    MapSpec spec;
+    spec.view.eye_map = GivenPlace(3, 4); // at a man's height
+    spec.view.look_azimuth = Angle::degrees(40);
+    spec.view.pitch = Angle::degrees(pitch);
+    spec.view.exaggeration = 1;
+    const PlacedView scene = placed_view(terrain, spec);
+    const Map drawn = draw_map(terrain, scene, spec, [](double) {});
     CAPTURE(pitch, scene.depths_m.size());
     // 0.6 mm apart on A4, on what of the page shows ground.
     CHECK(layer_named(drawn.drawing, "profiles").strokes.size() > 60);
@@ -126,21 +126,21 @@ TEST_CASE("who looks down at their own feet sees ground, whatever the terrain's 
 
 TEST_CASE("from straight above nothing of a gentle hill is missing, and no line has a seam") {
   for (const auto& [columns, rows] : {std::pair{21, 15}, {20, 14}, {21, 14}}) {
-    const Terrain terrain = gentle(columns, rows);
+    const TerrainData terrain = gentle(columns, rows);
     const Grid& grid = grid_of(terrain);
     for (const double azimuth : {180.0, 90.0, 33.0, 225.0}) {
       CAPTURE(columns, rows, azimuth);
-      RenderSettings settings;
-      settings.from_azimuth = Angle::degrees(azimuth);
-      settings.from_elevation = Angle::degrees(90);
-      settings.exaggeration = 1;
-      settings.look_at_map = Vec3{0, 0, 100}; // with 21 columns, rows over the eye's own place
-      settings.layers = {"profiles", "border", "edges"};
-      settings.simplify_mm = 0;
-      settings.plan = ProfileCount{24};
-      const Scene scene = place_scene(terrain, settings);
+      MapSpec spec;
+      spec.view.from_azimuth = Angle::degrees(azimuth);
+      spec.view.from_elevation = Angle::degrees(90);
+      spec.view.exaggeration = 1;
+      spec.view.look_at_map = Vec3{0, 0, 100}; // with 21 columns, rows over the eye's own place
+      spec.style.layers = {"profiles", "border", "edges"};
+      spec.style.simplify_mm = 0;
+      spec.style.plan = ProfileCount{24};
+      const PlacedView scene = placed_view(terrain, spec);
       REQUIRE(scene.sectors.size() == 2);
-      const Drawing drawing = draw_scene(terrain, scene, settings, [](double) {}).drawing;
+      const Drawing drawing = draw_map(terrain, scene, spec, [](double) {}).drawing;
       REQUIRE(!find_fault(drawing));
 
       const Layer& border = layer_named(drawing, "border");
@@ -192,15 +192,15 @@ TEST_CASE("what is visible doesn't depend on pitch, roll or field, to the bit") 
   class Seen : public LineObserver {
   public:
     std::vector<double> parts;
-    void see(const Sector& sector, const Profile& profile, const std::vector<Segment>& segments,
-             const std::vector<Piece>& visible) override {
+    void see(const SeenProfile& seen) override {
+      const auto& [sector, clipped, profile, segments, visible] = seen;
       for (const Piece& p : visible)
         parts.insert(parts.end(),
                      {sector.behind ? -profile.depth_m : profile.depth_m,
                       static_cast<double>(left_vertex(segments[p.segment])), p.t_begin, p.t_end});
     }
-    void see(const Sector& sector, const LineSweep&,
-             const std::vector<LinePart>& visible) override {
+    void see(const SeenLines& seen) override {
+      const auto& [sector, clipped, lines, visible] = seen;
       for (const LinePart& p : visible)
         parts.insert(parts.end(),
                      {sector.behind ? 1.0 : 0, static_cast<double>(p.line), p.t_begin, p.t_end});
@@ -209,32 +209,32 @@ TEST_CASE("what is visible doesn't depend on pitch, roll or field, to the bit") 
   int compared = 0, in_two_sectors = 0;
   for (std::uint64_t seed = 1; seed <= kScenes / 4; ++seed) {
     RandomScene scene = random_scene(seed);
-    RenderSettings& settings = scene.settings;
+    MapSpec& spec = scene.spec;
     Random random(seed + 500000);
-    look_down(settings, scene.terrain, random);
-    settings.visibility_tolerance_mm = 0;
-    const Vec3 eye{settings.eye_map->x, settings.eye_map->y, settings.eye_map->z.value()};
+    look_down(spec, scene.terrain, random);
+    spec.style.visibility_tolerance_mm = 0;
+    const Vec3 eye{spec.view.eye_map->x, spec.view.eye_map->y, spec.view.eye_map->z.value()};
     const Box3 box = extent_of(scene.terrain.surface).box;
-    settings.plan = GroundSpacing{(box.high.x - box.low.x) / 15};
+    spec.style.plan = GroundSpacing{(box.high.x - box.low.x) / 15};
     const double heading = random.between(0, 6.28);
     std::vector<double> first[2]; // by the number of sectors
     for (int i = 0; i < 6; ++i) {
       // The horizontal view direction to the bit: it is a difference of coordinates.
-      settings.look_at_map =
+      spec.view.look_at_map =
           Vec3{eye.x + 1000 * std::sin(heading), eye.y + 1000 * std::cos(heading),
                eye.z - random.pick({100.0, 300.0, 1000.0, 4000.0})};
-      settings.field_of_view = Angle::degrees(random.between(60, 150));
-      settings.roll = Angle::degrees(random.between(-180, 180));
-      std::optional<Scene> found;
+      spec.view.field_of_view = Angle::degrees(random.between(60, 150));
+      spec.view.roll = Angle::degrees(random.between(-180, 180));
+      std::optional<PlacedView> found;
       try {
-        found = place_scene(scene.terrain, settings);
+        found = placed_view(scene.terrain, spec);
       } catch (const Error&) {
         continue; // looks away from the terrain
       }
-      const Scene& placed = *found;
+      const PlacedView& placed = *found;
       Seen seen;
-      draw_scene(scene.terrain, placed, settings, [](double) {},
-                 {.observer = &seen, .beyond_page = true});
+      draw_map(scene.terrain, placed, spec, [](double) {},
+               {.observers = {&seen}, .beyond_page = true});
       auto& parts = first[shows_beside(placed.view) ? 1 : 0];
       CAPTURE(seed, scene.what, i);
       if (parts.empty()) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ground that isn't looked at: none of it is to be seen, as the ray walk has it, and drawings are
 // the same as with all ground looked at, to the bit.
-#include "cli/draw_scene.hpp"
-#include "cli/sector_ground.hpp"
-#include "cli/strips.hpp"
 #include "geometry/error.hpp"
 #include "reference/ray_walk.hpp"
 #include "tests/catch.hpp"
@@ -13,6 +10,10 @@
 #include "tests/support/grid_of.hpp"
 
 #include <cmath>
+
+#include "hidden_lines/sector_ground.hpp"
+#include "hidden_lines/strips.hpp"
+#include "map/draw_map.hpp"
 
 using namespace orograph;
 
@@ -35,7 +36,7 @@ RandomScene large_scene(std::uint64_t seed, Random& random) {
   RandomScene scene = random_scene(seed, random.pick({36, 100, 200}));
   Grid& grid = grid_of(scene.terrain);
   if (random.chance(0.3)) { // spikes, which a few profiles pass by
-    auto& heights = std::get<Heights<float>>(grid.heights_m).own();
+    const auto heights = std::get<Heights<float>>(grid.heights_m).own();
     const double high = random.pick({5.0, 50.0, 2000.0});
     for (float& h : heights)
       if (random.chance(0.02)) h += static_cast<float>(random.between(0, high));
@@ -44,21 +45,21 @@ RandomScene large_scene(std::uint64_t seed, Random& random) {
   if (random.chance(0.3)) {
     const double radius = random.pick({2e4, 1e5, 1e6});
     scene.terrain.map.radii = CurvatureRadii{radius, radius * random.between(1, 1.3)};
-    scene.settings.curvature = Curvature::on;
-    scene.settings.refraction = random.pick({0.0, 0.13, 1.5});
+    scene.spec.view.curvature = Curvature::on;
+    scene.spec.view.refraction = random.pick({0.0, 0.13, 1.5});
     scene.what += ", curved";
   }
-  RenderSettings& settings = scene.settings;
-  settings.from_elevation = Angle::degrees(random.pick({0.0, 2.0, 5.0, 10.0, 20.0, 45.0}));
-  settings.visibility_tolerance_mm = random.pick({0.0, 0.0, 0.01, 0.5});
+  MapSpec& spec = scene.spec;
+  spec.view.from_elevation = Angle::degrees(random.pick({0.0, 2.0, 5.0, 10.0, 20.0, 45.0}));
+  spec.style.visibility_tolerance_mm = random.pick({0.0, 0.0, 0.01, 0.5});
   if (random.chance(0.5)) {
-    put_eye(settings, grid, random);
-    settings.field_of_view = Angle::degrees(random.pick({3.0, 30.0, 90.0, 150.0}));
+    put_eye(spec, grid, random);
+    spec.view.field_of_view = Angle::degrees(random.pick({3.0, 30.0, 90.0, 150.0}));
     scene.what += ", eye";
   }
-  settings.layers = {"profiles", "silhouettes", "skyline", "border", "shores"};
-  settings.simplify_mm = 0;
-  settings.void_edges = true;
+  spec.style.layers = {"profiles", "silhouettes", "skyline", "border", "shores"};
+  spec.style.simplify_mm = 0;
+  spec.style.layers.push_back("voids");
   return scene;
 }
 
@@ -117,16 +118,16 @@ TEST_CASE("what isn't looked at isn't seen") {
     const RandomScene made = large_scene(seed, random);
     CAPTURE(seed, made.what);
     try {
-      const Scene scene = place_scene(made.terrain, made.settings);
-      const auto ground = ground_of_sectors(made.terrain, scene, made.settings, {});
+      const PlacedView scene = placed_view(made.terrain, made.spec);
+      const auto ground = ground_of_sectors(made.terrain, scene, made.spec.style, {});
       REQUIRE(ground.size() == scene.sectors.size());
       for (std::size_t i = 0; i < ground.size(); ++i)
         ask_left_out(grid_of(made.terrain), scene.sectors[i], ground[i], random, tally);
       tally.left_out += 1 - looked_at_by_any(ground)->share();
       ++tally.scenes;
       const auto draw = [&](const Instruments& instruments) {
-        return draw_scene(
-                   made.terrain, scene, made.settings, [](double) {}, instruments)
+        return draw_map(
+                   made.terrain, scene, made.spec, [](double) {}, instruments)
             .drawing;
       };
       REQUIRE(difference(draw({}), draw({.hidden_ground = true})) == "");
@@ -146,7 +147,7 @@ TEST_CASE("nor what narrow peaks stand in front of") {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= kScenes / 60; ++seed) {
     Random random(seed);
-    Terrain terrain;
+    TerrainData terrain;
     Grid grid;
     grid.columns = 5000;
     grid.rows = 120;
@@ -164,19 +165,19 @@ TEST_CASE("nor what narrow peaks stand in front of") {
       }
     grid.heights_m = std::move(heights);
     terrain.surface = grid;
-    RenderSettings settings;
-    settings.projection = random.pick({Projection::orthographic, Projection::perspective});
-    settings.from_azimuth = Angle::degrees(random.pick({180.0, 175.0}));
-    settings.from_elevation = Angle::degrees(2);
-    settings.exaggeration = 1;
-    settings.plan = ProfileCount{40};
-    const Scene scene = place_scene(terrain, settings);
-    const auto ground = ground_of_sectors(terrain, scene, settings, {});
+    MapSpec spec;
+    spec.view.projection = random.pick({Projection::orthographic, Projection::perspective});
+    spec.view.from_azimuth = Angle::degrees(random.pick({180.0, 175.0}));
+    spec.view.from_elevation = Angle::degrees(2);
+    spec.view.exaggeration = 1;
+    spec.style.plan = ProfileCount{40};
+    const PlacedView scene = placed_view(terrain, spec);
+    const auto ground = ground_of_sectors(terrain, scene, spec.style, {});
     tally.left_out += 1 - looked_at_by_any(ground)->share();
     ask_left_out(grid, scene.sectors[0], ground[0], random, tally);
     const auto draw = [&](const Instruments& instruments) {
-      return draw_scene(
-                 terrain, scene, settings, [](double) {}, instruments)
+      return draw_map(
+                 terrain, scene, spec, [](double) {}, instruments)
           .drawing;
     };
     CAPTURE(seed);
@@ -187,7 +188,7 @@ TEST_CASE("nor what narrow peaks stand in front of") {
 }
 
 TEST_CASE("ground that is tied to what stands in front of it is looked at") {
-  Terrain terrain;
+  TerrainData terrain;
   Grid grid;
   grid.columns = 80;
   grid.rows = 200;
@@ -198,16 +199,16 @@ TEST_CASE("ground that is tied to what stands in front of it is looked at") {
       heights[grid.index(column, row)] = row > 150 ? 0.0F : row > 100 ? 100.0F : 99.9F;
   grid.heights_m = std::move(heights);
   terrain.surface = grid;
-  RenderSettings settings;
-  settings.projection = Projection::orthographic;
-  settings.from_azimuth = Angle::degrees(180);
-  settings.from_elevation = Angle::degrees(0);
-  settings.exaggeration = 1;
-  settings.flat = FlatGround::draw;
+  MapSpec spec;
+  spec.view.projection = Projection::orthographic;
+  spec.view.from_azimuth = Angle::degrees(180);
+  spec.view.from_elevation = Angle::degrees(0);
+  spec.view.exaggeration = 1;
+  spec.style.flat = FlatGround::draw;
   const auto share = [&](double tolerance_mm) {
-    settings.visibility_tolerance_mm = tolerance_mm;
-    const Scene scene = place_scene(terrain, settings);
-    return looked_at_by_any(ground_of_sectors(terrain, scene, settings, {}))->share();
+    spec.style.visibility_tolerance_mm = tolerance_mm;
+    const PlacedView scene = placed_view(terrain, spec);
+    return looked_at_by_any(ground_of_sectors(terrain, scene, spec.style, {}))->share();
   };
   CHECK(share(0) < 0.7); // what is 0.1 m below the brink, a twentieth of a millimetre on the page
   CHECK(share(0.5) == 1);

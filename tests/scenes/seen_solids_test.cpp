@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn of solids, and what they hide of the ground, asked of the reference: every face and
 // every triangle of the ground, by rays.
-#include "cli/draw_scene.hpp"
-#include "cli/scene_lines.hpp"
-#include "cli/sweep_sector.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/check_shares.hpp"
 #include "tests/scenes/random_solid_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
 
 #include <map>
+
+#include "hidden_lines/sector_pass.hpp"
+#include "hidden_lines/surface_lines.hpp"
+#include "map/draw_map.hpp"
 
 using namespace orograph;
 
@@ -26,25 +27,24 @@ constexpr int kGroundLines = 20;
 // A scene as it is drawn: what of it lies ahead of the eye.
 struct DrawnSolids {
   SolidScene made;
-  Scene scene;
+  PlacedView scene;
   std::map<std::uint32_t, std::vector<LineShare>> visible, hidden; // by edge
   std::vector<std::uint32_t> first_edge;
 
   explicit DrawnSolids(std::uint64_t seed)
-      : made(random_solid_scene(seed)), scene(place_scene(made.terrain, made.settings)) {
+      : made(random_solid_scene(seed)), scene(placed_view(made.terrain, made.spec)) {
     scene.solids = made.standing;
     first_edge.push_back(0);
     for (const StandingSolid& standing : made.standing)
       first_edge.push_back(first_edge.back() +
                            static_cast<std::uint32_t>(standing.solid->edges.size()));
     // All ground is looked at: solids are asked of beside the page as well.
-    const std::vector<SweptLine> lines = lines_of(made.terrain, scene, made.settings);
-    CountsReport counts;
-    SecondsReport seconds;
-    std::optional<CheckReport> check;
+    const std::vector<EdgeLine> lines = lines_of(made.terrain, scene, made.spec.style);
+    Counts counts;
+    StageSeconds seconds;
     const SectorLines found =
-        sweep_sector(made.terrain, scene, scene.sectors.front(), lines, nullptr, made.settings,
-                     {.beyond_page = true}, nullptr, {counts, seconds, check}, [] {});
+        sector_pass(made.terrain, scene, scene.sectors.front(), lines, nullptr, made.spec.style,
+                    {.beyond_page = true}, nullptr, {counts, seconds}, [] {});
     for (const LinePart& part : found.solids.visible)
       visible[part.line].push_back({part.t_begin, part.t_end});
     for (const LinePart& part : found.solids.hidden)
@@ -113,7 +113,7 @@ TEST_CASE("lines on the ground are left out where solids hide them, and nowhere 
   ShareTally tally;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const SolidScene made = random_solid_scene(seed);
-    const Scene scene = place_scene(made.terrain, made.settings);
+    const PlacedView scene = placed_view(made.terrain, made.spec);
     const View& view = scene.sectors.front().view;
     const Sight sight(made.terrain.surface, made.standing, view);
     const SolidsInView solids(made.standing, view);
@@ -164,13 +164,12 @@ TEST_CASE("what isn't looked at changes nothing of solids") {
   int solids = 0;
   for (std::uint64_t seed = 1; seed <= kScenes / 5; ++seed) {
     SolidScene made = random_solid_scene(seed);
-    made.settings.layers = {"profiles", "border", "silhouettes", "skyline", "solids"};
-    made.settings.dashes_hidden = true;
-    Scene scene = place_scene(made.terrain, made.settings);
+    made.spec.style.layers = {"profiles", "border", "silhouettes", "skyline", "solids", "hidden"};
+    PlacedView scene = placed_view(made.terrain, made.spec);
     scene.solids = made.standing;
     const auto draw = [&](const Instruments& instruments) {
-      return draw_scene(
-                 made.terrain, scene, made.settings, [](double) {}, instruments)
+      return draw_map(
+                 made.terrain, scene, made.spec, [](double) {}, instruments)
           .drawing;
     };
     CAPTURE(seed, made.what);

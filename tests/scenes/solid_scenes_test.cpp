@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Solids on terrains of every awkward kind, asked of the reference.
-#include "cli/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/check_shares.hpp"
 #include "tests/scenes/random_solid_scene.hpp"
 
 #include <algorithm>
 #include <functional>
+
+#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
@@ -51,7 +52,7 @@ struct Asked {
   ShareCheck check;
 
   explicit Asked(std::uint64_t seed)
-      : scene(random_solid_scene(seed)), view(place_scene(scene.terrain, scene.settings).view),
+      : scene(random_solid_scene(seed)), view(placed_view(scene.terrain, scene.spec).view),
         sight(scene.terrain.surface, scene.standing, view),
         check(share_check(view, scene.standing)) {}
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sectors swept in strips of X, with the horizon in blocks, against the same with one horizon in
-// one list: the same drawing to the bit, however many strips there are. Only where plateaus are
+// Passes in strips of X, with the horizon in blocks, against the same with one horizon in one
+// list: the same drawing to the bit, however many strips there are. Only where plateaus are
 // seen exactly edge-on, so that several occluders are equally high at one place, another of them
 // may be kept, and the line there be drawn as another or as a part of another.
-#include "cli/draw_scene.hpp"
-#include "cli/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/scenes/random_tin_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
 #include "tests/support/random.hpp"
+
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
@@ -27,11 +28,11 @@ struct Tally {
   std::size_t edge_on = 0, others = 0; ///< scenes that differ: all, and not from elevation 0
 };
 
-void check_strips(const Terrain& terrain, const RenderSettings& settings, Tally& tally) {
-  const Scene scene = place_scene(terrain, settings);
+void check_strips(const TerrainData& terrain, const MapSpec& spec, Tally& tally) {
+  const PlacedView scene = placed_view(terrain, spec);
   const auto draw = [&](const Instruments& instruments) {
-    return draw_scene(
-               terrain, scene, settings, [](double) {}, instruments)
+    return draw_map(
+               terrain, scene, spec, [](double) {}, instruments)
         .drawing;
   };
   const Drawing in_list = draw({.one_list = true});
@@ -52,7 +53,7 @@ void check_scenes(const SceneOf& scene_of) {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const auto scene = scene_of(seed);
     INFO(scene.what);
-    check_strips(scene.terrain, scene.settings, tally);
+    check_strips(scene.terrain, scene.spec, tally);
   }
   WARN(tally.strips << " strips, " << tally.points << " points; " << tally.edge_on
                     << " scenes differ, " << tally.others << " not from elevation 0");
@@ -66,8 +67,8 @@ void check_scenes(const SceneOf& scene_of) {
 TEST_CASE("strips leave no trace in drawings of grids") {
   check_scenes([](std::uint64_t seed) {
     RandomScene scene = random_scene(seed);
-    scene.settings.simplify_mm = seed % 2 ? 0.02 : 0;
-    scene.settings.layers = {"profiles", "silhouettes", "skyline", "border", "shores", "edges"};
+    scene.spec.style.simplify_mm = seed % 2 ? 0.02 : 0;
+    scene.spec.style.layers = {"profiles", "silhouettes", "skyline", "border", "shores", "edges"};
     return scene;
   });
 }

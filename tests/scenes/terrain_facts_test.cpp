@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is known of a terrain does for all its views.
-#include "cli/scene.hpp"
 #include "profiles/cut_surface.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_scene.hpp"
@@ -8,11 +7,13 @@
 
 #include <exception>
 
+#include "placing/placed_view.hpp"
+
 using namespace orograph;
 
 namespace {
 
-void check_same(const Scene& a, const Scene& b) {
+void check_same(const PlacedView& a, const PlacedView& b) {
   CHECK(a.view.window.low == b.view.window.low);
   CHECK(a.view.window.high == b.view.window.high);
   CHECK(a.view.distance_m == b.view.distance_m);
@@ -23,18 +24,19 @@ void check_same(const Scene& a, const Scene& b) {
   CHECK(a.level.shores == b.level.shores);
 }
 
-void check_views(const Terrain& terrain, RenderSettings settings) {
-  const TerrainFacts facts = facts_of(terrain, settings.flat);
+void check_views(const TerrainData& terrain, MapSpec spec) {
+  const TerrainFacts facts = facts_of(terrain, spec.style.flat);
   for (const double azimuth_deg : {0.0, 110.0, 235.0}) {
-    settings.from_azimuth = Angle::degrees(azimuth_deg);
+    spec.view.from_azimuth = Angle::degrees(azimuth_deg);
     try {
-      const Scene scene = place_scene(terrain, facts, settings);
-      check_same(scene, place_scene(terrain, settings));
+      const PlacedView scene =
+          placed_view(TerrainOfView(terrain, spec.view), spec, nullptr, &facts);
+      check_same(scene, placed_view(terrain, spec));
       const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles, scene.border);
       CHECK(scene.nearest_m == cutter.nearest_m());
       CHECK(scene.farthest_m == cutter.farthest_m());
     } catch (const std::exception& error) {
-      CHECK_THROWS_WITH(place_scene(terrain, settings), error.what());
+      CHECK_THROWS_WITH(placed_view(terrain, spec), error.what());
     }
   }
 }
@@ -45,8 +47,8 @@ TEST_CASE("facts of a terrain place each view as if it were the only one") {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     INFO("seed " << seed);
     const RandomScene of_grid = random_scene(seed);
-    check_views(of_grid.terrain, of_grid.settings);
+    check_views(of_grid.terrain, of_grid.spec);
     const RandomTinScene of_tin = random_tin_scene(seed);
-    check_views(of_tin.terrain, of_tin.settings);
+    check_views(of_tin.terrain, of_tin.spec);
   }
 }

@@ -24,16 +24,16 @@ constexpr std::uint64_t kScenes = 500;
 constexpr std::uint64_t kScenes = 50;
 #endif
 
-CheckReport ask_tin(const Terrain& terrain, const RenderSettings& settings, std::uint64_t probes) {
+CheckCounts ask_tin(const TerrainData& terrain, const MapSpec& spec, std::uint64_t probes) {
   const auto fault = verify(std::get<Tin>(terrain.surface));
   INFO((fault ? fault->what : ""));
   REQUIRE(!fault);
-  return ask(terrain, settings, probes);
+  return ask(terrain, spec, probes);
 }
 
 // At the highest surface of a vertex, of an edge's middle or of any place on a triangle; or over no
 // ground at all; looks at another vertex.
-void put_eye(RenderSettings& settings, const Tin& tin, Random& random) {
+void put_eye(MapSpec& spec, const Tin& tin, Random& random) {
   const auto vertex = [&] {
     return tin.vertices_m[static_cast<std::size_t>(
         random.whole(0, static_cast<int>(tin.vertices_m.size()) - 1))];
@@ -57,11 +57,11 @@ void put_eye(RenderSettings& settings, const Tin& tin, Random& random) {
   const double away = std::hypot(target.x - eye.x, target.y - eye.y);
   eye.z += random.pick({0.0, 0.0, 0.001, 1.7, 50.0});
   target.z = eye.z + random.pick({0.0, 0.1, -0.1}) * away;
-  settings.projection = Projection::perspective;
-  settings.exaggeration = 1;
-  settings.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 90.0}));
-  settings.eye_map = eye;
-  settings.look_at_map = target;
+  spec.view.projection = Projection::perspective;
+  spec.view.exaggeration = 1;
+  spec.view.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 90.0}));
+  spec.view.eye_map = eye;
+  spec.view.look_at_map = target;
 }
 
 } // namespace
@@ -73,7 +73,7 @@ TEST_CASE("the ray walk agrees with every line of made TINs") {
     const RandomTinScene scene = random_tin_scene(seed);
     CAPTURE(seed, scene.what);
     try {
-      sum.add(ask_tin(scene.terrain, scene.settings, 2000));
+      sum.add(ask_tin(scene.terrain, scene.spec, 2000));
     } catch (const Error&) {
       ++refused; // too steep for a perspective of a narrow TIN
     }
@@ -88,16 +88,16 @@ TEST_CASE("and with profiles through vertices and along edges and walls") {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomTinScene scene = random_tin_scene(8 * seed, false);
     Random random(seed + 200000);
-    scene.settings.from_azimuth = Angle::degrees(90.0 * random.whole(0, 3));
+    scene.spec.view.from_azimuth = Angle::degrees(90.0 * random.whole(0, 3));
     // The first profile is half of the spacing behind the nearest vertex.
     const double unit_m = cell_size_m(scene.terrain.surface) > 1000 ? 1024 : 1;
-    scene.settings.plan = GroundSpacing{unit_m * random.pick({2.0, 4.0, 16.0, 32.0})};
-    scene.settings.projection =
+    scene.spec.style.plan = GroundSpacing{unit_m * random.pick({2.0, 4.0, 16.0, 32.0})};
+    scene.spec.view.projection =
         random.chance(0.7) ? Projection::orthographic : Projection::perspective;
-    if (scene.settings.projection == Projection::perspective)
-      scene.settings.from_elevation = Angle::degrees(random.between(0, 30));
+    if (scene.spec.view.projection == Projection::perspective)
+      scene.spec.view.from_elevation = Angle::degrees(random.between(0, 30));
     CAPTURE(seed, scene.what);
-    sum.add(ask_tin(scene.terrain, scene.settings, 2000));
+    sum.add(ask_tin(scene.terrain, scene.spec, 2000));
   }
   report("along edges", sum);
   CHECK(sum.ties < sum.asked / 5);
@@ -109,11 +109,11 @@ TEST_CASE("and from an eye on the surface, on a vertex, in a hole, a millimetre 
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomTinScene scene = random_tin_scene(seed);
     Random random(seed + 100000);
-    put_eye(scene.settings, std::get<Tin>(scene.terrain.surface), random);
-    CAPTURE(seed, scene.what, scene.settings.eye_map->x, scene.settings.eye_map->y,
-            *scene.settings.eye_map->z);
+    put_eye(scene.spec, std::get<Tin>(scene.terrain.surface), random);
+    CAPTURE(seed, scene.what, scene.spec.view.eye_map->x, scene.spec.view.eye_map->y,
+            *scene.spec.view.eye_map->z);
     try {
-      sum.add(ask_tin(scene.terrain, scene.settings, 2000));
+      sum.add(ask_tin(scene.terrain, scene.spec, 2000));
     } catch (const Error&) {
       ++refused; // the height below the eye rounds to above it, or the page shows the nadir
     }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same ground, eye and target in two CRSs, on a map plane that bends and on the ellipsoid, give
 // the same picture.
-#include "cli/draw_scene.hpp"
-#include "cli/error_budget.hpp"
-#include "cli/line_on_page.hpp"
-#include "cli/stand_on_earth.hpp"
 #include "dem/read/lonlat.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/earth_terrain.hpp"
@@ -18,6 +14,11 @@
 #include <numbers>
 #include <optional>
 #include <vector>
+
+#include "map/draw_map.hpp"
+#include "map/error_budget.hpp"
+#include "map/line_on_page.hpp"
+#include "placing/terrain_of_view.hpp"
 
 using namespace orograph;
 
@@ -68,7 +69,7 @@ double height_m(double lon_deg, double lat_deg) {
 }
 constexpr Km kLow{-12, -1}, kHigh{12, 35};
 
-Terrain in_degrees() {
+TerrainData in_degrees() {
   const double north_deg = kSteps_m / 1000 / kDegree_km;
   const double east_deg = north_deg / std::cos(kEyeLat_deg / kRadian_deg);
   const Vec2 first = lonlat_of({kLow.x, kHigh.y});
@@ -78,7 +79,7 @@ Terrain in_degrees() {
 }
 
 // The heights at its vertices by GeographicLib's projection, the rest of the run by PROJ's.
-Terrain in_utm() {
+TerrainData in_utm() {
   const auto& utm = GeographicLib::TransverseMercator::UTM();
   const auto map_of = [&](Km at) {
     Vec2 map;
@@ -89,7 +90,7 @@ Terrain in_utm() {
   Box2 box;
   for (const Km corner : {kLow, Km{kLow.x, kHigh.y}, Km{kHigh.x, kLow.y}, kHigh})
     box.include(map_of(corner));
-  Terrain terrain;
+  TerrainData terrain;
   Grid grid;
   grid.columns = static_cast<int>(box.width() / kSteps_m) + 1;
   grid.rows = static_cast<int>(box.height() / kSteps_m) + 1;
@@ -113,25 +114,25 @@ Terrain in_utm() {
 }
 
 // At a place, or in a direction: then the picture doesn't follow what curvature does to the place.
-RenderSettings settings_of(bool at_target) {
-  RenderSettings settings;
-  settings.eye_lonlat = Vec3{kEyeLon_deg, kEyeLat_deg, 600};
+MapSpec settings_of(bool at_target) {
+  MapSpec spec;
+  spec.view.eye_lonlat = Vec3{kEyeLon_deg, kEyeLat_deg, 600};
   if (at_target) {
     const Vec2 target = lonlat_of({0, 25});
-    settings.look_at_lonlat = Vec3{target.x, target.y, 900};
+    spec.view.look_at_lonlat = Vec3{target.x, target.y, 900};
   } else {
-    settings.look_azimuth = Angle::degrees(1);
-    settings.pitch = Angle::degrees(0.5);
+    spec.view.look_azimuth = Angle::degrees(1);
+    spec.view.pitch = Angle::degrees(0.5);
   }
-  settings.curvature = Curvature::on;
-  settings.simplify_mm = 0;
-  settings.silhouette_jump = 0;
-  settings.plan = ProfileCount{80};
-  return settings;
+  spec.view.curvature = Curvature::on;
+  spec.style.simplify_mm = 0;
+  spec.style.silhouette_jump = 0;
+  spec.style.plan = ProfileCount{80};
+  return spec;
 }
 
 struct Picture {
-  Scene scene;
+  PlacedView scene;
   ErrorBudget budget;
   std::vector<double>
       top_mm; ///< of all ink, in columns of kColumn_mm; infinite where there is none
@@ -158,13 +159,13 @@ std::vector<double> top_of_ink(const Drawing& drawing) {
   return top;
 }
 
-Picture picture_of(Terrain& terrain, const RenderSettings& settings) {
-  stand_on_earth(terrain, settings);
+Picture picture_of(TerrainData& terrain, const MapSpec& spec) {
+  stand_on_earth(terrain, spec.view);
   Picture picture;
-  picture.scene = place_scene(terrain, settings);
+  picture.scene = placed_view(terrain, spec);
   REQUIRE(picture.scene.curvature.applied);
-  picture.budget = error_budget(terrain, picture.scene, settings);
-  const DrawnScene drawn = draw_scene(terrain, picture.scene, settings, [](double) {});
+  picture.budget = error_budget(terrain, picture.scene, spec);
+  const Map drawn = draw_map(terrain, picture.scene, spec, [](double) {});
   picture.top_mm = top_of_ink(drawn.drawing);
   return picture;
 }
@@ -228,9 +229,9 @@ double greatest_bend() {
 // - the page's step.
 TEST_CASE("a UTM grid and a degrees grid of one surface have the same skyline and landmarks") {
   const bool at_target = GENERATE(true, false);
-  Terrain utm = in_utm(), degrees = in_degrees();
-  const RenderSettings settings = settings_of(at_target);
-  const Picture plane = picture_of(utm, settings), earth = picture_of(degrees, settings);
+  TerrainData utm = in_utm(), degrees = in_degrees();
+  const MapSpec spec = settings_of(at_target);
+  const Picture plane = picture_of(utm, spec), earth = picture_of(degrees, spec);
   REQUIRE_FALSE(plane.scene.curvature.on_ellipsoid);
   REQUIRE(earth.scene.curvature.on_ellipsoid);
 

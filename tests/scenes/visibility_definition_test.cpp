@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pipeline's profiles, clipped, against their definition: with profiles as occluders, ink is
 // what stands above all nearer profiles.
-#include "cli/scene.hpp"
-#include "cli/tie_tolerance.hpp"
 #include "dem/read/read_raster.hpp"
 #include "profiles/cut_surface.hpp"
-#include "profiles/project_profile.hpp"
+#include "profiles/profile.hpp"
 #include "tests/catch.hpp"
 #include "tests/horizon/check_clip.hpp"
 #include "tests/scenes/random_scene.hpp"
+
+#include "hidden_lines/tie_tolerance.hpp"
+#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
 namespace {
 
-FlatScene cut_all(const Terrain& terrain, const Scene& scene) {
+FlatScene cut_all(const TerrainData& terrain, const PlacedView& scene) {
   const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles, scene.border);
   FlatScene flat;
   Profile profile;
@@ -27,10 +28,10 @@ FlatScene cut_all(const Terrain& terrain, const Scene& scene) {
   return flat;
 }
 
-Tally check(const Terrain& terrain, const RenderSettings& settings, std::uint64_t seed) {
-  const Scene scene = place_scene(terrain, settings);
+Tally check(const TerrainData& terrain, const MapSpec& spec, std::uint64_t seed) {
+  const PlacedView scene = placed_view(terrain, spec);
   const TieTolerance tolerance =
-      tie_tolerance(scene.sectors.front(), settings.visibility_tolerance_mm);
+      tie_tolerance(scene.sectors.front(), spec.style.visibility_tolerance_mm);
   return check_clip(cut_all(terrain, scene), tolerance.mm, tolerance.page, tolerance.greatest_y,
                     seed);
 }
@@ -42,7 +43,7 @@ TEST_CASE("every piece of 600 made scenes is above all nearer profiles, or is no
   for (std::uint64_t seed = 1; seed <= 600; ++seed) {
     const RandomScene scene = random_scene(seed);
     CAPTURE(seed, scene.what);
-    const Tally tally = check(scene.terrain, scene.settings, seed);
+    const Tally tally = check(scene.terrain, scene.spec, seed);
     REQUIRE(tally.wrong == 0);
     REQUIRE(tally.asked > 0);
     sum.asked += tally.asked;
@@ -60,16 +61,16 @@ TEST_CASE("every piece of 600 made scenes is above all nearer profiles, or is no
 TEST_CASE("and of the samples, from eight sides") {
   for (const char* name : {"cone", "plateau", "saddle", "ridge_and_valley", "fractal_alps",
                            "islands", "jacksboro", "volcano"}) {
-    const Terrain terrain =
+    const TerrainData terrain =
         read_raster(std::string(OROGRAPH_SOURCE_DIR "/data_samples/") + name + ".tif");
     for (int side = 0; side < 8; ++side) {
       CAPTURE(name, side);
-      RenderSettings settings;
-      settings.from_azimuth = Angle::degrees(45.0 * side + (side % 2 ? 3.7 : 0));
-      settings.from_elevation = Angle::degrees(5 + 7 * side);
-      if (side >= 5) settings.projection = Projection::orthographic;
-      settings.plan = ProfileCount{30};
-      const Tally tally = check(terrain, settings, static_cast<std::uint64_t>(side));
+      MapSpec spec;
+      spec.view.from_azimuth = Angle::degrees(45.0 * side + (side % 2 ? 3.7 : 0));
+      spec.view.from_elevation = Angle::degrees(5 + 7 * side);
+      if (side >= 5) spec.view.projection = Projection::orthographic;
+      spec.style.plan = ProfileCount{30};
+      const Tally tally = check(terrain, spec, static_cast<std::uint64_t>(side));
       REQUIRE(tally.wrong == 0);
       REQUIRE(tally.asked > 1000);
     }

@@ -2,7 +2,7 @@
 // A gap hides nothing, and nothing is drawn over it: made scenes with voids, asked of the ray walk
 // and of the ground.
 #include "dem/height_at.hpp"
-#include "profiles/voids.hpp"
+#include "profiles/outline.hpp"
 #include "reference/ray_walk.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/asked_scenes.hpp"
@@ -50,15 +50,15 @@ VoidScene void_scene(std::uint64_t seed) {
     column = std::clamp(column, 2, grid.columns - 3);
     row = std::clamp(row, 2, grid.rows - 3);
   }
-  made.scene.settings.layers.push_back("voids");
+  made.scene.spec.style.layers.push_back("voids");
   return made;
 }
 
-DrawnScene draw(const Terrain& terrain, const Scene& scene, RenderSettings settings) {
-  settings.simplify_mm = 0;
-  settings.silhouette_jump = 0;
-  settings.write.format = Format::geojson; // strokes then have their places on the ground
-  return draw_scene(terrain, scene, settings, [](double) {});
+Map draw(const TerrainData& terrain, const PlacedView& scene, MapSpec spec) {
+  spec.style.simplify_mm = 0;
+  spec.style.silhouette_jump = 0;
+  spec.ground_points = true; // strokes then have their places on the ground
+  return draw_map(terrain, scene, spec, [](double) {});
 }
 
 // Calls take(Vec3) with points of the straight pieces of a layer's strokes.
@@ -109,12 +109,12 @@ TEST_CASE("around voids the ray walk agrees with every line, and every line is o
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     VoidScene made = void_scene(seed);
     made.set_gap(kMissing);
-    const auto& [terrain, settings, what] = made.scene;
+    const auto& [terrain, spec, what] = made.scene;
     CAPTURE(seed, what);
-    sum.add(ask(terrain, settings, 1000));
+    sum.add(ask(terrain, spec, 1000));
 
     Random random(seed);
-    const DrawnScene drawn = draw(terrain, place_scene(terrain, settings), settings);
+    const Map drawn = draw(terrain, placed_view(terrain, spec), spec);
     const Grid& grid = grid_of(terrain);
     for (const Layer& layer : drawn.drawing.layers)
       for_points(layer, random, [&](Vec3 p) {
@@ -139,26 +139,26 @@ TEST_CASE("what stood behind a ridge is seen through the gap that takes its plac
   std::uint64_t through = 0, wrong = 0, kept = 0, newly_hidden = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     VoidScene made = void_scene(seed);
-    RenderSettings& settings = made.scene.settings;
-    const Terrain& terrain = made.scene.terrain;
-    settings.from_elevation = Angle::degrees(5);
+    MapSpec& spec = made.scene.spec;
+    const TerrainData& terrain = made.scene.terrain;
+    spec.view.from_elevation = Angle::degrees(5);
     const SurfaceExtent extent = extent_of(terrain.surface);
     made.set_gap(static_cast<float>(extent.box.high.z + 20 * cell_size_m(grid_of(terrain))));
     CAPTURE(seed, made.scene.what);
     Random random(seed);
-    const Scene with_ridge = place_scene(terrain, settings);
+    const PlacedView with_ridge = placed_view(terrain, spec);
     const View& view = with_ridge.view;
-    const DrawnScene ridge = draw(terrain, with_ridge, settings);
-    const Terrain ridge_terrain = terrain;
+    const Map ridge = draw(terrain, with_ridge, spec);
+    const TerrainData ridge_terrain = terrain;
     const RayWalk over_ridge(ridge_terrain.surface, view);
 
     // The same view and plan; the border is the other surface's own.
     made.set_gap(kMissing);
-    Scene with_gap = with_ridge;
+    PlacedView with_gap = with_ridge;
     with_gap.border = border_edges(grid_of(terrain), false);
     with_gap.level = {};
-    settings.flat = FlatGround::draw;
-    const DrawnScene gap = draw(terrain, with_gap, settings);
+    spec.style.flat = FlatGround::draw;
+    const Map gap = draw(terrain, with_gap, spec);
     const RayWalk over_gap(terrain.surface, view);
     for_points(*layer_of(gap.drawing, "profiles"), random, [&](Vec3 at) {
       const ProfilePoint p = to_profile_frame(view, at);
@@ -185,14 +185,12 @@ TEST_CASE("voids are outlined only if asked for, and nothing else in the drawing
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     VoidScene made = void_scene(seed);
     made.set_gap(kMissing);
-    const auto& [terrain, settings, what] = made.scene;
+    const auto& [terrain, spec, what] = made.scene;
     CAPTURE(seed, what);
-    RenderSettings plain = settings, by_switch = settings;
-    plain.layers.pop_back();
-    by_switch.layers = plain.layers;
-    by_switch.void_edges = true;
-    const Scene scene = place_scene(terrain, settings);
-    const DrawnScene without = draw(terrain, scene, plain), with = draw(terrain, scene, settings);
+    MapSpec plain = spec;
+    plain.style.layers.pop_back();
+    const PlacedView scene = placed_view(terrain, spec);
+    const Map without = draw(terrain, scene, plain), with = draw(terrain, scene, spec);
     const RayWalk walk(terrain.surface, scene.view);
     CHECK(layer_of(without.drawing, "voids") == nullptr);
     REQUIRE(layer_of(with.drawing, "voids"));
@@ -208,9 +206,6 @@ TEST_CASE("voids are outlined only if asked for, and nothing else in the drawing
       }
       for (const Vec3& at : other->map) gone += !holds(layer, at);
     }
-    const DrawnScene switched = draw(terrain, scene, by_switch);
-    for (const Layer& layer : switched.drawing.layers)
-      CHECK((layer.map == layer_of(with.drawing, layer.name)->map));
   }
   WARN(outlined << " strokes around voids, " << tied << " points of other lines tied with them");
   CHECK(outlined > kScenes);

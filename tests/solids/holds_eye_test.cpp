@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether an eye is inside, against the solid angles of all triangles.
-#include "solids/holds_eye.hpp"
+#include "solids/solids_in_view.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_solids.hpp"
 #include "tests/support/random.hpp"

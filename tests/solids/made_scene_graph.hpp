@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random acyclic multigraphs of parts.
+// Random acyclic multigraphs of parts, and the maps of their instances as matrices.
 #pragma once
 
-#include "solids/scene_graph.hpp"
+#include "solids/scene_file.hpp"
+#include "solids/walk_scene.hpp"
 #include "tests/support/random.hpp"
-#include "view/model_transform.hpp"
+#include "view/pipeline.hpp"
 
 namespace orograph {
+
+inline Eigen::Matrix4d matrix_of(const AffineMap& map) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  int column = 0;
+  for (const Vec3& v : {map.x, map.y, map.z, map.origin})
+    matrix.col(column++).head<3>() = Eigen::Vector3d(v.x, v.y, v.z);
+  return matrix;
+}
 
 inline Eigen::Matrix4d made_map(Random& random) {
   const Vec3 by{random.between(-2, 2), random.between(-2, 2), random.between(-2, 2)};

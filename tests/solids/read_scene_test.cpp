@@ -27,7 +27,7 @@ Vec3 mapped(const std::string& steps, Vec3 p) {
   const SceneFile file =
       scene_of("[part.it]\nshape = \"box\"\nsize = [2, 2, 2]\n" + kPlace + "map = " + steps + "\n");
   REQUIRE(file.instances.size() == 1);
-  return moved(file.instances[0].to_place, p);
+  return moved(matrix_of(file.instances[0].to_place), p);
 }
 
 std::string rows(const Eigen::Matrix4d& m) {
@@ -94,9 +94,9 @@ at = [1, 2, 3]
   CHECK(met == std::vector<std::pair<std::size_t, std::size_t>>{
                    {0, 0}, {0, 1}, {1, 2}, {1, 0}, {2, 0}, {2, 1}});
   // The ridge, before and after the place's own turn.
-  CHECK(distance(moved(file.instances[5].to_place, {0, 3, 6}), {0, -3, 9}) < 1e-14);
-  CHECK(distance(moved(file.instances[1].to_place, {0, 3, 6}), {3, 0, 9}) < 1e-14);
-  CHECK(distance(moved(file.instances[3].to_place, {4, 3, 3}), {0.4, 0.3, 0.3}) < 1e-15);
+  CHECK(distance(moved(matrix_of(file.instances[5].to_place), {0, 3, 6}), {0, -3, 9}) < 1e-14);
+  CHECK(distance(moved(matrix_of(file.instances[1].to_place), {0, 3, 6}), {3, 0, 9}) < 1e-14);
+  CHECK(distance(moved(matrix_of(file.instances[3].to_place), {4, 3, 3}), {0.4, 0.3, 0.3}) < 1e-15);
 }
 
 TEST_CASE("the scene in docs/scenes.md is one") {
@@ -107,7 +107,8 @@ TEST_CASE("the scene in docs/scenes.md is one") {
   CHECK(file.places.size() == 2);
   CHECK(file.instances.size() == 4);
   Box3 roof; // over the wall, on all sides
-  for (const Vec3 p : file.solids[1].vertices_m) roof.include(moved(file.instances[3].to_place, p));
+  for (const Vec3 p : file.solids[1].vertices_m)
+    roof.include(moved(matrix_of(file.instances[3].to_place), p));
   CHECK(distance(roof.low, {-4.5, -3.5, 3}) < 1e-14);
   CHECK(distance(roof.high, {4.5, 3.5, 6}) < 1e-14);
 }
@@ -147,7 +148,7 @@ faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [
     CHECK(drawn_edges(solid) == 12);
     require_closed(solid);
     for (int i = 0; i < 8; ++i) {
-      const Vec3 found = 25 * moved(file.instances[0].to_place, solid.vertices_m[i]);
+      const Vec3 found = 25 * moved(matrix_of(file.instances[0].to_place), solid.vertices_m[i]);
       CHECK(distance(found, {double(actual[i][0]), double(actual[i][1]), double(actual[i][2])}) <
             1e-13);
     }
@@ -169,7 +170,7 @@ TEST_CASE("the tent of Chen and Sabbagh, section 5.1, with a floor: 6 vertices, 
   CHECK(drawn_edges(solid) == 9);
   CHECK(volume_of(solid) == Approx(8000));
   for (const Vec3 p : solid.vertices_m) {
-    const double up = moved(file.instances[0].to_place, p).z;
+    const double up = moved(matrix_of(file.instances[0].to_place), p).z;
     CHECK((up == 0 || up == 20));
   }
   check_refused(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies of revolution and of rotation.
 #include "solids/plane_polygon.hpp"
-#include "solids/turned_shapes.hpp"
+#include "solids/shapes.hpp"
 #include "tests/solids/made_outline.hpp"
 #include "tests/solids/solid_facts.hpp"
 #include "tests/view/matrices.hpp"

@@ -16,9 +16,9 @@ namespace orograph {
 /// Of a place in degrees, in metres.
 using HeightOfPlace = std::function<double(double lon_deg, double lat_deg)>;
 
-inline Terrain earth_terrain(const DegreeLattice& lattice, const HeightOfPlace& height_m,
-                             const Ellipsoid& ellipsoid = {}) {
-  Terrain terrain;
+inline TerrainData earth_terrain(const DegreeLattice& lattice, const HeightOfPlace& height_m,
+                                 const Ellipsoid& ellipsoid = {}) {
+  TerrainData terrain;
   const double lat_deg = lattice.lat_deg(lattice.rows / 2);
   const LocalFrame frame(lattice.lon_deg(lattice.columns / 2), lat_deg, ellipsoid);
   std::vector<double> heights;

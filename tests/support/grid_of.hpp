@@ -9,13 +9,13 @@
 
 namespace orograph {
 
-inline Grid& grid_of(Terrain& terrain) {
+inline Grid& grid_of(TerrainData& terrain) {
   return std::get<Grid>(terrain.surface);
 }
-inline const Grid& grid_of(const Terrain& terrain) {
+inline const Grid& grid_of(const TerrainData& terrain) {
   return std::get<Grid>(terrain.surface);
 }
-inline Grid grid_of(Terrain&& terrain) {
+inline Grid grid_of(TerrainData&& terrain) {
   return std::get<Grid>(std::move(terrain.surface));
 }
 

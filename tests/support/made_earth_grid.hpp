@@ -129,8 +129,13 @@ inline Grid made_earth_grid(Random& random, const MadeEarth& made) {
   Grid grid = made_grid(random, {made.columns, made.rows}, heights);
   grid.lattice = earth_lattice(made);
   if (random.chance(0.5))
-    std::visit([&](auto& h) { make_gaps(random, grid.columns, grid.rows, h.own()); },
-               grid.heights_m);
+    std::visit(
+        [&](auto& of_grid) {
+          std::vector with_gaps(of_grid.begin(), of_grid.end());
+          make_gaps(random, grid.columns, grid.rows, with_gaps);
+          of_grid = std::move(with_gaps);
+        },
+        grid.heights_m);
   return grid;
 }
 

@@ -16,8 +16,8 @@ using namespace orograph;
 
 namespace {
 
-Terrain terrain_of(Surface surface) {
-  Terrain terrain{};
+TerrainData terrain_of(Surface surface) {
+  TerrainData terrain{};
   terrain.surface = std::move(surface);
   return terrain;
 }

@@ -126,8 +126,8 @@ TEST_CASE("all that a scene holds shows in its fingerprint, but not what its par
     add([&](SceneFile& s) { s.places[place].height = 0; });
   }
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    add([&](SceneFile& s) { next(s.instances[i].to_place(0, 3)); });
-    add([&](SceneFile& s) { s.instances[i].to_place(2, 2) = -1; });
+    add([&](SceneFile& s) { next(s.instances[i].to_place.origin.x); });
+    add([&](SceneFile& s) { s.instances[i].to_place.z.z = -1; });
   }
   add([](SceneFile& s) { s.solids[0].triangles.pop_back(); });
   add([](SceneFile& s) { s.solids[0].edges[0].smooth = !s.solids[0].edges[0].smooth; });

@@ -42,17 +42,17 @@ std::string fault_of(const SweepSettings& settings) {
 double value_in(const RenderSettings& settings, Parameter parameter) {
   switch (parameter) {
   case Parameter::azimuth:
-    return settings.from_azimuth.in_degrees();
+    return settings.map.view.from_azimuth.in_degrees();
   case Parameter::elevation:
-    return settings.from_elevation.in_degrees();
+    return settings.map.view.from_elevation.in_degrees();
   case Parameter::distance:
-    return settings.distance_m.value_or(-1);
+    return settings.map.view.distance_m.value_or(-1);
   case Parameter::fov:
-    return settings.field_of_view ? settings.field_of_view->in_degrees() : -1;
+    return settings.map.view.field_of_view ? settings.map.view.field_of_view->in_degrees() : -1;
   case Parameter::exaggeration:
-    return settings.exaggeration.value_or(-1);
+    return settings.map.view.exaggeration.value_or(-1);
   default:
-    return settings.plan ? std::get<ProfileCount>(*settings.plan).count : -1;
+    return settings.map.style.plan ? std::get<ProfileCount>(*settings.map.style.plan).count : -1;
   }
 }
 
@@ -131,10 +131,10 @@ TEST_CASE("views of a list come first, with their names") {
   CHECK(views.name(3) == "view-1_profiles-10");
   CHECK(views.name(4) == "view-á-3_profiles-05");
   const RenderSettings render = views.settings(5);
-  REQUIRE(render.view);
-  CHECK(render.view->exaggeration == 7);
-  CHECK(render.view_file == "list.toml");
-  CHECK(std::get<ProfileCount>(*render.plan).count == 10);
+  REQUIRE(render.map.view.file);
+  CHECK(render.map.view.file->exaggeration == 7);
+  CHECK(render.map.view.file_name == "list.toml");
+  CHECK(std::get<ProfileCount>(*render.map.style.plan).count == 10);
 }
 
 TEST_CASE("more views than anybody means are told, and drawn when they are meant") {

@@ -4,7 +4,7 @@
 #include "tests/support/random.hpp"
 #include "tests/view/exact_interval.hpp"
 #include "tests/view/matrices.hpp"
-#include "view/clip_to_volume.hpp"
+#include "view/pipeline.hpp"
 
 using namespace orograph;
 

@@ -5,7 +5,7 @@
 // and two crossings are compared by products of 120.
 #pragma once
 
-#include "view/view_mapping.hpp"
+#include "view/pipeline.hpp"
 
 #include <Eigen/Core>
 

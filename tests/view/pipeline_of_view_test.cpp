@@ -3,8 +3,8 @@
 #include "tests/catch.hpp"
 #include "tests/view/made_terrain.hpp"
 #include "tests/view/matrices.hpp"
+#include "view/phigs_view.hpp"
 #include "view/pipeline.hpp"
-#include "view/place_phigs_view.hpp"
 
 using namespace orograph;
 

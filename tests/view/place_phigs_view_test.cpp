@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/view/made_terrain.hpp"
 #include "tests/view/random_phigs_view.hpp"
-#include "view/place_phigs_view.hpp"
+#include "view/phigs_view.hpp"
 #include "view/sectors.hpp"
 
 using namespace orograph;

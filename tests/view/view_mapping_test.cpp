@@ -4,7 +4,7 @@
 #include "tests/support/random.hpp"
 #include "tests/view/matrices.hpp"
 #include "tests/view/random_phigs_view.hpp"
-#include "view/view_mapping.hpp"
+#include "view/pipeline.hpp"
 
 #include <Eigen/LU>
 

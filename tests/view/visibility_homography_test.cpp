@@ -3,8 +3,8 @@
 #include "tests/support/random.hpp"
 #include "tests/view/matrices.hpp"
 #include "tests/view/random_phigs_view.hpp"
+#include "view/phigs_view.hpp"
 #include "view/pipeline.hpp"
-#include "view/visibility_homography.hpp"
 
 using namespace orograph;
 

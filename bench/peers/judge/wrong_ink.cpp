@@ -26,7 +26,7 @@ int main(int count, char** arguments) {
     return 2;
   }
   try {
-    const Terrain terrain = read_raster(arguments[1]);
+    const TerrainData terrain = read_raster(arguments[1]);
     const ProfileLines lines{std::get<Grid>(terrain.surface), std::atoi(arguments[4])};
     const double tolerance_mm = std::atof(arguments[5]);
     const PlacedDrawing drawing = place_drawing(lines, read_strokes(arguments[2], STROKES_PS),

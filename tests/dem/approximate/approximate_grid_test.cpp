@@ -208,9 +208,10 @@ TEST_CASE("a plane needs two triangles, however the grid lies") {
     const GridLattice lattice = turned_lattice(30, 20, {10, 10}, turn);
     Grid grid{30, 20, PlaneLattice{{}, lattice.column_step_m, lattice.row_step_m},
               std::vector<double>()};
-    auto& heights = std::get<Heights<double>>(grid.heights_m).own();
+    std::vector<double> heights;
     for (int row = 0; row < 20; ++row)
       for (int column = 0; column < 30; ++column) heights.push_back(100 + 3 * column - 0.5 * row);
+    grid.heights_m = std::move(heights);
     const ApproximatedGrid made = approximate(grid, 1e-9);
     CHECK(made.tin.triangles.size() == 2);
     CHECK(made.tin.vertices_m.size() == 4);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The triangulation of a grid's vertices against what makes one Delaunay, in whole numbers.
-#include "dem/approximate/lattice_insertion_order.hpp"
 #include "dem/approximate/lattice_triangulation.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"

@@ -3,7 +3,7 @@
 #include "dem/approximate/tin_of_grid.hpp"
 #include "dem/mesh/keep_within.hpp"
 #include "dem/mesh/verify_tin.hpp"
-#include "dem/plan_area.hpp"
+#include "dem/tin.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/approximate/grid_triangles.hpp"
 #include "tests/dem/mesh/check_kept.hpp"

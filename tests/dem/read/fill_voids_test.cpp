@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/read/fill_voids.hpp"
+#include "dem/read/raster_heights.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 

@@ -68,7 +68,7 @@ TEST_CASE(
   // It has no cell but those that it has heights for: given first, it takes nothing from the other.
   const std::string warped = warped_as_told(message, pair);
   for (const bool first : {true, false}) {
-    const Terrain joined =
+    const TerrainData joined =
         first ? read_terrain({warped, pair.paths[0]}) : read_terrain({pair.paths[0], warped});
     const Grid& grid = grid_of(joined);
     CHECK(grid.columns == 15); // 91 m hold the centres of nine cells
@@ -86,7 +86,7 @@ TEST_CASE("tiles beside the lattice are refused, and the command brings them in"
     const Pair pair(west_half(), beside);
     const std::string message = pair.refusal();
     check_message(message, {"a.tif", "b.tif", "of a cell beside", "gdalwarp"});
-    const Terrain joined =
+    const TerrainData joined =
         read_terrain(std::vector<std::string>{pair.paths[0], warped_as_told(message, pair)});
     CHECK(grid_of(joined).columns == 12);
   }

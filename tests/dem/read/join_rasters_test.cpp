@@ -85,7 +85,7 @@ bool same_bits(const Heights<Height>& a, const Heights<Height>& b) {
          });
 }
 
-void check_same(const Terrain& joined, const Terrain& whole) {
+void check_same(const TerrainData& joined, const TerrainData& whole) {
   const Grid &a = grid_of(joined), &b = grid_of(whole);
   REQUIRE(a.columns == b.columns);
   REQUIRE(a.rows == b.rows);
@@ -106,6 +106,32 @@ void check_same(const Terrain& joined, const Terrain& whole) {
         return same_bits(heights, std::get<std::decay_t<decltype(heights)>>(b.heights_m));
       },
       a.heights_m));
+}
+
+// A height for every whole degree of the earth, the same however longitudes are counted.
+double height_at_degree(int longitude, int latitude) {
+  return 1000 * (((longitude % 360) + 360) % 360) + 90 + latitude;
+}
+
+// Vertices at whole degrees.
+RasterFile degrees_raster(int west, int north, int columns, int rows) {
+  RasterFile raster = counting_raster(columns, rows);
+  raster.crs = "EPSG:4326";
+  raster.geotransform = {west - 0.5, 1, 0, north + 0.5, 0, -1};
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      raster.values[static_cast<std::size_t>(row * columns + column)] =
+          height_at_degree(west + column, north - row);
+  return raster;
+}
+
+void check_degrees(const TerrainData& terrain, int west, int north, int columns, int rows) {
+  const Grid& grid = grid_of(terrain);
+  REQUIRE(grid.columns == columns);
+  REQUIRE(grid.rows == rows);
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      CHECK(grid.height_m(column, row) == height_at_degree(west + column, north - row));
 }
 
 } // namespace
@@ -136,7 +162,7 @@ TEST_CASE("tiles cut at random are the raster that they were cut from") {
       CHECK(!message_of_all(paths, options).empty());
       continue;
     }
-    const Terrain joined = read_terrain(paths, options);
+    const TerrainData joined = read_terrain(paths, options);
     check_same(joined, read_raster(folder.file("whole.tif"), options));
     CHECK(!has_note(joined, "differ"));
     CHECK(joined.paths == paths);
@@ -180,7 +206,7 @@ TEST_CASE("where no tile is there is no height; the first file that has one is t
     }
     if (std::all_of(expected.begin(), expected.end(), [](double h) { return std::isnan(h); }))
       continue;
-    const Terrain joined = read_terrain(written(folder, tiles));
+    const TerrainData joined = read_terrain(written(folder, tiles));
     const Grid& grid = grid_of(joined);
     REQUIRE(grid.size() == expected.size());
     for (int row = 0; row < rows; ++row)
@@ -198,7 +224,7 @@ TEST_CASE("where no tile is there is no height; the first file that has one is t
 TEST_CASE("three tiles around a corner leave the fourth empty") {
   const TempFolder folder;
   const RasterFile whole = counting_raster(6, 4);
-  const Terrain joined =
+  const TerrainData joined =
       read_terrain(written(folder, {cut_from(whole, 0, 2, 3, 2), cut_from(whole, 3, 0, 3, 2),
                                     cut_from(whole, 3, 2, 3, 2)}));
   const Grid& grid = grid_of(joined);
@@ -226,7 +252,7 @@ TEST_CASE("heights in different units are joined in metres, and voids are filled
   CHECK(std::isnan(grid_of(read_terrain(paths)).height_m(4, 1)));
   ReadOptions options;
   options.fill_voids = 3;
-  const Terrain joined = read_terrain(paths, options);
+  const TerrainData joined = read_terrain(paths, options);
   for (int column = 0; column < 8; ++column)
     CHECK(grid_of(joined).height_m(column, 1) == Approx(100).epsilon(1e-6));
   CHECK(has_note(joined, "4 missing heights were filled"));
@@ -271,8 +297,55 @@ TEST_CASE("notes of several files are told once, with their names where they are
   CHECK(read_terrain(written(folder, tiles)).notes ==
         std::vector<std::string>{"The file names no unit of height: metres are taken."});
   tiles[0].unit = "m";
-  const Terrain joined = read_terrain(written(folder, tiles));
+  const TerrainData joined = read_terrain(written(folder, tiles));
   CHECK(joined.notes == std::vector<std::string>{folder.file("tile1.tif") +
                                                  " and 1 more: The file names no unit of height: "
                                                  "metres are taken."});
+}
+
+// Files in degrees: across 180 degrees, and in either counting of longitudes.
+
+TEST_CASE("tiles on both sides of 180 degrees are one terrain") {
+  const TempFolder folder;
+  const std::vector<std::string> paths{folder.file("w180.tif"), folder.file("e170.tif")};
+  for (const int shared : {0, 1}) {
+    write_raster(degrees_raster(-180, 50, 10, 8), paths[0]);
+    write_raster(degrees_raster(170, 50, 10 + shared, 8), paths[1]);
+    const TerrainData joined = read_terrain(paths);
+    check_degrees(joined, 170, 50, 20, 8);
+    CHECK(!has_note(joined, "differ"));
+    ReadOptions options;
+    for (const double turn : {0., 360., -360.}) {
+      options.bbox_lonlat = Box2{{175 + turn, 45}, {185 + turn, 49}};
+      check_degrees(read_terrain(paths, options), 175, 49, 11, 5);
+    }
+  }
+}
+
+TEST_CASE("windows of a grid of the whole earth, across its ends and not") {
+  const TempFolder folder;
+  const std::string path = folder.file("earth.tif");
+  Random random(6);
+  for (const int first : {-180, 0})
+    for (const int columns : {360, 361}) {
+      write_raster(degrees_raster(first, 60, columns, 5), path);
+      for (int run = 0; run < 20; ++run) {
+        ReadOptions options;
+        const int west = random.whole(-180, 180), width = random.whole(1, 300);
+        options.bbox_lonlat = Box2{{west - 0.2, 57}, {west + width + 0.2, 60}};
+        INFO("grid from " << first << ", window from " << west << ", wide " << width);
+        check_degrees(read_terrain(path, options), west, 60, width + 1, 4);
+      }
+    }
+}
+
+TEST_CASE("a file that counts to 360 and one that counts from -180 are joined") {
+  const TempFolder folder;
+  const std::vector<std::string> paths{folder.file("a.tif"), folder.file("b.tif")};
+  write_raster(degrees_raster(280, 50, 8, 8), paths[0]);
+  write_raster(degrees_raster(-72, 50, 8, 8), paths[1]);
+  check_degrees(read_terrain(paths), 280, 50, 16, 8);
+  ReadOptions options;
+  options.bbox_lonlat = Box2{{-74, 44}, {-70, 46}};
+  check_degrees(read_terrain(paths, options), -74, 46, 5, 3);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tiles on one lattice, around the earth.
 #include "dem/read/join_tiles.hpp"
-#include "dem/read/whole_turns.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/read/refused.hpp"

@@ -105,9 +105,9 @@ TEST_CASE("a raster's window by longitude and latitude, over the seam of two fil
   ReadOptions options;
   options.bbox_lonlat = Box2{{9.0012, 45.1525}, {9.0033, 45.1531}}; // upper left is 9, 45.1535
   const ToMap to_map("EPSG:32632");
-  const Terrain window = read_terrain(paths, options);
+  const TerrainData window = read_terrain(paths, options);
   const Grid& grid = grid_of(window);
-  const Terrain all = read_terrain(paths);
+  const TerrainData all = read_terrain(paths);
   int low_column = 99, high_column = -1, low_row = 99, high_row = -1;
   Box2 box;
   for (int i = 0; i <= 1000; ++i)

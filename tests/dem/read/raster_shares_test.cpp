@@ -38,9 +38,9 @@ RasterFile large_raster() {
   return raster;
 }
 
-Terrain read_by(int cores, const std::string& path, const ReadOptions& options = {}) {
+TerrainData read_by(int cores, const std::string& path, const ReadOptions& options = {}) {
   const tbb::global_control workers(tbb::global_control::max_allowed_parallelism, 3);
-  Terrain terrain;
+  TerrainData terrain;
   tbb::task_arena(cores).execute([&] { terrain = read_raster(path, options); });
   return terrain;
 }
@@ -51,7 +51,7 @@ void check_heights(const RasterFile& raster, const std::function<double(int, int
   const TempFolder folder;
   write_raster(raster, folder.file("dem.tif"));
   for (const int cores : {1, 3}) {
-    const Terrain terrain = read_by(cores, folder.file("dem.tif"), options);
+    const TerrainData terrain = read_by(cores, folder.file("dem.tif"), options);
     const Grid& grid = grid_of(terrain);
     int wrong = 0;
     for (int row = 0; row < grid.rows; ++row)
@@ -161,7 +161,7 @@ TEST_CASE("a large GeoTIFF of which parts were never written says so") {
         CHECK(message_of(cores, folder.file("dem.tif")).find("nodata only") != std::string::npos);
         continue;
       }
-      const Terrain terrain = read_by(cores, folder.file("dem.tif"));
+      const TerrainData terrain = read_by(cores, folder.file("dem.tif"));
       CHECK(std::ranges::count_if(terrain.notes, [](const std::string& note) {
               return note.find("never written") != note.npos;
             }) == 1);

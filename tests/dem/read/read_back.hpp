@@ -10,13 +10,13 @@
 
 namespace orograph {
 
-inline Terrain read_back(const RasterFile& raster, const ReadOptions& options = {}) {
+inline TerrainData read_back(const RasterFile& raster, const ReadOptions& options = {}) {
   const TempFolder folder;
   write_raster(raster, folder.file("dem.tif"));
   return read_raster(folder.file("dem.tif"), options);
 }
 
-inline bool has_note(const Terrain& terrain, const std::string& words) {
+inline bool has_note(const TerrainData& terrain, const std::string& words) {
   for (const std::string& note : terrain.notes)
     if (note.find(words) != std::string::npos) return true;
   return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/read/read_landxml.hpp"
+#include "dem/read/map_shapes.hpp"
 #include "tests/dem/read/refused.hpp"
 #include "tests/dem/read/tin_of_file.hpp"
 
@@ -27,7 +27,7 @@ std::string units(const std::string& attributes, const std::string& system = "Im
   return "<Units><" + system + " areaUnit=\"acre\" " + attributes + "/></Units>";
 }
 
-Terrain read_back(const std::string& text, const ReadOptions& options = {}) {
+TerrainData read_back(const std::string& text, const ReadOptions& options = {}) {
   const TempFolder folder;
   write_text(folder.file("site.xml"), text);
   return read_terrain(folder.file("site.xml"), options);
@@ -54,7 +54,7 @@ const std::vector<std::array<Corner, 3>> square{
 } // namespace
 
 TEST_CASE("LandXML points are northing, easting, elevation") {
-  const Terrain terrain = read_back(document(surface("a")));
+  const TerrainData terrain = read_back(document(surface("a")));
   CHECK(triangles_on_map(terrain) == square);
   CHECK(terrain.map.origin == Vec2{1000, 2010});
   CHECK(terrain.map.unit_m == 1);
@@ -62,7 +62,7 @@ TEST_CASE("LandXML points are northing, easting, elevation") {
 }
 
 TEST_CASE("faces marked as invisible are left out") {
-  const Terrain terrain =
+  const TerrainData terrain =
       read_back(document(surface("a", points,
                                  "<F>1 2 7</F><F i=\"1\">1 7 4</F><F i=\"0\">4 1 7</F>"
                                  "</Faces><Faces><F i=\"1\">1 2 7</F>")));
@@ -91,24 +91,24 @@ TEST_CASE("units of LandXML") {
 
 TEST_CASE("the CRS of LandXML is kept where it fits the units") {
   const std::string utm = "<CoordinateSystem epsgCode=\"32632\"/>";
-  const Terrain metres =
+  const TerrainData metres =
       read_back(document(surface("a"), units("linearUnit=\"meter\"", "Metric") + utm));
   CHECK(metres.map.crs_name == "WGS 84 / UTM zone 32N (EPSG:32632)");
   CHECK(metres.notes.empty());
-  const Terrain feet = read_back(document(surface("a"), units("linearUnit=\"foot\"") + utm));
+  const TerrainData feet = read_back(document(surface("a"), units("linearUnit=\"foot\"") + utm));
   CHECK(feet.map.crs_name == "none");
   CHECK(feet.map.unit_m == 0.3048);
   CHECK(has_word(feet.notes, "is in metre but its coordinates are in foot"));
-  const Terrain nearly = read_back(document(
+  const TerrainData nearly = read_back(document(
       surface("a"), units("linearUnit=\"foot\"") + "<CoordinateSystem epsgCode=\"EPSG:2229\"/>"));
   CHECK(nearly.map.unit_name == "US survey foot");
   CHECK(nearly.map.height_unit_m == nearly.map.unit_m);
-  const Terrain wkt = read_back(document(
+  const TerrainData wkt = read_back(document(
       surface("a"), "<CoordinateSystem epsgCode=\"\" "
                     "ogcWktCode=\"LOCAL_CS[&quot;site&quot;,UNIT[&quot;foot&quot;,0.3048]]\"/>"));
   CHECK(wkt.map.crs_name == "site");
   CHECK(wkt.map.height_unit_m == 0.3048);
-  const Terrain unknown =
+  const TerrainData unknown =
       read_back(document(surface("a"), "<CoordinateSystem epsgCode=\"999999\"/>"));
   CHECK(unknown.map.crs_name == "none");
   CHECK(has_word(unknown.notes, "isn't known"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/frame/ellipsoid.hpp"
-#include "dem/read/read_mesh.hpp"
+#include "dem/frame/local_frame.hpp"
+#include "dem/read/map_shapes.hpp"
 #include "tests/dem/read/refused.hpp"
 #include "tests/dem/read/tin_of_file.hpp"
 
@@ -69,8 +69,8 @@ std::string binary_ply(bool big_endian, const std::string& count_type = "uchar")
   return bytes;
 }
 
-Terrain read_back(const std::string& name, const std::string& text,
-                  const ReadOptions& options = {}) {
+TerrainData read_back(const std::string& name, const std::string& text,
+                      const ReadOptions& options = {}) {
   const TempFolder folder;
   write_text(folder.file(name), text);
   return read_terrain(folder.file(name), options);
@@ -127,7 +127,7 @@ TEST_CASE("forms of text that mean the same") {
 }
 
 TEST_CASE("without a comment a mesh is in metres") {
-  const Terrain terrain = read_back("a.off", off);
+  const TerrainData terrain = read_back("a.off", off);
   CHECK(terrain.map.unit_m == 1);
   CHECK(terrain.map.crs_name == "none");
   CHECK(terrain.map.origin == Vec2{0, 10});
@@ -140,7 +140,7 @@ TEST_CASE("comments tell the CRS, the units and the error") {
   const std::string wkt = "LOCAL_CS[\"site grid\",UNIT[\"foot\",0.3048]]";
   const std::string told =
       "orograph: surface_error_m 2.5\n# orograph: crs " + wkt + "\n# orograph: units 0.3048 1\n";
-  const auto check = [&](const Terrain& terrain) {
+  const auto check = [&](const TerrainData& terrain) {
     CHECK(terrain.surface_error_m == 2.5);
     CHECK(terrain.map.unit_m == 0.3048);
     CHECK(terrain.map.unit_name == "foot");
@@ -157,11 +157,11 @@ TEST_CASE("comments tell the CRS, the units and the error") {
     comments.replace(at, 2, "comment ");
   check(read_back("a.ply", changed(ply, "element vertex", comments + "element vertex")));
 
-  const Terrain units_only = read_back("a.off", off + "# orograph: units 0.3048 0.3048\n");
+  const TerrainData units_only = read_back("a.off", off + "# orograph: units 0.3048 0.3048\n");
   CHECK(units_only.map.crs_name == "none");
   CHECK(units_only.map.height_unit_name == "foot");
   CHECK(has_word(units_only.notes, "foot"));
-  const Terrain epsg = read_back("a.obj", "# orograph: crs EPSG:2229\n" + obj);
+  const TerrainData epsg = read_back("a.obj", "# orograph: crs EPSG:2229\n" + obj);
   CHECK(std::abs(epsg.map.unit_m - 1200. / 3937.) < 1e-12);
   CHECK(epsg.map.height_unit_m == epsg.map.unit_m);
   CHECK(has_word(read_back("a.obj", "# orograph: crs nonsense\n" + obj).notes, "can't be underst"));
@@ -173,7 +173,7 @@ TEST_CASE("comments tell the CRS, the units and the error") {
 }
 
 TEST_CASE("the earth's radii are those where the triangles are") {
-  const Terrain terrain =
+  const TerrainData terrain =
       read_back("a.obj", "# orograph: crs EPSG:32632\nv 500000 5205164 1\nv 500010 5205164 2\n"
                          "v 500010 5205174 3\nf 1 2 3\n");
   REQUIRE(terrain.map.radii);
@@ -186,7 +186,7 @@ TEST_CASE("a window keeps the triangles inside it") {
   CHECK(triangles_on_map(read_back("a.off", off, options)) == square);
   // Vertex 3 is moved outside: so is its triangle, and the origin follows what is kept.
   options.bbox = Box2{{0, 0}, {10, 10.5}};
-  const Terrain cut = read_back("a.off", changed(off, "0 10 4", "0 11 4"), options);
+  const TerrainData cut = read_back("a.off", changed(off, "0 10 4", "0 11 4"), options);
   CHECK(tin_in(cut).triangles.size() == 1);
   CHECK(tin_in(cut).vertices_m.size() == 3);
   CHECK(cut.map.origin == Vec2{0, 10});
@@ -199,7 +199,7 @@ TEST_CASE("a window keeps the triangles inside it") {
 }
 
 TEST_CASE("a vertex without a triangle doesn't move the origin") {
-  const Terrain terrain =
+  const TerrainData terrain =
       read_back("a.off", changed(changed(off, "4 2 0", "5 2 0"), "0 10 4\n", "0 10 4\n-9 99 0\n"));
   CHECK(terrain.map.origin == Vec2{0, 10});
   CHECK(tin_in(terrain).vertices_m.size() == 4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/read/read_points.hpp"
+#include "dem/read/map_shapes.hpp"
 #include "tests/dem/read/refused.hpp"
 #include "tests/dem/temp_folder.hpp"
 #include "tests/support/random.hpp"

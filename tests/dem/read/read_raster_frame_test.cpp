@@ -23,9 +23,9 @@ constexpr double us_foot_m = 1200. / 3937., foot_m = 0.3048;
 
 TEST_CASE("the vertex is the cell's centre in both pixel conventions") {
   RasterFile raster = counting_raster(4, 3);
-  const Terrain area = read_back(raster);
+  const TerrainData area = read_back(raster);
   raster.area_or_point = "Point";
-  const Terrain point = read_back(raster);
+  const TerrainData point = read_back(raster);
   CHECK(area.map.origin == Vec2{500005, 4999995});
   CHECK(point.map.origin == area.map.origin);
   CHECK(grid_of(point).plane().column_step_m == grid_of(area).plane().column_step_m);
@@ -36,7 +36,7 @@ TEST_CASE("US survey feet across and feet up come to metres and back") {
   raster.crs = "EPSG:2229";
   raster.geotransform = {6457000, 100, 0, 1971000, 0, -100};
   raster.unit = "ft";
-  const Terrain terrain = read_back(raster);
+  const TerrainData terrain = read_back(raster);
   // The CRS data base writes the unit with 15 digits.
   CHECK(std::abs(terrain.map.unit_m - us_foot_m) <= 1e-15);
   CHECK(terrain.map.unit_name == "US survey foot");
@@ -79,17 +79,17 @@ TEST_CASE("units of height") {
     CHECK(refused.find(words) != std::string::npos);
   ReadOptions in_feet;
   in_feet.height_unit = "ft";
-  const Terrain told = read_raster(folder.file("feet.tif"), in_feet);
+  const TerrainData told = read_raster(folder.file("feet.tif"), in_feet);
   CHECK(told.map.height_unit_m == foot_m);
   CHECK(!has_note(told, "though the file says"));
   raster.unit = "m";
   write_raster(raster, folder.file("metres.tif"));
-  const Terrain corrected = read_raster(folder.file("metres.tif"), in_feet);
+  const TerrainData corrected = read_raster(folder.file("metres.tif"), in_feet);
   CHECK(corrected.map.height_unit_m == foot_m);
   CHECK(has_note(corrected, "taken as ft, though the file says m"));
   raster.unit = "";
   raster.crs = "EPSG:32610+6360"; // with NAVD88 heights in US survey feet
-  const Terrain compound = read_back(raster);
+  const TerrainData compound = read_back(raster);
   CHECK(compound.map.height_unit_m == us_foot_m);
   CHECK(!has_note(compound, "no unit of height"));
 }
@@ -109,13 +109,13 @@ TEST_CASE("what heights are above, as far as the CRS says it") {
 }
 
 TEST_CASE("the CRS is kept by name and text") {
-  const Terrain with = read_back(counting_raster(4, 3));
+  const TerrainData with = read_back(counting_raster(4, 3));
   CHECK(with.map.crs_name == "WGS 84 / UTM zone 32N (EPSG:32632)");
   CHECK(with.map.crs_wkt.find("UTM zone 32N") != std::string::npos);
   CHECK(with.notes.empty());
   RasterFile raster = counting_raster(4, 3);
   raster.crs = "";
-  const Terrain without = read_back(raster);
+  const TerrainData without = read_back(raster);
   CHECK(without.map.crs_name == "none");
   CHECK(without.map.crs_wkt.empty());
   CHECK(has_note(without, "no CRS"));
@@ -125,7 +125,7 @@ TEST_CASE("without georeference cells are 1 m and the first row is in the north"
   RasterFile raster = counting_raster(4, 3);
   raster.geotransform.reset();
   raster.crs = "";
-  const Terrain terrain = read_back(raster);
+  const TerrainData terrain = read_back(raster);
   CHECK(grid_of(terrain).plane().column_step_m == Vec2{1, 0});
   CHECK(grid_of(terrain).plane().row_step_m == Vec2{0, -1});
   CHECK(grid_of(terrain).height_m(1, 0) == 1);
@@ -144,7 +144,7 @@ TEST_CASE("the geotransform that GDAL tells where there is none counts as none")
          "<VRTRasterBand dataType='Float32' band='1'><SimpleSource>"
          "<SourceFilename relativeToVRT='1'>dem.tif</SourceFilename>"
          "</SimpleSource></VRTRasterBand></VRTDataset>";
-  const Terrain terrain = read_raster(folder.file("dem.vrt"));
+  const TerrainData terrain = read_raster(folder.file("dem.vrt"));
   CHECK(grid_of(terrain).height_m(0, 0) == 0);
   CHECK(has_note(terrain, "no georeference"));
 }

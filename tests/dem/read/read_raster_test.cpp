@@ -18,7 +18,7 @@ namespace {
 
 // Every vertex where the surface has it (to the rounding of coordinates of 5e6) and as high, but
 // for a hole at (3, 2).
-void check_surface(const Terrain& terrain, const StoredSurface& surface,
+void check_surface(const TerrainData& terrain, const StoredSurface& surface,
                    double height_tolerance_m) {
   REQUIRE(grid_of(terrain).columns == surface.columns);
   REQUIRE(grid_of(terrain).rows == surface.rows);
@@ -104,14 +104,14 @@ TEST_CASE("nodata at the end of float's range, as written with 15 digits") {
   RasterFile raster = counting_raster(4, 3);
   raster.values[5] = static_cast<double>(std::numeric_limits<float>::lowest());
   raster.nodata = -3.40282346638529e+38;
-  const Terrain terrain = read_back(raster);
+  const TerrainData terrain = read_back(raster);
   CHECK(std::isnan(grid_of(terrain).height_m(1, 1)));
   CHECK(grid_of(terrain).height_m(2, 1) == 6);
 }
 
 TEST_CASE("positions along a row of an upright grid are whole steps, exactly") {
   for (const Storage how : all_storages()) {
-    const Terrain terrain = read_back(stored(StoredSurface{}, how));
+    const TerrainData terrain = read_back(stored(StoredSurface{}, how));
     for (int row = 0; row < grid_of(terrain).rows; ++row)
       for (int column = 0; column < grid_of(terrain).columns; ++column)
         CHECK(grid_of(terrain).plane().position_m(column, row) == Vec2{10. * column, -8. * row});
@@ -137,7 +137,8 @@ TEST_CASE("a mask in the file makes gaps as nodata does") {
   raster.bands = 2;
   raster.type = "Byte";
   raster.creation_options = {"ALPHA=YES"};
-  const Terrain terrain = read_back(raster); // band 2 holds the same values: 0 at the first vertex
+  const TerrainData terrain =
+      read_back(raster); // band 2 holds the same values: 0 at the first vertex
   CHECK(std::isnan(grid_of(terrain).height_m(0, 0)));
   CHECK(grid_of(terrain).height_m(1, 0) == 1);
 }
@@ -156,7 +157,7 @@ TEST_CASE("any block layout gives the same heights") {
     CHECK(std::get<Heights<float>>(grid_of(read_back(raster)).heights_m) == plain);
     ReadOptions part;
     part.bbox = Box2{{500995, 4996995}, {505005, 4999005}};
-    const Terrain window = read_back(raster, part);
+    const TerrainData window = read_back(raster, part);
     CHECK(grid_of(window).columns == 402);
     CHECK(grid_of(window).rows == 202);
     CHECK(grid_of(window).height_m(0, 0) == 99 * 700 + 99);

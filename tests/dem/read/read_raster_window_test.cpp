@@ -16,7 +16,7 @@ TEST_CASE("a window holds the vertices inside it, border included, in any storag
   options.bbox = Box2{{500015, 4999971}, {500034, 4999990}}; // columns 1 to 2, rows 1 to 3
   for (const Storage how : all_storages()) {
     const StoredSurface surface;
-    const Terrain terrain = read_back(stored(surface, how), options);
+    const TerrainData terrain = read_back(stored(surface, how), options);
     REQUIRE(grid_of(terrain).columns == 2);
     REQUIRE(grid_of(terrain).rows == 3);
     CHECK(terrain.map.origin == surface.position(1, 1));
@@ -32,7 +32,7 @@ TEST_CASE("a window of a rotated raster has no heights outside the box") {
   ReadOptions options;
   options.bbox = box;
   for (const Storage how : all_storages()) {
-    const Terrain terrain = read_back(stored(surface, how), options);
+    const TerrainData terrain = read_back(stored(surface, how), options);
     int kept = 0, expected = 0;
     for (int row = 0; row < grid_of(terrain).rows; ++row)
       for (int column = 0; column < grid_of(terrain).columns; ++column) {
@@ -64,7 +64,7 @@ TEST_CASE("an overview covers the same ground with larger cells") {
   for (const int level : {0, 1}) {
     ReadOptions options;
     options.overview = level;
-    const Terrain terrain = read_back(raster, options);
+    const TerrainData terrain = read_back(raster, options);
     const int columns = level == 0 ? 51 : 26, rows = level == 0 ? 34 : 17;
     REQUIRE(grid_of(terrain).columns == columns);
     REQUIRE(grid_of(terrain).rows == rows);
@@ -88,7 +88,7 @@ TEST_CASE("a window of an overview") {
   ReadOptions options;
   options.overview = 0;
   options.bbox = Box2{{500100, 4999700}, {500300, 4999900}};
-  const Terrain terrain = read_back(raster, options);
+  const TerrainData terrain = read_back(raster, options);
   CHECK(grid_of(terrain).columns == 10);
   CHECK(grid_of(terrain).rows == 10);
   CHECK(terrain.map.origin == Vec2{500110, 4999890});

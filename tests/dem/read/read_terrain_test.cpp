@@ -25,7 +25,7 @@ const std::string diagonal = "LINESTRING Z (0 0 1,10 10 3)";
 const std::string other_diagonal = "LINESTRING Z (10 0 2,0 10 4)";
 
 // Whether an edge of the TIN joins the two places (map coordinates).
-bool has_edge(const Terrain& terrain, Vec2 from, Vec2 to) {
+bool has_edge(const TerrainData& terrain, Vec2 from, Vec2 to) {
   for (const auto& triangle : triangles_on_map(terrain)) {
     const auto is_corner = [&](Vec2 p) {
       return std::any_of(triangle.begin(), triangle.end(), [&](const Corner& c) {
@@ -42,7 +42,7 @@ bool has_edge(const Terrain& terrain, Vec2 from, Vec2 to) {
 TEST_CASE("a raster stays what read_raster makes of it") {
   const TempFolder folder;
   write_raster(counting_raster(4, 3), folder.file("dem.tif"));
-  const Terrain terrain = read_terrain(folder.file("dem.tif"));
+  const TerrainData terrain = read_terrain(folder.file("dem.tif"));
   REQUIRE(std::holds_alternative<Grid>(terrain.surface));
   CHECK(std::get<Grid>(terrain.surface).columns == 4);
   ReadOptions options;
@@ -101,7 +101,7 @@ TEST_CASE("breaklines become edges") {
   write_vector(of(other_diagonal), folder.file("other.gpkg"));
   ReadOptions options;
   options.breaklines = folder.file("one.gpkg");
-  const Terrain one = read_terrain(folder.file("a.csv"), options);
+  const TerrainData one = read_terrain(folder.file("a.csv"), options);
   CHECK(has_edge(one, {0, 0}, {10, 10}));
   REQUIRE(one.triangulation);
   CHECK(one.triangulation->breaklines == 1);
@@ -119,7 +119,7 @@ TEST_CASE("a boundary cuts, and the window and the longest edge are handed on") 
   ReadOptions options;
   const auto extent = [&] {
     Box2 box;
-    const Terrain terrain = read_terrain(folder.file("a.csv"), options);
+    const TerrainData terrain = read_terrain(folder.file("a.csv"), options);
     for (const Vec3& p : tin_in(terrain).vertices_m) {
       const Vec3 map = terrain.map.to_map(p);
       box.include({map.x, map.y});
@@ -147,7 +147,7 @@ TEST_CASE("a window keeps the points of lines that are inside it") {
                folder.file("a.gpkg"));
   ReadOptions options;
   options.bbox = Box2{{0, 0}, {10, 10}};
-  const Terrain terrain = read_terrain(folder.file("a.gpkg"), options);
+  const TerrainData terrain = read_terrain(folder.file("a.gpkg"), options);
   CHECK(tin_in(terrain).vertices_m.size() == 4);
   CHECK(terrain.triangulation->breaklines == 1);
   CHECK(has_edge(terrain, {10, 0}, {10, 10}));
@@ -160,7 +160,7 @@ TEST_CASE("a ring with heights that leaves the window doesn't bring points from 
   ReadOptions options;
   options.boundary = folder.file("edge.gpkg");
   options.bbox = Box2{{0, 0}, {10, 10}};
-  const Terrain terrain = read_terrain(folder.file("a.gpkg"), options);
+  const TerrainData terrain = read_terrain(folder.file("a.gpkg"), options);
   CHECK(terrain.map.origin == Vec2{0, 10});
   for (const Vec3& p : tin_in(terrain).vertices_m) CHECK(terrain.map.to_map(p).x <= 10);
   CHECK(has_edge(terrain, {5, 8}, {5, 5}));
@@ -197,7 +197,7 @@ TEST_CASE("a CRS that only one file names is that of all") {
   write_vector(of(diagonal, "EPSG:2229"), folder.file("feet.gpkg"));
   ReadOptions options;
   options.breaklines = folder.file("feet.gpkg");
-  const Terrain terrain = read_terrain(folder.file("a.csv"), options);
+  const TerrainData terrain = read_terrain(folder.file("a.csv"), options);
   CHECK(terrain.map.crs_name.find("EPSG:2229") != std::string::npos);
   CHECK(has_word(terrain.notes, "a.csv has no CRS: that of"));
   CHECK(!has_word(terrain.notes, "taken as metres"));
@@ -207,7 +207,7 @@ TEST_CASE("a CRS that only one file names is that of all") {
   write_vector(corner_layer, folder.file("utm.gpkg"));
   write_vector(of(diagonal, ""), folder.file("none.gpkg"));
   options.breaklines = folder.file("none.gpkg");
-  const Terrain other = read_terrain(folder.file("utm.gpkg"), options);
+  const TerrainData other = read_terrain(folder.file("utm.gpkg"), options);
   CHECK(other.map.crs_name.find("32632") != std::string::npos);
   CHECK(has_word(other.notes, "none.gpkg has no CRS: that of"));
 }
@@ -219,7 +219,7 @@ TEST_CASE("heights in two units come together") {
   write_vector(of("LINESTRING Z (3 3 100,6 6 100)", "EPSG:2229+6360"), folder.file("feet.gpkg"));
   ReadOptions options;
   options.breaklines = folder.file("feet.gpkg");
-  const Terrain terrain = read_terrain(folder.file("metres.gpkg"), options);
+  const TerrainData terrain = read_terrain(folder.file("metres.gpkg"), options);
   double highest = 0;
   for (const Vec3& p : tin_in(terrain).vertices_m) highest = std::max(highest, p.z);
   CHECK(std::abs(highest - 100 * 1200. / 3937.) < 1e-9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/read/read_vector.hpp"
+#include "dem/read/map_shapes.hpp"
 #include "tests/dem/read/refused.hpp"
 #include "tests/dem/read/tin_of_file.hpp"
 #include "tests/dem/read/vector_file.hpp"
@@ -25,8 +25,8 @@ VectorFile of(const std::vector<std::string>& wkts) {
   return file;
 }
 
-Terrain read_back(const VectorFile& file, const std::string& name = "a.gpkg",
-                  const ReadOptions& options = {}) {
+TerrainData read_back(const VectorFile& file, const std::string& name = "a.gpkg",
+                      const ReadOptions& options = {}) {
   const TempFolder folder;
   write_vector(file, folder.file(name));
   return read_terrain(folder.file(name), options);
@@ -77,7 +77,7 @@ TEST_CASE("triangles in every geometry that can hold them") {
            // A face of four corners whose last repeats, as DXF has it.
            {"POLYGON Z ((0 0 1,10 0 2,10 10 3.5,10 10 3.5,0 0 1))", "POLYGON Z " + upper}}) {
     INFO(wkts[0]);
-    const Terrain terrain = read_back(of(wkts));
+    const TerrainData terrain = read_back(of(wkts));
     CHECK(triangles_on_map(terrain) == square);
     CHECK(terrain.map.crs_name == "WGS 84 / UTM zone 32N (EPSG:32632)");
     CHECK(terrain.map.origin == Vec2{0, 10});
@@ -93,7 +93,7 @@ TEST_CASE("triangles in every common format") {
     INFO(driver);
     VectorFile file = of({"POLYGON Z " + lower, "POLYGON Z " + upper});
     file.driver = driver;
-    const Terrain terrain = read_back(file, name);
+    const TerrainData terrain = read_back(file, name);
     CHECK(triangles_on_map(terrain) == square);
     CHECK(terrain.map.crs_name.find("UTM zone 32N") != std::string::npos);
   }
@@ -114,7 +114,7 @@ TEST_CASE("faces of a DXF drawing") {
   write_text(folder.file("a.dxf"),
              begin + face({{0, 0, 1}, {10, 0, 2}, {10, 10, 3.5}, {10, 10, 3.5}}) +
                  face({{0, 0, 1}, {10, 10, 3.5}, {0, 10, 4}, {0, 10, 4}}) + end);
-  const Terrain terrain = read_terrain(folder.file("a.dxf"));
+  const TerrainData terrain = read_terrain(folder.file("a.dxf"));
   CHECK(triangles_on_map(terrain) == square);
   CHECK(has_word(terrain.notes, "no CRS"));
   write_text(folder.file("b.dxf"),
@@ -235,20 +235,20 @@ TEST_CASE("the unit of a vector file's heights") {
   VectorFile file = of({"POLYGON Z " + lower});
   CHECK(has_word(read_back(file).notes, "no unit of height: that of its CRS is taken, metre"));
   file.crs = "EPSG:2229";
-  const Terrain feet = read_back(file);
+  const TerrainData feet = read_back(file);
   CHECK(std::abs(feet.map.height_unit_m - 1200. / 3937.) < 1e-12);
   CHECK(feet.map.height_unit_name == "US survey foot");
   CHECK(std::abs(tin_in(feet).vertices_m[0].z - 1200. / 3937.) < 1e-12);
   file.crs = "EPSG:2229+5703"; // NAVD88 heights in metres
-  const Terrain compound = read_back(file);
+  const TerrainData compound = read_back(file);
   CHECK(compound.map.height_unit_m == 1);
   CHECK(!has_word(compound.notes, "unit of height"));
   file.crs = "LOCAL_CS[\"site grid\",UNIT[\"foot\",0.3048]]";
-  const Terrain local = read_back(file);
+  const TerrainData local = read_back(file);
   CHECK(local.map.unit_m == 0.3048);
   CHECK(local.map.crs_name == "site grid");
   file.crs.clear();
-  const Terrain none = read_back(file);
+  const TerrainData none = read_back(file);
   CHECK(none.map.crs_name == "none");
   CHECK(none.map.crs_wkt.empty());
   CHECK(has_word(none.notes, "taken as metres"));
@@ -281,7 +281,7 @@ TEST_CASE("degrees are refused, and what GeoJSON only takes for degrees isn't") 
   };
   check_message(message_of(geojson("[[6,46,1],[7,46,2],[7,47,3],[6,46,1]]")),
                 {"a.geojson", "degrees"});
-  const Terrain local =
+  const TerrainData local =
       read_terrain(geojson("[[4000,3000,1],[5000,3000,2],[5000,4000,3],[4000,3000,1]]"));
   CHECK(local.map.crs_name == "none");
   CHECK(has_word(local.notes, "no CRS"));

@@ -42,7 +42,7 @@ std::string path_of(const std::string& name) {
 TEST_CASE("every sample is read, with its size, cells and heights") {
   for (const Sample& sample : samples) {
     INFO(sample.name);
-    const Terrain terrain = read_raster(path_of(sample.name));
+    const TerrainData terrain = read_raster(path_of(sample.name));
     const SurfaceExtent extent = extent_of(grid_of(terrain));
     CHECK(terrain.notes.empty());
     CHECK(grid_of(terrain).columns == sample.columns);
@@ -74,7 +74,7 @@ TEST_CASE("made samples are what the program makes today") {
 }
 
 TEST_CASE("the archipelago has the islands' heights, a degree wide") {
-  const Terrain terrain = read_raster(path_of("archipelago"));
+  const TerrainData terrain = read_raster(path_of("archipelago"));
   const Grid& kept = grid_of(terrain);
   CHECK(terrain.notes.empty());
   REQUIRE(kept.is_on_earth());

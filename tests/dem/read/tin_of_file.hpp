@@ -14,14 +14,14 @@
 
 namespace orograph {
 
-inline const Tin& tin_in(const Terrain& terrain) {
+inline const Tin& tin_in(const TerrainData& terrain) {
   return std::get<Tin>(terrain.surface);
 }
 
 using Corner = std::tuple<double, double, double>;
 
 /// Rotated so that the least corner comes first, and sorted.
-inline std::vector<std::array<Corner, 3>> triangles_on_map(const Terrain& terrain) {
+inline std::vector<std::array<Corner, 3>> triangles_on_map(const TerrainData& terrain) {
   const Tin& tin = tin_in(terrain);
   std::vector<std::array<Corner, 3>> all;
   for (const auto& triangle : tin.triangles) {

@@ -33,7 +33,7 @@ std::string wkt_of(int epsg) {
 }
 
 // Heights with many digits, numbers of all sizes; in feet, about an origin with decimals.
-Terrain made_terrain(int columns = 9, int rows = 7) {
+TerrainData made_terrain(int columns = 9, int rows = 7) {
   Random random(columns + 100 * rows);
   GridHeights heights;
   heights.in_double = true;
@@ -43,7 +43,7 @@ Terrain made_terrain(int columns = 9, int rows = 7) {
   tin.vertices_m[1].z = -1.7e308;
   tin.vertices_m[2].z = -0.0;
   tin.vertices_m[3].z = 1e21;
-  Terrain terrain;
+  TerrainData terrain;
   terrain.surface = std::move(tin);
   terrain.map.origin = {476543.21, 5123456.789};
   terrain.map.unit_m = 0.3048;
@@ -53,7 +53,7 @@ Terrain made_terrain(int columns = 9, int rows = 7) {
   return terrain;
 }
 
-const Tin& tin_in(const Terrain& terrain) {
+const Tin& tin_in(const TerrainData& terrain) {
   return std::get<Tin>(terrain.surface);
 }
 
@@ -81,7 +81,7 @@ bool same_bits(double one, double other) {
   return one == other && std::signbit(one) == std::signbit(other);
 }
 
-std::string write_within(std::uintmax_t bytes, const Terrain& terrain, const std::string& path,
+std::string write_within(std::uintmax_t bytes, const TerrainData& terrain, const std::string& path,
                          TinFormat format) {
   rlimit before{};
   ::getrlimit(RLIMIT_FSIZE, &before);
@@ -123,7 +123,7 @@ TEST_CASE("a TIN's format is told by the extension, in any case") {
 }
 
 TEST_CASE("mesh formats hold every number to the last bit, and units, CRS and error") {
-  const Terrain terrain = made_terrain();
+  const TerrainData terrain = made_terrain();
   const Tin& tin = tin_in(terrain);
   const TempFolder folder;
   for (const TinFormat format : {TinFormat::off, TinFormat::ply, TinFormat::obj}) {
@@ -186,7 +186,7 @@ TEST_CASE("mesh formats hold every number to the last bit, and units, CRS and er
 
 TEST_CASE("without CRS and error only the units are commented, and a CRS takes one line") {
   const TempFolder folder;
-  Terrain terrain = made_terrain();
+  TerrainData terrain = made_terrain();
   terrain.map = {};
   terrain.surface_error_m = 0;
   write_tin(terrain, folder.file("tin.off"), TinFormat::off);
@@ -201,7 +201,7 @@ TEST_CASE("without CRS and error only the units are commented, and a CRS takes o
 }
 
 TEST_CASE("a GeoPackage holds one TIN Z to the last bit, in its CRS") {
-  const Terrain terrain = made_terrain();
+  const TerrainData terrain = made_terrain();
   const Tin& tin = tin_in(terrain);
   const TempFolder folder;
   const std::string path = folder.file("tin.gpkg");
@@ -240,7 +240,7 @@ TEST_CASE("a GeoPackage holds one TIN Z to the last bit, in its CRS") {
 }
 
 TEST_CASE("a GeoPackage without CRS and error has neither") {
-  Terrain terrain = made_terrain();
+  TerrainData terrain = made_terrain();
   terrain.map = {};
   terrain.surface_error_m = 0;
   const TempFolder folder;
@@ -256,7 +256,7 @@ TEST_CASE("a GeoPackage without CRS and error has neither") {
 }
 
 TEST_CASE("a TIN is written over what was there, the same bytes each time, nothing beside it") {
-  const Terrain terrain = made_terrain();
+  const TerrainData terrain = made_terrain();
   for (const TinFormat format : kFormats) {
     CAPTURE(static_cast<int>(format));
     const TempFolder folder;
@@ -272,7 +272,7 @@ TEST_CASE("a TIN is written over what was there, the same bytes each time, nothi
 }
 
 TEST_CASE("a full disk is an error wherever it fills up, and so is a missing folder") {
-  const Terrain terrain = made_terrain(40, 60);
+  const TerrainData terrain = made_terrain(40, 60);
   for (const TinFormat format : kFormats) {
     CAPTURE(static_cast<int>(format));
     const TempFolder folder;

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The run report as JSON.
+#include "cli/report/run_report.hpp"
+
+#include "cli/render_settings.hpp"
+#include "cli/version.hpp"
+#include "geometry/error.hpp"
+#include "write/output_file.hpp"
+#include "write/write_drawing.hpp"
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace orograph {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(Vec2 p) {
+  return {p.x, p.y};
+}
+Json json_of(Vec3 p) {
+  return {p.x, p.y, p.z};
+}
+
+Json point_or_null(const std::optional<Vec3>& p) {
+  return p ? json_of(*p) : Json();
+}
+
+Json json_of(const TriangulationCounts& counts) {
+  return {{"points", counts.points},
+          {"merged", counts.merged},
+          {"greatest_merged_m", counts.greatest_merged_m},
+          {"breaklines", counts.breaklines},
+          {"crossings", counts.crossings},
+          {"greatest_crossing_m", counts.greatest_crossing_m},
+          {"outside_boundary", counts.outside},
+          {"beyond_max_edge", counts.beyond_max_edge}};
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json name_or_null(const std::string& name) {
+  return name.empty() ? Json() : Json(name);
+}
+
+Json json_of(const InputFacts& input, const std::string& scene_path) {
+  return {{"paths", input.paths},
+          {"crs", {{"name", input.crs_name}, {"wkt", input.crs_wkt}}},
+          {"vertical_crs", name_or_null(input.vertical_crs_name)},
+          {"unit", input.unit_name},
+          {"unit_m", input.unit_m},
+          {"unit_deg", input.unit_deg},
+          {"height_unit", input.height_unit_name},
+          {"height_unit_m", input.height_unit_m},
+          {"surface", input.vertices  ? "tin"
+                      : input.columns ? "grid"
+                                      : "none"},
+          {"columns", or_null(input.columns)},
+          {"rows", or_null(input.rows)},
+          {"column_step_m", input.column_step_m},
+          {"row_step_m", input.row_step_m},
+          {"vertices", or_null(input.vertices)},
+          {"triangles", or_null(input.triangles)},
+          {"triangulation", input.triangulation ? json_of(*input.triangulation) : Json()},
+          {"surface_error_m", input.surface_error_m},
+          {"scene", name_or_null(scene_path)},
+          {"notes", input.notes}};
+}
+
+// The keys of view files.
+Json json_of(const ViewFile& view) {
+  const Box2& window = view.window_m;
+  return {
+      {"projection", view.projection == PhigsProjection::perspective ? "perspective" : "parallel"},
+      {"vrp", json_of(view.vrp_map)},
+      {"vpn", json_of(view.vpn)},
+      {"vup", json_of(view.vup)},
+      {"prp", json_of(view.prp_m)},
+      {"window", {window.low.x, window.low.y, window.high.x, window.high.y}},
+      {"front", or_null(view.front_m)},
+      {"back", or_null(view.back_m)},
+      {"exaggeration", view.exaggeration}};
+}
+
+Json json_of(const ViewFacts& view) {
+  Json rows = Json::array();
+  for (std::size_t row = 0; row < 3; ++row)
+    rows.push_back({view.homography.m[3 * row], view.homography.m[3 * row + 1],
+                    view.homography.m[3 * row + 2]});
+  return {{"projection", view.projection},
+          {"view_from_azimuth_deg", view.view_from_azimuth_deg},
+          {"look_azimuth_deg", view.look_azimuth_deg},
+          {"look_azimuth_true_deg", view.look_azimuth_true_deg},
+          {"elevation_deg", view.elevation_deg},
+          {"eye", point_or_null(view.eye)},
+          {"eye_lonlat", point_or_null(view.eye_lonlat)},
+          {"eye_height_m", view.eye_height_m},
+          {"look_at", point_or_null(view.look_at)},
+          {"look_at_lonlat", point_or_null(view.look_at_lonlat)},
+          {"distance_m", view.distance_m},
+          {"geodesic", view.geodesic ? Json{{"distance_m", view.geodesic->distance_m},
+                                            {"azimuth_deg", view.geodesic->azimuth_deg}}
+                                     : Json()},
+          {"depth_origin", json_of(view.depth_origin)},
+          {"forward", json_of(view.forward)},
+          {"field_of_view_deg", view.field_of_view_deg},
+          {"oblique", view.oblique
+                          ? Json{{"length", view.oblique->x}, {"rise_deg", view.oblique->y}}
+                          : Json()},
+          {"roll_deg", view.roll_deg},
+          {"exaggeration", view.exaggeration},
+          {"exaggeration_auto", view.exaggeration_auto},
+          {"curvature",
+           {{"setting", view.curvature.setting},
+            {"applied", view.curvature.applied},
+            {"on_ellipsoid", view.curvature.on_ellipsoid},
+            {"would_move_mm", view.curvature.would_move_mm},
+            {"refraction", view.curvature.refraction},
+            {"curvature_coefficient", view.curvature.curvature_coefficient},
+            {"effective_radius_m", view.curvature.effective_radius_m}}},
+          {"homography", rows},
+          {"phigs", json_of(view.phigs)}};
+}
+
+Json json_of(const Counts& counts) {
+  return {{"cut_vertices", counts.cut_vertices},
+          {"segments", counts.segments},
+          {"pieces_before_collapse", counts.pieces_before_collapse},
+          {"pieces_after_collapse", counts.pieces_after_collapse},
+          {"largest_horizon", counts.largest_horizon},
+          {"strokes", counts.strokes},
+          {"points", counts.points},
+          {"ties", counts.ties},
+          {"dropped_strokes", counts.dropped_strokes},
+          {"turned_over", counts.turned_over},
+          {"looked_at", counts.looked_at},
+          {"solids", counts.solids},
+          {"solid_edges", counts.solid_edges}};
+}
+
+Json json_of(const CheckCounts& check) {
+  return {{"asked", check.asked},
+          {"ties", check.ties},
+          {"drawn_but_hidden", check.hidden},
+          {"visible_but_not_drawn", check.missing}};
+}
+
+Json json_of(const StageSeconds& seconds) {
+  return {{"read", seconds.read},   {"place", seconds.place},     {"facing", seconds.facing},
+          {"cut", seconds.cut},     {"project", seconds.project}, {"clip", seconds.clip},
+          {"check", seconds.check}, {"layout", seconds.layout},   {"write", seconds.write},
+          {"total", seconds.total}};
+}
+
+Json or_unknown(const std::optional<double>& mm) {
+  return mm ? Json(*mm) : Json("unknown");
+}
+
+Json json_of(const ErrorBudget& budget) {
+  return {{"level_of_detail", or_unknown(budget.level_of_detail_mm)},
+          {"simplification", budget.simplification_mm},
+          {"visibility_tolerance", budget.visibility_tolerance_mm},
+          {"arithmetic", budget.arithmetic_mm},
+          {"geodesy", or_unknown(budget.geodesy_mm)},
+          {"rounding", budget.rounding_mm},
+          {"total", or_unknown(budget.total_mm())}};
+}
+
+} // namespace
+
+RunReport run_report(const Map& map, const RenderSettings& settings) {
+  RunReport report;
+  static_cast<MapFacts&>(report) = map.facts;
+  report.error_budget.rounding_mm = rounding_mm(settings.write);
+  report.path = settings.output;
+  report.format = format_names()[static_cast<std::size_t>(settings.write.format)];
+  report.scene_path = settings.scene_file;
+  report.page = map.drawing.page;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  report.peak_memory_bytes =
+      static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
+  report.libraries = library_versions();
+  return report;
+}
+
+std::string report_text(const RunReport& report) {
+  const Json json{{"schema", 1},
+                  {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
+                  {"libraries", report.libraries},
+                  {"input", json_of(report.input, report.scene_path)},
+                  {"output", {{"path", report.path}, {"format", report.format}}},
+                  {"view", json_of(report.view)},
+                  {"profiles",
+                   {{"count", report.profiles.depths_m.size()},
+                    {"spacing", report.profiles.spacing},
+                    {"depths", report.profiles.depths_m}}},
+                  {"page",
+                   {{"width_mm", report.page.width_mm},
+                    {"height_mm", report.page.height_mm},
+                    {"margin_mm", report.page.margin_mm}}},
+                  {"counts", json_of(report.counts)},
+                  {"pen_down_mm", report.pen_down_mm},
+                  {"pen_up_mm", report.pen_up_mm},
+                  {"error_budget_mm", json_of(report.error_budget)},
+                  {"ink_left_out_mm",
+                   {{"silhouette_jump", report.left_out.silhouette_jump_mm},
+                    {"min_stroke", report.left_out.min_stroke_mm}}},
+                  {"check", report.check ? json_of(*report.check) : Json()},
+                  {"seconds", json_of(report.seconds)},
+                  {"peak_memory_bytes", report.peak_memory_bytes}};
+  // Paths may be in any encoding; JSON is UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_report(const RunReport& report, const std::string& path, bool overwrite) {
+  OutputFile place(path, overwrite);
+  std::ofstream file(place.temporary_path(), std::ios::binary | std::ios::trunc);
+  const bool view_alone = std::filesystem::path(path).extension() == ".toml";
+  file << (view_alone ? view_file_text(report.view.phigs) : report_text(report));
+  file.close();
+  if (!file)
+    throw Error("can't write the report '" + path + "'",
+                "make room on the disk, or choose another");
+  place.commit();
+}
+
+} // namespace orograph

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The run report: what was drawn, how exactly and in which time, as JSON (docs/how-it-works.md).
+#pragma once
+
+#include "draw/drawing.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "map/draw_map.hpp"
+
+namespace orograph {
+
+/// The facts of a run's map, and what the command adds to them. Numbers that are NaN, and optionals
+/// that hold nothing, become null in JSON unless said otherwise.
+struct RunReport : MapFacts {
+  std::string path, format; ///< of the drawing
+  std::string scene_path;   ///< empty: no solids
+  Page page;
+  std::uint64_t peak_memory_bytes = 0;
+  std::map<std::string, std::string> libraries; ///< name to version
+};
+
+struct RenderSettings;
+
+/// What a run of `settings` reports of its map: the facts, with the error budget of the drawing's
+/// format, and the process's peak memory so far.
+RunReport run_report(const Map& map, const RenderSettings& settings);
+
+/// The JSON text, `"schema": 1`, with the program's version and commit.
+std::string report_text(const RunReport& report);
+
+/// Writes it whole or not at all; to a path that ends in ".toml" only the view, as `--view` takes
+/// it. Throws Error where it can't be written, or exists and
+/// `overwrite` is off.
+void write_report(const RunReport& report, const std::string& path, bool overwrite);
+
+} // namespace orograph

@@ -1,0 +1,52 @@
+# What a cold build is spared (docs/decisions/0020-build-time.md): common headers are compiled once,
+# the files of a folder several at a time, and ccache remembers the rest. The debug preset has
+# neither of the first two: there every file shows whether it includes what it needs, and has a line
+# of its own in compile_commands.json.
+option(OROGRAPH_PRECOMPILED "Compile the headers of std, fmt and Catch2 once" ON)
+option(OROGRAPH_UNITY "Compile the files of a folder several at a time" ON)
+option(OROGRAPH_CCACHE "Compile by ccache where it is installed" ON)
+
+# ccache is told what its manual asks for with precompiled headers.
+if(OROGRAPH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  find_program(OROGRAPH_CCACHE_PROGRAM ccache)
+  mark_as_advanced(OROGRAPH_CCACHE_PROGRAM)
+  if(OROGRAPH_CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER env
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+      ${OROGRAPH_CCACHE_PROGRAM})
+  endif()
+endif()
+
+set(OROGRAPH_COMMON_HEADERS <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem>
+  <fstream> <functional> <limits> <map> <memory> <numeric> <optional> <span> <string> <string_view>
+  <utility> <variant> <vector> <fmt/format.h> <fmt/ranges.h>)
+
+# orograph_precompile(TARGET KIND [HEADER…]): the common headers and these. The first target of a
+# KIND compiles them, the others take what it made; GCC refuses it (-Winvalid-pch) unless all of a
+# KIND have the same options for code.
+function(orograph_precompile target kind)
+  if(NOT OROGRAPH_PRECOMPILED)
+    return()
+  endif()
+  target_link_libraries(${target} PRIVATE fmt::fmt)
+  # In what comes from there GCC 12 sees faults of std::string's own.
+  target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow
+    -Wno-stringop-overread)
+  get_property(first GLOBAL PROPERTY orograph_precompiled_${kind})
+  if(first)
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  else()
+    set_property(GLOBAL PROPERTY orograph_precompiled_${kind} ${target})
+    target_precompile_headers(${target} PRIVATE ${OROGRAPH_COMMON_HEADERS} ${ARGN})
+  endif()
+endfunction()
+
+# orograph_compile_together(TARGET): names in anonymous namespaces have to differ within a folder. A
+# file that can't follow has SKIP_UNITY_BUILD_INCLUSION.
+function(orograph_compile_together target)
+  if(OROGRAPH_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    # This warning takes every file of the bundle but the bundle itself for a header.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
+endfunction()

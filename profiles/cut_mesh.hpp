@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact cut of TINs, and of grids on the ellipsoid, by planes of constant depth: a walk from
+// triangle to triangle.
+#pragma once
+
+#include "dem/grid.hpp"
+#include "dem/tin.hpp"
+#include "profiles/mesh.hpp"
+#include "profiles/outline.hpp"
+#include "profiles/profile.hpp"
+#include "profiles/triangles.hpp"
+#include "view/view.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+// A mesh's border, by depth: where a plane may come in.
+
+/// Sides of triangles that have nothing beyond them, in buckets of the depths that they reach into.
+/// Memory: 12 bytes and more for a side.
+template <class Side>
+class BorderSides {
+public:
+  struct Depths {
+    double nearest_m, farthest_m;
+  };
+
+  /// `depths_of(side)` are those of its two ends.
+  template <class DepthsOf>
+  BorderSides(const std::vector<Side>& border, const DepthsOf& depths_of) {
+    std::vector<Depths> depths;
+    depths.reserve(border.size());
+    for (const Side& side : border) {
+      depths.push_back(depths_of(side));
+      nearest_m_ = std::min(nearest_m_, depths.back().nearest_m);
+      farthest_m_ = std::max(farthest_m_, depths.back().farthest_m);
+    }
+    // As many as there are rows in a large grid, and no more than there are sides.
+    constexpr std::size_t kMostBuckets = 4096;
+    const std::size_t count = std::min(kMostBuckets, border.size() + 1);
+    if (farthest_m_ > nearest_m_)
+      buckets_per_m_ = static_cast<double>(count) / (farthest_m_ - nearest_m_);
+    begin_.assign(count + 1, 0);
+    const auto for_each_bucket = [&](std::size_t i, const auto& take) {
+      const std::size_t last = bucket_of(depths[i].farthest_m);
+      for (std::size_t b = bucket_of(depths[i].nearest_m); b <= last; ++b) take(b);
+    };
+    for (std::size_t i = 0; i < border.size(); ++i)
+      for_each_bucket(i, [&](std::size_t b) { ++begin_[b + 1]; });
+    for (std::size_t b = 0; b < count; ++b) begin_[b + 1] += begin_[b];
+    sides_.resize(begin_.back());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::size_t i = 0; i < border.size(); ++i)
+      for_each_bucket(i, [&](std::size_t b) { sides_[next[b]++] = border[i]; });
+  }
+
+  /// Of all sides; of no side at all, infinity and -infinity.
+  double nearest_m() const { return nearest_m_; }
+  double farthest_m() const { return farthest_m_; }
+
+  /// All sides that the plane at a depth meets, and others about there.
+  std::span<const Side> at(double depth_m) const {
+    const std::size_t b = bucket_of(depth_m);
+    return {sides_.data() + begin_[b], sides_.data() + begin_[b + 1]};
+  }
+
+private:
+  std::size_t bucket_of(double depth_m) const {
+    const double bucket = (depth_m - nearest_m_) * buckets_per_m_;
+    return std::min(static_cast<std::size_t>(std::max(bucket, 0.0)), begin_.size() - 2);
+  }
+
+  double nearest_m_ = std::numeric_limits<double>::infinity(), farthest_m_ = -nearest_m_;
+  double buckets_per_m_ = 0;
+  std::vector<std::uint32_t> begin_; ///< of bucket i in `sides_`; one more at the end
+  std::vector<Side> sides_;
+};
+
+/// Cuts one TIN for one view, plane after plane, in any order; the profile is that of `GridCutter`,
+/// but that there are no vertices where there is no terrain.
+///
+///  (1) There is a vertex wherever the plane crosses an edge, in order from left to right, once; a
+///      plane through a TIN's vertex has that vertex.
+///  (2) Between two vertices the profile lies in one triangle, or there is a gap. An edge that lies
+///      in the plane is there, and level if either of its triangles is.
+///  (3) A crossing is reckoned from its edge's vertex of lower index, exact at both ends.
+///  (4) A wall is crossed straight up or down; where it is turned away from the eye there is a gap.
+///      A wall that lies in the plane isn't crossed: the profile keeps to its foot or its top,
+///      whichever the ground in front of it has.
+/// Cost a plane: O(segments + border edges of about its depth).
+class TinCutter {
+public:
+  /// REQUIRES that `tin` and `level` (the triangles whose spans are marked level; may be empty)
+  /// outlive the cutter. Cost O(triangles).
+  TinCutter(const Tin& tin, const View& view, const TriangleSet& level);
+
+  void cut(double depth_m, Profile& out) const;
+  /// All of it, whatever the range.
+  void cut(double depth_m, std::span<const URange>, Profile& out) const { cut(depth_m, out); }
+
+  /// Depths between which the TIN lies.
+  double nearest_m() const { return nearest_m_; }
+  double farthest_m() const { return farthest_m_; }
+
+private:
+  const Tin& tin_;
+  View view_;
+  const TriangleSet& level_;
+  double nearest_m_, farthest_m_;
+  TriangleSet walls_, turned_walls_;
+  BorderSides<TinSide> border_;
+};
+
+/// Cuts one grid for one view, plane after plane, in any order; the profile is that of the TIN of
+/// its triangles (`TinCutter`). Columns and rows are curved, so depth tells nothing of where a
+/// plane comes in: it is looked for on the border, holes' borders too. Cost a plane: O(columns +
+/// rows + border edges of about its depth).
+class EarthGridCutter {
+public:
+  /// REQUIRES a grid on the ellipsoid, its border as `border_edges` has it, and that `grid` and
+  /// `level` (the triangles whose spans are marked level; may be empty) outlive the cutter.
+  EarthGridCutter(const Grid& grid, const View& view, const TriangleSet& level,
+                  std::span<const BorderEdge> border);
+
+  void cut(double depth_m, Profile& out) const;
+  /// All of it, whatever the range.
+  void cut(double depth_m, std::span<const URange>, Profile& out) const { cut(depth_m, out); }
+
+  /// Depths between which the grid's triangles lie.
+  double nearest_m() const { return border_.nearest_m(); }
+  double farthest_m() const { return border_.farthest_m(); }
+
+private:
+  const Grid& grid_;
+  View view_;
+  const TriangleSet& level_;
+  BorderSides<GridSide> border_;
+};
+
+} // namespace orograph

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `orograph accuracy` and `fragmentation` change and watch of a run, beyond what a user may
+// ask for.
+#pragma once
+
+#include "horizon/clip.hpp"
+#include "profiles/profile.hpp"
+
+#include <vector>
+
+#include "hidden_lines/line_pass.hpp"
+#include "hidden_lines/strips.hpp"
+
+namespace orograph {
+
+/// A profile as it was clipped. REQUIRES that all outlive it.
+struct SeenProfile {
+  const Sector& sector;
+  XRange clipped; ///< what lies beside it may be visible or not
+  const Profile& profile;
+  const std::vector<Segment>& segments;
+  const std::vector<Piece>& visible; ///< pieces of `segments`, in order
+};
+
+/// All other lines of a sector as they were clipped. REQUIRES that all outlive it.
+struct SeenLines {
+  const Sector& sector;
+  XRange clipped;
+  const LinePass& lines;
+  const std::vector<LinePart>& visible; ///< by line
+};
+
+/// Is told of every line of a drawing as it is clipped, before anything is laid out: the whole line
+/// and what of it is visible. What it does counts as the stage `check`.
+class LineObserver {
+public:
+  virtual ~LineObserver() = default;
+  virtual void see(const SeenProfile& profile) = 0;
+  virtual void see(const SeenLines& lines) = 0;
+  /// The horizon behind the profile that was seen last; only where it is kept in one list.
+  virtual void see_horizon(const Sector&, const Horizon&) {}
+};
+
+struct Instruments {
+  std::vector<LineObserver*> observers = {}; ///< are told one after another
+  bool collapse = true;                      ///< join horizon pieces of one source
+  bool single_precision = false; ///< round projected profiles to float before they are clipped
+  bool one_list = false;         ///< keep the horizon in one list, so that it can be seen
+  bool beyond_page = false;      ///< look at what is beside the page as well
+  bool hidden_ground = false;    ///< look at ground that is hidden as a whole as well
+  double vertices_a_strip = kVerticesAStrip;
+  /// Gets every occluder but profiles, hidden ones too, before the profile that it stands in front
+  /// of is seen.
+  std::vector<HorizonPiece>* occluders = nullptr;
+
+  /// Whether the horizon is to be kept in one list, profile after profile.
+  bool needs_list() const { return one_list || !collapse || single_precision || occluders; }
+  /// Whether ground that is hidden or beside the page has its lines. (Profiles are whole for an
+  /// observer anyway.)
+  bool looks_everywhere() const { return needs_list() || beyond_page || hidden_ground; }
+};
+
+/// Each coordinate becomes the nearest float. Segments that have no extent in X then are left out.
+void round_to_float(std::vector<Segment>& segments);
+
+} // namespace orograph

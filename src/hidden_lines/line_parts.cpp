@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/line_parts.hpp"
+
+#include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
+
+#include <algorithm>
+
+namespace orograph {
+void join(std::vector<LinePart>& parts, const std::function<double(std::uint32_t)>& gap) {
+  sort_by_number(parts, [](const LinePart& part) { return part.line; });
+  for (auto first = parts.begin(); first != parts.end();) {
+    throw_if_stopped(static_cast<std::size_t>(first - parts.begin()));
+    const auto end = std::find_if(first, parts.end(),
+                                  [&](const LinePart& part) { return part.line != first->line; });
+    if (end - first > 1)
+      std::sort(first, end,
+                [](const LinePart& a, const LinePart& b) { return a.t_begin < b.t_begin; });
+    first = end;
+  }
+  std::size_t count = 0;
+  for (const LinePart& part : parts) {
+    if (count > 0 && parts[count - 1].line == part.line &&
+        parts[count - 1].t_end >= part.t_begin - (gap ? gap(part.line) : kSameShare))
+      parts[count - 1].t_end = std::max(parts[count - 1].t_end, part.t_end);
+    else
+      parts[count++] = part;
+  }
+  parts.resize(count);
+  std::erase_if(parts, [](const LinePart& p) { return p.t_end - p.t_begin <= kSameShare; });
+}
+
+std::vector<LinePart> without(const std::vector<LinePart>& parts,
+                              const std::vector<LinePart>& taken) {
+  std::vector<LinePart> rest;
+  rest.reserve(parts.size());
+  auto first = taken.begin();
+  std::size_t step = 0;
+  for (const LinePart& part : parts) {
+    throw_if_stopped(step++);
+    while (first != taken.end() && first->line < part.line) ++first;
+    double begin = part.t_begin;
+    const auto keep = [&](double end) {
+      if (end > begin + kSameShare) rest.push_back({part.line, begin, end});
+    };
+    for (auto t = first; t != taken.end() && t->line == part.line; ++t) {
+      keep(std::min(t->t_begin, part.t_end));
+      begin = std::max(begin, t->t_end);
+    }
+    keep(part.t_end);
+  }
+  return rest;
+}
+
+std::vector<LinePart> shared(const std::vector<LinePart>& parts,
+                             const std::vector<LinePart>& others) {
+  return without(parts, without(parts, others));
+}
+
+} // namespace orograph

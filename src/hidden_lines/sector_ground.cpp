@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/sector_ground.hpp"
+
+#include "profiles/seen_ground.hpp"
+
+#include "hidden_lines/strips.hpp"
+#include "hidden_lines/tie_tolerance.hpp"
+
+namespace orograph {
+
+std::vector<SeenGround> ground_of_sectors(const TerrainData& terrain, const PlacedView& placed,
+                                          const Style& style, const Instruments& instruments) {
+  const Grid* grid = std::get_if<Grid>(&terrain.surface);
+  if (!grid || grid->is_on_earth() || style.occluder != Occluder::surface ||
+      instruments.looks_everywhere())
+    return {};
+  std::vector<SeenGround> out;
+  for (const Sector& sector : placed.sectors) {
+    const double tolerance_y = style.visibility_tolerance_mm > 0
+                                   ? tie_tolerance(sector, style.visibility_tolerance_mm).greatest_y
+                                   : 0;
+    out.push_back(find_seen_ground(*grid, sector.view, {page_range(sector), tolerance_y}));
+  }
+  return out;
+}
+
+std::optional<SeenGround> looked_at_by_any(const std::vector<SeenGround>& ground) {
+  if (ground.empty()) return std::nullopt;
+  SeenGround all = ground.front();
+  for (const SeenGround& other : ground) all.add(other);
+  return all;
+}
+
+} // namespace orograph

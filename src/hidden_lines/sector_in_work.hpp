@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the two passes through a sector share: in strips (hidden_lines/strips_pass.hpp) and with
+// the horizon in one list (hidden_lines/list_pass.hpp).
+#pragma once
+
+#include "dem/terrain.hpp"
+#include "horizon/clip_profile.hpp"
+#include "profiles/cut_surface.hpp"
+#include "profiles/profile.hpp"
+#include "profiles/seen_ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "hidden_lines/counts.hpp"
+#include "hidden_lines/line_pass.hpp"
+#include "hidden_lines/profile_batch.hpp"
+
+namespace orograph {
+
+/// What a pass needs of its sector. REQUIRES that all outlive it.
+struct SectorInWork {
+  const TerrainData& terrain;
+  const PlacedView& placed;
+  const Sector& sector;
+  const std::vector<EdgeLine>& lines;
+  const SurfaceCutter& cutter;
+  const TieTolerance& tolerance;
+  double from_m;            ///< depth from which on terrain is looked at
+  XRange range;             ///< of X that is asked for
+  bool whole_profiles;      ///< whether profiles are cut beyond it as well, for those who watch
+  const SeenGround* ground; ///< what is looked at, where that isn't all
+  double vertices_a_strip;
+};
+
+struct SectorParts {
+  std::vector<LinePart> visible; ///< joined, by line
+  std::vector<LinePart> skyline; ///< what of that the horizon behind everything is made of
+};
+
+/// Lays one profile's visible runs out in its own layer; called from several threads.
+using LayOut = std::function<void(ProfileInWork&)>;
+/// Is shown profiles in order, front to back.
+using Show = std::function<void(ProfileInWork&)>;
+
+/// Where the near plane cuts the terrain, a section begins: the cut hides. Empty in a parallel
+/// view.
+std::vector<Segment> near_cut(const SectorInWork& work);
+
+/// Planes between slabs, front to back. Slabs are about a cell thick, so that few lines meet in
+/// one; but slivers that a cut has left don't make millions of them.
+class SlabPlanes {
+public:
+  explicit SlabPlanes(const SectorInWork& work)
+      : last_m_(std::max(work.sector.nearest_m, work.from_m)),
+        thickness_m_(
+            std::max(work.placed.cell_m, (work.sector.farthest_m - last_m_) / kMostSlabs)) {}
+
+  double last_m() const { return last_m_; }
+  /// Takes slabs from the last plane on, the last one up to `to_m`.
+  template <class Take>
+  void take_to(double to_m, const Take& take) {
+    const double count = std::ceil((to_m - last_m_) / thickness_m_);
+    for (int i = 1; i < count; ++i) take(last_m_ + (to_m - last_m_) * (i / count));
+    take(to_m);
+    last_m_ = to_m;
+  }
+
+private:
+  static constexpr double kMostSlabs = 1e5;
+  double last_m_, thickness_m_;
+};
+
+/// Adds what of the profile's ways along walls, those within a range of X, is above the horizon.
+/// `rounding_m` bounds the rounding of positions.
+template <class AnyHorizon>
+void add_visible_uprights(const ProfileInWork& profile, const View& view, XRange range,
+                          const AnyHorizon& horizon, double rounding_m,
+                          std::vector<VisibleRun>& visible) {
+  for (const Segment& upright : profile.uprights) {
+    if (upright.x0 < range.begin || upright.x0 >= range.end) continue;
+    // What is that close in X counts as being at it.
+    const double beside = view.is_perspective()
+                              ? rounding_m * (1 + std::abs(upright.x0)) / profile.planned.depth_m
+                              : rounding_m;
+    const std::uint32_t vertex = left_vertex(upright);
+    for (const Piece& piece : visible_uprights(std::span(&upright, 1), horizon, beside))
+      visible.push_back({vertex, vertex, piece.t_begin, piece.t_end});
+  }
+}
+
+} // namespace orograph

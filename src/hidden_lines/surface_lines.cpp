@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/surface_lines.hpp"
+
+#include "geometry/on_all_cores.hpp"
+#include "profiles/ground_behind.hpp"
+#include "profiles/outline.hpp"
+#include "profiles/silhouettes.hpp"
+#include "profiles/surface_edges.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+
+namespace orograph {
+
+namespace {
+
+// Finds edges that are asked for in order in a list that is in order.
+class EdgesInOrder {
+public:
+  explicit EdgesInOrder(const std::vector<SurfaceEdge>& edges) : edges_(edges) {}
+
+  std::optional<std::size_t> find(SurfaceEdge edge) {
+    while (at_ < edges_.size() && edges_[at_] < edge) ++at_;
+    if (at_ == edges_.size() || edges_[at_] != edge) return std::nullopt;
+    return at_;
+  }
+
+private:
+  const std::vector<SurfaceEdge>& edges_;
+  std::size_t at_ = 0;
+};
+
+} // namespace
+
+std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& placed,
+                               const Style& style, const SeenGround* ground) {
+  // With the seed's occluders only what is drawn of the profiles hides.
+  const bool surface = style.occluder == Occluder::surface;
+  const bool silhouettes = style.asks_for("silhouettes") || style.asks_for("skyline");
+  const bool border = style.asks_for("border"), voids = style.asks_for("voids");
+  std::vector<EdgeLine> lines;
+  std::vector<SurfaceEdge> drawn; // in order: an edge of several kinds is drawn as the first
+  // What was added behind `middle` in order goes where it belongs.
+  const auto merge_drawn = [&](std::size_t middle) {
+    std::inplace_merge(drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(middle),
+                       drawn.end());
+  };
+  const auto add_drawn = [&](const std::vector<SurfaceEdge>& edges, LineKind kind) {
+    std::vector<SurfaceEdge> news;
+    std::set_difference(edges.begin(), edges.end(), drawn.begin(), drawn.end(),
+                        std::back_inserter(news));
+    for (const SurfaceEdge& edge : news) {
+      throw_if_stopped(lines.size());
+      lines.push_back({edge, kind, false, true, false});
+    }
+    const std::size_t middle = drawn.size();
+    drawn.insert(drawn.end(), news.begin(), news.end());
+    merge_drawn(middle);
+  };
+  const std::vector<SurfaceEdge> behind_walls = edges_behind_walls(terrain.surface, placed.view);
+  const std::vector<SurfaceEdge> all_brinks = brinks(terrain.surface, placed.border, placed.view);
+  const bool draws_more = style.asks_for("shores") || style.asks_for("edges");
+  std::vector<bool> hides(all_brinks.size()); // of brinks: is there as another line, too
+  const auto add_hiding = [&](SurfaceEdge edge, LineKind kind, bool is_drawn, EdgesInOrder& walls,
+                              EdgesInOrder& brinks_on) {
+    throw_if_stopped(lines.size());
+    if (is_drawn && walls.find(edge)) is_drawn = false;
+    const std::optional<std::size_t> brink = brinks_on.find(edge);
+    if (brink) hides[*brink] = true;
+    lines.push_back({edge, kind, surface, is_drawn, brink.has_value()});
+    if (is_drawn && draws_more) drawn.push_back(edge);
+  };
+  drawn = behind_walls; // not to be drawn at all
+  if (surface || silhouettes) {
+    const std::vector<SurfaceEdge> edges = silhouette_edges(terrain.surface, placed.view, ground);
+    lines.reserve(edges.size() + placed.border.size());
+    EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
+    const std::size_t middle = drawn.size();
+    for (const SurfaceEdge& edge : edges)
+      add_hiding(edge, LineKind::silhouette, silhouettes, walls, brinks_on);
+    merge_drawn(middle);
+  }
+  if (surface || border || voids) {
+    const std::vector<bool> of_void = border || voids ? around_voids(terrain.surface, placed.border)
+                                                      : std::vector<bool>(placed.border.size());
+    EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
+    const std::size_t middle = drawn.size();
+    for (std::size_t i = 0; i < placed.border.size(); ++i) {
+      const LineKind kind = of_void[i] ? LineKind::void_edge : LineKind::border;
+      add_hiding(placed.border[i].edge, kind, of_void[i] ? voids : border, walls, brinks_on);
+    }
+    merge_drawn(middle);
+  }
+  // The foot of a wall that the eye sees hides nothing, but what may hang there beneath it.
+  if (surface)
+    for (std::size_t i = 0; i < all_brinks.size(); ++i)
+      if (!hides[i]) lines.push_back({all_brinks[i], LineKind::silhouette, true, false, true});
+  if (style.asks_for("shores")) add_drawn(placed.level.shores, LineKind::shore);
+  if (style.asks_for("edges")) add_drawn(edges_of(terrain.surface), LineKind::edge);
+  return lines;
+}
+
+std::vector<LinePart> folds(const LinePass& pass, const std::vector<LinePart>& parts,
+                            const Surface& surface, const View& view, double share,
+                            double parallel_depth_m) {
+  std::vector<LinePart> out;
+  if (share <= 0) return out;
+  const GroundBehind ground(surface, view);
+  const auto is_fold = [&](const LinePart& part) {
+    if (pass.line(part.line).kind != LineKind::silhouette) return false;
+    const ProfilePoint middle = pass.point(part.line, 0.5 * (part.t_begin + part.t_end));
+    const double depth = view.is_perspective() ? middle.v : parallel_depth_m;
+    return ground.rises_within(pass.line(part.line).edge, middle, share * depth);
+  };
+  constexpr std::size_t kPartsOfTask = 1024;
+  std::vector<std::uint8_t> folds(parts.size());
+  on_all_cores((parts.size() + kPartsOfTask - 1) / kPartsOfTask, [&](std::size_t task) {
+    const std::size_t end = std::min(parts.size(), (task + 1) * kPartsOfTask);
+    for (std::size_t i = task * kPartsOfTask; i < end; ++i) folds[i] = is_fold(parts[i]) ? 1 : 0;
+  });
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (folds[i] != 0) out.push_back(parts[i]);
+  return out;
+}
+
+} // namespace orograph

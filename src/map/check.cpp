@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/check.hpp"
+
+#include "profiles/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hidden_lines/tie_tolerance.hpp"
+
+namespace orograph {
+namespace {
+
+constexpr double kSlit = 1e-12; // share of a segment
+
+// The segments that lie in the range that was clipped, and what is visible of them.
+struct Clipped {
+  std::vector<Segment> segments;
+  std::vector<Piece> visible;
+};
+Clipped within(const SeenProfile& seen) {
+  Clipped out;
+  auto piece = seen.visible.begin();
+  for (std::size_t i = 0; i < seen.segments.size(); ++i) {
+    const Segment& segment = seen.segments[i];
+    const bool is_within = segment.x0 >= seen.clipped.begin && segment.x1 <= seen.clipped.end;
+    for (; piece != seen.visible.end() && piece->segment == i; ++piece) {
+      if (!is_within) continue;
+      out.visible.push_back(*piece);
+      out.visible.back().segment = static_cast<std::uint32_t>(out.segments.size());
+    }
+    if (is_within) out.segments.push_back(segment);
+  }
+  return out;
+}
+
+} // namespace
+
+Check::Check(const Surface& surface, const PlacedView& placed, double tolerance_mm,
+             std::uint64_t points)
+    : surface_(surface), tolerance_mm_(tolerance_mm),
+      a_profile_(points / 2 / placed.depths_m.size() + 1),
+      a_sector_(points / 2 / placed.sectors.size()) {}
+
+void Check::begin(const Sector& sector) {
+  if (sector_ == &sector) return;
+  sector_ = &sector;
+  judge_.emplace(surface_, sector.view, tie_tolerance(sector, tolerance_mm_));
+  engine_.seed(20240229); // always the same: a check can be run again
+}
+
+double Check::share() {
+  return static_cast<double>(engine_() >> 11U) * 0x1p-53;
+}
+
+std::size_t Check::below(std::size_t count) {
+  return engine_() % count;
+}
+
+// Close to one of a piece's ends, on either side of it: from a thousandth to a tenth of its length.
+// At the line's own ends inside of it, and not on them, where what is on either side of an X meets.
+double Check::near_end(double begin, double end) {
+  const double distance = (end - begin) * std::pow(10, -1 - 2 * share());
+  const double at = engine_() & 1U ? begin : end;
+  const double place = engine_() & 1U ? at + distance : at - distance;
+  return std::clamp(place > 0 && place < 1 ? place : 2 * at - place, 1e-9, 1 - 1e-9);
+}
+
+void Check::judge(const ProfileLine& line, double t, bool on_edge, bool drawn) {
+  ++counts_.asked;
+  const Verdict verdict = judge_->verdict(line, t, on_edge, drawn);
+  if (verdict == Verdict::tied)
+    ++counts_.ties;
+  else if ((verdict == Verdict::visible) != drawn)
+    ++(drawn ? counts_.hidden : counts_.missing);
+}
+
+void Check::see(const SeenProfile& seen) {
+  begin(seen.sector);
+  const Clipped clipped = within(seen);
+  const auto& [segments, visible] = clipped;
+  const Profile& profile = seen.profile;
+  if (segments.empty()) return;
+  for (std::uint64_t i = 0; i < a_profile_; ++i) {
+    std::uint32_t number = 0;
+    double t = 0;
+    if (i % 2 == 0 || visible.empty()) {
+      number = static_cast<std::uint32_t>(below(segments.size()));
+      t = share();
+    } else {
+      const Piece& piece = visible[below(visible.size())];
+      // Where two occluders meet, rounding may leave a slit between them.
+      if (piece.t_end - piece.t_begin <= kSlit) continue;
+      number = piece.segment;
+      t = near_end(piece.t_begin, piece.t_end);
+    }
+    auto piece = std::partition_point(visible.begin(), visible.end(), [&](const Piece& p) {
+      return p.segment < number || (p.segment == number && p.t_end < t);
+    });
+    const bool drawn = piece != visible.end() && piece->segment == number && piece->t_begin <= t;
+    const std::uint32_t left = left_vertex(segments[number]);
+    const auto at = [&](std::uint32_t vertex) {
+      return ProfilePoint{profile.u_m[vertex], profile.depth_m, profile.z_m[vertex]};
+    };
+    // On a wall the way up is an edge: what is above and below it is at the same depth.
+    judge({at(left), at(left + 1)}, t, profile.after[left] == Span::wall, drawn);
+  }
+}
+
+void Check::see(const SeenLines& seen) {
+  begin(seen.sector);
+  const auto& [sector, range, lines, visible] = seen;
+  const View& view = sector.view;
+  if (lines.size() == 0) return;
+  for (std::uint64_t i = 0; i < a_sector_; ++i) {
+    std::uint32_t line = 0;
+    double t = 0;
+    if (i % 2 == 0 || visible.empty()) {
+      line = static_cast<std::uint32_t>(below(lines.size()));
+      t = share();
+    } else {
+      const LinePart& part = visible[below(visible.size())];
+      line = part.line;
+      t = near_end(part.t_begin, part.t_end);
+    }
+    if (!lines.line(line).drawn) continue;
+    const ProfilePoint at = lines.point(line, t);
+    // Cut away, or not: rounding of the place, of the cut and of the cut's own line decides.
+    if (view.is_perspective() && at.v <= view.near_m + 4 * lines.rounding_m()) continue;
+    const double x = project(view, at).x;
+    if (!(x >= range.begin && x <= range.end)) continue;
+    const auto part = std::partition_point(visible.begin(), visible.end(), [&](const LinePart& p) {
+      return p.line < line || (p.line == line && p.t_end < t);
+    });
+    judge(lines.whole(line), t, true,
+          part != visible.end() && part->line == line && part->t_begin <= t);
+  }
+}
+
+std::vector<Judge> judges_of(const Surface& surface, const PlacedView& placed,
+                             double tolerance_mm) {
+  std::vector<Judge> judges;
+  for (const Sector& sector : placed.sectors)
+    judges.emplace_back(surface, sector.view, tie_tolerance(sector, tolerance_mm));
+  return judges;
+}
+
+} // namespace orograph

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random points of a drawing, asked of the ray walk, which shares no code with the clip.
+#pragma once
+
+#include "reference/judge.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "hidden_lines/instruments.hpp"
+#include "map/check_counts.hpp"
+
+namespace orograph {
+
+/// Asks points of profiles and of the other lines, drawn or not, half of them each, before anything
+/// is laid out on the page. Half of them are anywhere, half close to where a drawn piece ends.
+class Check : public LineObserver {
+public:
+  /// About `points` points of what will be seen of a placed view. REQUIRES that surface and view
+  /// outlive the check.
+  Check(const Surface& surface, const PlacedView& placed, double tolerance_mm,
+        std::uint64_t points);
+
+  void see(const SeenProfile& profile) override;
+  void see(const SeenLines& lines) override;
+
+  const CheckCounts& counts() const { return counts_; }
+
+private:
+  void begin(const Sector& sector);
+  double share();
+  std::size_t below(std::size_t count);
+  double near_end(double begin, double end);
+  void judge(const ProfileLine& line, double t, bool on_edge, bool drawn);
+
+  const Surface& surface_;
+  double tolerance_mm_;
+  std::uint64_t a_profile_, a_sector_; ///< points asked of each profile, and of a sector's lines
+  const Sector* sector_ = nullptr;     ///< the one that is seen
+  std::optional<Judge> judge_;         ///< of that sector
+  std::mt19937_64 engine_;
+  CheckCounts counts_;
+};
+
+/// One judge for each sector of a placed view, with this visibility tolerance. REQUIRES that both
+/// outlive them.
+std::vector<Judge> judges_of(const Surface& surface, const PlacedView& placed, double tolerance_mm);
+
+} // namespace orograph

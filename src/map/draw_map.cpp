@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/draw_map.hpp"
+
+#include "draw/drawing.hpp"
+#include "draw/round_drawing.hpp"
+#include "draw/stroke_builder.hpp"
+#include "geometry/on_all_cores.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "hidden_lines/sector_ground.hpp"
+#include "hidden_lines/sector_pass.hpp"
+#include "hidden_lines/stopwatch.hpp"
+#include "hidden_lines/surface_lines.hpp"
+#include "map/check.hpp"
+#include "map/describe_map.hpp"
+#include "map/draw_solids.hpp"
+#include "map/layer_table.hpp"
+
+namespace orograph {
+namespace {
+
+constexpr double kDash_mm = 0.8, kDashGap_mm = 0.5;
+
+double length_mm(const Layer& layer) {
+  double sum = 0;
+  for (const Stroke& stroke : layer.strokes) {
+    const auto points = layer.points(stroke);
+    for (std::size_t i = 1; i < points.size(); ++i) sum += length(points[i] - points[i - 1]);
+  }
+  return sum;
+}
+
+// A layer on its way to the page: what is still to be drawn in it, and what was left out.
+struct LineLayer {
+  Layer layer;
+  std::vector<LinePart> parts;
+  bool of_solids = false;  ///< the parts
+  bool is_rounded = false; ///< stroke by stroke
+  double left_out_mm = 0;
+  RoundingCounts dropped = {};
+};
+
+std::vector<LinePart> of_kind(const std::vector<EdgeLine>& lines,
+                              const std::vector<LinePart>& parts, LineKind kind) {
+  std::vector<LinePart> out;
+  for (const LinePart& part : parts)
+    if (lines[part.line].kind == kind) out.push_back(part);
+  return out;
+}
+
+StrokeSettings stroke_settings(const TerrainData& terrain, const PlacedView& placed,
+                               const MapSpec& spec) {
+  StrokeSettings strokes;
+  strokes.to_page = placed.to_page;
+  strokes.frame_mm = placed.frame_mm;
+  strokes.depth = placed.depth;
+  strokes.simplify_mm = spec.style.simplify_mm;
+  strokes.min_stroke_mm = spec.style.min_stroke_mm;
+  if (spec.ground_points)
+    strokes.to_map = [&map = terrain.map, &view = placed.view](ProfilePoint p) {
+      return map.to_map(to_ground_m(view, p));
+    };
+  return strokes;
+}
+
+// Parts found sector by sector, of one kind at a time as parts of the whole view.
+class FoundParts {
+public:
+  FoundParts(const TerrainData& terrain, const PlacedView& placed,
+             const std::vector<EdgeLine>& lines)
+      : terrain_(terrain), placed_(placed), lines_(lines) {}
+
+  void add(SectorLines sector) { sectors_.push_back(std::move(sector)); }
+
+  std::vector<LinePart> of(std::vector<LinePart> SectorLines::*kind) const {
+    std::vector<LinePart> all;
+    for (const SectorLines& sector : sectors_) append(sector.*kind, all);
+    if (sectors_.size() > 1 && has_ground(terrain_.surface))
+      join_sectors(terrain_.surface, placed_.view, lines_,
+                   placed_.sectors.front().keeps_strip ? placed_.view.near_m : 0, all);
+    return all;
+  }
+  std::vector<LinePart> of(std::vector<LinePart> SolidParts::*kind) const {
+    std::vector<LinePart> all;
+    for (const SectorLines& sector : sectors_) append(sector.solids.*kind, all);
+    join(all);
+    return all;
+  }
+
+private:
+  static void append(const std::vector<LinePart>& parts, std::vector<LinePart>& all) {
+    all.insert(all.end(), parts.begin(), parts.end());
+  }
+
+  const TerrainData& terrain_;
+  const PlacedView& placed_;
+  const std::vector<EdgeLine>& lines_;
+  std::vector<SectorLines> sectors_;
+};
+
+// All layers that are asked for, in drawing order; `profiles` is drawn already.
+std::vector<LineLayer> layers_of(const FoundParts& found, const std::vector<EdgeLine>& lines,
+                                 const PlacedView& placed, const Style& style, Layer profiles) {
+  const std::vector<LinePart> visible = found.of(&SectorLines::visible);
+  const auto solids = [&](std::vector<LinePart> SolidParts::*kind,
+                          const std::vector<LinePart>& beneath) {
+    std::vector<LinePart> parts = found.of(kind);
+    drop_repeated(placed.solids, placed.view, placed.to_page, beneath, parts);
+    return parts;
+  };
+  std::vector<LineLayer> layers;
+  for (const LayerRow& row : layer_table()) {
+    std::optional<Layer> layer = layer_of(row, style);
+    const bool of_solids =
+        row.source == LineSource::solids || row.source == LineSource::hidden_solids;
+    if (!layer || (of_solids && placed.solids.empty())) continue;
+    LineLayer& added = layers.emplace_back();
+    added.layer = std::move(*layer);
+    added.of_solids = of_solids;
+    switch (row.source) {
+    case LineSource::profiles:
+      added.layer = std::move(profiles);
+      added.is_rounded = true;
+      break;
+    case LineSource::edges:
+      added.parts = of_kind(lines, visible, row.kind);
+      break;
+    case LineSource::skyline:
+      added.parts = found.of(&SectorLines::skyline);
+      break;
+    case LineSource::solids:
+      added.parts = solids(&SolidParts::visible, {});
+      break;
+    case LineSource::hidden_solids: // hidden edges lie under visible ones
+      added.parts = solids(&SolidParts::hidden, solids(&SolidParts::visible, {}));
+      break;
+    }
+  }
+  return layers;
+}
+
+} // namespace
+
+Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec,
+             const std::function<void(double)>& progress, Instruments instruments) {
+  Map map;
+  Counts& counts = map.facts.counts;
+  StageSeconds& seconds = map.facts.seconds;
+  seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.check = seconds.layout =
+      0;
+  counts.turned_over = placed.extent.turned_over;
+  counts.solids = placed.solids.size();
+  for (const StandingSolid& solid : placed.solids) counts.solid_edges += solid.solid->edges.size();
+  const Style& style = spec.style;
+  const bool on_ground = has_ground(terrain.surface);
+  Stopwatch watch;
+
+  std::optional<Check> check;
+  if (spec.check > 0 && on_ground) {
+    check.emplace(terrain.surface, placed, style.visibility_tolerance_mm, spec.check);
+    instruments.observers.insert(instruments.observers.begin(), &*check);
+    instruments.hidden_ground = true; // points are asked of it as well
+  }
+  const StrokeSettings strokes = stroke_settings(terrain, placed, spec);
+  std::optional<Layer> profiles = layer_of(layer_table().front(), style);
+  std::optional<ProfileLayer> profile_layer;
+  if (profiles) profile_layer.emplace(strokes, *profiles);
+  const std::vector<SeenGround> ground = ground_of_sectors(terrain, placed, style, instruments);
+  const std::optional<SeenGround> all_ground = looked_at_by_any(ground);
+  std::vector<EdgeLine> lines;
+  if (on_ground) lines = lines_of(terrain, placed, style, all_ground ? &*all_ground : nullptr);
+  if (all_ground) counts.looked_at = all_ground->share();
+  watch.mark(seconds.facing);
+
+  double profiles_done = 0;
+  const auto profile_done = [&] {
+    if (progress) progress(++profiles_done / static_cast<double>(placed.depths_m.size()));
+  };
+  FoundParts found(terrain, placed, lines);
+  for (std::size_t i = 0; i < placed.sectors.size(); ++i)
+    found.add(!on_ground ? solids_alone(placed, placed.sectors[i])
+                         : sector_pass(terrain, placed, placed.sectors[i], lines,
+                                       ground.empty() ? nullptr : &ground[i], style, instruments,
+                                       profile_layer ? &*profile_layer : nullptr, {counts, seconds},
+                                       profile_done));
+  if (check) map.facts.check = check->counts();
+
+  watch = {};
+  std::vector<LineLayer> layers =
+      layers_of(found, lines, placed, style, profiles ? std::move(*profiles) : Layer{});
+  LineLayer folded{.layer = {}, .parts = found.of(&SectorLines::folded)};
+  on_all_cores(layers.size() + 1, [&](std::size_t i) {
+    LineLayer& task = i < layers.size() ? layers[i] : folded;
+    StrokeBuilder builder(strokes, task.layer);
+    if (task.of_solids)
+      draw_edges(placed.solids, placed.view, task.parts, builder);
+    else
+      draw_parts(terrain.surface, placed.view, lines, task.parts, builder);
+    if (task.layer.is_hidden && !spec.ground_points)
+      task.layer = dashed(task.layer, kDash_mm, kDashGap_mm);
+    task.left_out_mm = builder.left_out_mm();
+    if (&task != &folded)
+      task.dropped =
+          task.is_rounded ? drop_repeated_strokes(task.layer) : round_to_page_step(task.layer);
+  });
+
+  Drawing& drawing = map.drawing;
+  drawing.page = placed.page;
+  drawing.crs_wkt = terrain.map.crs_wkt;
+  InkLeftOut& left_out = map.facts.left_out;
+  left_out.silhouette_jump_mm = length_mm(folded.layer);
+  if (profile_layer) {
+    left_out.min_stroke_mm = profile_layer->left_out_mm;
+    counts.dropped_strokes += profile_layer->dropped_strokes;
+  }
+  for (LineLayer& of_lines : layers) {
+    left_out.min_stroke_mm += of_lines.left_out_mm;
+    const RoundingCounts& dropped = of_lines.dropped;
+    counts.dropped_strokes += dropped.empty_strokes + dropped.repeated_strokes;
+    counts.strokes += of_lines.layer.strokes.size();
+    counts.points += of_lines.layer.page_mm.size();
+    drawing.layers.push_back(std::move(of_lines.layer));
+  }
+  entitle(drawing, terrain, placed, spec.title);
+  watch.mark(seconds.layout);
+  return map;
+}
+
+} // namespace orograph

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/layer_table.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace orograph {
+namespace {
+
+// Ridges and shores are a little heavier than profiles, border, voids and edges lighter.
+constexpr std::array<LayerRow, 9> kLayers{{
+    {.name = "profiles", .source = LineSource::profiles},
+    {"edges", LineSource::edges, 0.6, 0.45, LineKind::edge},
+    {"shores", LineSource::edges, 1.2, 0, LineKind::shore},
+    {"border", LineSource::edges, 0.8, 0.45, LineKind::border},
+    {"voids", LineSource::edges, 0.8, 0.45, LineKind::void_edge},
+    {"silhouettes", LineSource::edges, 1.6, 0, LineKind::silhouette},
+    {.name = "skyline", .source = LineSource::skyline, .weight = 2},
+    {.name = "hidden", .source = LineSource::hidden_solids, .weight = 0.8, .grey = 0.45},
+    {.name = "solids", .source = LineSource::solids, .weight = 1.4},
+}};
+
+} // namespace
+
+std::span<const LayerRow> layer_table() {
+  return kLayers;
+}
+
+std::optional<Layer> layer_of(const LayerRow& row, const Style& style) {
+  const LayerSpec* const spec = style.layer(row.name);
+  if (!spec) return std::nullopt;
+  Layer layer;
+  layer.name = row.name;
+  layer.pen_width_mm = spec->weight.value_or(row.weight) * style.pen_width_mm;
+  layer.grey = spec->grey.value_or(row.grey);
+  layer.is_hidden = row.source == LineSource::hidden_solids;
+  return layer;
+}
+
+} // namespace orograph

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of layers: what may be drawn, in which order and how heavy. A new kind of lines enters
+// here.
+#pragma once
+
+#include "draw/drawing.hpp"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "hidden_lines/line_pass.hpp"
+#include "placing/map_spec.hpp"
+
+namespace orograph {
+
+/// Where a layer's lines come from.
+enum class LineSource { profiles, edges, skyline, solids, hidden_solids };
+
+struct LayerRow {
+  std::string_view name;
+  LineSource source;
+  double weight = 1; ///< of its pen, beside the profiles'
+  double grey = 0;   ///< 0 black to 1 white
+  LineKind kind{};   ///< which edges of the surface; of LineSource::edges only
+};
+
+/// All layers, in drawing order: what is drawn last lies on top.
+std::span<const LayerRow> layer_table();
+
+/// The layer that a style asks for by a row's name, without strokes; none where it doesn't ask.
+std::optional<Layer> layer_of(const LayerRow& row, const Style& style);
+
+} // namespace orograph

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is known of a map beside its lines: what it was drawn from, how it is seen, how exactly.
+#pragma once
+
+#include "dem/triangulate/triangulation_counts.hpp"
+#include "draw/drawing.hpp"
+#include "geometry/homography.hpp"
+#include "geometry/vec.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hidden_lines/counts.hpp"
+#include "map/check_counts.hpp"
+#include "placing/view_file.hpp"
+
+namespace orograph {
+
+/// Where a terrain comes from, as its readers know it.
+struct InputFacts {
+  std::vector<std::string> paths;                   ///< as given
+  std::string crs_name, crs_wkt, vertical_crs_name; ///< as in MapFrame
+  std::string unit_name, height_unit_name;
+  double unit_m = kNotMeasured, unit_deg = kNotMeasured; ///< the one that there is
+  double height_unit_m = 1;
+  std::optional<std::uint64_t> columns, rows;                     ///< of a grid
+  double column_step_m = kNotMeasured, row_step_m = kNotMeasured; ///< lengths; of a grid
+  std::optional<std::uint64_t> vertices, triangles;               ///< of a TIN
+  std::optional<TriangulationCounts> triangulation;               ///< of points
+  double surface_error_m = 0;                                     ///< as in Terrain
+  std::vector<std::string> notes;
+};
+
+struct CurvatureFacts {
+  std::string setting;              ///< as asked for: "auto", "on" or "off"
+  bool applied = false;             ///< drawn or left out
+  bool on_ellipsoid = false;        ///< drawn by the places of vertices themselves, of
+                                    ///< degrees; then would_move_mm is what refraction moves
+  double would_move_mm = 0;         ///< on the page, at most
+  double refraction = 0;            ///< K
+  double curvature_coefficient = 1; ///< 1 - K, GDAL's notation
+  double effective_radius_m = kNotMeasured; ///< R / (1 - K), surveyors' notation; of Euler's radius
+                                            ///< along the view; NaN where K is 1
+};
+
+/// Along the ellipsoid, from the eye to the point looked at.
+struct Geodesic {
+  double distance_m, azimuth_deg; ///< at the eye, from true north
+};
+
+/// Points are in map coordinates with true heights, whatever the exaggeration.
+struct ViewFacts {
+  std::string projection;
+  double view_from_azimuth_deg = kNotMeasured; ///< where the viewer stands
+  double look_azimuth_deg = kNotMeasured;      ///< where the eye looks
+  double elevation_deg = kNotMeasured;         ///< of the viewer above the target's horizontal
+  std::optional<Vec3> eye;                     ///< none in a parallel view
+  std::optional<Vec3> look_at;                 ///< none where the eye looks in a direction
+  double look_azimuth_true_deg = kNotMeasured; ///< where the eye looks, from true north; null where
+                                               ///< the CRS doesn't tell it
+  std::optional<Vec3> eye_lonlat, look_at_lonlat; ///< longitude, latitude, and height as above
+  double eye_height_m = kNotMeasured; ///< above the ground, heights exaggerated; null where
+                                      ///< there is no ground
+  double distance_m = kNotMeasured;   ///< eye to look_at, heights exaggerated
+  std::optional<Geodesic> geodesic;   ///< where both are at a place of the earth
+  Vec2 depth_origin;                  ///< where depth is 0
+  Vec2 forward;                       ///< unit, horizontal
+  double field_of_view_deg = kNotMeasured;
+  std::optional<Vec2> oblique; ///< length and rise in degrees of lines away from the viewer
+  double roll_deg = 0;
+  double exaggeration = 1;
+  bool exaggeration_auto = false;
+  CurvatureFacts curvature;
+  Homography homography; ///< visibility plane to page mm
+  ViewFile phigs;        ///< the same view, as a file holds it
+};
+
+struct ProfileFacts {
+  std::string spacing; ///< what was asked for: "0.6mm", "100m" or "150 profiles"
+  std::vector<double> depths_m;
+};
+
+/// Visible ink that was left out on purpose, mm on the page.
+struct InkLeftOut {
+  double silhouette_jump_mm = 0, min_stroke_mm = 0;
+};
+
+/// Largest displacement on paper by cause, in mm. The report adds their sum as "total", the
+/// drawing's bound.
+struct ErrorBudget {
+  // None: "unknown", and so is the total.
+  std::optional<double> level_of_detail_mm = 0, geodesy_mm = 0;
+  double simplification_mm = 0, visibility_tolerance_mm = 0, arithmetic_mm = 0, rounding_mm = 0;
+
+  /// None where a cause isn't known.
+  std::optional<double> total_mm() const {
+    if (!level_of_detail_mm || !geodesy_mm) return std::nullopt;
+    return simplification_mm + visibility_tolerance_mm + arithmetic_mm + *geodesy_mm + rounding_mm +
+           *level_of_detail_mm;
+  }
+};
+
+struct MapFacts {
+  InputFacts input;
+  ViewFacts view;
+  ProfileFacts profiles;
+  Counts counts;
+  StageSeconds seconds;
+  ErrorBudget error_budget; ///< of the drawing in memory; a file's format may add its rounding
+  InkLeftOut left_out;
+  std::optional<CheckCounts> check; ///< where one was asked for
+  double pen_down_mm = kNotMeasured, pen_up_mm = kNotMeasured;
+};
+
+struct Map {
+  Drawing drawing;
+  MapFacts facts;
+};
+
+} // namespace orograph

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orograph.hpp"
+
+#include "dem/read/read_terrain.hpp"
+#include "dem/read/terrain_in_memory.hpp"
+#include "geometry/on_all_cores.hpp"
+#include "solids/read_scene.hpp"
+
+#include <array>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "map/describe_map.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
+
+namespace orograph {
+
+Terrain::Terrain(std::shared_ptr<const TerrainData> data) : data_(std::move(data)) {}
+
+Terrain Terrain::read(const std::vector<std::string>& paths, const ReadOptions& options,
+                      const Control& control) {
+  if (paths.empty())
+    throw Error("no file is named", "name one, or several rasters", ErrorCode::request);
+  std::shared_ptr<const TerrainData> data;
+  on_cores(control.jobs, control.stop,
+           [&] { data = std::make_shared<TerrainData>(read_terrain(paths, options)); });
+  return Terrain(std::move(data));
+}
+
+Terrain Terrain::of(const GridInput& input) {
+  return Terrain(std::make_shared<TerrainData>(terrain_of(input)));
+}
+Terrain Terrain::of(const TinInput& input) {
+  return Terrain(std::make_shared<TerrainData>(terrain_of(input)));
+}
+
+const std::string& Terrain::crs_wkt() const {
+  return data_->map.crs_wkt;
+}
+const std::string& Terrain::name() const {
+  return data_->source;
+}
+const std::vector<std::string>& Terrain::notes() const {
+  return data_->notes;
+}
+
+Solids Solids::read(const std::string& path) {
+  Solids solids;
+  solids.scene_ = std::make_shared<const SceneFile>(read_scene(path));
+  return solids;
+}
+
+/// Facts are found by the first view that needs them; others that come meanwhile wait for them,
+/// and the next one finds them where that one is stopped.
+struct Session::Kept {
+  struct Facts {
+    bool are_sought = false;
+    std::optional<TerrainFacts> found;
+  };
+
+  Terrain terrain;
+  Solids solids;
+  std::mutex mutex;
+  std::condition_variable_any sought;
+  std::array<Facts, 2> facts; ///< by FlatGround
+
+  Kept(Terrain of, Solids on_it) : terrain(std::move(of)), solids(std::move(on_it)) {}
+
+  // Facts of views in a frame of their own, on the earth, would be of no use to others.
+  const TerrainFacts* facts_for(const TerrainOfView& of_view, FlatGround flat,
+                                const std::stop_token& stop) {
+    if (!of_view.is_whole()) return nullptr;
+    Facts& kept = facts[static_cast<std::size_t>(flat)];
+    std::unique_lock lock(mutex);
+    sought.wait(lock, stop, [&] { return kept.found || !kept.are_sought; });
+    throw_if_stopped();
+    if (kept.found) return &*kept.found;
+    kept.are_sought = true;
+    lock.unlock();
+    const auto end_search = [&](std::optional<TerrainFacts> found) {
+      lock.lock();
+      kept = {false, std::move(found)};
+      sought.notify_all();
+    };
+    try {
+      end_search(facts_of(*of_view, flat));
+    } catch (...) {
+      end_search(std::nullopt);
+      throw;
+    }
+    return &*kept.found;
+  }
+};
+
+Session::Session(Terrain terrain, Solids solids)
+    : kept_(std::make_shared<Kept>(std::move(terrain), std::move(solids))) {}
+
+Map Session::draw(const MapSpec& spec, const Control& control) const {
+  Map map;
+  on_cores(control.jobs, control.stop, [&] {
+    const TerrainOfView terrain(*kept_->terrain.data_, spec.view);
+    const PlacedView placed = placed_view(terrain, spec, kept_->solids.scene_.get(),
+                                          kept_->facts_for(terrain, spec.style.flat, control.stop));
+    map = draw_map(*terrain, placed, spec, control.progress);
+    describe_map(map, *terrain, placed, spec);
+  });
+  return map;
+}
+
+} // namespace orograph

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is asked of a map: its view, its lines and its page, whatever the terrain.
+#pragma once
+
+#include "draw/page_request.hpp"
+#include "geometry/angle.hpp"
+#include "profiles/plan_request.hpp"
+#include "view/view_request.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "placing/view_file.hpp"
+
+namespace orograph {
+
+/// A place that a user names, for the eye or for what it looks at.
+struct GivenPlace {
+  double x = 0, y = 0; ///< map coordinates, or longitude and latitude in degrees
+  std::optional<double>
+      z; ///< above the datum of the file's heights, in their unit; none: no height
+
+  GivenPlace(double east, double north) : x(east), y(north) {}
+  GivenPlace(Vec3 place) : x(place.x), y(place.y), z(place.z) {}
+  bool operator==(const GivenPlace&) const = default;
+};
+
+/// Of a standing person, above the ground.
+constexpr double kEyeHeight_m = 2;
+
+enum class Curvature { automatic, on, off };
+
+/// Where the eye is and how it looks. A view from a file goes before all that follows it here, but
+/// for what has no place in such a file: curvature and refraction.
+struct ViewSpec {
+  std::optional<ViewFile> file;
+  std::string file_name; ///< what messages call that file
+
+  Projection projection = Projection::perspective;
+  Oblique oblique = kCavalier; ///< oblique only
+  /// Where the viewer stands, seen from the target: azimuth clockwise from north, elevation above
+  /// the horizontal, 0 to 90 degrees. Without an eye.
+  Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);
+  std::optional<Angle> field_of_view;                   ///< horizontal; perspective only
+  std::optional<double> distance_m;                     ///< eye to target in space
+  std::optional<GivenPlace> eye_map, look_at_map;       ///< in map coordinates
+  std::optional<GivenPlace> eye_lonlat, look_at_lonlat; ///< longitude and latitude, WGS 84
+  std::optional<double> eye_height_m;                   ///< above the ground; none: kEyeHeight_m
+  std::optional<Angle> look_azimuth;                    ///< from true north where it is known
+  Angle pitch;                                          ///< upwards; beside `look_azimuth`
+  Angle roll;                                           ///< the picture turns clockwise by it
+  Curvature curvature = Curvature::automatic;
+  double refraction = 0.13;           ///< K: share of the earth's curvature that rays follow
+  std::optional<double> exaggeration; ///< none: chosen from the terrain
+
+  bool has_eye() const { return eye_map || eye_lonlat; }
+};
+
+/// A layer to be drawn, by its name in the table of layers (map/layer_table.hpp).
+struct LayerSpec {
+  std::string name;
+  std::optional<double> weight; ///< of its pen beside the profiles'; none: the table's
+  std::optional<double> grey;   ///< 0 black to 1 white; none: the table's
+
+  bool operator==(const LayerSpec&) const = default;
+
+  LayerSpec(const char* layer) : name(layer) {}
+  LayerSpec(std::string layer) : name(std::move(layer)) {}
+};
+
+enum class Occluder { surface, profiles };
+enum class FlatGround { shore, draw };
+
+/// Which lines are drawn, and how exactly.
+struct Style {
+  std::optional<PlanRequest> plan; ///< none: four pen widths on the page
+  Occluder occluder = Occluder::surface;
+  double visibility_tolerance_mm = 1e-4;
+  double simplify_mm = 0.02;
+  double silhouette_jump = 0.003; ///< share of the depth by which the ground behind is farther
+  double min_stroke_mm = 0;
+  FlatGround flat = FlatGround::shore;
+  std::vector<LayerSpec> layers{"profiles", "shores", "border", "silhouettes", "skyline", "solids"};
+  double pen_width_mm = 0.15;
+
+  /// What is asked of a layer; null where it isn't to be drawn.
+  const LayerSpec* layer(std::string_view name) const {
+    for (const LayerSpec& spec : layers)
+      if (spec.name == name) return &spec;
+    return nullptr;
+  }
+  bool asks_for(std::string_view name) const { return layer(name) != nullptr; }
+};
+
+struct MapSpec {
+  ViewSpec view;
+  Style style;
+  PageRequest page;
+  std::string title;          ///< empty: the terrain's file name, or the first's and how many more
+  bool ground_points = false; ///< lines keep their places on the ground; hidden ones stay whole
+  std::uint64_t check = 0;    ///< points to ask of the ray walk
+};
+
+} // namespace orograph

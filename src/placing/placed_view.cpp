@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "placing/placed_view.hpp"
+
+#include "dem/height_at.hpp"
+#include "draw/page.hpp"
+#include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
+#include "profiles/cut_surface.hpp"
+#include "profiles/grid_lines.hpp"
+#include "profiles/plan.hpp"
+#include "view/phigs_view.hpp"
+#include "view/place_view.hpp"
+#include "view/sectors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "placing/geodesy.hpp"
+#include "placing/placed_solids.hpp"
+#include "placing/places.hpp"
+#include "placing/view_in_frame.hpp"
+
+namespace orograph {
+namespace {
+
+// Pen widths between profiles that read well on real terrain (docs/how-it-works.md).
+constexpr double kPenWidthsApart = 4;
+
+ViewRequest view_request(const MapSpec& spec, const TerrainData& terrain, double exaggeration) {
+  ViewRequest request;
+  request.projection = spec.view.projection;
+  request.oblique = spec.view.oblique;
+  request.from_azimuth = spec.view.from_azimuth;
+  request.from_elevation = spec.view.from_elevation;
+  request.field_of_view = spec.view.field_of_view;
+  request.distance_m = spec.view.distance_m;
+  request.roll = spec.view.roll;
+  request.exaggeration = exaggeration;
+  place_eye(request, spec.view, terrain);
+  return request;
+}
+
+// Height over width of the picture where the page decides it: the page lies unless told otherwise.
+double page_aspect(PageRequest request) {
+  if (request.orientation == Orientation::by_picture) request.orientation = Orientation::landscape;
+  const Box2 inner = place_on_page({{0, 0}, {1, 1}}, request).page.inner_mm();
+  return inner.height() / inner.width();
+}
+
+// Of the ground under a perspective view's eye, exaggerated.
+std::optional<double> ground_under_eye(const View& view, const Surface& surface) {
+  if (!view.is_perspective()) return std::nullopt;
+  const auto height = height_at(surface, view.depth_origin_m);
+  return height ? std::optional(*height * view.exaggeration) : std::nullopt;
+}
+
+void check_eye(const View& view, double ground_z_m, const MapFrame& map) {
+  // On the ground itself, but for rounding, is not under it.
+  constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+  if (view.eye_z_m >= ground_z_m - kRounding * std::abs(ground_z_m)) return;
+  const auto height = [&](double z_m) {
+    const Vec2 at = view.depth_origin_m;
+    return map.to_map({at.x, at.y, z_m / view.exaggeration}).z;
+  };
+  throw Error(
+      fmt::format("the eye, at height {:.6g}, is under the ground, which is at {:.6g} there",
+                  height(view.eye_z_m), height(ground_z_m)),
+      "raise the eye, or move it");
+}
+
+void place_view_file(PlacedView& placed, const ViewFile& file, const MapFrame& map,
+                     double exaggeration, const EarthDrop& drop) {
+  const PhigsView phigs = phigs_view(file, map, exaggeration);
+  placed.view = place_phigs_view(phigs, exaggeration, placed.cell_m, drop);
+  if (!file.cuts()) return;
+  const auto [per_u, per_v, per_z, at_origin] = volume_depth(phigs, frame_of(phigs));
+  placed.depth = VolumeDepth{per_u, per_v, per_z, at_origin};
+}
+
+// Those between which the terrain lies. A TIN's are its vertices': its cutter has more to make.
+void find_depths(PlacedView& placed, const Surface& surface) {
+  if (const Tin* tin = std::get_if<Tin>(&surface)) {
+    placed.nearest_m = std::numeric_limits<double>::infinity();
+    placed.farthest_m = -placed.nearest_m;
+    std::size_t step = 0;
+    for (const Vec3& vertex : tin->vertices_m) {
+      throw_if_stopped(step++);
+      const double depth_m = to_profile_frame(placed.view, vertex).v;
+      placed.nearest_m = std::min(placed.nearest_m, depth_m);
+      placed.farthest_m = std::max(placed.farthest_m, depth_m);
+    }
+    return;
+  }
+  const SurfaceCutter cutter(surface, placed.view, placed.level.triangles, placed.border);
+  placed.nearest_m = cutter.nearest_m();
+  placed.farthest_m = cutter.farthest_m();
+}
+
+// View and page, on ground that sinks by `drop`.
+void place_on_earth(PlacedView& placed, const TerrainData& terrain, const MapSpec& spec,
+                    const TerrainShape& shape, double exaggeration, const EarthDrop& drop) {
+  if (spec.view.file) {
+    place_view_file(placed, *spec.view.file, terrain.map, exaggeration, drop);
+  } else {
+    ViewRequest request = view_request(spec, terrain, exaggeration);
+    request.drop = drop;
+    placed.view = place_view(request, shape, page_aspect(spec.page));
+  }
+  const Placement placement = place_on_page(placed.view.window, spec.page);
+  placed.page = placement.page;
+  placed.to_page = compose(placement.to_page, placed.view.to_picture);
+  placed.frame_mm = placed.page.inner_mm();
+  if (spec.view.file) { // of which the window is all that is shown
+    const Vec2 low = placement.to_page(placed.view.window.low),
+               high = placement.to_page(placed.view.window.high);
+    placed.frame_mm = {{low.x, high.y}, {high.x, low.y}};
+  }
+}
+
+// With the eye on the ground itself there is no seam to be seen between two sectors: all ground
+// under it is seen edge-on. The narrow strip's near cut would be a matter of rounding.
+void keep_off_the_ground(View& view, double ground_z_m, double cell_m) {
+  if (shows_beside(view) && view.eye_z_m < ground_z_m + 1e-6 * cell_m)
+    view.near_m = kNearShareOfCell * cell_m;
+}
+
+// What the page shows: of a page with nothing but what lies at the eye's feet, no more than three
+// cells away, the ground's height there, and what it may rise or fall so far, at 45 degrees. The
+// terrain's mean height, hundreds of metres below, says nothing of it.
+PlanGround plan_ground(const PlacedView& placed, std::optional<double> under_eye_m) {
+  const View& view = placed.view;
+  const Box3& box = placed.extent.box;
+  PlanGround ground{placed.nearest_m, placed.farthest_m,
+                    placed.extent.mean_height_m * view.exaggeration,
+                    (box.high.z - box.low.z) * view.exaggeration};
+  if (view.frames_terrain || !under_eye_m) return ground;
+  double farthest_m = 0;
+  for (const Vec3& ray : corner_rays(view)) {
+    if (!(ray.y < 0)) return ground;
+    farthest_m =
+        std::max(farthest_m, (view.eye_z_m - *under_eye_m) * std::hypot(ray.x, ray.z) / -ray.y);
+  }
+  if (farthest_m > 0 && farthest_m <= 3 * placed.cell_m) {
+    ground.mean_z_m = *under_eye_m;
+    ground.relief_m = farthest_m;
+  }
+  return ground;
+}
+
+// Where it would show, unless told otherwise. A parallel view is a picture of the map plane, and so
+// are planes that cut the terrain. On the ellipsoid there is refraction left to draw.
+bool draws_drop(const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec) {
+  const bool is_left = !terrain.map.earth || placed.curvature.refraction != 0;
+  if (spec.view.curvature != Curvature::automatic)
+    return spec.view.curvature == Curvature::on && is_left;
+  const bool cut = spec.view.file && spec.view.file->cuts();
+  return is_left && placed.view.is_perspective() && terrain.map.radii && !cut &&
+         placed.curvature.would_move_mm > spec.style.simplify_mm + kPageStep_mm;
+}
+
+// One block a solid. REQUIRES that they outlive it.
+BlockedPoints points_of(const std::vector<StandingSolid>& solids) {
+  BlockedPoints out;
+  for (const StandingSolid& solid : solids) {
+    Box3 box;
+    for (const Vec3& vertex : solid.vertices_m) box.include(vertex);
+    out.boxes.push_back(box);
+  }
+  out.points = [&solids](std::size_t i) { return std::span<const Vec3>(solids[i].vertices_m); };
+  return out;
+}
+
+// Where there is no ground, the solids are all that there is. What is smaller than a hundredth of
+// them doesn't matter for where the near plane is.
+void take_extent(PlacedView& placed, const BlockedPoints& points) {
+  Box3& extent = placed.extent.box;
+  for (const Box3& box : points.boxes) {
+    extent.include(box.low);
+    extent.include(box.high);
+  }
+  placed.extent.mean_height_m = extent.centre().z;
+  placed.cell_m = 0.01 * length(extent.high - extent.low);
+}
+
+// Those of the two sides of the eye on which there is something.
+std::vector<Sector> sectors_of(const PlacedView& placed) {
+  Sector ahead;
+  ahead.view = placed.view;
+  ahead.to_page = placed.to_page;
+  ahead.nearest_m = placed.nearest_m;
+  ahead.farthest_m = placed.farthest_m;
+  std::vector<Sector> sectors{ahead};
+  double nearest_m = placed.nearest_m;
+  for (const StandingSolid& solid : placed.solids)
+    for (const Vec3& vertex : solid.vertices_m)
+      nearest_m = std::min(nearest_m, to_profile_frame(placed.view, vertex).v);
+  if (shows_beside(placed.view) && nearest_m < -placed.view.near_m) {
+    Sector behind;
+    behind.behind = true;
+    behind.view = sector_behind(placed.view);
+    behind.to_page = homography_behind(placed.to_page);
+    behind.nearest_m = -placed.farthest_m;
+    behind.farthest_m = -placed.nearest_m;
+    sectors.push_back(behind);
+    sectors.front().keeps_strip = placed.view.near_m < kNearShareOfCell * placed.cell_m;
+  }
+  for (Sector& sector : sectors) {
+    for (std::size_t i = 0; i < placed.depths_m.size(); ++i) {
+      const double depth = sector.behind ? -placed.depths_m[i] : placed.depths_m[i];
+      if (sectors.size() == 1 || depth > 0)
+        sector.profiles.push_back({depth, static_cast<std::int32_t>(i)});
+    }
+    if (sector.behind) std::reverse(sector.profiles.begin(), sector.profiles.end());
+  }
+  return sectors;
+}
+
+PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& spec,
+                 const SceneFile* solids, const TerrainData& uncut) {
+  const Surface& surface = terrain.surface;
+  PlacedView placed;
+  placed.extent = std::move(facts.extent);
+  placed.cell_m = facts.cell_m;
+  placed.border = std::move(facts.border);
+  placed.level = std::move(facts.water);
+
+  const bool on_ground = has_ground(surface);
+  placed.exaggeration_chosen = on_ground && !spec.view.exaggeration && !spec.view.file;
+  const std::optional<EarthFrame>& earth = terrain.map.earth;
+  placed.exaggeration = earth ? earth->exaggeration : exaggeration_of(spec.view, placed.extent.box);
+  // On the ellipsoid heights went to their place exaggerated.
+  const double exaggeration = earth ? 1 : placed.exaggeration;
+  if (solids) {
+    placed.solids = stand_solids(*solids, uncut);
+    if (spec.view.file && spec.view.file->cuts())
+      leave_out_cut(placed.solids, *solids, *spec.view.file, terrain.map, exaggeration);
+  }
+  BlockedPoints beside = points_of(placed.solids);
+  if (!on_ground) take_extent(placed, beside);
+  const TerrainShape shape{placed.extent.blocks,        facts.outline, placed.extent.box,
+                           placed.extent.mean_height_m, placed.cell_m, std::move(beside)};
+  const auto place_with = [&](const EarthDrop& drop) {
+    place_on_earth(placed, terrain, spec, shape, exaggeration, drop);
+  };
+  place_with({});
+  EarthCurvature& curvature = placed.curvature;
+  curvature.refraction = placed.view.is_perspective() ? spec.view.refraction : 0;
+  curvature.radii =
+      terrain.map.radii.value_or(CurvatureRadii{kMeanEarthRadius_m, kMeanEarthRadius_m});
+  const EarthDrop drop = earth_drop(terrain.map, curvature.refraction);
+  curvature.would_move_mm = drop_mm(placed, drop);
+  const bool has_drop = draws_drop(terrain, placed, spec);
+  if (has_drop) place_with(drop);
+  curvature.on_ellipsoid = earth.has_value();
+  curvature.applied = earth || has_drop;
+  if (earth && !has_drop) curvature.refraction = 0;
+  if (solids) check_eye_outside(placed.solids, *solids, placed.view);
+  const std::optional<double> under_eye_m = ground_under_eye(placed.view, surface);
+  if (under_eye_m) {
+    check_eye(placed.view, *under_eye_m, terrain.map);
+    keep_off_the_ground(placed.view, *under_eye_m, placed.cell_m);
+  }
+
+  placed.plan = spec.style.plan.value_or(PageSpacing{kPenWidthsApart * spec.style.pen_width_mm});
+  if (!on_ground) {
+    placed.sectors = sectors_of(placed);
+    return placed;
+  }
+  find_depths(placed, surface);
+  PlanGround ground = plan_ground(placed, under_eye_m);
+  if (const Grid* grid = std::get_if<Grid>(&surface))
+    ground.row_depths_m = row_depths(*grid, placed.view);
+  placed.depths_m = plan_depths(placed.plan, ground, placed.view, placed.to_page);
+  placed.sectors = sectors_of(placed);
+  return placed;
+}
+
+} // namespace
+
+PlacedView placed_view(const TerrainData& terrain, const MapSpec& spec, const SceneFile* solids,
+                       const TerrainData* uncut) {
+  return place(terrain, facts_of(terrain, spec.style.flat), spec, solids, uncut ? *uncut : terrain);
+}
+
+PlacedView placed_view(const TerrainOfView& terrain, const MapSpec& spec, const SceneFile* solids,
+                       const TerrainFacts* of_whole) {
+  if (of_whole && terrain.is_whole())
+    return place(*terrain, *of_whole, spec, solids, terrain.uncut());
+  return placed_view(*terrain, spec, solids, &terrain.uncut());
+}
+
+} // namespace orograph

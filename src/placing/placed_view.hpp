@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A terrain with a view, a page and a plan: all that is decided before the first cut.
+#pragma once
+
+#include "dem/extent.hpp"
+#include "dem/terrain.hpp"
+#include "draw/stroke_builder.hpp"
+#include "profiles/level_ground.hpp"
+#include "profiles/outline.hpp"
+#include "solids/scene_file.hpp"
+#include "solids/standing_solid.hpp"
+#include "view/view.hpp"
+
+#include <optional>
+#include <vector>
+
+#include "placing/map_spec.hpp"
+#include "placing/sector.hpp"
+#include "placing/terrain_facts.hpp"
+#include "placing/terrain_of_view.hpp"
+
+namespace orograph {
+
+/// The earth's curvature: whether it is drawn, and what it moves.
+struct EarthCurvature {
+  bool applied = false;
+  bool on_ellipsoid = false; ///< of a terrain in degrees; what else might be moved is refraction
+  double would_move_mm = 0;  ///< on the page, at most; less refraction
+  double refraction = 0;     ///< K; 0 in a parallel view, which has no eye
+  CurvatureRadii radii;
+};
+
+struct PlacedView {
+  SurfaceExtent extent;
+  std::vector<BorderEdge> border;
+  std::vector<StandingSolid> solids;
+  LevelGround level; ///< empty where level ground is drawn like any other
+  View view;
+  Page page;
+  Homography to_page;               ///< visibility plane to page mm
+  Box2 frame_mm;                    ///< strokes end here
+  std::optional<VolumeDepth> depth; ///< and at the front and back plane, where there are any
+  EarthCurvature curvature;
+  PlanRequest plan;
+  std::vector<double> depths_m;         ///< of all profiles, rising; in `view`
+  double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
+  std::vector<Sector> sectors;          ///< ahead, then behind; at least one
+  double cell_m = 0;                    ///< the terrain's finest ground detail
+  double exaggeration = 1; ///< of all heights; `view` still has to do it except on the ellipsoid
+  bool exaggeration_chosen = false; ///< by us, not by the user
+};
+
+/// REQUIRES that the terrain, and the solids, outlive the placed view. Solids stand on `uncut`,
+/// where `terrain` was cut by the view's planes. Throws Error as `place_eye`, `place_view`,
+/// `stand_solids`, `leave_out_cut` and `plan_depths` do, and where the eye is under the ground or
+/// inside of a solid.
+PlacedView placed_view(const TerrainData& terrain, const MapSpec& spec,
+                       const SceneFile* solids = nullptr, const TerrainData* uncut = nullptr);
+
+/// The same of a terrain as the view needs it. `of_whole`, the facts of the whole terrain for
+/// `spec.style.flat`, spares the work of finding them where the view needs no terrain of its own.
+PlacedView placed_view(const TerrainOfView& terrain, const MapSpec& spec,
+                       const SceneFile* solids = nullptr, const TerrainFacts* of_whole = nullptr);
+
+} // namespace orograph

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of a view that have a visibility plane of their own.
+#pragma once
+
+#include "geometry/homography.hpp"
+#include "view/view.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace orograph {
+
+/// A depth to cut at, in its sector, and the profile's number in the drawing.
+struct PlannedProfile {
+  double depth_m;
+  std::int32_t number;
+};
+
+/// What is ahead of the eye, or, where the page shows any of that, behind it.
+struct Sector {
+  View view;
+  Homography to_page;                   ///< its visibility plane to page mm
+  std::vector<PlannedProfile> profiles; ///< front to back
+  double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
+  bool behind = false;
+  bool keeps_strip = false; ///< has a sector behind it, and what lies between the two
+};
+
+} // namespace orograph

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "placing/terrain_facts.hpp"
+
+#include <algorithm>
+
+namespace orograph {
+namespace {
+
+std::vector<BorderEdge> border_of(const Grid& grid, const SurfaceExtent& extent) {
+  return border_edges(grid, extent.valid == grid.size());
+}
+std::vector<BorderEdge> border_of(const Tin& tin, const SurfaceExtent&) {
+  return border_edges(tin);
+}
+
+} // namespace
+
+double chosen_exaggeration(const Box3& terrain) {
+  const Vec3 size = terrain.high - terrain.low;
+  const double steepness = size.z / std::max(size.x, size.y);
+  return steepness >= 0.12 ? 1 : steepness >= 0.06 ? 1.5 : 2;
+}
+
+double exaggeration_of(const ViewSpec& view, const Box3& terrain) {
+  if (view.exaggeration) return *view.exaggeration;
+  if (view.file) return view.file->exaggeration;
+  return view.has_eye() || terrain.empty() ? 1 : chosen_exaggeration(terrain);
+}
+
+TerrainFacts facts_of(const TerrainData& terrain, FlatGround flat) {
+  const Surface& surface = terrain.surface;
+  TerrainFacts facts;
+  if (!has_ground(surface)) return facts;
+  facts.extent = extent_of(surface);
+  facts.cell_m = cell_size_m(surface);
+  facts.border = std::visit([&](const auto& s) { return border_of(s, facts.extent); }, surface);
+  facts.outline = std::visit([&](const auto& s) { return outline_of(s, facts.border); }, surface);
+  if (flat == FlatGround::shore)
+    facts.water = std::visit([](const auto& s) { return find_water(s); }, surface);
+  return facts;
+}
+
+} // namespace orograph

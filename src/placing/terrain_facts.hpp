@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What placing has to know of a terrain, whatever the view.
+#pragma once
+
+#include "dem/extent.hpp"
+#include "dem/terrain.hpp"
+#include "profiles/level_ground.hpp"
+#include "profiles/outline.hpp"
+
+#include <vector>
+
+#include "placing/map_spec.hpp"
+
+namespace orograph {
+
+/// Found once, they do for all views of the same terrain. Most of what placing costs.
+struct TerrainFacts {
+  SurfaceExtent extent;
+  double cell_m = 0; ///< the terrain's finest ground detail
+  std::vector<BorderEdge> border;
+  std::vector<OutlineEdge> outline; ///< the border on the ground
+  LevelGround water;                ///< empty where it is drawn like any other ground
+};
+
+/// REQUIRES that the terrain outlives the facts, and stays where it is. Cost: two passes over the
+/// heights, a third where some are missing.
+TerrainFacts facts_of(const TerrainData& terrain, FlatGround flat);
+
+/// 1, 1.5 or 2, so that most terrains read well from 25 degrees: by highest less lowest height over
+/// the longer side of the ground. Steep terrain, from 0.12 on, is left true; 0.06 is a high
+/// mountain range of 30 km.
+double chosen_exaggeration(const Box3& terrain);
+
+/// What heights are multiplied by: as the view says, or chosen; 1 from a given eye, which sees
+/// the world as it is, and where there is no terrain (an empty box).
+double exaggeration_of(const ViewSpec& view, const Box3& terrain);
+
+} // namespace orograph

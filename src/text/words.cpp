@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/words.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace orograph {
+
+int edit_distance(std::string_view a, std::string_view b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i) + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const int replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string_view nearest_word(std::string_view given, std::span<const std::string_view> words) {
+  std::string_view nearest;
+  int least = 4; // farther than that, a suggestion is a guess
+  for (const std::string_view word : words) {
+    const int distance = edit_distance(given, word);
+    // A word of three letters is within 3 edits of any other.
+    if (distance < least && distance < static_cast<int>(word.size())) {
+      least = distance;
+      nearest = word;
+    }
+  }
+  return nearest;
+}
+
+} // namespace orograph

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Temporary file, then rename: the only two steps that a file system does whole.
+#include "write/output_file.hpp"
+
+#include "geometry/error.hpp"
+#include "write/byte_sink.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h> // renameat2
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+// Temporary files that a signal handler has to remove: a fixed table of paths, since it may neither
+// allocate nor lock.
+constexpr std::size_t kLongestPath = 4096;
+constexpr std::size_t kLongestSuffix = 16;
+
+enum class SlotState { free, filling, used };
+static_assert(std::atomic<SlotState>::is_always_lock_free);
+
+struct Slot {
+  std::atomic<SlotState> state = SlotState::free;
+  std::array<char, kLongestPath> path{};
+};
+std::array<Slot, 256> slots;
+
+// Notes a file, by a path of less than 4096 bytes; up to 256 files at a time, from any thread.
+// Returns its number, or nothing where there is no room.
+std::optional<std::size_t> note_for_removal(const std::string& path) {
+  if (path.size() >= kLongestPath) return std::nullopt;
+  for (Slot& slot : slots) {
+    SlotState expected = SlotState::free;
+    if (!slot.state.compare_exchange_strong(expected, SlotState::filling)) continue;
+    *std::ranges::copy(path, slot.path.begin()).out = '\0';
+    slot.state = SlotState::used;
+    return static_cast<std::size_t>(&slot - slots.data());
+  }
+  return std::nullopt;
+}
+
+// Forgets it again. By number: another's path may not be read, it may be forgotten and another
+// noted meanwhile.
+void forget_removal(std::size_t number) {
+  slots[number].state = SlotState::free;
+}
+
+// Removes the file and what SQLite leaves beside it. Safe in signal handlers. The path may be gone
+// already.
+void remove_with_companions(const char* path) {
+  std::array<char, kLongestPath + kLongestSuffix> name;
+  const std::size_t length = std::strlen(path);
+  std::memcpy(name.data(), path, length);
+  for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+    std::memcpy(name.data() + length, suffix, std::strlen(suffix) + 1);
+    ::unlink(name.data());
+  }
+}
+
+sigset_t interrupting_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGINT);
+  sigaddset(&set, SIGTERM);
+  return set;
+}
+
+// Keeps SIGINT and SIGTERM waiting in this thread as long as it lives.
+class SignalPause {
+public:
+  SignalPause() {
+    const sigset_t set = interrupting_signals();
+    pthread_sigmask(SIG_BLOCK, &set, &before_);
+  }
+  ~SignalPause() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalPause(const SignalPause&) = delete;
+  SignalPause& operator=(const SignalPause&) = delete;
+
+private:
+  sigset_t before_;
+};
+
+namespace fs = std::filesystem;
+
+Error exists_error(const std::string& path) {
+  return {path + " exists already", "another name, or --overwrite"};
+}
+
+// Renaming would replace a symbolic link by the file; what is meant is the file it points to.
+std::string followed(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored).string() : path;
+}
+
+void check_place(const std::string& path, bool overwrite) {
+  if (!fs::path(path).has_filename())
+    throw Error("'" + path + "' names no file", "the name of a file to write");
+  struct stat place {};
+  if (::stat(path.c_str(), &place) != 0) {
+    if (errno != ENOENT) throw write_error(path, errno);
+    return;
+  }
+  if (!S_ISREG(place.st_mode))
+    throw Error(path + " is not an ordinary file", "the name of a file to write");
+  if (!overwrite) throw exists_error(path);
+  if (::access(path.c_str(), W_OK) != 0) throw write_error(path, errno);
+}
+
+// Process and counter tell it from those of other runs and threads; O_EXCL from any left over.
+// With its number among the files to be removed.
+std::pair<std::string, std::size_t> create_temporary(const std::string& path) {
+  static std::atomic<unsigned> counter = 0;
+  const fs::path place(path);
+  const SignalPause pause;
+  for (;;) {
+    const std::string name =
+        fmt::format(".orograph-{}-{}{}", ::getpid(), counter++, place.extension().string());
+    std::string temporary = (place.parent_path() / name).string();
+    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno == EEXIST) continue;
+    if (descriptor < 0) throw write_error(path, errno);
+    ::close(descriptor);
+    if (const auto number = note_for_removal(temporary)) return {temporary, *number};
+    ::unlink(temporary.c_str());
+    throw Error(path + " is one output too many at a time, or its path is too long",
+                "up to 256 at a time, with paths under 4096 bytes");
+  }
+}
+
+void flush_to_disk(const std::string& temporary, const std::string& path) {
+  const int descriptor = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw write_error(path, errno);
+  const int error_number = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  if (error_number != 0) throw write_error(path, error_number);
+}
+
+// Renames without replacing a file that has appeared meanwhile. 0 or an errno.
+int rename_to_free_place(const char* temporary, const char* path) {
+  if (::renameat2(AT_FDCWD, temporary, AT_FDCWD, path, RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return errno;
+  // A file system without that flag, such as NFS: a second name can't replace anything either.
+  if (::link(temporary, path) != 0) return errno;
+  ::unlink(temporary);
+  return 0;
+}
+
+} // namespace
+
+OutputFile::OutputFile(const std::string& path, bool overwrite)
+    : path_(followed(path)), overwrite_(overwrite) {
+  check_place(path_, overwrite_);
+  std::tie(temporary_path_, noted_) = create_temporary(path_);
+}
+
+OutputFile::~OutputFile() {
+  if (!committed_) remove_with_companions(temporary_path_.c_str());
+  forget_removal(noted_);
+}
+
+void OutputFile::commit() {
+  flush_to_disk(temporary_path_, path_);
+  const char *const from = temporary_path_.c_str(), *const to = path_.c_str();
+  const int error_number = !overwrite_               ? rename_to_free_place(from, to)
+                           : ::rename(from, to) == 0 ? 0
+                                                     : errno;
+  if (error_number == EEXIST) throw exists_error(path_);
+  if (error_number != 0) throw write_error(path_, error_number);
+  committed_ = true;
+}
+
+void remove_temporary_files() noexcept {
+  for (Slot& slot : slots)
+    if (slot.state == SlotState::used) remove_with_companions(slot.path.data());
+}
+
+} // namespace orograph

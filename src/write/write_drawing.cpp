@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Formats by name, and the way from a drawing to its place.
+#include "write/write_drawing.hpp"
+
+#include "geometry/error.hpp"
+#include "text/words.hpp"
+#include "write/output_file.hpp"
+#include "write/writers.hpp"
+
+#include <cairo.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gdal.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numbers>
+#include <optional>
+
+namespace orograph {
+namespace {
+
+constexpr std::string_view kStandardOutput = "-";
+
+std::optional<Format> format_called(std::string_view name) {
+  const std::string lower = in_lower_case(name);
+  const auto found = std::ranges::find(format_names(), lower);
+  if (found == format_names().end()) return {};
+  return static_cast<Format>(found - format_names().begin());
+}
+
+void check_map_points(const Drawing& drawing, Format format) {
+  if (!is_tied_to_ground(format)) return;
+  for (const Layer& layer : drawing.layers)
+    if (layer.map.size() != layer.page_mm.size())
+      throw Error(fmt::format("layer {} has no map points", layer.name),
+                  "a drawing tied to the ground, or a format such as SVG");
+}
+
+void write_to_sink(const Drawing& drawing, const WriteOptions& options, ByteSink& out) {
+  if (options.format == Format::svg)
+    write_svg(drawing, out);
+  else if (options.format == Format::geojson)
+    write_geojson(drawing, out);
+  else
+    write_by_cairo(drawing, options, out);
+  out.finish();
+}
+
+} // namespace
+
+bool is_tied_to_ground(Format format) {
+  return format == Format::geojson || format == Format::gpkg;
+}
+
+bool is_text(Format format) {
+  return format == Format::svg || format == Format::ps || format == Format::eps ||
+         format == Format::geojson;
+}
+
+const std::vector<std::string>& format_names() {
+  static const std::vector<std::string> names{"svg", "pdf", "ps", "eps", "png", "geojson", "gpkg"};
+  return names;
+}
+
+Format format_of_name(std::string_view name) {
+  if (const auto format = format_called(name)) return *format;
+  throw UsageError(fmt::format("unknown format '{}'", name),
+                   fmt::format("one of {}", fmt::join(format_names(), ", ")));
+}
+
+Format format_of_path(std::string_view path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (const auto format = format_called(extension.empty() ? extension : extension.substr(1)))
+    return *format;
+  throw UsageError(
+      fmt::format("'{}' doesn't tell its format", path),
+      fmt::format("a name that ends with .{}, or --of", fmt::join(format_names(), ", .")));
+}
+
+double rounding_mm(const WriteOptions& options) {
+  const double half_diagonal = 0.5 * std::numbers::sqrt2;
+  constexpr double kCairoStep_mm = 25.4 / 72 / 256; // fixed point with 8 bits after the point
+  switch (options.format) {
+  case Format::svg:
+    return page_rounding_mm();
+  case Format::pdf:
+  case Format::ps:
+  case Format::eps:
+    return page_rounding_mm() + half_diagonal * kCairoStep_mm;
+  case Format::png:
+    return page_rounding_mm() + half_diagonal * 25.4 / options.dpi;
+  case Format::geojson:
+  case Format::gpkg:
+    return 0; // on the ground in full precision
+  }
+  return page_rounding_mm();
+}
+
+void check_writable(const std::string& path, const WriteOptions& options) {
+  if (path != kStandardOutput)
+    const OutputFile tried(path, options.overwrite); // and removed again
+  else if (!is_text(options.format))
+    throw UsageError(fmt::format("{} can't go to standard output",
+                                 format_names()[static_cast<std::size_t>(options.format)]),
+                     "the name of a file, or one of svg, ps, eps, geojson");
+}
+
+void write_drawing(const Drawing& drawing, const std::string& path, const WriteOptions& options) {
+  check_map_points(drawing, options.format);
+  if (path == kStandardOutput) {
+    check_writable(path, options);
+    ByteSink out = ByteSink::standard_output();
+    return write_to_sink(drawing, options, out);
+  }
+  OutputFile file(path, options.overwrite);
+  if (options.format == Format::gpkg) {
+    write_geopackage(drawing, file.temporary_path(), path);
+    prove_geopackage(drawing, file.temporary_path(), path);
+  } else {
+    ByteSink out(file.temporary_path(), path);
+    write_to_sink(drawing, options, out);
+    if (options.format == Format::geojson) prove_geojson(drawing, file.temporary_path(), path);
+  }
+  file.commit();
+}
+
+std::map<std::string, std::string> library_versions() {
+  return {{"gdal", GDALVersionInfo("RELEASE_NAME")}, {"cairo", cairo_version_string()}};
+}
+
+} // namespace orograph

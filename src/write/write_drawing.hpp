@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writing a drawing to a file, whole or not at all.
+#pragma once
+
+#include "draw/drawing.hpp"
+#include "geometry/api.hpp"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace orograph {
+
+enum class Format { svg, pdf, ps, eps, png, geojson, gpkg };
+
+struct WriteOptions {
+  Format format = Format::svg;
+  double dpi = 300;       ///< PNG only
+  bool overwrite = false; ///< may replace an existing file
+};
+
+/// Whether the format holds map points: the drawing must have them then.
+OROGRAPH_API bool is_tied_to_ground(Format format);
+/// Whether the format may be written to standard output (path "-"): text formats only.
+OROGRAPH_API bool is_text(Format format);
+/// By short name ("svg", "geojson", …), whatever the case. Throws UsageError that lists the names.
+OROGRAPH_API Format format_of_name(std::string_view name);
+/// By the path's extension. Throws UsageError that lists the extensions.
+OROGRAPH_API Format format_of_path(std::string_view path);
+/// Lower-case names, in the order of the enumeration.
+OROGRAPH_API const std::vector<std::string>& format_names();
+
+/// How far the format moves a point of a drawing from where it should be, at most, in mm on paper:
+/// what the page's step and the format's own rounding do.
+OROGRAPH_API double rounding_mm(const WriteOptions& options);
+
+/// Refuses, with an Error, what could not be written, before any work is done: the folder is
+/// missing or not writable, or the file exists and `overwrite` is off, or it is no ordinary file.
+OROGRAPH_API void check_writable(const std::string& path, const WriteOptions& options);
+
+/// Writes beside the place (same folder, temporary name with the same extension), proves it whole,
+/// then renames; nothing is left behind where it throws Error (disk full, no permission, …).
+/// Path "-" writes to standard output. The same drawing gives the same bytes.
+OROGRAPH_API void write_drawing(const Drawing& drawing, const std::string& path,
+                                const WriteOptions& options);
+
+/// Name to version of the libraries that stand behind reading and writing, as found at run time.
+std::map<std::string, std::string> library_versions();
+
+} // namespace orograph

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// GeoJSON and GeoPackage through OGR: one layer of line strings with heights, in the terrain's CRS.
+#include "write/byte_sink.hpp"
+#include "write/format_text.hpp"
+#include "write/writers.hpp"
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+// As long as it lives, GDAL's messages in this thread come here and go nowhere else. The last error
+// that the program may still want to ask GDAL for is put back.
+class OgrMessages {
+public:
+  OgrMessages()
+      : last_(CPLGetLastErrorType()), last_number_(CPLGetLastErrorNo()),
+        last_text_(CPLGetLastErrorMsg()) {
+    CPLPushErrorHandlerEx(keep, this);
+    CPLErrorReset();
+  }
+  ~OgrMessages() {
+    CPLPopErrorHandler();
+    CPLErrorSetState(last_, last_number_, last_text_.c_str());
+  }
+  OgrMessages(const OgrMessages&) = delete;
+  OgrMessages& operator=(const OgrMessages&) = delete;
+
+  bool has_failure() const { return has_failure_; }
+  // The first failure (later ones follow from it), or else the last warning; on one line and
+  // without the SQL statement that met it; empty where there was none.
+  const std::string& reason() const { return reason_; }
+  void take(bool is_failure, const char* text);
+
+private:
+  static void keep(CPLErr level, CPLErrorNum, const char* text);
+
+  CPLErr last_;
+  CPLErrorNum last_number_;
+  std::string last_text_;
+  bool has_failure_ = false;
+  std::string reason_;
+};
+
+void OgrMessages::keep(CPLErr level, CPLErrorNum, const char* text) {
+  if (level >= CE_Warning)
+    static_cast<OgrMessages*>(CPLGetErrorHandlerUserData())->take(level >= CE_Failure, text);
+}
+
+void OgrMessages::take(bool is_failure, const char* text) {
+  constexpr std::string_view before_reason = " failed: ";
+  if (has_failure_) return;
+  has_failure_ = is_failure;
+  reason_ = text;
+  if (const std::size_t found = reason_.rfind(before_reason); found != std::string::npos)
+    reason_.erase(0, found + before_reason.size());
+  std::ranges::replace(reason_, '\n', ' ');
+}
+
+thread_local ByteSink* current_sink = nullptr;
+
+ByteSink* sink_of(void* file) {
+  return static_cast<ByteSink*>(file);
+}
+
+void* open_sink(void*, const char*, const char* access) {
+  return access[0] == 'w' ? current_sink : nullptr;
+}
+
+// GDAL looks whether the file is there before it creates it.
+int find_no_file(void*, const char*, VSIStatBufL*, int) {
+  return -1;
+}
+
+std::size_t write_to_sink(void* file, const void* data, std::size_t size, std::size_t count) {
+  const std::string_view bytes(static_cast<const char*>(data), size * count);
+  return sink_of(file)->append(bytes) ? count : 0;
+}
+
+vsi_l_offset position(void* file) {
+  return sink_of(file)->size();
+}
+
+int seek_nowhere(void* file, vsi_l_offset offset, int whence) {
+  const vsi_l_offset end = position(file);
+  return (whence == SEEK_SET ? offset : end + offset) == end ? 0 : -1;
+}
+
+int leave_open(void*) {
+  return 0;
+}
+
+// A ByteSink as a file that GDAL can write, since its GeoJSON writer doesn't look whether its own
+// writes succeed. As long as it lives, what GDAL writes in this thread to a file in kFolder goes to
+// the sink of the youngest one. Such a file can be written from begin to end and nothing
+// else.
+class SinkFilesystem {
+public:
+  static constexpr const char* kFolder = "/vsiorograph/";
+
+  explicit SinkFilesystem(ByteSink& out);
+  ~SinkFilesystem();
+  SinkFilesystem(const SinkFilesystem&) = delete;
+  SinkFilesystem& operator=(const SinkFilesystem&) = delete;
+
+private:
+  ByteSink* before_;
+};
+
+void install() {
+  VSIFilesystemPluginCallbacksStruct* const callbacks = VSIAllocFilesystemPluginCallbacksStruct();
+  callbacks->stat = find_no_file;
+  callbacks->open = open_sink;
+  callbacks->tell = position;
+  callbacks->seek = seek_nowhere;
+  callbacks->write = write_to_sink;
+  callbacks->flush = leave_open;
+  callbacks->close = leave_open;
+  VSIInstallPluginHandler(SinkFilesystem::kFolder, callbacks);
+  VSIFreeFilesystemPluginCallbacksStruct(callbacks);
+}
+
+SinkFilesystem::SinkFilesystem(ByteSink& out) : before_(current_sink) {
+  static const bool installed = (install(), true);
+  static_cast<void>(installed);
+  current_sink = &out;
+}
+
+SinkFilesystem::~SinkFilesystem() {
+  current_sink = before_;
+}
+
+constexpr const char* kLayerName = "strokes";
+constexpr std::size_t kStrokesInTransaction = 100000;
+
+// As long as it lives, an option of GDAL's has a value in this thread; then what it had before.
+class ThreadOption {
+public:
+  ThreadOption(const char* name, const char* value) : name_(name) {
+    if (const char* before = CPLGetThreadLocalConfigOption(name, nullptr)) before_ = before;
+    CPLSetThreadLocalConfigOption(name, value);
+  }
+  ~ThreadOption() { CPLSetThreadLocalConfigOption(name_, before_ ? before_->c_str() : nullptr); }
+  ThreadOption(const ThreadOption&) = delete;
+  ThreadOption& operator=(const ThreadOption&) = delete;
+
+private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
+// The same bytes on any day, and nothing beside the file.
+struct WritingOptions {
+  ThreadOption date{"OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z"};
+  ThreadOption nothing_beside{"GDAL_PAM_ENABLED", "NO"};
+};
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+Error gdal_error(const std::string& name, const OgrMessages& messages) {
+  const std::string reason = messages.reason().empty() ? "GDAL gives no reason" : messages.reason();
+  return {fmt::format("{} can't be written ({})", name, reason),
+          "a disk with room for it, and a folder that you may write to"};
+}
+
+OGRLayer* add_layer(GDALDataset& dataset, const Drawing& drawing, CPLStringList options) {
+  OGRSpatialReference crs;
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (!drawing.crs_wkt.empty() && crs.importFromWkt(drawing.crs_wkt.c_str()) != OGRERR_NONE)
+    return nullptr;
+  OGRLayer* const layer = dataset.CreateLayer(kLayerName, drawing.crs_wkt.empty() ? nullptr : &crs,
+                                              wkbLineString25D, options.List());
+  if (layer == nullptr) return nullptr;
+  for (const auto& [name, type] : {std::pair("layer", OFTString), std::pair("profile", OFTInteger),
+                                   std::pair("depth", OFTReal), std::pair("visible", OFTInteger)}) {
+    OGRFieldDefn field(name, type);
+    if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
+  }
+  return layer;
+}
+
+std::unique_ptr<OGRFeature> feature_of(const Stroke& stroke, const Layer& from, OGRLayer& to) {
+  auto feature = std::make_unique<OGRFeature>(to.GetLayerDefn());
+  feature->SetField("layer", from.name.c_str());
+  feature->SetField("profile", stroke.profile);
+  if (std::isnan(stroke.depth_m))
+    feature->SetFieldNull(feature->GetFieldIndex("depth"));
+  else
+    feature->SetField("depth", stroke.depth_m);
+  feature->SetField("visible", from.is_hidden ? 0 : 1);
+  auto line = std::make_unique<OGRLineString>();
+  const auto count = static_cast<int>(stroke.point_count);
+  line->setNumPoints(count, FALSE);
+  for (int i = 0; i < count; ++i) {
+    const Vec3 p = from.map[stroke.first_point + static_cast<std::size_t>(i)];
+    line->setPoint(i, p.x, p.y, p.z);
+  }
+  feature->SetGeometryDirectly(line.release());
+  return feature;
+}
+
+// Whether all went well. Transactions make GeoPackage quick, and their size bounds what it keeps;
+// GeoJSON has none and says so, which is no failure.
+bool add_strokes(GDALDataset& dataset, const Drawing& drawing, OGRLayer& layer) {
+  const bool in_transactions = dataset.TestCapability(ODsCTransactions) != FALSE;
+  const auto start = [&] { return !in_transactions || dataset.StartTransaction() == OGRERR_NONE; };
+  const auto commit = [&] {
+    return !in_transactions || dataset.CommitTransaction() == OGRERR_NONE;
+  };
+  std::size_t count = 0;
+  if (!start()) return false;
+  for (const Layer& from : drawing.layers)
+    for (const Stroke& stroke : from.strokes) {
+      if (layer.CreateFeature(feature_of(stroke, from, layer).get()) != OGRERR_NONE) return false;
+      if (++count % kStrokesInTransaction == 0 && !(commit() && start())) return false;
+    }
+  return commit();
+}
+
+// Whether all went well, up to and including the closing.
+bool write(const char* driver_name, const std::string& path, const Drawing& drawing,
+           const CPLStringList& layer_options, const OgrMessages& messages) {
+  GDALAllRegister();
+  GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName(driver_name);
+  if (driver == nullptr)
+    throw Error(fmt::format("GDAL has no {} here", driver_name), "a GDAL that has it");
+  Dataset dataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  if (!dataset) return false;
+  OGRLayer* const layer = add_layer(*dataset, drawing, layer_options);
+  if (layer == nullptr || !add_strokes(*dataset, drawing, *layer)) return false;
+  dataset.reset();
+  return !messages.has_failure();
+}
+
+void set_text(CPLStringList& options, const char* name, const std::string& text) {
+  if (!text.empty()) options.SetNameValue(name, clean_utf8(text).c_str());
+}
+
+std::size_t stroke_count(const Drawing& drawing) {
+  std::size_t count = 0;
+  for (const Layer& layer : drawing.layers) count += layer.strokes.size();
+  return count;
+}
+
+std::string first_value(GDALDataset& dataset, const char* sql) {
+  OGRLayer* const rows = dataset.ExecuteSQL(sql, nullptr, nullptr);
+  if (rows == nullptr) return {};
+  std::string value;
+  if (const OGRFeatureUniquePtr row(rows->GetNextFeature()); row) value = row->GetFieldAsString(0);
+  dataset.ReleaseResultSet(rows);
+  return value;
+}
+
+} // namespace
+
+void write_geojson(const Drawing& drawing, ByteSink& out) {
+  const WritingOptions fixed;
+  const OgrMessages messages;
+  const SinkFilesystem filesystem(out);
+  CPLStringList options;
+  options.SetNameValue("RFC7946", "NO"); // RFC 7946 would have it reprojected to degrees
+  options.SetNameValue("SIGNIFICANT_FIGURES", "17"); // reads back to the same number
+  set_text(options, "DESCRIPTION", drawing.title);
+  const std::string path = std::string(SinkFilesystem::kFolder) + "strokes.geojson";
+  if (!write("GeoJSON", path, drawing, options, messages) && out.append({}))
+    throw gdal_error(out.name(), messages);
+}
+
+void write_geopackage(const Drawing& drawing, const std::string& path, const std::string& name) {
+  const WritingOptions fixed;
+  const OgrMessages messages;
+  CPLStringList options;
+  set_text(options, "IDENTIFIER", drawing.title);
+  set_text(options, "DESCRIPTION", drawing.description);
+  ::unlink(path.c_str()); // the driver creates it and nothing else
+  if (!write("GPKG", path, drawing, options, messages)) throw gdal_error(name, messages);
+}
+
+void prove_geojson(const Drawing& drawing, const std::string& path, const std::string& name) {
+  const OgrMessages messages;
+  const char* const drivers[] = {"GeoJSON", nullptr};
+  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
+  OGRLayer* const layer = dataset ? dataset->GetLayer(0) : nullptr;
+  const auto expected = static_cast<GIntBig>(stroke_count(drawing));
+  if (layer == nullptr || layer->GetFeatureCount() != expected || messages.has_failure())
+    throw gdal_error(name, messages);
+}
+
+void prove_geopackage(const Drawing& drawing, const std::string& path, const std::string& name) {
+  const WritingOptions fixed;
+  const OgrMessages messages;
+  const char* const drivers[] = {"GPKG", nullptr};
+  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
+  const std::string expected = fmt::format("{}", stroke_count(drawing));
+  if (!dataset || first_value(*dataset, "PRAGMA quick_check(1)") != "ok" ||
+      first_value(*dataset, "SELECT COUNT(*) FROM strokes") != expected || messages.has_failure())
+    throw gdal_error(name, messages);
+}
+
+} // namespace orograph

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SVG: one user unit is one millimetre; one Inkscape layer for each layer, one path for each
+// stroke.
+#include "geometry/on_all_cores.hpp"
+#include "write/format_text.hpp"
+#include "write/writers.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace orograph {
+namespace {
+
+std::string printed(double value_mm) {
+  std::array<char, kPageNumberBytes> text;
+  return {text.data(), print_page_number(value_mm, text.data())};
+}
+
+std::string header(const Drawing& drawing) {
+  const std::string width = printed(drawing.page.width_mm);
+  const std::string height = printed(drawing.page.height_mm);
+  std::string text =
+      fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                  "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                  "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" "
+                  "width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
+                  width, height);
+  text += "<title>" + xml_escaped(drawing.title) + "</title>\n";
+  text += "<desc>" + xml_escaped(drawing.description) + "</desc>\n";
+  return text;
+}
+
+// The number in front of the name is what pen plotters sort layers by. Ink stands both as
+// attributes and as style, since some readers know only one of them.
+std::string layer_start(const Layer& layer, std::size_t number) {
+  const int level = static_cast<int>(std::lround(255 * layer.grey));
+  const std::string colour = fmt::format("#{0:02x}{0:02x}{0:02x}", level);
+  const std::string width = printed(layer.pen_width_mm);
+  return fmt::format("<g id=\"layer{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0} {1}\" "
+                     "fill=\"none\" stroke=\"{2}\" stroke-width=\"{3}\" "
+                     "style=\"fill:none;stroke:{2};stroke-width:{3};"
+                     "stroke-linecap:round;stroke-linejoin:round\">\n",
+                     number, xml_escaped(layer.name), colour, width);
+}
+
+// Texts of up to so many points are made side by side.
+constexpr std::size_t kPointsOfText = 1 << 14;
+constexpr std::size_t kTextsAtOnce = 8;
+
+// The strokes from `first` on that make one text.
+std::span<const Stroke> strokes_of_text(const Layer& layer, std::size_t first) {
+  std::size_t end = first, points = 0;
+  while (end < layer.strokes.size() && (end == first || points < kPointsOfText))
+    points += layer.strokes[end++].point_count;
+  return std::span(layer.strokes).subspan(first, end - first);
+}
+
+void append_path(std::string& text, std::span<const Vec2> points) {
+  std::array<char, 4096> buffer;
+  constexpr std::size_t kPointBytes = 2 * kPageNumberBytes + 2;
+  char* at = buffer.data();
+  char command = 'M';
+  text += "<path d=\"";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (buffer.data() + buffer.size() - at < static_cast<std::ptrdiff_t>(kPointBytes)) {
+      text.append(buffer.data(), at);
+      at = buffer.data();
+    }
+    *at++ = i < 2 ? command : ' ';
+    command = 'L';
+    at = print_page_number(points[i].x, at);
+    *at++ = ',';
+    at = print_page_number(points[i].y, at);
+  }
+  text.append(buffer.data(), at);
+  text += "\"/>\n";
+}
+
+std::string text_of(std::span<const Stroke> strokes, const Layer& layer) {
+  std::string text;
+  for (const Stroke& stroke : strokes) append_path(text, layer.points(stroke));
+  return text;
+}
+
+// On all cores, and out in order. False once the sink takes no more: it remembers why.
+bool write_strokes(const Layer& layer, ByteSink& out) {
+  const std::span<const Stroke> first = strokes_of_text(layer, 0);
+  if (first.size() == layer.strokes.size()) return out.append(text_of(first, layer));
+  std::array<std::string, kTextsAtOnce> texts;
+  for (std::size_t taken = 0; taken < layer.strokes.size();) {
+    std::vector<std::span<const Stroke>> of_texts;
+    while (of_texts.size() < kTextsAtOnce && taken < layer.strokes.size()) {
+      of_texts.push_back(strokes_of_text(layer, taken));
+      taken += of_texts.back().size();
+    }
+    on_all_cores(of_texts.size(), [&](std::size_t k) { texts[k] = text_of(of_texts[k], layer); });
+    for (std::size_t k = 0; k < of_texts.size(); ++k)
+      if (!out.append(texts[k])) return false;
+  }
+  return true;
+}
+
+} // namespace
+
+void write_svg(const Drawing& drawing, ByteSink& out) {
+  out.append(header(drawing));
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    out.append(layer_start(drawing.layers[i], i + 1));
+    if (!write_strokes(drawing.layers[i], out)) return;
+    out.append("</g>\n");
+  }
+  out.append("</svg>\n");
+}
+
+} // namespace orograph

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One writer for each family of formats; `write_drawing` chooses. All throw Error.
+#pragma once
+
+#include "draw/drawing.hpp"
+#include "write/byte_sink.hpp"
+#include "write/write_drawing.hpp"
+
+#include <string>
+
+namespace orograph {
+
+/// Streamed: no memory beyond the sink's buffer.
+void write_svg(const Drawing& drawing, ByteSink& out);
+
+/// PDF, PS, EPS or PNG.
+void write_by_cairo(const Drawing& drawing, const WriteOptions& options, ByteSink& out);
+
+/// Streamed. REQUIRES map points.
+void write_geojson(const Drawing& drawing, ByteSink& out);
+/// Replaces the file at `path`; messages call it `name`. REQUIRES map points.
+void write_geopackage(const Drawing& drawing, const std::string& path, const std::string& name);
+/// Opens the file again and throws unless all strokes are there.
+void prove_geojson(const Drawing& drawing, const std::string& path, const std::string& name);
+void prove_geopackage(const Drawing& drawing, const std::string& path, const std::string& name);
+
+} // namespace orograph

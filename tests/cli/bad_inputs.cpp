@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/bad_inputs.hpp"
+
+#include "tests/cli/made_scenes.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string kDegrees = "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
+                             "298.257223563]],PRIMEM[\"Greenwich\",0],"
+                             "UNIT[\"degree\",0.0174532925199433]]";
+
+constexpr int kSize = 40;
+double small_hill_m(int column, int row) {
+  return hill_m(column, row, kSize);
+}
+
+// A view of the hill from the south, but for the lines that are given.
+void write_view(const MadeFolder& folder, const std::string& name,
+                const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string line :
+       {"projection = 'parallel'", "vrp = [200, 200, 100]", "vpn = [0, -1, 1]", "vup = [0, 0, 1]",
+        "prp = [0, 0, 100]", "window = [-200, -200, 200, 200]", "front = 1000", "back = -1000"}) {
+    const std::string key = line.substr(0, line.find('=') + 1);
+    const auto other = std::find_if(lines.begin(), lines.end(),
+                                    [&](const std::string& l) { return l.starts_with(key); });
+    text += (other == lines.end() ? line : *other) + "\n";
+  }
+  folder.write(name, text);
+}
+
+} // namespace
+
+void make_bad_inputs(const MadeFolder& folder) {
+  const auto nothing = [](int, int) { return -9999.0; };
+  folder.write("hill.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("row.asc", ascii_grid(9, 1, small_hill_m));
+  folder.write("column.asc", ascii_grid(1, 9, small_hill_m));
+  folder.write("nodata.asc", ascii_grid(9, 9, nothing));
+  folder.write("degrees.asc", ascii_grid(9, 9, small_hill_m));
+  folder.write("degrees.prj", kDegrees);
+  const auto in_alps = ascii_grid(kSize, kSize, small_hill_m, {.x = 10, .y = 46, .cell = 0.001});
+  folder.write("alps.asc", in_alps);
+  folder.write("alps.prj", kDegrees);
+  folder.write("feet.asc", in_alps);
+  folder.write("feet.prj", "COMPD_CS[\"in feet\"," + kDegrees +
+                               ",VERT_CS[\"heights in feet\",VERT_DATUM[\"a sea\",2005],"
+                               "UNIT[\"foot\",0.3048],AXIS[\"Up\",UP]]]");
+  folder.write("bare.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("bare.prj", "PROJCS[\"feet\"," + kDegrees +
+                               ",PROJECTION[\"Transverse_Mercator\"],PARAMETER["
+                               "\"latitude_of_origin\",0],PARAMETER[\"central_meridian\",3],"
+                               "PARAMETER[\"scale_factor\",1],PARAMETER[\"false_easting\",0],"
+                               "PARAMETER[\"false_northing\",0],UNIT[\"Foot\",0.3048]]");
+  folder.write("quarry.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("quarry.prj", "LOCAL_CS[\"a quarry\",UNIT[\"metre\",1]]");
+  folder.write("utm.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("utm.prj", kUtm32);
+  folder.write("text.asc", "This is no raster.\n");
+  const std::string tiff = geotiff(kSize, kSize, small_hill_m);
+  folder.write("cut.tif", tiff.substr(0, tiff.size() / 2));
+  folder.write("stub.tif", tiff.substr(0, 20));
+  write_view(folder, "flat.toml", {});
+  write_view(folder, "parallel-vup.toml", {"vup = [0, -2, 2]"});
+  write_view(folder, "empty-window.toml", {"window = [-200, 50, 200, 50]"});
+  write_view(folder, "front-behind.toml", {"front = -1000"});
+  write_view(folder, "eye-on-plane.toml", {"projection = 'perspective'", "prp = [0, 0, 0]"});
+  write_view(folder, "direction-in-plane.toml", {"prp = [10, 5, 0]"});
+  write_view(folder, "from-below.toml", {"vpn = [0, -1, -1]"});
+  write_view(folder, "all-cut.toml", {"back = 900"});
+  write_view(folder, "aside.toml", {"window = [5000, -200, 5400, 200]", "prp = [5200, 0, 9]"});
+  write_view(folder, "cuts-hut.toml", {"vpn = [0, -1, 0]", "front = 5"});
+  folder.write("holes.asc", ascii_grid(kSize, kSize, [](int column, int row) {
+                 return column == 17 && row == 17 ? -9999 : small_hill_m(column, row);
+               }));
+  make_scenes(folder);
+  folder.write("old.svg", "an older drawing");
+  fs::create_directory(folder.path("folder.svg"));
+  fs::create_symlink("hill.asc", folder.path("link.asc"));
+}
+
+} // namespace orograph
