@@ -2,6 +2,9 @@
 # file, with what finds them from other projects (find_package and pkg-config).
 set(OROGRAPH_STAGES geometry text write view horizon draw solids dem profiles reference placing hidden_lines map)
 orograph_stage(face SOURCES ${PROJECT_SOURCE_DIR}/src/orograph.cpp DEPENDS ${OROGRAPH_STAGES})
+if(OROGRAPH_SANITIZE)
+  return() # such a build is for finding faults, not for installing
+endif()
 set(objects $<TARGET_OBJECTS:orograph_face>)
 foreach(stage IN LISTS OROGRAPH_STAGES)
   list(APPEND objects $<TARGET_OBJECTS:orograph_${stage}>)

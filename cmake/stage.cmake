@@ -23,7 +23,7 @@ function(orograph_stage name)
 endfunction()
 
 # The same drawing for the same input on every machine: no contraction to fused multiply-add
-# (docs/how-it-works.md). Debug information in sanitized builds for readable findings.
+# (docs/how-it-works.md).
 #
 # Two warnings of GCC 12 are wrong too often: it takes the inactive members of a variant that is
 # moved for uninitialized, and sees overlaps in the adding of texts (GCC bug 105651).
@@ -32,7 +32,11 @@ function(orograph_compile_options target)
     -Wcast-align -Woverloaded-virtual -Werror -Wno-maybe-uninitialized -Wno-restrict
     -ffp-contract=off)
   if(OROGRAPH_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
+    # Debug information for readable findings. The checks left out cost a third of the compiling
+    # (docs/decisions/0020-build-time.md), and what follows from such faults the address sanitizer
+    # finds.
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined
+      -fno-sanitize=null,alignment,object-size,vptr,pointer-overflow -fno-sanitize-recover=all
       -fno-omit-frame-pointer -g1)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
