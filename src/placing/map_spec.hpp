@@ -5,7 +5,7 @@
 #include "draw/page_request.hpp"
 #include "geometry/angle.hpp"
 #include "profiles/plan_request.hpp"
-#include "view/view_request.hpp"
+#include "view/projection.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -50,7 +50,7 @@ void stand_below_eye(TerrainData& terrain, const ViewFile& file, double exaggera
 void stand_on_earth(TerrainData& terrain, const ViewSpec& view) {
   if (!terrain.map.earth) return;
   if (view.curvature == Curvature::off)
-    throw Error("--curvature off: " + terrain.source + " is in degrees, on the earth's curvature",
+    throw Error("`curvature` off: " + terrain.source + " is in degrees, on the earth's curvature",
                 "for a flat picture bring it to a map plane first: gdalwarp -t_srs CRS -r cubic " +
                     in_command(terrain.paths) + " projected.tif");
   const double exaggeration = exaggeration_of(view, true_box(std::get<Grid>(terrain.surface)));

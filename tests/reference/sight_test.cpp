@@ -259,7 +259,7 @@ TEST_CASE("over the ground, the same as the ray walk") {
       const auto above = height_at(surface, {at.x, at.y});
       const InFront front = walk.in_front(p);
       const double y = project(view, p).y;
-      const Verdict verdict = sight.by_ground(p);
+      const SightAnswer verdict = sight.by_ground(p);
       ++asked;
       hidden += verdict.hidden;
       unsure += verdict.unsure;
