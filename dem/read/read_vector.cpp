@@ -209,8 +209,8 @@ OGRLayer& layer_of(GDALDataset& dataset, const std::string& path, const std::str
                 fmt::format("its layers are {}", fmt::join(names, ", ")));
   if (layers.size() > 1)
     throw Error(fmt::format("{} has {} layers: {}", path, layers.size(), fmt::join(names, ", ")),
-                "name one with `layer`, or copy it to a file of its own: ogr2ogr one.gpkg " +
-                    path + " LAYER");
+                "name one with `layer`, or copy it to a file of its own: ogr2ogr one.gpkg " + path +
+                    " LAYER");
   return *layers.front();
 }
 

@@ -4,6 +4,7 @@
 
 #include "draw/page_request.hpp"
 #include "geometry/angle.hpp"
+#include "placing/view_file.hpp"
 #include "profiles/plan_request.hpp"
 #include "view/projection.hpp"
 
@@ -13,8 +14,6 @@
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "placing/view_file.hpp"
 
 namespace orograph {
 

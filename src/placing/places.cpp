@@ -5,14 +5,13 @@
 #include "dem/height_at.hpp"
 #include "dem/read/lonlat.hpp"
 #include "geometry/error.hpp"
+#include "placing/terrain_facts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-
-#include "placing/map_bounds.hpp"
 
 namespace orograph {
 namespace {

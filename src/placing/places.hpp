@@ -3,13 +3,12 @@
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "placing/map_spec.hpp"
 #include "view/view_request.hpp"
 
 #include <cstddef>
 #include <optional>
 #include <string>
-
-#include "placing/map_spec.hpp"
 
 namespace orograph {
 

@@ -7,14 +7,12 @@
 #include "dem/read/read_options.hpp"
 #include "dem/terrain.hpp"
 #include "geometry/error.hpp"
-#include "view/phigs_view.hpp"
-
-#include <utility>
-
-#include "placing/map_bounds.hpp"
 #include "placing/places.hpp"
 #include "placing/terrain_facts.hpp"
 #include "placing/view_in_frame.hpp"
+#include "view/phigs_view.hpp"
+
+#include <utility>
 
 namespace orograph {
 namespace {

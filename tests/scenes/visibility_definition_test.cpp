@@ -8,7 +8,7 @@
 #include "tests/horizon/check_clip.hpp"
 #include "tests/scenes/random_scene.hpp"
 
-#include "hidden_lines/tie_tolerance.hpp"
+#include "placing/sector.hpp"
 #include "placing/placed_view.hpp"
 
 using namespace orograph;
