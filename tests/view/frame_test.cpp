@@ -191,7 +191,7 @@ TEST_CASE(
     }
     ++refused;
     REQUIRE(nearest <= 1e-9);
-    REQUIRE(text.find("--distance") != std::string::npos);
+    REQUIRE(text.find("`distance_m`") != std::string::npos);
   }
   CHECK(refused > 10);
   CHECK(steep > 100);

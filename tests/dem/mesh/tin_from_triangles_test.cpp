@@ -137,7 +137,7 @@ TEST_CASE("triangles that aren't a terrain are refused, by their numbers in the 
                     {{0, 0, 1}, {0, 1, 2}, {0, 3, 2}, {4, 5, 6}}};
   CHECK(what_is_wrong(soup) ==
         "hill.off isn't a terrain, triangles 1 and 3 overlap seen from above (counted from 0): one "
-        "height at each place; --repair keeps what is seen from above");
+        "height at each place; `repair` keeps what is seen from above");
   CHECK(what_is_wrong(soup, true) == "nothing");
   soup.triangles[3] = {2, 1, 0}; // the first again, which a third has an edge with
   CHECK(what_is_wrong(soup).starts_with(
