@@ -10,6 +10,14 @@
 // the machine disturb less.
 //
 //   growth [--csv FILE] [SIDE...]     500 1000 2000 4000 8000 vertices unless told otherwise
+#include "bench/csv_file.hpp"
+#include "bench/exponent.hpp"
+#include "bench/grounds.hpp"
+#include "bench/one_a_row.hpp"
+#include "hidden_lines/instruments.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
+
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 
@@ -20,14 +28,6 @@
 #include <limits>
 #include <string>
 #include <vector>
-
-#include "bench/csv_file.hpp"
-#include "bench/exponent.hpp"
-#include "bench/grounds.hpp"
-#include "bench/one_a_row.hpp"
-#include "hidden_lines/stopwatch.hpp"
-#include "map/draw_map.hpp"
-#include "placing/placed_view.hpp"
 
 using namespace orograph;
 

@@ -8,6 +8,12 @@
 // degrees.
 //
 //   view_cost [--csv FILE] [VERTICES [ROUNDS]]     4000 and 3 unless told otherwise
+#include "bench/csv_file.hpp"
+#include "bench/one_a_row.hpp"
+#include "bench/scenes.hpp"
+#include "hidden_lines/instruments.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 #include "profiles/cut_surface.hpp"
 
 #include <fmt/format.h>
@@ -18,13 +24,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "bench/csv_file.hpp"
-#include "bench/one_a_row.hpp"
-#include "bench/scenes.hpp"
 #include "data_samples/terrains.hpp"
-#include "hidden_lines/stopwatch.hpp"
-#include "map/draw_map.hpp"
-#include "placing/placed_view.hpp"
 
 using namespace orograph;
 

@@ -4,6 +4,7 @@
 
 #include "dem/extent.hpp"
 #include "dem/read/read_terrain.hpp"
+#include "placing/terrain_facts.hpp"
 #include "profiles/surface_edges.hpp"
 
 #include <fmt/format.h>
@@ -12,8 +13,6 @@
 #include <cstdio>
 #include <numbers>
 #include <string_view>
-
-#include "placing/map_bounds.hpp"
 
 namespace orograph {
 namespace {

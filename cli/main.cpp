@@ -4,6 +4,7 @@
 #include "cli/fragmentation/fragmentation.hpp"
 #include "cli/info.hpp"
 #include "cli/options/help.hpp"
+#include "cli/options/named_fields.hpp"
 #include "cli/options/options.hpp"
 #include "cli/render.hpp"
 #include "cli/signals.hpp"
@@ -102,7 +103,8 @@ void run(std::vector<std::string> rest) {
     throw Error("can't write to standard output", "make room on the device, or keep it open");
 }
 
-int fail(std::string message, int exit_code) {
+int fail(const std::string& told, int exit_code) {
+  std::string message = with_options(told);
   std::replace_if(
       message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   std::fprintf(stderr, "orograph: error: %s\n", message.c_str());

@@ -63,7 +63,7 @@ void reframe(TerrainData& terrain, double lon_deg, double lat_deg, double exagge
   if (farthest_m > limit_m)
     throw Error(fmt::format("{} reaches {:.0f} km from the place that the view is about",
                             terrain.source, farthest_m / 1000),
-                "--bbox keeps the part of it that is to be seen");
+                "`bbox` keeps the part of it that is to be seen");
   grid.lattice = earth;
 }
 

@@ -265,7 +265,7 @@ std::vector<double> evenly_on_page(double count, const PagePath& path, const Vie
 
 void check_count(double count) {
   if (!(count <= kMostProfiles))
-    throw Error("that spacing makes more than 100000 profiles", "use a wider --spacing");
+    throw Error("that spacing makes more than 100000 profiles", "use a wider `plan`");
 }
 
 // A spacing may be written with fewer digits than the grid's step has: over the whole grid that may

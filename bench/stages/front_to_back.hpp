@@ -2,12 +2,12 @@
 // The pass of one view with its stages measured one by one, on one thread.
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include "bench/stages/meter.hpp"
 #include "bench/stages/staged_view.hpp"
-#include "hidden_lines/profile_batch.hpp"
+#include "hidden_lines/sector_in_work.hpp"
+
+#include <functional>
+#include <vector>
 
 namespace orograph {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/stages/staged_view.hpp"
 
+#include "hidden_lines/strips.hpp"
+#include "placing/sector.hpp"
+
 #include <limits>
 #include <utility>
-
-#include "hidden_lines/strips.hpp"
-#include "hidden_lines/tie_tolerance.hpp"
 
 namespace orograph {
 namespace {

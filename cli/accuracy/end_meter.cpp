@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/accuracy/end_meter.hpp"
 
+#include "placing/sector.hpp"
 #include "profiles/profile.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
-
-#include "hidden_lines/tie_tolerance.hpp"
 
 namespace orograph {
 namespace {

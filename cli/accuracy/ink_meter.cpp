@@ -2,12 +2,11 @@
 #include "cli/accuracy/ink_meter.hpp"
 
 #include "dem/height_at.hpp"
+#include "placing/sector.hpp"
 #include "profiles/profile.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "hidden_lines/tie_tolerance.hpp"
 
 namespace orograph {
 

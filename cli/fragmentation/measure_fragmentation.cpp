@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One row's runs: with collapse, without, and in exact arithmetic.
 #include "cli/fragmentation/fragmentation.hpp"
+#include "hidden_lines/sector_pass.hpp"
+#include "hidden_lines/surface_lines.hpp"
+#include "map/draw_map.hpp"
+#include "placing/sector.hpp"
 #include "reference/exact_clip.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
-
-#include "hidden_lines/sector_pass.hpp"
-#include "hidden_lines/surface_lines.hpp"
-#include "hidden_lines/tie_tolerance.hpp"
-#include "map/draw_map.hpp"
 
 namespace orograph {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/draw_views.hpp"
 
+#include "cli/options/named_fields.hpp"
 #include "cli/render.hpp"
 #include "cli/report/run_report.hpp"
 #include "cli/sweep/preview.hpp"
@@ -45,7 +46,7 @@ auto drawn_or_why(const Draw& draw) {
   try {
     return draw();
   } catch (const Error& error) {
-    throw Undrawn{error.what()};
+    throw Undrawn{with_options(error.what())};
   } catch (const std::bad_alloc&) {
     throw Undrawn{"not enough memory"};
   }

@@ -171,7 +171,7 @@ TinFromTriangles tin_from_triangles(const TriangleSoup& soup, bool repair,
       for (std::uint32_t& t : misfit->triangles) t = prepared.number[t];
       std::sort(misfit->triangles.begin(), misfit->triangles.end());
       throw Error(fmt::format("{} isn't a terrain, {} (counted from 0)", source, phrase(*misfit)),
-                  "one height at each place; --repair keeps what is seen from above");
+                  "one height at each place; `repair` keeps what is seen from above");
     }
     require_small_enough(prepared.tin, source);
     UpperSurface upper = upper_surface(prepared.tin);

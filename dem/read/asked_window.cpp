@@ -33,13 +33,13 @@ std::optional<Box2> wanted_window(const ReadOptions& options, const MapFrame& ma
                                   const std::string& path) {
   if (!options.bbox_lonlat) return options.bbox;
   if (!is_on_earth(map.crs_wkt))
-    throw Error(fmt::format("--bbox-lonlat: {} has {}, so longitudes and latitudes aren't known",
+    throw Error(fmt::format("`bbox_lonlat`: {} has {}, so longitudes and latitudes aren't known",
                             path, map.crs_wkt.empty() ? "no CRS" : "a local CRS"),
-                "give --bbox in its own coordinates, or the file a CRS (gdal_edit.py -a_srs)");
+                "give `bbox` in its own coordinates, or the file a CRS (gdal_edit.py -a_srs)");
   const auto window =
       map_bounds_of_lonlat(map.crs_wkt, *options.bbox_lonlat, whole_turn(map.crs_wkt));
   if (!window)
-    throw Error(fmt::format("--bbox-lonlat {} has places that aren't in the CRS of {}, {}",
+    throw Error(fmt::format("`bbox_lonlat` {} has places that aren't in the CRS of {}, {}",
                             in_words(*options.bbox_lonlat), path, map.crs_name),
                 "longitudes come first, then latitudes: W,S,E,N; take a smaller window");
   return window;

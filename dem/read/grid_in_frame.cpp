@@ -29,10 +29,10 @@ DegreeLattice degree_lattice(const GridOrder& order, double unit_deg,
     throw Error(
         fmt::format("{} reaches from latitude {:.10g} to {:.10g} degrees", path, south_deg,
                     lattice.first_lat_deg),
-        "latitudes are within -90 to 90, the poles themselves left out; --bbox keeps a part");
+        "latitudes are within -90 to 90, the poles themselves left out; `bbox` keeps a part");
   if (std::abs(lattice.lon_step_deg) * (order.columns - 1) > 360)
     throw Error(fmt::format("{} goes round the earth more than once", path),
-                "--bbox keeps a part of it");
+                "`bbox` keeps a part of it");
   return lattice;
 }
 

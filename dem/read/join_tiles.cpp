@@ -58,7 +58,7 @@ std::string warp_to(const Tile& base, const Tile& tile) {
     throw Error(
         fmt::format("overviews {} of {} and {} aren't on one lattice of vertices", *overview,
                     base.path, tile.path),
-        "leave --overview out, or make one file with overviews of its own: gdalbuildvrt all.vrt "
+        "leave `overview` out, or make one file with overviews of its own: gdalbuildvrt all.vrt "
         "FILES && gdaladdo -ro all.vrt 2 4 8");
   if (!same_steps)
     throw Error(fmt::format("{} has cells of {}, and {} of {}", tile.path,

@@ -199,7 +199,7 @@ Dataset raster_over(std::vector<Value>& values, int columns, int rows, GDALDataT
   band.SetNameValue("DATAPOINTER", pointer);
   if (!dataset || dataset->AddBand(type, band.List()) != CE_None)
     throw Error("voids can't be filled: GDAL has no rasters in memory here",
-                "install GDAL's MEM driver, or leave --fill-voids out");
+                "install GDAL's MEM driver, or leave `fill_voids` out");
   return dataset;
 }
 
@@ -220,7 +220,7 @@ FilledVoids fill(std::span<Height> heights, int columns, int rows, double cells)
   options.SetNameValue("TEMP_FILE_DRIVER", "MEM");
   if (GDALFillNodata(surface->GetRasterBand(1), mask->GetRasterBand(1), cells, 0, 0, options.List(),
                      nullptr, nullptr) != CE_None)
-    throw Error("GDAL can't fill the voids", "leave --fill-voids out");
+    throw Error("GDAL can't fill the voids", "leave `fill_voids` out");
   surface->FlushCache();
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (std::isnan(heights[i]) && !std::isnan(filled[i])) {

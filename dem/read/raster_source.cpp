@@ -133,7 +133,7 @@ void set_vertical(MapFrame& map, const OGRSpatialReference* crs, const std::stri
       throw Error(fmt::format("{} names no unit of height, and its coordinates are in units of "
                               "{:.6g} m ({})",
                               path, map.unit_m, map.unit_name),
-                  "say which: --height-unit m, ft or us-ft");
+                  "say which: `height_unit` m, ft or us-ft");
     notes.push_back("The file names no unit of height: metres are taken.");
     return;
   }

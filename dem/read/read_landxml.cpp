@@ -193,7 +193,7 @@ pugi::xml_node surface_of(const pugi::xml_node& root, const std::string& path,
   const std::string list = fmt::format("'{}'", fmt::join(names, "', '"));
   if (wanted.empty())
     throw Error(fmt::format("{} holds {} surfaces: {}", path, surfaces.size(), list),
-                "name one with --input-layer");
+                "name one with `layer`");
   if (count != 1)
     throw Error(fmt::format("{} holds {} surfaces '{}'", path,
                             count == 0 ? "no" : std::to_string(count), wanted),

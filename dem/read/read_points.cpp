@@ -113,7 +113,7 @@ std::array<std::size_t, 3> places_of(const Fields& names, const std::string& pat
         if (is_in_degrees(name)) refuse_degrees(path, name);
     if (!place)
       throw Error(fmt::format("{} has no column '{}'", path, columns[axis]),
-                  fmt::format("its columns are {}; name three with --columns X,Y,Z",
+                  fmt::format("its columns are {}; name three with `columns` X,Y,Z",
                               fmt::join(names, ", ")));
     if (is_in_degrees(lower[*place])) refuse_degrees(path, names[*place]);
     places[axis] = *place;

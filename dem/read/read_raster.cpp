@@ -269,7 +269,7 @@ TerrainData read(const std::vector<std::string>& paths, const ReadOptions& optio
 TerrainData read_rasters(const std::vector<std::string>& paths, const ReadOptions& options) {
   const auto too_large = [&] {
     return Error(fmt::format("{} doesn't fit into memory", in_brief(paths)),
-                 "use --overview or --bbox");
+                 "use `overview` or `bbox`");
   };
   try {
     return read(paths, options);

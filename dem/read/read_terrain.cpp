@@ -57,10 +57,10 @@ bool is_landxml(const std::string& extension, std::string_view begin) {
 }
 
 void refuse_survey_options(const ReadOptions& options, const std::string& what) {
-  const char* option = !options.breaklines.empty()     ? "--breaklines"
-                       : !options.boundary.empty()     ? "--boundary"
-                       : options.max_edge_m            ? "--max-edge"
-                       : !options.height_field.empty() ? "--height-field"
+  const char* option = !options.breaklines.empty()     ? "`breaklines`"
+                       : !options.boundary.empty()     ? "`boundary`"
+                       : options.max_edge_m            ? "`max_edge_m`"
+                       : !options.height_field.empty() ? "`height_field`"
                                                        : nullptr;
   if (option) throw Error(fmt::format("{} is for points, but {}", option, what), "leave it out");
 }

@@ -69,7 +69,7 @@ void add_point(const OGRPoint& point, const Target& target) {
   if (point.IsEmpty()) return;
   if (!target.height && !point.Is3D())
     throw Error(fmt::format("{} is a point without a height (2D)", target.feature()),
-                "name the field that holds it with --height-field, or give points a Z coordinate");
+                "name the field that holds it with `height_field`, or give points a Z coordinate");
   const Vec3 p{point.getX(), point.getY(), target.height ? *target.height : point.getZ()};
   check_finite(p, true, target);
   target.shapes.points.push_back(p);
@@ -115,7 +115,7 @@ void add_triangle(const OGRPolygon& polygon, const Target& target) {
   if (corners.size() != 3)
     throw Error(fmt::format("{} has a face with {} corners", target.feature(), corners.size()),
                 "split it into triangles (in QGIS: Tessellate); polygons that bound a survey go to "
-                "--boundary");
+                "`boundary`");
   const auto first = static_cast<std::uint32_t>(target.shapes.points.size());
   target.shapes.points.insert(target.shapes.points.end(), corners.begin(), corners.end());
   target.shapes.triangles.push_back({first, first + 1, first + 2});
@@ -209,8 +209,8 @@ OGRLayer& layer_of(GDALDataset& dataset, const std::string& path, const std::str
                 fmt::format("its layers are {}", fmt::join(names, ", ")));
   if (layers.size() > 1)
     throw Error(fmt::format("{} has {} layers: {}", path, layers.size(), fmt::join(names, ", ")),
-                "name one with --input-layer, or copy it to a file of its own: ogr2ogr one.gpkg " +
-                    path + " LAYER");
+                "name one with `layer`, or copy it to a file of its own: ogr2ogr one.gpkg " + path +
+                    " LAYER");
   return *layers.front();
 }
 

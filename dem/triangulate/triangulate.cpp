@@ -284,7 +284,7 @@ void take_long_ones(const PlaneMesh& mesh, const std::vector<Vec2>& places, doub
   if (!(least_m <= max_edge_m))
     throw Error(
         fmt::format("every triangle has an edge longer than {:.6g} m", max_edge_m),
-        fmt::format("--max-edge {} is the least that keeps something", rounded_up(least_m)));
+        fmt::format("`max_edge_m` {} is the least that keeps something", rounded_up(least_m)));
   counts.beyond_max_edge = peel_border(mesh, places, max_edge_m, kept);
 }
 

@@ -18,8 +18,9 @@ enum class ErrorCode {
   cancelled, ///< the caller stopped the work
 };
 
-/// What is wrong, and what would be right: each a phrase without a full stop or line break.
-/// `what()` is "wrong: right", the text that follows "orograph: error: " on stderr.
+/// What is wrong, and what would be right: each a phrase without a full stop or line break. What
+/// the caller may set is named by its field in backquotes: "use `overview` or `bbox`". `what()` is
+/// "wrong: right".
 class OROGRAPH_API Error : public std::runtime_error {
 public:
   Error(const std::string& wrong, const std::string& right, ErrorCode code = ErrorCode::input)
@@ -34,8 +35,7 @@ private:
   ErrorCode code_;
 };
 
-/// An error of what is asked for, told without looking at any file (exit code 2 of the command; any
-/// other Error is exit code 1).
+/// An error of what is asked for, told without looking at any file.
 class OROGRAPH_API UsageError : public Error {
 public:
   UsageError(const std::string& wrong, const std::string& right)

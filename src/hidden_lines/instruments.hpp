@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `orograph accuracy` and `fragmentation` change and watch of a run, beyond what a user may
-// ask for.
+// What is changed, watched and timed of a run, beyond what a user may ask for.
 #pragma once
-
-#include "horizon/clip.hpp"
-#include "profiles/profile.hpp"
-
-#include <vector>
 
 #include "hidden_lines/line_pass.hpp"
 #include "hidden_lines/strips.hpp"
+#include "horizon/clip.hpp"
+#include "profiles/profile.hpp"
+
+#include <chrono>
+#include <vector>
 
 namespace orograph {
 
@@ -60,7 +59,17 @@ struct Instruments {
   bool looks_everywhere() const { return needs_list() || beyond_page || hidden_ground; }
 };
 
-/// Each coordinate becomes the nearest float. Segments that have no extent in X then are left out.
-void round_to_float(std::vector<Segment>& segments);
+/// Adds the time since the last mark, or since it was made, to a stage.
+class Stopwatch {
+public:
+  void mark(double& stage_s) {
+    const auto now = std::chrono::steady_clock::now();
+    stage_s += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
 
 } // namespace orograph

@@ -3,14 +3,13 @@
 
 #include "dem/extent.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "hidden_lines/line_parts.hpp"
 #include "view/sectors.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
-
-#include "hidden_lines/draw_chained.hpp"
 
 namespace orograph {
 namespace {

@@ -3,16 +3,15 @@
 #pragma once
 
 #include "draw/stroke_builder.hpp"
+#include "hidden_lines/line_parts.hpp"
 #include "horizon/clip_profile.hpp"
 #include "horizon/surface_line.hpp"
+#include "placing/placed_view.hpp"
 #include "profiles/slab_lines.hpp"
 
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "hidden_lines/line_parts.hpp"
-#include "placing/placed_view.hpp"
 
 namespace orograph {
 

@@ -4,12 +4,11 @@
 
 #include "draw/stroke_builder.hpp"
 #include "horizon/clip_profile.hpp"
+#include "placing/placed_view.hpp"
 #include "profiles/profile.hpp"
 
 #include <cstdint>
 #include <span>
-
-#include "placing/placed_view.hpp"
 
 namespace orograph {
 

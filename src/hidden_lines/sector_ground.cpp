@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hidden_lines/sector_ground.hpp"
 
-#include "profiles/seen_ground.hpp"
-
 #include "hidden_lines/strips.hpp"
-#include "hidden_lines/tie_tolerance.hpp"
+#include "placing/sector.hpp"
+#include "profiles/seen_ground.hpp"
 
 namespace orograph {
 

@@ -3,14 +3,13 @@
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "hidden_lines/instruments.hpp"
+#include "placing/map_spec.hpp"
+#include "placing/placed_view.hpp"
 #include "profiles/seen_ground.hpp"
 
 #include <optional>
 #include <vector>
-
-#include "hidden_lines/instruments.hpp"
-#include "placing/map_spec.hpp"
-#include "placing/placed_view.hpp"
 
 namespace orograph {
 

@@ -1,7 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hidden_lines/sector_in_work.hpp"
 
+#include "profiles/profile.hpp"
+
+#include <algorithm>
+#include <iterator>
+
 namespace orograph {
+namespace {
+
+// Whether nothing is between a run's end and the next one's begin.
+bool meet(const ProfileInWork& work, const VisibleRun& a, const VisibleRun& b) {
+  if (a.last == b.first) return a.t_end == b.t_begin;
+  if (a.t_end < 1 || b.t_begin > 0) return false;
+  // Between the two spans are at most some without any extent in X.
+  for (std::uint32_t i = a.last + 1; i < b.first; ++i)
+    if (work.profile.after[i] == Span::gap || work.profile.after[i] == Span::wall ||
+        work.projected.x[i] < work.projected.x[i + 1])
+      return false;
+  return true;
+}
+
+} // namespace
+
+void join_strips(ProfileInWork& work) {
+  auto& visible = work.visible;
+  visible.clear();
+  for (const std::vector<VisibleRun>& runs : work.by_strip)
+    visible.insert(visible.end(), runs.begin(), runs.end());
+  const auto in_order = [](const VisibleRun& a, const VisibleRun& b) {
+    return a.first != b.first ? a.first < b.first : a.t_begin < b.t_begin;
+  };
+  if (!work.uprights.empty()) std::sort(visible.begin(), visible.end(), in_order);
+  std::size_t count = 0;
+  for (const VisibleRun& run : visible) {
+    if (count > 0 && meet(work, visible[count - 1], run)) {
+      visible[count - 1].last = run.last;
+      visible[count - 1].t_end = run.t_end;
+    } else {
+      visible[count++] = run;
+    }
+  }
+  visible.resize(count);
+}
+
+PiecesOfProfile pieces_of(const ProfileInWork& work, const View& view) {
+  PiecesOfProfile out;
+  std::vector<Segment> wide, uprights;
+  project_profile(work.profile, static_cast<std::uint32_t>(work.planned.number), view, wide,
+                  uprights);
+  std::merge(wide.begin(), wide.end(), uprights.begin(), uprights.end(),
+             std::back_inserter(out.segments),
+             [](const Segment& a, const Segment& b) { return a.id < b.id; });
+  auto segment = out.segments.begin();
+  for (const VisibleRun& run : work.visible) {
+    segment = std::partition_point(segment, out.segments.end(),
+                                   [&](const Segment& s) { return left_vertex(s) < run.first; });
+    for (; segment != out.segments.end() && left_vertex(*segment) <= run.last; ++segment) {
+      const std::uint32_t span = left_vertex(*segment);
+      const double begin = span == run.first ? run.t_begin : 0,
+                   end = span == run.last ? run.t_end : 1;
+      const auto x_at = [&](double t) {
+        return t >= 1 ? segment->x1 : segment->x0 + t * (segment->x1 - segment->x0);
+      };
+      out.visible.push_back({static_cast<std::uint32_t>(segment - out.segments.begin()),
+                             x_at(begin), x_at(end), begin, end});
+      if (span == run.last) break; // the next run may begin on the same segment
+    }
+  }
+  return out;
+}
 
 std::vector<Segment> near_cut(const SectorInWork& work) {
   const View& view = work.sector.view;

@@ -1,25 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the two passes through a sector share: in strips (hidden_lines/strips_pass.hpp) and with
-// the horizon in one list (hidden_lines/list_pass.hpp).
+// What the two passes through a sector share: in strips (hidden_lines/strip_pass.hpp) and with the
+// horizon in one list (hidden_lines/sector_pass.cpp).
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "draw/drawing.hpp"
+#include "geometry/segment.hpp"
+#include "hidden_lines/counts.hpp"
+#include "hidden_lines/line_pass.hpp"
+#include "horizon/clip.hpp"
 #include "horizon/clip_profile.hpp"
+#include "placing/placed_view.hpp"
 #include "profiles/cut_surface.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/seen_ground.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-#include "hidden_lines/counts.hpp"
-#include "hidden_lines/line_pass.hpp"
-#include "hidden_lines/profile_batch.hpp"
-
 namespace orograph {
+/// A profile and what is found of it. Memory is reused from profile to profile.
+struct ProfileInWork {
+  PlannedProfile planned{};
+  Profile profile;
+  ProjectedProfile projected;
+  std::vector<Segment> uprights;                 ///< along walls
+  std::vector<std::vector<VisibleRun>> by_strip; ///< in each strip's range
+  std::vector<std::size_t> horizon_sizes;        ///< of each strip, in front of the profile
+  std::vector<VisibleRun> visible;               ///< along all of the profile
+  Layer strokes;                                 ///< rounded
+  double left_out_mm = 0;
+  std::size_t dropped_strokes = 0;
+};
+
+/// Puts the strips' visible runs together: what is cut where two strips meet is one again.
+void join_strips(ProfileInWork& work);
+
+/// The same as segments and pieces of them, for those who watch.
+struct PiecesOfProfile {
+  std::vector<Segment> segments;
+  std::vector<Piece> visible;
+};
+PiecesOfProfile pieces_of(const ProfileInWork& work, const View& view);
 
 /// What a pass needs of its sector. REQUIRES that all outlive it.
 struct SectorInWork {

@@ -4,18 +4,17 @@
 
 #include "dem/terrain.hpp"
 #include "draw/stroke_builder.hpp"
+#include "hidden_lines/counts.hpp"
+#include "hidden_lines/instruments.hpp"
+#include "hidden_lines/line_pass.hpp"
+#include "hidden_lines/solid_lines.hpp"
+#include "placing/map_spec.hpp"
+#include "placing/placed_view.hpp"
 #include "profiles/seen_ground.hpp"
 
 #include <functional>
 #include <optional>
 #include <vector>
-
-#include "hidden_lines/counts.hpp"
-#include "hidden_lines/instruments.hpp"
-#include "hidden_lines/line_pass.hpp"
-#include "hidden_lines/solid_edges.hpp"
-#include "placing/map_spec.hpp"
-#include "placing/placed_view.hpp"
 
 namespace orograph {
 

@@ -2,11 +2,18 @@
 #include "hidden_lines/strip_pass.hpp"
 
 #include "geometry/on_all_cores.hpp"
+#include "hidden_lines/instruments.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace orograph {
-
 StripPass::StripPass(const SectorInWork& work, const Strip& strip,
                      std::span<const LineAtDepth> which, std::span<const Segment> near_cut)
     : work_(work), range_(strip.range), lines_(work.terrain.surface, work.sector, work.lines, which,
@@ -55,6 +62,174 @@ std::vector<std::unique_ptr<StripPass>> strips_of(const SectorInWork& work) {
     strips[i] = std::make_unique<StripPass>(work, plan[i], which[i], cut);
   });
   return strips;
+}
+
+namespace {
+
+// A batch is small, so that it stays in the cache: some 40 bytes a vertex. But as long as it is in
+// work, each of its profiles is a task of its own, and the threads wait for each other behind it.
+constexpr double kVerticesABatch = 32768;
+constexpr double kLeastProfiles = 8, kMostProfiles = 256;
+
+std::size_t batch_size(const PlacedView& placed, const Sector& sector) {
+  const auto& box = placed.extent.box;
+  const double across_m = std::hypot(box.high.x - box.low.x, box.high.y - box.low.y);
+  const double vertices = 2 * across_m / placed.cell_m + 1;
+  const double count = std::clamp(kVerticesABatch / vertices, kLeastProfiles, kMostProfiles);
+  return std::max<std::size_t>(1,
+                               std::min(static_cast<std::size_t>(count), sector.profiles.size()));
+}
+
+// All strips and profiles of a sector. A batch goes through three steps: cut and projected (by
+// profile), clipped (by strip), laid out (by profile). Three batches are in work at once, one in
+// each step, so that there are always tasks of several kinds for the threads.
+class StripsPass {
+public:
+  StripsPass(const SectorInWork& work, const LayOut& lay_out)
+      : work_(work), lay_out_(lay_out), size_(batch_size(work.placed, work.sector)),
+        strips_(strips_of(work)), strip_seconds_(strips_.size()) {
+    for (auto& batch : batches_) batch.resize(size_);
+    if (work.ground) over_blocks_.emplace(std::get<Grid>(work.terrain.surface), work.sector.view);
+  }
+
+  void run(const Show& show, Counts& counts) {
+    const std::size_t batch_count = (work_.sector.profiles.size() + size_ - 1) / size_;
+    for (std::size_t round = 0; round < batch_count + 2; ++round) {
+      auto &cutting = batches_[round % 3], &clipping = batches_[(round + 2) % 3],
+           &laying = batches_[(round + 1) % 3];
+      const std::size_t to_cut = in_batch(round), to_clip = round >= 1 ? in_batch(round - 1) : 0,
+                        to_lay = round >= 2 ? in_batch(round - 2) : 0;
+      const std::size_t strip_tasks = to_clip > 0 ? strips_.size() : 0;
+      on_all_cores(strip_tasks + to_cut + to_lay, [&](std::size_t task) {
+        if (task < strip_tasks)
+          clip(clipping, to_clip, task);
+        else if (task < strip_tasks + to_cut)
+          cut(cutting[task - strip_tasks], round * size_ + task - strip_tasks);
+        else
+          lay_out(laying[task - strip_tasks - to_cut]);
+      });
+      for (std::size_t i = 0; i < to_lay; ++i) {
+        count(laying[i].profile, counts);
+        show(laying[i].profile);
+      }
+    }
+    on_all_cores(strips_.size(), [&](std::size_t i) {
+      Stopwatch watch;
+      strips_[i]->finish();
+      watch.mark(strip_seconds_[i]);
+    });
+  }
+
+  SectorParts found() const {
+    SectorParts out;
+    for (const auto& strip : strips_) {
+      const auto& parts = strip->lines().visible_parts();
+      out.visible.insert(out.visible.end(), parts.begin(), parts.end());
+      const std::vector<LinePart> skyline = strip->lines().skyline(strip->horizon().joined());
+      out.skyline.insert(out.skyline.end(), skyline.begin(), skyline.end());
+    }
+    join(out.visible);
+    join(out.skyline);
+    out.skyline = shared(out.skyline, out.visible);
+    return out;
+  }
+
+  void add_to(Counts& counts, StageSeconds& seconds) const {
+    for (const auto& strip : strips_) {
+      counts.ties += strip->counts().ties;
+      counts.pieces_before_collapse += strip->horizon().pieces_uncollapsed();
+      counts.pieces_after_collapse += strip->horizon().pieces_collapsed();
+    }
+    for (const double strip_s : strip_seconds_) seconds.clip += strip_s;
+    for (const auto& batch : batches_)
+      for (const Timed& timed : batch) {
+        seconds.cut += timed.cut_s;
+        seconds.project += timed.project_s;
+        seconds.layout += timed.layout_s;
+      }
+  }
+
+private:
+  struct Timed {
+    ProfileInWork profile;
+    std::vector<URange> parts;
+    double cut_s = 0, project_s = 0, layout_s = 0;
+  };
+
+  std::size_t in_batch(std::size_t batch) const {
+    const std::size_t all = work_.sector.profiles.size();
+    return batch * size_ < all ? std::min(size_, all - batch * size_) : 0;
+  }
+
+  void cut(Timed& timed, std::size_t number) const {
+    Stopwatch watch;
+    ProfileInWork& profile = timed.profile;
+    const View& view = work_.sector.view;
+    profile.planned = work_.sector.profiles[number];
+    profile.by_strip.resize(strips_.size());
+    profile.horizon_sizes.resize(strips_.size());
+    const double depth_m = profile.planned.depth_m;
+    const URange asked = work_.whole_profiles ? URange{} : u_range(view, depth_m, work_.range);
+    if (over_blocks_)
+      over_blocks_->seen_parts(depth_m, asked, *work_.ground, timed.parts);
+    else
+      timed.parts.assign(1, asked);
+    work_.cutter.cut(depth_m, timed.parts, profile.profile);
+    watch.mark(timed.cut_s);
+    project_profile(profile.profile, static_cast<std::uint32_t>(profile.planned.number), view,
+                    profile.projected, profile.uprights);
+    watch.mark(timed.project_s);
+  }
+
+  void clip(std::vector<Timed>& batch, std::size_t count, std::size_t number) {
+    Stopwatch watch;
+    StripPass& strip = *strips_[number];
+    for (std::size_t i = 0; i < count; ++i) {
+      ProfileInWork& profile = batch[i].profile;
+      strip.take_lines(profile.planned.depth_m);
+      strip.take_profile(profile, profile.by_strip[number]);
+      profile.horizon_sizes[number] = strip.horizon().size();
+    }
+    watch.mark(strip_seconds_[number]);
+  }
+
+  void lay_out(Timed& timed) const {
+    Stopwatch watch;
+    join_strips(timed.profile);
+    lay_out_(timed.profile);
+    watch.mark(timed.layout_s);
+  }
+
+  static void count(const ProfileInWork& profile, Counts& counts) {
+    counts.cut_vertices += profile.profile.size();
+    for (const VertexRun& run : profile.projected.runs) counts.segments += run.last - run.first;
+    const auto& sizes = profile.horizon_sizes;
+    counts.largest_horizon = std::max(
+        counts.largest_horizon, std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0}));
+  }
+
+  const SectorInWork& work_;
+  const LayOut& lay_out_;
+  std::optional<PlaneOverBlocks> over_blocks_;
+  std::size_t size_; ///< profiles in a batch
+  std::vector<std::unique_ptr<StripPass>> strips_;
+  std::vector<double> strip_seconds_;
+  std::array<std::vector<Timed>, 3> batches_;
+};
+
+} // namespace
+
+SectorParts strips_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,
+                        Counts& counts, StageSeconds& seconds) {
+  Stopwatch watch;
+  StripsPass pass(work, lay_out);
+  watch.mark(seconds.facing);
+  pass.run(show, counts);
+  pass.add_to(counts, seconds);
+  watch = {};
+  SectorParts out = pass.found();
+  watch.mark(seconds.layout);
+  return out;
 }
 
 } // namespace orograph

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One strip of a sector, front to back.
+// One sector with the surface as occluder, in strips of X on all cores: each strip of its own,
+// front to back, and all profiles and lines of the sector by strips.
 #pragma once
 
+#include "hidden_lines/sector_in_work.hpp"
+#include "hidden_lines/strips.hpp"
 #include "horizon/blocked_horizon.hpp"
 #include "horizon/clip_profile.hpp"
 
@@ -10,11 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "hidden_lines/sector_in_work.hpp"
-#include "hidden_lines/strips.hpp"
-
 namespace orograph {
-
 /// Takes slabs of lines and profiles in the order of their depth. What it refers to of `work` must
 /// outlive it.
 class StripPass {
@@ -50,5 +49,11 @@ private:
 
 /// All strips of a sector, left to right; they don't depend on each other.
 std::vector<std::unique_ptr<StripPass>> strips_of(const SectorInWork& work);
+
+/// Profiles are cut, clipped strip by strip, and laid out, a batch of them after another, on all
+/// threads that the caller's arena has. The result is the same with any number of threads. Seconds
+/// of the stages are those of all threads together.
+SectorParts strips_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,
+                        Counts& counts, StageSeconds& seconds);
 
 } // namespace orograph

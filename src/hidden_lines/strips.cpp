@@ -98,19 +98,6 @@ Work work_of(const PlacedView& placed, const Sector& sector, XRange range) {
 
 } // namespace
 
-XRange page_range(const Sector& sector) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (shows_beside(sector.view)) return {-kInfinity, kInfinity};
-  XRange range{kInfinity, -kInfinity};
-  for (const Vec3& ray : corner_rays(sector.view)) {
-    range.begin = std::min(range.begin, ray.x / ray.z);
-    range.end = std::max(range.end, ray.x / ray.z);
-  }
-  // The corners are rounded, and so are places in the picture.
-  const double beside = 1e-6 * (range.end - range.begin);
-  return {range.begin - beside, range.end + beside};
-}
-
 std::vector<Strip> plan_strips(const PlacedView& placed, const Sector& sector, XRange range,
                                double vertices_a_strip) {
   const Work work = work_of(placed, sector, range);

@@ -3,11 +3,10 @@
 #pragma once
 
 #include "horizon/clip_profile.hpp"
+#include "placing/placed_view.hpp"
 
 #include <cstddef>
 #include <vector>
-
-#include "placing/placed_view.hpp"
 
 namespace orograph {
 
@@ -19,10 +18,6 @@ struct Strip {
   XRange core;        ///< finite; where its horizon has blocks
   std::size_t blocks; ///< of its horizon
 };
-
-/// What the page shows of a sector's visibility plane; without ends where it shows rays beside the
-/// eye.
-XRange page_range(const Sector& sector);
 
 /// Strips that tile `range`, left to right, with about the same number of cut vertices in each. A
 /// function of the placed view and the sector alone, never of how many cores there are.

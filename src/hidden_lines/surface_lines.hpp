@@ -2,12 +2,11 @@
 // Which lines are taken beside the profiles, and which of the visible ones are worth drawing.
 #pragma once
 
+#include "hidden_lines/line_pass.hpp"
+#include "placing/placed_view.hpp"
 #include "profiles/seen_ground.hpp"
 
 #include <vector>
-
-#include "hidden_lines/line_pass.hpp"
-#include "placing/placed_view.hpp"
 
 namespace orograph {
 

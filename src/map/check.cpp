@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map/check.hpp"
 
+#include "placing/sector.hpp"
 #include "profiles/profile.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "hidden_lines/tie_tolerance.hpp"
 
 namespace orograph {
 namespace {

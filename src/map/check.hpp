@@ -2,15 +2,14 @@
 // Random points of a drawing, asked of the ray walk, which shares no code with the clip.
 #pragma once
 
+#include "hidden_lines/instruments.hpp"
+#include "map/map_facts.hpp"
 #include "reference/judge.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <random>
 #include <vector>
-
-#include "hidden_lines/instruments.hpp"
-#include "map/check_counts.hpp"
 
 namespace orograph {
 

@@ -6,14 +6,13 @@
 #include "dem/height_at.hpp"
 #include "dem/read/lonlat.hpp"
 #include "draw/drawing.hpp"
+#include "map/error_budget.hpp"
+#include "placing/view_in_frame.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
-
-#include "map/error_budget.hpp"
-#include "placing/view_in_frame.hpp"
 
 namespace orograph {
 namespace {

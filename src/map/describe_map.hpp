@@ -3,7 +3,6 @@
 #pragma once
 
 #include "dem/terrain.hpp"
-
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
 

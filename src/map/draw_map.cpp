@@ -5,18 +5,17 @@
 #include "draw/round_drawing.hpp"
 #include "draw/stroke_builder.hpp"
 #include "geometry/on_all_cores.hpp"
-
-#include <memory>
-#include <utility>
-
+#include "hidden_lines/instruments.hpp"
 #include "hidden_lines/sector_ground.hpp"
 #include "hidden_lines/sector_pass.hpp"
-#include "hidden_lines/stopwatch.hpp"
 #include "hidden_lines/surface_lines.hpp"
 #include "map/check.hpp"
 #include "map/describe_map.hpp"
 #include "map/draw_solids.hpp"
 #include "map/layer_table.hpp"
+
+#include <memory>
+#include <utility>
 
 namespace orograph {
 namespace {

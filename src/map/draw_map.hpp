@@ -5,13 +5,12 @@
 
 #include "dem/terrain.hpp"
 #include "draw/drawing.hpp"
-
-#include <functional>
-
 #include "hidden_lines/instruments.hpp"
 #include "map/map_facts.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
+
+#include <functional>
 
 namespace orograph {
 

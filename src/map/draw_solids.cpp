@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map/draw_solids.hpp"
 
+#include "hidden_lines/line_parts.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,8 +10,6 @@
 #include <optional>
 #include <set>
 #include <utility>
-
-#include "hidden_lines/draw_chained.hpp"
 
 namespace orograph {
 namespace {

@@ -3,13 +3,12 @@
 #pragma once
 
 #include "draw/stroke_builder.hpp"
+#include "hidden_lines/line_parts.hpp"
 #include "solids/standing_solid.hpp"
 #include "view/view.hpp"
 
 #include <span>
 #include <vector>
-
-#include "hidden_lines/line_parts.hpp"
 
 namespace orograph {
 
@@ -19,7 +18,7 @@ void drop_repeated(std::span<const StandingSolid> standing, const View& view,
                    const Homography& to_page, const std::vector<LinePart>& drawn,
                    std::vector<LinePart>& parts);
 
-/// Draws parts of edges, numbered as in SolidParts (cli/solids/solid_edges.hpp), as long strokes,
+/// Draws parts of edges, numbered as in SolidParts (hidden_lines/solid_lines.hpp), as long strokes,
 /// joined where they meet at a vertex of their solid.
 void draw_edges(std::span<const StandingSolid> standing, const View& view,
                 const std::vector<LinePart>& parts, StrokeBuilder& builder);

@@ -2,13 +2,12 @@
 #include "map/error_budget.hpp"
 
 #include "dem/extent.hpp"
+#include "placing/geodesy.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
-
-#include "placing/geodesy.hpp"
 
 namespace orograph {
 namespace {

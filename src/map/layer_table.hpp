@@ -4,13 +4,12 @@
 #pragma once
 
 #include "draw/drawing.hpp"
+#include "hidden_lines/line_pass.hpp"
+#include "placing/map_spec.hpp"
 
 #include <optional>
 #include <span>
 #include <string_view>
-
-#include "hidden_lines/line_pass.hpp"
-#include "placing/map_spec.hpp"
 
 namespace orograph {
 

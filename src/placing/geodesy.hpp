@@ -3,12 +3,11 @@
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "placing/map_spec.hpp"
+#include "placing/placed_view.hpp"
 
 #include <optional>
 #include <vector>
-
-#include "placing/map_spec.hpp"
-#include "placing/placed_view.hpp"
 
 namespace orograph {
 

@@ -4,8 +4,9 @@
 
 #include "draw/page_request.hpp"
 #include "geometry/angle.hpp"
+#include "placing/view_file.hpp"
 #include "profiles/plan_request.hpp"
-#include "view/view_request.hpp"
+#include "view/projection.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -13,8 +14,6 @@
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "placing/view_file.hpp"
 
 namespace orograph {
 

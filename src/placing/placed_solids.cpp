@@ -3,6 +3,8 @@
 
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "placing/places.hpp"
+#include "placing/view_in_frame.hpp"
 #include "solids/solids_in_view.hpp"
 #include "solids/standing_solid.hpp"
 
@@ -11,9 +13,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
-
-#include "placing/places.hpp"
-#include "placing/view_in_frame.hpp"
 
 namespace orograph {
 namespace {

@@ -3,13 +3,12 @@
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "placing/view_file.hpp"
 #include "solids/scene_file.hpp"
 #include "solids/standing_solid.hpp"
 #include "view/view.hpp"
 
 #include <vector>
-
-#include "placing/view_file.hpp"
 
 namespace orograph {
 

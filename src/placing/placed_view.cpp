@@ -5,6 +5,10 @@
 #include "draw/page.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "placing/geodesy.hpp"
+#include "placing/placed_solids.hpp"
+#include "placing/places.hpp"
+#include "placing/view_in_frame.hpp"
 #include "profiles/cut_surface.hpp"
 #include "profiles/grid_lines.hpp"
 #include "profiles/plan.hpp"
@@ -19,11 +23,6 @@
 #include <limits>
 #include <optional>
 #include <utility>
-
-#include "placing/geodesy.hpp"
-#include "placing/placed_solids.hpp"
-#include "placing/places.hpp"
-#include "placing/view_in_frame.hpp"
 
 namespace orograph {
 namespace {

@@ -5,6 +5,10 @@
 #include "dem/extent.hpp"
 #include "dem/terrain.hpp"
 #include "draw/stroke_builder.hpp"
+#include "placing/map_spec.hpp"
+#include "placing/sector.hpp"
+#include "placing/terrain_facts.hpp"
+#include "placing/terrain_of_view.hpp"
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
 #include "solids/scene_file.hpp"
@@ -13,11 +17,6 @@
 
 #include <optional>
 #include <vector>
-
-#include "placing/map_spec.hpp"
-#include "placing/sector.hpp"
-#include "placing/terrain_facts.hpp"
-#include "placing/terrain_of_view.hpp"
 
 namespace orograph {
 

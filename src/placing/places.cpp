@@ -5,14 +5,13 @@
 #include "dem/height_at.hpp"
 #include "dem/read/lonlat.hpp"
 #include "geometry/error.hpp"
+#include "placing/terrain_facts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-
-#include "placing/map_bounds.hpp"
 
 namespace orograph {
 namespace {
@@ -51,19 +50,19 @@ Vec2 in_turn_of(const TerrainData& terrain, Vec2 place) {
 Vec2 lonlat_on_map(const NamedPlace& at, const TerrainData& terrain) {
   const MapFrame& map = terrain.map;
   if (!has_ground(terrain.surface))
-    throw Error(at.in_file + at.option +
+    throw Error(at.in_file + at.name +
                     ": without a terrain there is no place at a longitude and a latitude",
                 at.in_file.empty()
                     ? fmt::format("give {},Z in the scene's coordinates", at.on_map())
-                    : at.on_map() + ", or a DEM as INPUT and the scene as --scene");
+                    : at.on_map() + ", or a DEM as `terrain` and the scene as `solids`");
   if (map.crs_wkt.empty())
     throw Error(
         fmt::format("{}{}: the terrain has no CRS, so longitudes and latitudes aren't known",
-                    at.in_file, at.option),
+                    at.in_file, at.name),
         fmt::format("give {} in its own coordinates, or the file a CRS", at.on_map()));
   if (!is_on_earth(map.crs_wkt))
     throw Error(fmt::format("{}{}: the terrain's CRS, {}, doesn't tell where on the earth it is",
-                            at.in_file, at.option, map.crs_name),
+                            at.in_file, at.name, map.crs_name),
                 fmt::format("give {} in its own coordinates", at.on_map()));
   const auto bounds = lonlat_bounds(map.crs_wkt, map_bounds(terrain));
   if (bounds) refuse_swapped(at, *bounds);
@@ -133,18 +132,18 @@ Vec3 ground_m(const NamedPlace& at, Vec2 place, const TerrainData& terrain) {
                   at.with_height()));
 }
 
-std::optional<NamedPlace> named(const std::string& option, const std::optional<GivenPlace>& map,
+std::optional<NamedPlace> named(const std::string& field, const std::optional<GivenPlace>& map,
                                 const std::optional<GivenPlace>& lonlat) {
-  if (map) return NamedPlace{option, *map, false};
-  if (lonlat) return NamedPlace{option + "-lonlat", *lonlat, true};
+  if (map) return NamedPlace{"`" + field + "_map`", *map, false};
+  if (lonlat) return NamedPlace{"`" + field + "_lonlat`", *lonlat, true};
   return std::nullopt;
 }
 
 std::optional<NamedPlace> eye_of(const ViewSpec& view) {
-  return named("--eye", view.eye_map, view.eye_lonlat);
+  return named("eye", view.eye_map, view.eye_lonlat);
 }
 std::optional<NamedPlace> target_of(const ViewSpec& view) {
-  return named("--look-at", view.look_at_map, view.look_at_lonlat);
+  return named("look_at", view.look_at_map, view.look_at_lonlat);
 }
 
 LookDirection direction(const ViewSpec& view, const MapFrame& map, Vec3 eye_m) {
@@ -157,21 +156,21 @@ LookDirection direction(const ViewSpec& view, const MapFrame& map, Vec3 eye_m) {
 } // namespace
 
 std::string NamedPlace::text() const {
-  return fmt::format("{}{} {},{}", in_file, option, place.x, place.y);
+  return fmt::format("{}{} {},{}", in_file, name, place.x, place.y);
 }
 
 std::string NamedPlace::with_height() const {
-  if (in_file.empty()) return option + (lonlat ? " LON,LAT,H" : " X,Y,Z");
-  return option + (lonlat ? " = [LON, LAT, HEIGHT]" : " = [X, Y, HEIGHT]");
+  if (in_file.empty()) return name + (lonlat ? " LON,LAT,H" : " X,Y,Z");
+  return name + (lonlat ? " = [LON, LAT, HEIGHT]" : " = [X, Y, HEIGHT]");
 }
 
 std::string NamedPlace::on_map() const {
-  return in_file.empty() ? option.substr(0, option.rfind('-')) + " X,Y" : "at = [X, Y]";
+  return in_file.empty() ? name.substr(0, name.rfind('_')) + "_map` X,Y" : "at = [X, Y]";
 }
 
 std::string NamedPlace::turned() const {
-  return in_file.empty() ? fmt::format("{} {},{}", option, place.y, place.x)
-                         : fmt::format("{} = [{}, {}]", option, place.y, place.x);
+  return in_file.empty() ? fmt::format("{} {},{}", name, place.y, place.x)
+                         : fmt::format("{} = [{}, {}]", name, place.y, place.x);
 }
 
 Vec2 place_on_map(const NamedPlace& at, const TerrainData& terrain) {

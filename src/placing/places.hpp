@@ -3,19 +3,18 @@
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "placing/map_spec.hpp"
 #include "view/view_request.hpp"
 
 #include <cstddef>
 #include <optional>
 #include <string>
 
-#include "placing/map_spec.hpp"
-
 namespace orograph {
 
-/// A place, and what gave it: an option, or a line of a scene file.
+/// A place, and what gave it: a field of ViewSpec, or a line of a scene file.
 struct NamedPlace {
-  std::string option; ///< or the file's key: "at", "lonlat"
+  std::string name; ///< the field in backquotes, or the file's key: "at", "lonlat"
   GivenPlace place;
   bool lonlat = false;
   std::string in_file = {}; ///< "scene.toml, line 12: ", of a scene file
@@ -39,7 +38,7 @@ Vec3 place_in_ground_frame(const NamedPlace& at, const TerrainData& terrain, dou
 /// has been exaggerated by `request.exaggeration`; heights that are given are the file's. A
 /// direction counts from true north where the CRS tells it, else from the map's upwards.
 ///
-/// Throws Error, one line that names the option: longitude and latitude where the CRS isn't on the
+/// Throws Error, one line that names the field: longitude and latitude where the CRS isn't on the
 /// earth, or without a place in it; no ground where a height is needed; longitude and latitude
 /// swapped.
 /// REQUIRES of a terrain in degrees that its frame lies under the eye

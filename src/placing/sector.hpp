@@ -3,6 +3,8 @@
 #pragma once
 
 #include "geometry/homography.hpp"
+#include "horizon/clip_profile.hpp"
+#include "horizon/compare.hpp"
 #include "view/view.hpp"
 
 #include <cstdint>
@@ -25,5 +27,13 @@ struct Sector {
   bool behind = false;
   bool keeps_strip = false; ///< has a sector behind it, and what lies between the two
 };
+
+/// What the page shows of a sector's visibility plane; without ends where it shows rays beside the
+/// eye.
+XRange page_range(const Sector& sector);
+
+/// The visibility tolerance from the page to the visibility plane: `mm` as differences of Y, for
+/// what the page shows of a sector.
+TieTolerance tie_tolerance(const Sector& sector, double mm);
 
 } // namespace orograph

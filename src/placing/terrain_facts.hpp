@@ -4,15 +4,14 @@
 
 #include "dem/extent.hpp"
 #include "dem/terrain.hpp"
+#include "geometry/box.hpp"
+#include "placing/map_spec.hpp"
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
 
 #include <vector>
 
-#include "placing/map_spec.hpp"
-
 namespace orograph {
-
 /// Found once, they do for all views of the same terrain. Most of what placing costs.
 struct TerrainFacts {
   SurfaceExtent extent;
@@ -34,5 +33,8 @@ double chosen_exaggeration(const Box3& terrain);
 /// What heights are multiplied by: as the view says, or chosen; 1 from a given eye, which sees
 /// the world as it is, and where there is no terrain (an empty box).
 double exaggeration_of(const ViewSpec& view, const Box3& terrain);
+
+/// Box of all vertices in the terrain's own coordinates.
+Box2 map_bounds(const TerrainData& terrain);
 
 } // namespace orograph

@@ -7,14 +7,12 @@
 #include "dem/read/read_options.hpp"
 #include "dem/terrain.hpp"
 #include "geometry/error.hpp"
-#include "view/phigs_view.hpp"
-
-#include <utility>
-
-#include "placing/map_bounds.hpp"
 #include "placing/places.hpp"
 #include "placing/terrain_facts.hpp"
 #include "placing/view_in_frame.hpp"
+#include "view/phigs_view.hpp"
+
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -50,7 +48,7 @@ void stand_below_eye(TerrainData& terrain, const ViewFile& file, double exaggera
 void stand_on_earth(TerrainData& terrain, const ViewSpec& view) {
   if (!terrain.map.earth) return;
   if (view.curvature == Curvature::off)
-    throw Error("--curvature off: " + terrain.source + " is in degrees, on the earth's curvature",
+    throw Error("`curvature` off: " + terrain.source + " is in degrees, on the earth's curvature",
                 "for a flat picture bring it to a map plane first: gdalwarp -t_srs CRS -r cubic " +
                     in_command(terrain.paths) + " projected.tif");
   const double exaggeration = exaggeration_of(view, true_box(std::get<Grid>(terrain.surface)));

@@ -3,10 +3,9 @@
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "placing/map_spec.hpp"
 
 #include <optional>
-
-#include "placing/map_spec.hpp"
 
 namespace orograph {
 

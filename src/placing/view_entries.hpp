@@ -2,13 +2,13 @@
 // The keys of a view file, from whatever format they came.
 #pragma once
 
+#include "placing/view_file.hpp"
+
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "placing/view_file.hpp"
 
 namespace orograph {
 

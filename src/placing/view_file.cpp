@@ -3,6 +3,7 @@
 #include "placing/view_file.hpp"
 
 #include "geometry/error.hpp"
+#include "placing/view_entries.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +14,6 @@
 #include <initializer_list>
 #include <map>
 #include <string_view>
-
-#include "placing/view_entries.hpp"
 
 namespace orograph {
 namespace {

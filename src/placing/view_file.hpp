@@ -5,7 +5,7 @@
 #include "geometry/api.hpp"
 #include "geometry/box.hpp"
 #include "geometry/vec.hpp"
-#include "view/phigs_view.hpp"
+#include "view/projection.hpp"
 
 #include <optional>
 #include <string>

@@ -4,12 +4,11 @@
 
 #include "dem/mesh/half_space.hpp"
 #include "dem/terrain.hpp"
+#include "placing/view_file.hpp"
 #include "view/phigs_view.hpp"
 #include "view/view.hpp"
 
 #include <vector>
-
-#include "placing/view_file.hpp"
 
 namespace orograph {
 

@@ -115,7 +115,7 @@ GroundSight::GroundSight(const Surface& surface, const View& view) : view_(view)
     triangles_.push_back({long_vec(vertices[a]), long_vec(vertices[b]), long_vec(vertices[c])});
 }
 
-Verdict GroundSight::ask(ProfilePoint p, long double margin_m) const {
+SightAnswer GroundSight::ask(ProfilePoint p, long double margin_m) const {
   const long double m = margin_m;
   const bool plumb = !view_.is_perspective() && view_.y_per_z == 0;
   const Asked asked{triangles_, plane_of(view_, long_vec(p)),
@@ -128,7 +128,7 @@ Verdict GroundSight::ask(ProfilePoint p, long double margin_m) const {
     return asked.greatest({aside - width, aside + width},
                           {behind.low - width, behind.high + width});
   };
-  Verdict verdict;
+  SightAnswer verdict;
   verdict.hidden = in_plane(0, {asked.nearest, 0}) > 0;
   if (!verdict.hidden) {
     verdict.unsure = asked.greatest({-m, m}, {asked.nearest - m, m}) > -m;
@@ -208,10 +208,10 @@ bool SolidSight::is_own(const Face& face, LongVec p, long double margin_m, const
   return own.which == Own::Which::all_touching && distance_m(p, face.corners) <= margin_m;
 }
 
-Verdict SolidSight::ask(ProfilePoint point, long double margin_m, const Own& own) const {
+SightAnswer SolidSight::ask(ProfilePoint point, long double margin_m, const Own& own) const {
   const LongVec p = long_vec(point);
   const SightSegment segment = segment_to(p);
-  Verdict verdict;
+  SightAnswer verdict;
   std::vector<const Face*> close;
   for (const Face& face : faces_) {
     if (distance_m(face.middle, segment) > face.radius_m + margin_m) continue;
@@ -251,16 +251,16 @@ long double Sight::margin_m(ProfilePoint p, double slack_m) const {
   return slack_m + kRounding * std::max({reach_m_, std::abs(p.u), std::abs(p.v), std::abs(p.z)});
 }
 
-Verdict Sight::by_ground(ProfilePoint p, double slack_m) const {
+SightAnswer Sight::by_ground(ProfilePoint p, double slack_m) const {
   return ground_.ask(p, margin_m(p, slack_m));
 }
 
-Verdict Sight::by_solids(ProfilePoint p, double slack_m, const Own& own) const {
+SightAnswer Sight::by_solids(ProfilePoint p, double slack_m, const Own& own) const {
   return solids_.ask(p, margin_m(p, slack_m), own);
 }
 
 Sight::Answer Sight::ask(ProfilePoint p, double slack_m, const Own& own) const {
-  const Verdict ground = by_ground(p, slack_m), solids = by_solids(p, slack_m, own);
+  const SightAnswer ground = by_ground(p, slack_m), solids = by_solids(p, slack_m, own);
   const bool sure = ground.surely_hidden() || solids.surely_hidden() ||
                     (ground.surely_visible() && solids.surely_visible());
   return {ground.hidden, solids.hidden, !sure};

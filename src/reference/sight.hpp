@@ -16,7 +16,7 @@
 namespace orograph {
 
 /// Of one kind of thing that hides.
-struct Verdict {
+struct SightAnswer {
   bool hidden = false;
   bool unsure = false; ///< the other answer is within rounding, or what was asked for on top of it
 
@@ -38,7 +38,7 @@ public:
 
   /// REQUIRES p.v > 0 in perspective. A point on the surface itself is always unsure. Cost: one
   /// pass over the triangles.
-  Verdict ask(ProfilePoint p, long double margin_m) const;
+  SightAnswer ask(ProfilePoint p, long double margin_m) const;
 
   /// The greatest coordinate.
   double reach_m() const { return reach_m_; }
@@ -69,7 +69,7 @@ public:
   /// Unsure where the segment passes a triangle's border or ends near a triangle, within the
   /// margin, and that decides. Where all rays around the segment, moved by the margin and by a
   /// third of it in sixteen directions, meet one and the same solid, it doesn't.
-  Verdict ask(ProfilePoint p, long double margin_m, const Own& own) const;
+  SightAnswer ask(ProfilePoint p, long double margin_m, const Own& own) const;
 
   /// The greatest coordinate.
   double reach_m() const { return reach_m_; }
@@ -112,9 +112,9 @@ public:
   Answer ask(ProfilePoint p, double slack_m = 0, const Own& own = {}) const;
 
   /// Of each alone. A point of the surface is always unsure to the ground.
-  Verdict by_ground(ProfilePoint p, double slack_m = 0) const;
+  SightAnswer by_ground(ProfilePoint p, double slack_m = 0) const;
   /// REQUIRES nothing of p.v.
-  Verdict by_solids(ProfilePoint p, double slack_m = 0, const Own& own = {}) const;
+  SightAnswer by_solids(ProfilePoint p, double slack_m = 0, const Own& own = {}) const;
 
 private:
   long double margin_m(ProfilePoint p, double slack_m) const;

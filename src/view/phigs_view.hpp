@@ -7,13 +7,12 @@
 #include "geometry/box.hpp"
 #include "geometry/homography.hpp"
 #include "geometry/vec.hpp"
+#include "view/projection.hpp"
 #include "view/view.hpp"
 
 #include <array>
 
 namespace orograph {
-
-enum class PhigsProjection { perspective, parallel };
 
 /// World coordinates: the ground frame with exaggerated heights, x east, y north, z up, metres.
 /// View reference coordinates (u, v, n), metres from the view reference point: u to the right and

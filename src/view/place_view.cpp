@@ -194,7 +194,7 @@ void frame_perspective(View& view, const ViewRequest& request, const TerrainShap
     }
   }
   throw Error("part of the terrain is beside or behind the eye, where it has no picture",
-              "use a greater --distance, or give --fov too, to show a part of the terrain");
+              "use a greater `distance_m`, or give `field_of_view` too, to show a part of the terrain");
 }
 
 Box2 window_of_field(Angle field, double aspect) {
@@ -222,7 +222,7 @@ void look_from_eye(View& view, const ViewRequest& request) {
   const Vec3 to_target{east, north, view.exaggeration * (view.look_at_m.z - eye.z) - sunk};
   const double ground = std::hypot(to_target.x, to_target.y);
   if (ground == 0 && to_target.z == 0)
-    throw Error("eye and look-at point coincide", "give a --look-at that lies aside");
+    throw Error("eye and look-at point coincide", "give a `look_at_map` that lies aside");
   if (ground > 0) {
     view.forward = (1 / ground) * Vec2{to_target.x, to_target.y};
     view.right = {view.forward.y, 0 - view.forward.x};

@@ -4,12 +4,11 @@
 
 #include "geometry/angle.hpp"
 #include "geometry/vec.hpp"
+#include "view/projection.hpp"
 
 #include <optional>
 
 namespace orograph {
-
-enum class Projection { perspective, orthographic, oblique };
 
 /// How far ground sinks below the map plane with the square of its distance, north and east of the
 /// eye (of the point looked at in a parallel view), per metre: half the earth's curvature, less
@@ -18,20 +17,6 @@ struct EarthDrop {
   double per_north = 0, per_east = 0;
   bool operator==(const EarthDrop&) const = default;
 };
-
-/// A parallel view onto an upright plate: what lies across the view keeps its true shape, and a
-/// line straight away from the viewer is drawn `length` times as long as it is, at an angle `rise`
-/// above the horizontal, to the right.
-struct Oblique {
-  double length = 1;
-  Angle rise = Angle::degrees(45);
-};
-/// Lines away from the viewer as long as they are, at 45 degrees.
-constexpr Oblique kCavalier{1, Angle::degrees(45)};
-/// Half as long.
-constexpr Oblique kCabinet{0.5, Angle::degrees(45)};
-/// Straight up: the plan is true, and heights are drawn upwards from it.
-constexpr Oblique kMilitary{1, Angle::degrees(90)};
 
 /// Azimuth clockwise from the ground frame's north; pitch upwards, -90 to 90 degrees, of the camera
 /// in the exaggerated scene.

@@ -99,7 +99,7 @@ private:
 namespace fs = std::filesystem;
 
 Error exists_error(const std::string& path) {
-  return {path + " exists already", "another name, or --overwrite"};
+  return {path + " exists already", "another name, or `overwrite`"};
 }
 
 // Renaming would replace a symbolic link by the file; what is meant is the file it points to.

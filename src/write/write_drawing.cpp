@@ -75,7 +75,7 @@ Format format_of_path(std::string_view path) {
     return *format;
   throw UsageError(
       fmt::format("'{}' doesn't tell its format", path),
-      fmt::format("a name that ends with .{}, or --of", fmt::join(format_names(), ", .")));
+      fmt::format("a name that ends with .{}, or `format`", fmt::join(format_names(), ", .")));
 }
 
 double rounding_mm(const WriteOptions& options) {

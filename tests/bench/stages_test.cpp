@@ -13,7 +13,7 @@
 #include "bench/stages/front_to_back.hpp"
 #include "bench/stages/stages.hpp"
 #include "hidden_lines/strips.hpp"
-#include "hidden_lines/strips_pass.hpp"
+#include "hidden_lines/strip_pass.hpp"
 #include "hidden_lines/surface_lines.hpp"
 #include "map/draw_map.hpp"
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Eye and target from what a user names, on a plane whose heights are known without a grid.
+#include "cli/options/named_fields.hpp"
 #include "dem/extent.hpp"
 #include "dem/read/lonlat.hpp"
 #include "geometry/error.hpp"
+#include "placing/placed_view.hpp"
+#include "placing/places.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
 
 #include <cmath>
 #include <limits>
-
-#include "placing/placed_view.hpp"
-#include "placing/places.hpp"
 
 using namespace orograph;
 
@@ -52,7 +52,7 @@ void check_refused(const TerrainData& terrain, const MapSpec& spec,
   try {
     placed(terrain, spec);
   } catch (const Error& error) {
-    message = error.what();
+    message = with_options(error.what());
   }
   INFO("message: " << message);
   for (const std::string& word : words) {

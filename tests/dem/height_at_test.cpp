@@ -3,6 +3,7 @@
 #include "dem/height_at.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_earth_grid.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 
@@ -30,7 +31,7 @@ Barycentric in_triangle(const Grid& grid, const GridTriangle& triangle, Vec2 p) 
 } // namespace
 
 TEST_CASE("the height at a point is that of the triangle that holds it") {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(300); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     GridLattice lattice =
@@ -90,7 +91,7 @@ TEST_CASE("far outside there is no height, nor at a point that isn't a number") 
 TEST_CASE(
     "on the ellipsoid all vertices of triangles are on the ground, where LocalFrame has them") {
   std::size_t asked = 0, beside = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(300); ++seed) {
     Random random(seed);
     MadeEarth made = random_earth(random, 8);
     made.lon_step_deg = random.pick({1.0 / 36000, 1.0 / 3600, 0.05}); // 3 m, 30 m, 5 km

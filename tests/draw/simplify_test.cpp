@@ -72,7 +72,7 @@ std::vector<Vec2> chosen(const std::vector<Vec2>& points, const std::vector<std:
 } // namespace
 
 TEST_CASE("a simplified polyline stays within the tolerance, both ways") {
-  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(3000); ++seed) {
     Random random(seed);
     const int kind = static_cast<int>(seed % 6);
     INFO("seed " << seed << ", kind " << kind);
@@ -94,7 +94,7 @@ TEST_CASE("a simplified polyline stays within the tolerance, both ways") {
 
 TEST_CASE("points hardly farther from the start than the tolerance hold a line as well") {
   std::size_t left_out = 0;
-  for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(20000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     std::vector<Vec2> points{{0, 0}};

@@ -98,7 +98,7 @@ TEST_CASE("what lies in the frame is drawn, and nothing else") {
   // Page coordinates up to 200, from plane coordinates up to 30: some ten roundings.
   constexpr double rounding_mm = 1e-9;
   std::size_t strokes = 0;
-  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(3000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const PlacedView scene = made_scene(random);
@@ -216,7 +216,7 @@ TEST_CASE("strokes end at the front and back plane, and lines in a plane stay wh
 
 TEST_CASE("points at one depth are drawn as one by one, to the bit") {
   std::size_t strokes = 0, points = 0;
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     StrokeSettings settings;

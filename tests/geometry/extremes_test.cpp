@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST_CASE("the greatest value over blocks is that over all points, looking at few") {
   std::size_t looked_at = 0, all = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(300); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     std::vector<std::vector<Vec3>> blocks(static_cast<std::size_t>(random.whole(0, 40)));
@@ -70,7 +70,7 @@ TEST_CASE("the greatest value over blocks is that over all points, looking at fe
 }
 
 TEST_CASE("of a large block the points are found among many") {
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(100); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     std::vector<Vec3> block;

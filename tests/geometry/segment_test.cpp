@@ -11,7 +11,7 @@
 using namespace orograph;
 
 TEST_CASE("a segment's height is exact at both ends and right to rounding between") {
-  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(3000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const double offset = random.pick({0.0, 1.0, 1e6});
@@ -36,7 +36,7 @@ TEST_CASE("a segment's height is exact at both ends and right to rounding betwee
 }
 
 TEST_CASE("the share in depth is that of the point with this picture") {
-  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const ProfilePoint a{random.between(-9, 9), random.between(0.1, 9), random.between(-9, 9)};

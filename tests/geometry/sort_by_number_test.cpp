@@ -17,7 +17,7 @@ struct Numbered {
 } // namespace
 
 TEST_CASE("things are sorted by their number, and stay in order where it is the same") {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(300); ++seed) {
     Random random(seed);
     const std::uint64_t greatest = std::uint64_t{1} << random.whole(0, 63);
     std::vector<Numbered> things(static_cast<std::size_t>(random.whole(0, 500)));

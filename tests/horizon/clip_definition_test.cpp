@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/catch.hpp"
 #include "tests/horizon/check_clip.hpp"
+#include "tests/support/random.hpp"
 
 using namespace orograph;
 
@@ -15,7 +16,7 @@ Tally check_scene(const FlatScene& scene, double tolerance, std::uint64_t seed) 
 TEST_CASE("a piece is above all nearer lists, or is not, as it claims") {
   for (const SceneKind& kind : scene_kinds()) {
     Tally sum;
-    for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(80); ++seed) {
       CAPTURE(kind.name, seed);
       const Tally tally = check_scene(flat_scene(kind, seed), 0, seed);
       REQUIRE(tally.wrong == 0);
@@ -32,7 +33,7 @@ TEST_CASE("a piece is above all nearer lists, or is not, as it claims") {
 TEST_CASE("with a tolerance, only what is within it of the horizon is tied") {
   for (const SceneKind& kind : scene_kinds()) {
     if (kind.y_scale > 10 || kind.y_scale < 0.1) continue;
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(60); ++seed) {
       CAPTURE(kind.name, seed);
       REQUIRE(check_scene(flat_scene(kind, seed), 0.05, seed).wrong == 0);
     }

@@ -2,6 +2,7 @@
 // Cases in which a clip is tempted to draw nothing, dashes, or everything.
 #include "horizon/clip.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/random.hpp"
 
 #include <cmath>
 
@@ -58,7 +59,7 @@ TEST_CASE("a plane seen edge-on is one line, not none and not dashes") {
       clip(level(0, 99), horizon, options_of(Role::occluder, 0), workspace);
     std::size_t drawn = 0;
     double length = 0;
-    for (std::uint64_t list = 0; list < 50; ++list) {
+    for (std::uint64_t list = 0; list < last_seed(50); ++list) {
       std::vector<Segment> segments;
       for (int i = 0; i < 10; ++i)
         segments.push_back({static_cast<double>(i), 1e-16 * ((i * 7 + static_cast<int>(list)) % 5),
@@ -79,7 +80,7 @@ TEST_CASE("ten thousand profiles that each rise by less than the tolerance are n
   ClipWorkspace workspace;
   int drawn = 0;
   double last = -1;
-  for (std::uint64_t list = 0; list < 10000; ++list) {
+  for (std::uint64_t list = 0; list < last_seed(10000); ++list) {
     const double y = static_cast<double>(list) * step;
     clip(level(y, list), horizon, options_of(Role::drawn_occluder, tolerance), workspace);
     if (workspace.visible.empty()) continue;

@@ -4,6 +4,7 @@
 #include "horizon/clip_profile.hpp"
 #include "tests/catch.hpp"
 #include "tests/horizon/flat_scenes.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +94,7 @@ std::pair<double, double> x_range(const FlatScene& scene) {
 TEST_CASE("profiles clipped by blocks show what clip shows, whole and in ranges") {
   std::size_t runs_seen = 0, ranges = 0, steps = 0, ties = 0;
   for (const SceneKind& kind : scene_kinds())
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(60); ++seed) {
       CAPTURE(kind.name, seed);
       Random random(seed);
       const FlatScene scene = flat_scene(kind, seed);
@@ -152,7 +153,7 @@ TEST_CASE("profiles clipped by blocks show what clip shows, whole and in ranges"
 
 TEST_CASE("a horizon in blocks has bounds, and a cursor over all of its pieces") {
   for (const SceneKind& kind : scene_kinds())
-    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(30); ++seed) {
       CAPTURE(kind.name, seed);
       Random random(seed);
       const FlatScene scene = flat_scene(kind, seed);

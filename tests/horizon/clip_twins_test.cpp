@@ -3,6 +3,7 @@
 #include "horizon/clip.hpp"
 #include "tests/catch.hpp"
 #include "tests/horizon/flat_scenes.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ double height_on(const Horizon& horizon, double x) {
 TEST_CASE("clip and the seed's recursion give the same pieces and horizons") {
   for (const SceneKind& kind : scene_kinds())
     for (const Role role : {Role::drawn_occluder, Role::occluder, Role::compared})
-      for (std::uint64_t seed = 1; seed <= 30; ++seed)
+      for (std::uint64_t seed = 1; seed <= last_seed(30); ++seed)
         for (const bool collapse : {true, false}) {
           CAPTURE(kind.name, seed, collapse, static_cast<int>(role));
           const ClipOptions options = options_of(role, seed % 2 ? 0.05 : 0, collapse);
@@ -59,7 +60,7 @@ TEST_CASE("clip and the seed's recursion give the same pieces and horizons") {
 TEST_CASE("collapse changes no visible piece and removes fragments") {
   std::size_t without = 0, with = 0;
   for (const SceneKind& kind : scene_kinds())
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(40); ++seed) {
       CAPTURE(kind.name, seed);
       const FlatScene scene = flat_scene(kind, seed);
       Horizon collapsed = initial_horizon(), fragmented = initial_horizon();
@@ -78,7 +79,7 @@ TEST_CASE("collapse changes no visible piece and removes fragments") {
 
 TEST_CASE("the horizon never sinks, tiles X, and keeps no neighbouring pieces of one source") {
   for (const SceneKind& kind : scene_kinds())
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(20); ++seed) {
       CAPTURE(kind.name, seed);
       Random random(seed);
       Horizon horizon = initial_horizon();
@@ -107,7 +108,7 @@ TEST_CASE("the horizon never sinks, tiles X, and keeps no neighbouring pieces of
 
 TEST_CASE("a compared list leaves the horizon as it was and shows what a drawn one would") {
   for (const SceneKind& kind : scene_kinds())
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(20); ++seed) {
       CAPTURE(kind.name, seed);
       const FlatScene scene = flat_scene(kind, seed);
       Horizon horizon = initial_horizon();

@@ -186,7 +186,7 @@ TEST_CASE("what is visible in a slab, at every place of every line") {
   SlabHorizon slab_horizon; // its memory is reused, and must not matter
   for (const Kind& kind : kKinds) {
     Tally tally;
-    for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(4000); ++seed) {
       CAPTURE(kind.name, seed);
       check_slab(kind, seed, slab_horizon, tally);
       REQUIRE(tally.wrong == 0);
@@ -201,7 +201,7 @@ TEST_CASE("what is visible in a slab, at every place of every line") {
 
 TEST_CASE("lines that share an end don't hide each other there") {
   // A chain up and down, as silhouettes are: nothing of it is missing, to the last bit.
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     std::vector<SurfaceLine> lines;
@@ -290,7 +290,7 @@ TEST_CASE("a line straight away from the eye is met by what ends within rounding
 TEST_CASE("raising a horizon is the pointwise maximum") {
   ClipWorkspace workspace;
   for (const bool lattice : {false, true})
-    for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(3000); ++seed) {
       CAPTURE(lattice, seed);
       Random random(seed);
       const Kind kind{"", lattice, 1, 0};

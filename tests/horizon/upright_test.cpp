@@ -58,7 +58,7 @@ bool covers(const std::vector<Piece>& pieces, std::uint32_t number, double t) {
 
 TEST_CASE("an upright shows where it is above the horizon's lower side") {
   int shown = 0, hidden = 0, parted = 0;
-  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(3000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const Horizon horizon = random_horizon(random);
@@ -125,7 +125,7 @@ TEST_CASE("a step within rounding of an upright is at it") {
 }
 
 TEST_CASE("uprights and their pieces go among the others by id") {
-  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     std::vector<Segment> segments, uprights;

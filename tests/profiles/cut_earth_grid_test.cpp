@@ -7,6 +7,7 @@
 #include "tests/profiles/tin_sections.hpp"
 #include "tests/profiles/triangle_cuts.hpp"
 #include "tests/support/made_earth_grid.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -253,7 +254,7 @@ void check_sections(Random& random, const Grid& grid, Asked& asked) {
 
 TEST_CASE("a grid on the ellipsoid is cut as the TIN of its triangles, bit for bit") {
   Compared sum;
-  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1500); ++seed) {
     Random random(seed);
     const MadeEarth made = random_earth(random, seed % 4 ? 15 : 40);
     CAPTURE(seed, made.columns, made.rows, made.west_deg, made.north_deg, made.lon_step_deg,
@@ -272,7 +273,7 @@ TEST_CASE("a grid on the ellipsoid is cut as the TIN of its triangles, bit for b
 
 TEST_CASE("and as its triangles are, one by one") {
   Asked asked;
-  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(600); ++seed) {
     Random random(seed + 10000);
     const MadeEarth made = random_earth(random, seed % 8 ? 12 : 30);
     CAPTURE(seed, made.columns, made.rows, made.west_deg, made.north_deg, made.lon_step_deg,

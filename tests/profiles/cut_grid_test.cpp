@@ -4,6 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/profiles/triangle_cuts.hpp"
 #include "tests/support/made_grid.hpp"
+#include "tests/support/random.hpp"
 
 #include <limits>
 
@@ -98,7 +99,7 @@ GridHeights random_heights(Random& random) {
 } // namespace
 
 TEST_CASE("a grid is cut as its triangles are, from any azimuth") {
-  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1500); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     GridLattice lattice = turned_lattice(
@@ -124,7 +125,7 @@ TEST_CASE("planes through vertices and along edges, exactly") {
       {{1, 0}, {0, -1}}, {{2, 1}, {1, -1}}, {{1, 0}, {-1, -1}}, {{1, 0}, {1, -1}},
       {{1, 1}, {1, -1}}, {{1, 2}, {1, -2}}, {{3, 1}, {-1, -2}}, {{1, 1}, {0, -1}},
       {{1, 0}, {3, -1}}, {{1, 3}, {0, -2}}};
-  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(3000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const auto& [column_step, row_step] = steps[seed % steps.size()];
@@ -158,7 +159,7 @@ TEST_CASE("the plane through a square grid's corner lies along its diagonal at 4
 // A row line, column line or diagonal turned by less than rounding can tell is crossed here and
 // there, anywhere, and the plane may enter the grid many times.
 TEST_CASE("edges nearly along the plane, so that rounding decides what is near") {
-  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(3000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const double turn = random.pick({0.0, 1e-17, 1e-16, 3e-16, 1e-15, 1e-14, 1e-12, 1e-9});
@@ -180,7 +181,7 @@ TEST_CASE("edges nearly along the plane, so that rounding decides what is near")
 }
 
 TEST_CASE("the cut is the same from the other side, right to left") {
-  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(500); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     GridLattice lattice = turned_lattice(random.whole(2, 20), random.whole(2, 20), {10, 12},

@@ -10,6 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/profiles/triangle_cuts.hpp"
 #include "tests/support/made_earth_grid.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -229,7 +230,7 @@ Grid sea(const MadeEarth& made) {
 
 TEST_CASE("silhouettes on the ellipsoid are the TIN's and those of the definition") {
   Compared sum;
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     const MadeEarth made = random_earth(random, seed % 8 ? 12 : 40);
     CAPTURE(seed, made.columns, made.rows, made.west_deg, made.north_deg, made.lon_step_deg,
@@ -246,7 +247,7 @@ TEST_CASE("silhouettes on the ellipsoid are the TIN's and those of the definitio
 
 TEST_CASE("of a sea seen edge-on, from a vertex of it and from its level beside it") {
   Compared sum;
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
     Random random(seed);
     MadeEarth made = random_earth(random, 12);
     made.lon_step_deg = made.lat_step_deg = random.pick({1.0 / 3600, 1.0 / 64});
@@ -268,7 +269,7 @@ TEST_CASE("of a sea seen edge-on, from a vertex of it and from its level beside 
 
 TEST_CASE("of heights of 1e30 and of 1e-30, and of cliffs 100 km away") {
   Compared sum;
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
     Random random(seed);
     MadeEarth made = random_earth(random, 10);
     if (seed % 2) { // the frame's origin 100 km to the south or to the west

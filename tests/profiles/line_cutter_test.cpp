@@ -5,6 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/profiles/triangle_cuts.hpp"
 #include "tests/support/made_grid.hpp"
+#include "tests/support/random.hpp"
 
 #include <cmath>
 
@@ -114,7 +115,7 @@ void check_planes(Random& random, const Grid& grid, View view, Tally& tally) {
 
 TEST_CASE("the quick cut is that of the walk, whole and in parts") {
   Tally tally;
-  for (std::uint64_t seed = 1; seed <= 6000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(6000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     GridHeights heights;

@@ -61,7 +61,7 @@ void check_even(const std::vector<double>& depths, const View& view, const PlanG
 } // namespace
 
 TEST_CASE("profiles are even on the page for a plane at the mean height") {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(300); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     ViewRequest request;
@@ -97,7 +97,7 @@ TEST_CASE("a spacing on the ground is even on the ground, from half a step behin
   ViewRequest request;
   request.projection = Projection::orthographic;
   const View view = view_of(request);
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const PlanGround ground{random.between(-5000, 0), random.between(1, 5000), 0, 100};
@@ -121,7 +121,7 @@ TEST_CASE("a spacing on the ground is even on the ground, from half a step behin
 
 TEST_CASE("a spacing of whole rows goes through rows, in the middle of steps or next behind it") {
   int in_rows = 0, between = 0;
-  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(500); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     ViewRequest request;
@@ -169,7 +169,7 @@ TEST_CASE("a spacing of whole rows goes through rows, in the middle of steps or 
 }
 
 TEST_CASE("views too flat for the plane still get all their profiles, in order") {
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     ViewRequest request;
@@ -188,7 +188,7 @@ TEST_CASE("views too flat for the plane still get all their profiles, in order")
 // The eye stands on the ground or flies over it, and looks anywhere, up too.
 TEST_CASE("an eye in the terrain gets all its profiles, most of them for what the page shows") {
   int empty = 0;
-  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     ViewRequest request;
@@ -223,7 +223,7 @@ TEST_CASE("an eye in the terrain gets all its profiles, most of them for what th
 // By definition: a depth may show ground if some ray of the window meets some height there.
 TEST_CASE("the depths that a window may show, by rays all over it") {
   int narrow = 0, behind = 0;
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     ViewRequest request;

@@ -11,6 +11,7 @@
 #include "tests/support/made_grid.hpp"
 #include "tests/support/made_tin.hpp"
 #include "tests/support/notched_tin.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -223,7 +224,7 @@ private:
 
 TEST_CASE("a grid and the TIN of its triangles have the same edges of every kind") {
   Compared sum;
-  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1500); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const Grid grid = random_grid(random);
@@ -239,7 +240,7 @@ TEST_CASE("a grid and the TIN of its triangles have the same edges of every kind
 TEST_CASE("also of water at the eye's height, and of heights of 1e30, 1e-30 and denormals") {
   Compared sum;
   for (const double unit : {1.0, 1e30, 1e-30, 1e-310})
-    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(150); ++seed) {
       Random random(seed);
       CAPTURE(unit, seed);
       Grid grid = made_grid(random, {7, 6, {}, {10, 0}, {0, -10}},
@@ -252,7 +253,7 @@ TEST_CASE("also of water at the eye's height, and of heights of 1e30, 1e-30 and 
 
 TEST_CASE("silhouettes of TINs with walls are those of the definition") {
   std::size_t certain_count = 0, listed_count = 0, possible_count = 0;
-  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
     Random random(seed);
     CAPTURE(seed);
     MadeTin wanted;

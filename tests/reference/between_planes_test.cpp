@@ -8,6 +8,7 @@
 #include "tests/support/half_spaces.hpp"
 #include "tests/support/made_grid.hpp"
 #include "tests/support/made_tin.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +118,7 @@ std::vector<HalfSpace> any_planes(const Tin& tin, const View& view, Random& rand
 
 TEST_CASE("between a front and a back plane is hidden what is hidden by what they leave") {
   int scenes = 0, asked = 0, hidden = 0, ties = 0, uncovered = 0;
-  for (std::uint64_t seed = 1; seed <= 900; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(900); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     const Tin tin = any_terrain(random);

@@ -3,6 +3,7 @@
 #include "tests/catch.hpp"
 #include "tests/reference/compare_clips.hpp"
 #include "tests/reference/hard_scenes.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +12,7 @@ using namespace orograph;
 
 namespace {
 
-// Unoptimized and sanitized builds are there to find other things.
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 10000;
-#else
-constexpr std::uint64_t kScenes = 300;
-#endif
+constexpr std::uint64_t kScenes = last_seed(10000);
 
 // The seed's profiles; the surface's occluders and profiles; all three roles in turn.
 std::vector<Role> roles_of(std::uint64_t seed, std::size_t lists) {

@@ -3,6 +3,7 @@
 #include "reference/exact_clip.hpp"
 #include "tests/catch.hpp"
 #include "tests/horizon/flat_scenes.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,7 @@ TEST_CASE("by the definition of the horizon: lattice and other random scenes") {
   for (const SceneKind& kind : scene_kinds()) {
     if (kind.y_scale > 10 || kind.y_scale < 0.1 || kind.offset != 0) continue;
     std::size_t visible = 0, hidden = 0;
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(40); ++seed) {
       const FlatScene scene = flat_scene(kind, seed);
       std::vector<ExactList> lists;
       for (const auto& segments : scene) lists.push_back({segments});
@@ -135,7 +136,7 @@ TEST_CASE("by the definition of the horizon: lattice and other random scenes") {
 
 TEST_CASE("the least horizon is what `clip` keeps with collapse, and not what it keeps without") {
   const SceneKind smooth = scene_kinds()[1];
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(20); ++seed) {
     CAPTURE(seed);
     const FlatScene scene = flat_scene(smooth, seed);
     std::vector<ExactList> lists;

@@ -4,6 +4,7 @@
 #include "reference/ray_walk.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_grid.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -266,7 +267,7 @@ TEST_CASE("a summit of 10 m behind 11 m of ground hides what is under the line o
 
 TEST_CASE("against the surface sampled along the ray: random heights, holes, turned grids") {
   Sums sums;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(300); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     GridLattice lattice = turned_lattice(random.whole(2, 12), random.whole(2, 12),

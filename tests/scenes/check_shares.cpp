@@ -174,7 +174,7 @@ ShareTally check_ground_line(const Sight& sight, ProfilePoint from, ProfilePoint
                   fmt::format("from ({:.17g}, {:.17g}, {:.17g}) to ({:.17g}, {:.17g}, {:.17g})",
                               from.u, from.v, from.z, to.u, to.v, to.z)};
   return check_line(line, hidden_shares(from, to), false, random, check, [&](ProfilePoint p) {
-    const Verdict verdict = sight.by_solids(p, check.slack_m, {Own::Which::none});
+    const SightAnswer verdict = sight.by_solids(p, check.slack_m, {Own::Which::none});
     return verdict.unsure ? Truth::unsure : verdict.hidden ? Truth::hidden : Truth::visible;
   });
 }

@@ -3,28 +3,23 @@
 // one; whatever longitude it is at, a terrain looks the same.
 #include "dem/approximate/tin_of_grid.hpp"
 #include "geometry/error.hpp"
+#include "placing/terrain_of_view.hpp"
 #include "profiles/profile.hpp"
 #include "tests/scenes/asked_scenes.hpp"
 #include "tests/scenes/random_earth_scene.hpp"
 #include "tests/support/grid_of.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <optional>
 
-#include "placing/terrain_of_view.hpp"
-
 using namespace orograph;
 
 namespace {
 
-// Unoptimized and sanitized builds are there to find other things.
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 300;
-#else
-constexpr std::uint64_t kScenes = 20;
-#endif
+constexpr std::uint64_t kScenes = last_seed(300);
 
 struct Tally {
   Asked asked;

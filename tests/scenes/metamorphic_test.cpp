@@ -2,6 +2,7 @@
 // Turn, scale, shift: what must not change a drawing. Each is drawn twice and compared layer by
 // layer, before simplification: visible length, and the farthest that ink of one is from ink of the
 // other.
+#include "map/draw_map.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/support/grid_of.hpp"
@@ -11,17 +12,11 @@
 #include <cmath>
 #include <functional>
 
-#include "map/draw_map.hpp"
-
 using namespace orograph;
 
 namespace {
 
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 60;
-#else
-constexpr std::uint64_t kScenes = 10;
-#endif
+constexpr std::uint64_t kScenes = last_seed(60);
 
 struct Picture {
   TerrainData terrain;

@@ -3,6 +3,8 @@
 #include "dem/extent.hpp"
 #include "dem/mesh/verify_tin.hpp"
 #include "geometry/error.hpp"
+#include "placing/terrain_of_view.hpp"
+#include "placing/view_in_frame.hpp"
 #include "profiles/profile.hpp"
 #include "tests/scenes/asked_scenes.hpp"
 #include "tests/scenes/random_scene.hpp"
@@ -14,19 +16,11 @@
 #include <cmath>
 #include <map>
 
-#include "placing/terrain_of_view.hpp"
-#include "placing/view_in_frame.hpp"
-
 using namespace orograph;
 
 namespace {
 
-// Unoptimized and sanitized builds are there to find other things.
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 500;
-#else
-constexpr std::uint64_t kScenes = 40;
-#endif
+constexpr std::uint64_t kScenes = last_seed(500);
 
 Vec3 turned(Vec3 p, double angle) {
   return {std::cos(angle) * p.x - std::sin(angle) * p.y,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What random solid scenes promise.
+#include "placing/placed_view.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_solid_scene.hpp"
 #include "tests/support/made_solids.hpp"
+#include "tests/support/random.hpp"
 
 #include <array>
 #include <map>
-
-#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
@@ -57,7 +57,7 @@ TEST_CASE("made solids are closed and right side out") {
 TEST_CASE("random solid scenes: closed, mirrored as they say, with the eye outside") {
   std::map<Projection, int> projections;
   std::size_t solids = 0, mirrored = 0, wires = 0, beside_the_eye = 0;
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(400); ++seed) {
     const SolidScene scene = random_solid_scene(seed);
     CAPTURE(seed, scene.what);
     REQUIRE(scene.standing.size() >= 1);

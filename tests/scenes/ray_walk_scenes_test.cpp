@@ -8,6 +8,7 @@
 #include "tests/scenes/put_eye.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/support/grid_of.hpp"
+#include "tests/support/random.hpp"
 
 #include <cmath>
 
@@ -15,12 +16,7 @@ using namespace orograph;
 
 namespace {
 
-// Unoptimized and sanitized builds are there to find other things.
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 700, kSampleProbes = 10000;
-#else
-constexpr std::uint64_t kScenes = 50, kSampleProbes = 1000;
-#endif
+constexpr std::uint64_t kScenes = last_seed(700), kSampleProbes = 20 * last_seed(500);
 
 } // namespace
 

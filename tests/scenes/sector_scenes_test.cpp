@@ -17,12 +17,7 @@ using namespace orograph;
 
 namespace {
 
-// Unoptimized and sanitized builds are there to find other things.
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 500;
-#else
-constexpr std::uint64_t kScenes = 40;
-#endif
+constexpr std::uint64_t kScenes = last_seed(500);
 
 // From anywhere over the terrain or beside it, low or high, at anything below, with any field.
 void look_down(MapSpec& spec, const TerrainData& terrain, Random& random) {

@@ -2,29 +2,24 @@
 // Ground that isn't looked at: none of it is to be seen, as the ray walk has it, and drawings are
 // the same as with all ground looked at, to the bit.
 #include "geometry/error.hpp"
+#include "hidden_lines/sector_ground.hpp"
+#include "hidden_lines/strips.hpp"
+#include "map/draw_map.hpp"
 #include "reference/ray_walk.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/put_eye.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
 #include "tests/support/grid_of.hpp"
+#include "tests/support/random.hpp"
 
 #include <cmath>
-
-#include "hidden_lines/sector_ground.hpp"
-#include "hidden_lines/strips.hpp"
-#include "map/draw_map.hpp"
 
 using namespace orograph;
 
 namespace {
 
-// Unoptimized and sanitized builds are there to find other things.
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 600;
-#else
-constexpr std::uint64_t kScenes = 60;
-#endif
+constexpr std::uint64_t kScenes = last_seed(600);
 constexpr int kPoints = 400;
 
 struct Tally {

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn of solids, and what they hide of the ground, asked of the reference: every face and
 // every triangle of the ground, by rays.
+#include "hidden_lines/sector_pass.hpp"
+#include "hidden_lines/surface_lines.hpp"
+#include "map/draw_map.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/check_shares.hpp"
 #include "tests/scenes/random_solid_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
+#include "tests/support/random.hpp"
 
 #include <map>
-
-#include "hidden_lines/sector_pass.hpp"
-#include "hidden_lines/surface_lines.hpp"
-#include "map/draw_map.hpp"
 
 using namespace orograph;
 
 namespace {
 
-// Unoptimized and sanitized builds are there to find other things.
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 1000;
-#else
-constexpr std::uint64_t kScenes = 60;
-#endif
+constexpr std::uint64_t kScenes = last_seed(1000);
 constexpr int kGroundLines = 20;
 
 // A scene as it is drawn: what of it lies ahead of the eye.

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Solids on terrains of every awkward kind, asked of the reference.
+#include "placing/placed_view.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/check_shares.hpp"
 #include "tests/scenes/random_solid_scene.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <functional>
-
-#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
 namespace {
 
-// Unoptimized and sanitized builds are there to find other things.
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 24;
-#else
-constexpr std::uint64_t kScenes = 4;
-#endif
+constexpr std::uint64_t kScenes = last_seed(24);
 
 // Where `is_in` is true along a line: looked for in steps, their ends by halving.
 std::vector<LineShare> shares_by_halving(const std::function<bool(double)>& is_in) {

@@ -3,25 +3,19 @@
 // list: the same drawing to the bit, however many strips there are. Only where plateaus are
 // seen exactly edge-on, so that several occluders are equally high at one place, another of them
 // may be kept, and the line there be drawn as another or as a part of another.
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/scenes/random_tin_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
 #include "tests/support/random.hpp"
 
-#include "map/draw_map.hpp"
-#include "placing/placed_view.hpp"
-
 using namespace orograph;
 
 namespace {
 
-// Unoptimized and sanitized builds are there to find other things.
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 400;
-#else
-constexpr std::uint64_t kScenes = 30;
-#endif
+constexpr std::uint64_t kScenes = last_seed(400);
 
 struct Tally {
   std::size_t strips = 0, points = 0;

@@ -17,12 +17,7 @@ using namespace orograph;
 
 namespace {
 
-// Unoptimized and sanitized builds are there to find other things.
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 500;
-#else
-constexpr std::uint64_t kScenes = 50;
-#endif
+constexpr std::uint64_t kScenes = last_seed(500);
 
 CheckCounts ask_tin(const TerrainData& terrain, const MapSpec& spec, std::uint64_t probes) {
   const auto fault = verify(std::get<Tin>(terrain.surface));

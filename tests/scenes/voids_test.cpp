@@ -19,12 +19,7 @@ using namespace orograph;
 
 namespace {
 
-// Unoptimized and sanitized builds are there to find other things.
-#ifdef NDEBUG
-constexpr std::uint64_t kScenes = 300;
-#else
-constexpr std::uint64_t kScenes = 30;
-#endif
+constexpr std::uint64_t kScenes = last_seed(300);
 constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
 struct VoidScene {

@@ -2,6 +2,7 @@
 #include "solids/plane_polygon.hpp"
 #include "tests/catch.hpp"
 #include "tests/solids/made_outline.hpp"
+#include "tests/support/random.hpp"
 
 using namespace orograph;
 
@@ -14,7 +15,7 @@ bool says(const std::string& text, const std::string& words) {
 } // namespace
 
 TEST_CASE("triangles fill a polygon, without any that is flat") {
-  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     std::vector<Vec2> outline = any_outline(random);

@@ -5,6 +5,7 @@
 #include "tests/solids/made_scene_files.hpp"
 #include "tests/solids/made_scene_graph.hpp"
 #include "tests/solids/solid_facts.hpp"
+#include "tests/support/random.hpp"
 #include "tests/view/matrices.hpp"
 
 #include <fmt/format.h>
@@ -223,7 +224,7 @@ TEST_CASE("polyhedra in files beside the scene, with faces of any size") {
 }
 
 TEST_CASE("graphs that are written to a file have the instances of the graph") {
-  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(50); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const SceneGraph graph = made_scene_graph(random);

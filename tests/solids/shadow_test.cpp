@@ -13,7 +13,8 @@ namespace {
 
 using Real = long double;
 
-constexpr int kLines = 20000, kPlaces = 25;
+constexpr std::uint64_t kLines = last_seed(20000);
+constexpr int kPlaces = 25;
 // Places closer to the other answer than this aren't asked: shares are rounded.
 constexpr Real kClose = 1e-9L;
 
@@ -115,7 +116,7 @@ void ask_along(const Shadow& shadow, Vec3 from, Vec3 to, const Ask& ask, Tally& 
 
 TEST_CASE("a triangle's shadow is what rays meet behind it") {
   Tally tally;
-  for (int n = 0; n < kLines; ++n) {
+  for (std::uint64_t n = 0; n < kLines; ++n) {
     Random random(static_cast<std::uint64_t>(n));
     const View view = random_view(random);
     const SightRays rays = sight_rays(view);
@@ -138,7 +139,7 @@ TEST_CASE("a triangle's shadow is what rays meet behind it") {
 
 TEST_CASE("an edge of the ground hides what is behind it and lower in the picture") {
   Tally tally;
-  for (int n = 0; n < kLines; ++n) {
+  for (std::uint64_t n = 0; n < kLines; ++n) {
     Random random(static_cast<std::uint64_t>(n) + 1000000);
     const View view = random_view(random);
     if (view.y_per_z < 0.01) continue; // straight down
@@ -159,7 +160,7 @@ TEST_CASE("an edge of the ground hides what is behind it and lower in the pictur
 
 TEST_CASE("what is buried is below a triangle of the ground") {
   Tally tally;
-  for (int n = 0; n < kLines; ++n) {
+  for (std::uint64_t n = 0; n < kLines; ++n) {
     Random random(static_cast<std::uint64_t>(n) + 2000000);
     const bool lattice = random.chance(0.5);
     std::array<Vec3, 3> corners;
@@ -178,7 +179,7 @@ TEST_CASE("what is buried is below a triangle of the ground") {
 
 TEST_CASE("neighbouring shadows meet in the same share") {
   int met = 0;
-  for (int n = 0; n < kLines; ++n) {
+  for (std::uint64_t n = 0; n < kLines; ++n) {
     Random random(static_cast<std::uint64_t>(n) + 3000000);
     const View view = random_view(random);
     const SightRays rays = sight_rays(view);

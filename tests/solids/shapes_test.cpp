@@ -4,6 +4,7 @@
 #include "solids/shapes.hpp"
 #include "tests/solids/made_outline.hpp"
 #include "tests/solids/solid_facts.hpp"
+#include "tests/support/random.hpp"
 #include "tests/view/matrices.hpp"
 
 using namespace orograph;
@@ -21,7 +22,7 @@ TEST_CASE("a box stands on z = 0, centred") {
 }
 
 TEST_CASE("prisms and pyramids over random outlines") {
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const std::vector<Vec2> base = any_outline(random);
@@ -62,7 +63,7 @@ TEST_CASE("exercise 9.2: the tetrahedron has six lines, the pyramid eight") {
 }
 
 TEST_CASE("random tetrahedra, in either orientation") {
-  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(500); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     std::array<Vec3, 4> v;

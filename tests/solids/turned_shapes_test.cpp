@@ -4,6 +4,7 @@
 #include "solids/shapes.hpp"
 #include "tests/solids/made_outline.hpp"
 #include "tests/solids/solid_facts.hpp"
+#include "tests/support/random.hpp"
 #include "tests/view/matrices.hpp"
 
 using namespace orograph;
@@ -65,7 +66,7 @@ TEST_CASE("listing 9.11: the spheroid has 80 vertical lines and 70 horizontal on
 }
 
 TEST_CASE("bodies of revolution from random profiles, in both directions") {
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     Turning turning{rising_profile(random), random.whole(3, 40),
@@ -84,7 +85,7 @@ TEST_CASE("bodies of revolution from random profiles, in both directions") {
 }
 
 TEST_CASE("rings from random closed profiles") {
-  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(500); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     std::vector<Vec2> polygon = star_outline(random, random.whole(3, 20));
@@ -138,7 +139,7 @@ TEST_CASE("smooth: what is drawn of a curved surface besides its outline") {
 }
 
 TEST_CASE("bodies of rotation: closed, and as large as Pappus says") {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(300); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     std::vector<Vec2> section = star_outline(random, random.whole(3, 12));

@@ -2,6 +2,7 @@
 // Traversal against every path, found by brute force.
 #include "solids/walk_scene.hpp"
 #include "tests/solids/made_scene_graph.hpp"
+#include "tests/support/random.hpp"
 #include "tests/view/matrices.hpp"
 
 #include <Eigen/LU>
@@ -48,7 +49,7 @@ SceneGraph chain(std::size_t parts, int uses_each) {
 
 TEST_CASE("the walk makes an instance of every path, with the product along it") {
   std::size_t most = 0;
-  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(500); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const SceneGraph graph = made_scene_graph(random);

@@ -5,6 +5,7 @@
 // are within R of the target. Positions on the page are (x - left) / width, so they differ by at
 // most (2 delta + |position| 2 delta) / width.
 #include "tests/catch.hpp"
+#include "tests/support/random.hpp"
 #include "tests/view/made_terrain.hpp"
 
 #include <limits>
@@ -12,7 +13,7 @@
 using namespace orograph;
 
 TEST_CASE("orthographic equals perspective from very far away") {
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const MadeTerrain terrain = made_terrain(random, 12, random.pick({0.0, 0.1}));

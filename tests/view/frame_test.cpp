@@ -2,6 +2,7 @@
 // Views that frame the terrain, by looking at every vertex, and along rays at the lower side.
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/random.hpp"
 #include "tests/view/made_terrain.hpp"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ std::optional<View> placed(const ViewRequest& request, const MadeTerrain& terrai
 
 TEST_CASE("a framing window is the picture's box, but for ground below the near edge") {
   int framed = 0, beside = 0;
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const MadeTerrain terrain =
@@ -161,7 +162,7 @@ TEST_CASE("a framing window is the picture's box, but for ground below the near 
 TEST_CASE(
     "perspective is refused only where a given distance has ground behind the picture plane") {
   int refused = 0, steep = 0;
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(400); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const MadeTerrain terrain = made_terrain(random, 12);
@@ -190,7 +191,7 @@ TEST_CASE(
     }
     ++refused;
     REQUIRE(nearest <= 1e-9);
-    REQUIRE(text.find("--distance") != std::string::npos);
+    REQUIRE(text.find("`distance_m`") != std::string::npos);
   }
   CHECK(refused > 10);
   CHECK(steep > 100);

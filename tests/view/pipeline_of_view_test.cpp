@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The views of the command line, given to the pipeline of the papers: the same pictures.
 #include "tests/catch.hpp"
+#include "tests/support/random.hpp"
 #include "tests/view/made_terrain.hpp"
 #include "tests/view/matrices.hpp"
 #include "view/phigs_view.hpp"
@@ -10,7 +11,7 @@ using namespace orograph;
 
 TEST_CASE("perspective, orthographic and oblique views are the pipeline's") {
   int compared = 0;
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     const MadeTerrain terrain = made_terrain(random, 8);
     ViewRequest request;

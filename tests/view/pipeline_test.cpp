@@ -47,7 +47,7 @@ TEST_CASE("the workstation transformation puts the window into the viewport") {
 
 TEST_CASE("the pipeline is the product of its stages") {
   for (const PhigsProjection projection : kBoth)
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
       Random random(seed);
       INFO("seed " << seed << (projection == PhigsProjection::parallel ? " parallel" : ""));
       const PhigsView view = random_phigs_view(random, projection);
@@ -76,7 +76,7 @@ TEST_CASE("the pipeline is the product of its stages") {
 
 TEST_CASE("the pipeline projects along straight lines to the view plane") {
   for (const PhigsProjection projection : kBoth)
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
       Random random(seed);
       INFO("seed " << seed << (projection == PhigsProjection::parallel ? " parallel" : ""));
       const PhigsView view = random_phigs_view(random, projection);
@@ -94,7 +94,7 @@ TEST_CASE("the pipeline projects along straight lines to the view plane") {
 
 TEST_CASE("the pipeline mirrors nothing") {
   for (const PhigsProjection projection : kBoth)
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
       Random random(seed);
       INFO("seed " << seed << (projection == PhigsProjection::parallel ? " parallel" : ""));
       const PhigsView view = random_phigs_view(random, projection);
@@ -123,7 +123,7 @@ TEST_CASE("the pipeline mirrors nothing") {
 }
 
 TEST_CASE("straight in front of the eye, a point stays on the axis") {
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     PhigsView view = random_phigs_view(random, PhigsProjection::perspective);

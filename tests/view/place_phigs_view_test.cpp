@@ -3,6 +3,7 @@
 // definition of projection, and the way back.
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/random.hpp"
 #include "tests/view/made_terrain.hpp"
 #include "tests/view/random_phigs_view.hpp"
 #include "view/phigs_view.hpp"
@@ -31,7 +32,7 @@ bool looks_up(const PhigsView& view) {
 TEST_CASE("a PHIGS view's picture is that of the definition, ahead of the eye and behind it") {
   int compared = 0, beside = 0;
   for (const PhigsProjection projection : {PhigsProjection::perspective, PhigsProjection::parallel})
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
       Random random(seed);
       INFO("seed " << seed << (projection == PhigsProjection::parallel ? " parallel" : ""));
       const PhigsView phigs = random_phigs_view(random, projection);
@@ -92,7 +93,7 @@ TEST_CASE("the sector behind is the same place turned round, to the bit") {
 
 TEST_CASE("a window shows rays beside the eye just if one of its points does") {
   int yes = 0, no = 0;
-  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const PhigsView phigs = random_phigs_view(random, PhigsProjection::perspective);

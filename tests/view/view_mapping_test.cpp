@@ -28,7 +28,7 @@ Vec3 canonical_corner(const CanonicalVolume& volume, int i) {
 
 TEST_CASE("the corners of the view volume go to the corners of the canonical volume") {
   for (const PhigsProjection projection : kBoth)
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
       Random random(seed);
       INFO("seed " << seed << (projection == PhigsProjection::parallel ? " parallel" : ""));
       const PhigsView view = random_phigs_view(random, projection);
@@ -45,7 +45,7 @@ TEST_CASE("the corners of the view volume go to the corners of the canonical vol
 }
 
 TEST_CASE("the eye goes to the origin, oblique projectors to lines along z") {
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const PhigsView seen = random_phigs_view(random, PhigsProjection::perspective);
@@ -75,7 +75,7 @@ TEST_CASE("the perspective transformation maps r to (1, 1, 0) and s to (1, 1, -1
 }
 
 TEST_CASE("the perspective transformation brings the one canonical volume to the other") {
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const CanonicalVolume volume{PhigsProjection::perspective, random.between(-0.99, -0.01)};

@@ -63,7 +63,7 @@ Vec2 random_heading(Random& random) {
 
 TEST_CASE("perspective: the homography agrees with the pipeline") {
   int compared = 0;
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const PhigsView view = random_phigs_view(random, PhigsProjection::perspective);
@@ -76,7 +76,7 @@ TEST_CASE("perspective: the homography agrees with the pipeline") {
 
 TEST_CASE("parallel: the homography agrees with the pipeline") {
   int compared = 0;
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const PhigsView view = random_phigs_view(random, PhigsProjection::parallel);
@@ -92,7 +92,7 @@ TEST_CASE("parallel: the homography agrees with the pipeline") {
 
 TEST_CASE("the frame of a view") {
   for (const PhigsProjection projection : {PhigsProjection::perspective, PhigsProjection::parallel})
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
       Random random(seed);
       INFO("seed " << seed << (projection == PhigsProjection::parallel ? " parallel" : ""));
       const PhigsView view = random_phigs_view(random, projection);

@@ -48,7 +48,7 @@ TEST_CASE("an existing file stays unless it may be replaced") {
     WriteOptions options{.format = format_of_name(name), .dpi = 20};
     fill_file(path, "old");
     CHECK(message_of([&] { write_drawing(made_drawing(), path, options); }) ==
-          path + " exists already: another name, or --overwrite");
+          path + " exists already: another name, or `overwrite`");
     CHECK_THROWS_AS(check_writable(path, options), Error);
     CHECK(content_of(path) == "old");
     options.overwrite = true;

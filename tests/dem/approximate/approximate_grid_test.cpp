@@ -6,6 +6,7 @@
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/approximate/grid_triangles.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -166,7 +167,7 @@ void check_outline_is_kept(const Grid& grid, const Tin& tin) {
 
 TEST_CASE("an approximated grid covers the grid's ground, within the bound everywhere") {
   std::size_t triangles = 0, triangles_of_grids = 0;
-  for (std::uint64_t seed = 1; seed <= 1200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1200); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const Grid grid = any_small_grid(random, 10);
@@ -220,7 +221,7 @@ TEST_CASE("a plane needs two triangles, however the grid lies") {
 }
 
 TEST_CASE("a bound of 0 gives the grid's own triangles") {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(20); ++seed) {
     Random random(seed);
     const Grid grid = any_small_grid(random, 9);
     if (triangles_of(grid).empty()) continue;

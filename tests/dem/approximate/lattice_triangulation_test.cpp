@@ -85,7 +85,7 @@ std::vector<LatticePoint> shuffled_points(Random& random, int columns, int rows)
 } // namespace
 
 TEST_CASE("any vertices of a grid make a Delaunay triangulation with the grid's own edges") {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(300); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const int columns = random.whole(2, 8), rows = random.whole(2, 8);

@@ -9,6 +9,7 @@
 #include "tests/dem/mesh/check_kept.hpp"
 #include "tests/support/made_tin.hpp"
 #include "tests/support/notched_tin.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 
@@ -90,7 +91,7 @@ MadeTin any_wish(Random& random) {
 
 TEST_CASE("of a grid there is left what lies between the planes") {
   KeptSums sums;
-  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1500); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     const Grid grid = any_small_grid(random, 8);
@@ -106,7 +107,7 @@ TEST_CASE("of a grid there is left what lies between the planes") {
 
 TEST_CASE("of a TIN there is left what lies between the planes") {
   KeptSums sums;
-  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1500); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     const Tin tin = made_tin(random, any_wish(random));
@@ -119,7 +120,7 @@ TEST_CASE("of a TIN there is left what lies between the planes") {
 
 TEST_CASE("walls are cut, and so is what stands over them or ends beside them") {
   KeptSums sums;
-  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(3000); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     MadeTin wanted = any_wish(random);
@@ -193,7 +194,7 @@ TEST_CASE("small cases, reckoned by hand") {
 
 TEST_CASE("triangles almost as thin as rounding, seen from above, are cut to a valid TIN") {
   std::size_t kept = 0;
-  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     MadeTin wanted = any_wish(random);
@@ -216,7 +217,7 @@ TEST_CASE("triangles almost as thin as rounding, seen from above, are cut to a v
 
 TEST_CASE("a needle alone is cut to a valid TIN or leaves nothing") {
   std::size_t kept = 0, nothing = 0;
-  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(3000); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     const double thin = std::ldexp(1, -random.whole(40, 54));

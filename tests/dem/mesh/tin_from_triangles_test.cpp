@@ -6,6 +6,7 @@
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_tin.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,7 @@ bool is_wall(const Tin& tin, const std::array<std::uint32_t, 3>& t) {
 } // namespace
 
 TEST_CASE("a valid TIN comes back whichever way its triangles are turned") {
-  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(500); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     MadeTin wanted = any(random);
@@ -99,7 +100,7 @@ TEST_CASE("a valid TIN comes back whichever way its triangles are turned") {
 }
 
 TEST_CASE("repeated points are merged, triangles without area dropped, unused points left out") {
-  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(500); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const Tin tin = made_tin(random, any(random));
@@ -136,7 +137,7 @@ TEST_CASE("triangles that aren't a terrain are refused, by their numbers in the 
                     {{0, 0, 1}, {0, 1, 2}, {0, 3, 2}, {4, 5, 6}}};
   CHECK(what_is_wrong(soup) ==
         "hill.off isn't a terrain, triangles 1 and 3 overlap seen from above (counted from 0): one "
-        "height at each place; --repair keeps what is seen from above");
+        "height at each place; `repair` keeps what is seen from above");
   CHECK(what_is_wrong(soup, true) == "nothing");
   soup.triangles[3] = {2, 1, 0}; // the first again, which a third has an edge with
   CHECK(what_is_wrong(soup).starts_with(
@@ -174,7 +175,7 @@ TEST_CASE("coordinates of any size that aren't repaired are fine") {
 
 TEST_CASE("walls take the direction that reaches them through other walls") {
   // Steps: level, up, level, up again in two courses, level; everything turned at random.
-  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(50); ++seed) {
     Random random(seed);
     TriangleSoup soup;
     const std::vector<Vec2> outline{{0, 0}, {4, 0}, {4, 3}, {7, 5}, {7, 9}}; // y is height

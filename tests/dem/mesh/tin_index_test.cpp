@@ -4,6 +4,7 @@
 #include "dem/mesh/tin_index.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_tin.hpp"
+#include "tests/support/random.hpp"
 
 #include <cmath>
 #include <map>
@@ -109,7 +110,7 @@ void check_index(Random& random, const Tin& tin, double least, double most) {
 } // namespace
 
 TEST_CASE("the index finds every triangle that meets a box or a line") {
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(150); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     check_index(random, any_triangles(random), -200, 1200);
@@ -167,7 +168,7 @@ TEST_CASE("a fan of needles takes little memory and time") {
 }
 
 TEST_CASE("triangles that have an edge in common are neighbours") {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(300); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     // Any triangles on few vertices: edges of one, two and more.

@@ -6,6 +6,7 @@
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_tin.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -144,7 +145,7 @@ TriangleSoup block(Random& random, int columns, int rows) {
 
 TEST_CASE("sheets in a pile: what is highest is left") {
   Tried tried;
-  for (std::uint64_t seed = 1; seed <= 250; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(250); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     TriangleSoup soup = sheet(random);
@@ -166,7 +167,7 @@ TEST_CASE("sheets in a pile: what is highest is left") {
 
 TEST_CASE("triangles thrown together at random") {
   Tried tried;
-  for (std::uint64_t seed = 1; seed <= 800; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(800); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     TriangleSoup soup;
@@ -214,7 +215,7 @@ TEST_CASE("heaps on a small lattice, where much is level and much coincides") {
 }
 
 TEST_CASE("of a closed block the top is left as it was, and neither base nor walls") {
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(30); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const int columns = random.whole(2, 9), rows = random.whole(2, 9);
@@ -236,7 +237,7 @@ TEST_CASE("of a closed block the top is left as it was, and neither base nor wal
 }
 
 TEST_CASE("triangles given twice are left once, bit for bit") {
-  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(50); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     MadeTin wanted;
@@ -252,7 +253,7 @@ TEST_CASE("triangles given twice are left once, bit for bit") {
 
 TEST_CASE("what overlaps nothing stays bit for bit, walls in it too") {
   int far = 0;
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(100); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     MadeTin wanted;

@@ -270,7 +270,7 @@ TEST_CASE("overviews of files whose size they divide are joined; others are refu
              read_raster(folder.file("whole.tif"), options));
   const RasterFile odd_west = cut_from(whole, 0, 0, 15, 16), odd = cut_from(whole, 15, 0, 17, 16);
   check_message(message_of_all(written(folder, {odd_west, odd}), options),
-                {"tile0.tif", "tile1.tif", "overview", "one lattice", "leave --overview out"});
+                {"tile0.tif", "tile1.tif", "overview", "one lattice", "leave `overview` out"});
 }
 
 TEST_CASE("a VRT of two sources is one input") {

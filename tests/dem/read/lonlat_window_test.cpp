@@ -143,7 +143,7 @@ TEST_CASE("a raster's window by longitude and latitude, over the seam of two fil
   lost.crs.clear();
   write_raster(lost, folder.file("lost.tif"));
   check_message(message_of(folder.file("lost.tif"), options),
-                {"--bbox-lonlat", "lost.tif has no CRS", "give --bbox"});
+                {"`bbox_lonlat`", "lost.tif has no CRS", "give `bbox`"});
   options.bbox_lonlat = Box2{{99, 0}, {100, 1}}; // a quarter of the earth away
   check_message(message_of(paths[0], options), {"places that aren't in the CRS", "smaller window"});
 }

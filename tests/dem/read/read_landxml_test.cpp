@@ -117,7 +117,7 @@ TEST_CASE("the CRS of LandXML is kept where it fits the units") {
 
 TEST_CASE("one surface of several is picked by name") {
   const std::string two = document(surface("old") + surface("new", points, "<F>1 2 7</F>"));
-  refused(two, {"2 surfaces", "'old', 'new'", "--input-layer"});
+  refused(two, {"2 surfaces", "'old', 'new'", "`layer`"});
   CHECK(tin_in(read_back(two, named("old"))).triangles.size() == 2);
   CHECK(tin_in(read_back(two, named("new"))).triangles.size() == 1);
   refused(two, {"no surfaces 'newer'", "'old', 'new'"}, named("newer"));

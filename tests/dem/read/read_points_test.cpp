@@ -70,7 +70,7 @@ TEST_CASE("three columns without names are x, y, z") {
 TEST_CASE("columns are found by the names that are given") {
   const std::string text = "Rechts;Hoch;Hoehe;x\n1;2.5;3;0\n-4;5e2;6;0\n7;8;9;0\n";
   CHECK(points_in(text, {"rechts", "HOCH", "Hoehe"}).points == three);
-  refused(text, {"no column 'y'", "Rechts, Hoch, Hoehe, x", "--columns"});
+  refused(text, {"no column 'y'", "Rechts, Hoch, Hoehe, x", "`columns`"});
   refused(text, {"no column 'height'"}, {"Rechts", "Hoch", "height"});
   refused("x,y,z,X\n1,2,3,4\n", {"2 columns named 'x'"});
 }

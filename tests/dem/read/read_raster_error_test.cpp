@@ -125,9 +125,9 @@ TEST_CASE("degrees that are no place on the earth are refused") {
     raster.geotransform = {west, step, 0, north, 0, -step};
   };
   place(10, 90.05);
-  refused(raster, {"latitude 89.955 to 90.045", "-90 to 90", "--bbox"});
+  refused(raster, {"latitude 89.955 to 90.045", "-90 to 90", "`bbox`"});
   place(10, -89.95);
-  refused(raster, {"to -89.955 degrees", "--bbox"});
+  refused(raster, {"to -89.955 degrees", "`bbox`"});
   place(46, 120);
   refused(raster, {"119.9", "longitude comes first"});
   raster.geotransform = {-180, 19.1, 0, 80, 0, -0.1};

@@ -75,7 +75,7 @@ TEST_CASE("units of height") {
   } catch (const Error& error) {
     refused = error.what();
   }
-  for (const char* words : {"no unit of height", "US survey foot", "--height-unit m, ft"})
+  for (const char* words : {"no unit of height", "US survey foot", "`height_unit` m, ft"})
     CHECK(refused.find(words) != std::string::npos);
   ReadOptions in_feet;
   in_feet.height_unit = "ft";

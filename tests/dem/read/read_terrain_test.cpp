@@ -47,7 +47,7 @@ TEST_CASE("a raster stays what read_raster makes of it") {
   CHECK(std::get<Grid>(terrain.surface).columns == 4);
   ReadOptions options;
   options.breaklines = folder.file("lines.gpkg");
-  check_message(message_of(folder.file("dem.tif"), options), {"--breaklines", "raster"});
+  check_message(message_of(folder.file("dem.tif"), options), {"`breaklines`", "raster"});
 }
 
 TEST_CASE("text that GDAL takes for a grid is one, other text is points") {
@@ -230,7 +230,7 @@ TEST_CASE("options for points are refused where there are triangles") {
   write_text(folder.file("a.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   ReadOptions options;
   options.max_edge_m = 5;
-  check_message(message_of(folder.file("a.off"), options), {"--max-edge", "a.off", "triangles"});
+  check_message(message_of(folder.file("a.off"), options), {"`max_edge_m`", "a.off", "triangles"});
 }
 
 TEST_CASE("points that make no triangle are refused by the file's name") {

@@ -160,7 +160,7 @@ TEST_CASE("points take their heights from Z or from a field") {
   both.features[0].height = 1;
   CHECK(points(both, by_field("height")) == std::vector<Vec3>{{0, 0, 1}});
 
-  refused(flat, {"feature 1", "without a height", "--height-field"});
+  refused(flat, {"feature 1", "without a height", "`height_field`"});
   refused(flat, {"no field 'z'", "height, surface_error_m"}, by_field("z"));
   flat.features[1].height.reset();
   refused(flat, {"feature 2", "no height in the field 'height'"}, by_field("height"));
@@ -216,7 +216,7 @@ TEST_CASE("one layer of several is picked by name") {
   file.features.pop_back();
   write_vector(file, folder.file("a.gpkg"));
   ReadOptions options;
-  check_message(message_of(folder.file("a.gpkg")), {"2 layers: old, new", "--input-layer"});
+  check_message(message_of(folder.file("a.gpkg")), {"2 layers: old, new", "`layer`"});
   options.layer = "old";
   CHECK(tin_in(read_terrain(folder.file("a.gpkg"), options)).triangles.size() == 2);
   options.layer = "new";

@@ -32,7 +32,7 @@ double distance_m(Vec2 p, Vec2 a, Vec2 b) {
 
 TEST_CASE("lines are bent so that they cross at their points only") {
   const double reach = 0x1p-40;
-  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(120); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const int kind = random.whole(0, 3);

@@ -234,7 +234,7 @@ TEST_CASE("nothing inside the boundary") {
 TEST_CASE("the least longest edge is told, and keeps something") {
   Survey survey = square();
   survey.max_edge_m = 14.1;
-  CHECK(complaint(survey) == "every triangle has an edge longer than 14.1 m: --max-edge "
+  CHECK(complaint(survey) == "every triangle has an edge longer than 14.1 m: `max_edge_m` "
                              "14.15 is the least that keeps something");
   survey.max_edge_m = 14.15;
   CHECK(complaint(survey) == "");
@@ -245,9 +245,9 @@ TEST_CASE("the least longest edge is told, and keeps something") {
     for (Vec3& p : scattered.points_m) p = std::pow(10, random.whole(-6, 5)) * p;
     scattered.max_edge_m = 1e-12;
     const std::string told = complaint(scattered);
-    const std::size_t at = told.find("--max-edge ");
+    const std::size_t at = told.find("`max_edge_m` ");
     REQUIRE(at != std::string::npos);
-    scattered.max_edge_m = std::stod(told.substr(at + 11));
+    scattered.max_edge_m = std::stod(told.substr(at + 13));
     CHECK(complaint(scattered) == "");
     *scattered.max_edge_m *= 0.995;
     CHECK(complaint(scattered) != "");

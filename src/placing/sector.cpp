@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hidden_lines/tie_tolerance.hpp"
+#include "placing/sector.hpp"
 
 #include "view/sectors.hpp"
 
@@ -7,6 +7,19 @@
 #include <limits>
 
 namespace orograph {
+
+XRange page_range(const Sector& sector) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (shows_beside(sector.view)) return {-kInfinity, kInfinity};
+  XRange range{kInfinity, -kInfinity};
+  for (const Vec3& ray : corner_rays(sector.view)) {
+    range.begin = std::min(range.begin, ray.x / ray.z);
+    range.end = std::max(range.end, ray.x / ray.z);
+  }
+  // The corners are rounded, and so are places in the picture.
+  const double beside = 1e-6 * (range.end - range.begin);
+  return {range.begin - beside, range.end + beside};
+}
 
 TieTolerance tie_tolerance(const Sector& sector, double mm) {
   // Towards the rays beside the eye a length on the page is more and more of Y.

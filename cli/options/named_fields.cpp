@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/options/named_fields.hpp"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+// Fields that messages of the library name, with what sets them on the command line.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kOptions{{
+    {"terrain", "INPUT"},
+    {"solids", "--scene"},
+    // ReadOptions
+    {"bbox", "--bbox"},
+    {"bbox_lonlat", "--bbox-lonlat"},
+    {"overview", "--overview"},
+    {"height_unit", "--height-unit"},
+    {"fill_voids", "--fill-voids"},
+    {"layer", "--input-layer"},
+    {"repair", "--repair"},
+    {"columns", "--columns"},
+    {"height_field", "--height-field"},
+    {"breaklines", "--breaklines"},
+    {"boundary", "--boundary"},
+    {"max_edge_m", "--max-edge"},
+    // ViewSpec
+    {"distance_m", "--distance"},
+    {"field_of_view", "--fov"},
+    {"eye_map", "--eye"},
+    {"eye_lonlat", "--eye-lonlat"},
+    {"look_at_map", "--look-at"},
+    {"look_at_lonlat", "--look-at-lonlat"},
+    {"curvature", "--curvature"},
+    // Style
+    {"plan", "--spacing"},
+    // WriteOptions
+    {"format", "--of"},
+    {"overwrite", "--overwrite"},
+}};
+
+} // namespace
+
+std::string with_options(std::string message) {
+  for (const auto& [field, option] : kOptions) {
+    const std::string named = "`" + std::string(field) + "`";
+    for (std::size_t at = message.find(named); at != std::string::npos;
+         at = message.find(named, at + option.size()))
+      message.replace(at, named.size(), option);
+  }
+  return message;
+}
+
+} // namespace orograph
