@@ -2,8 +2,8 @@
 #include "cli/render.hpp"
 
 #include "cli/progress.hpp"
-#include "cli/read_ground.hpp"
 #include "cli/report/run_report.hpp"
+#include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
@@ -46,6 +46,21 @@ void tell_check(const std::optional<CheckCounts>& check) {
 }
 
 } // namespace
+
+bool is_scene(const std::string& input) {
+  return input.ends_with(".toml") || input.ends_with(".TOML");
+}
+
+TerrainData read_ground(const RenderSettings& settings) {
+  if (settings.inputs.size() != 1 || !is_scene(settings.inputs.front()))
+    return read_terrain(settings.inputs, settings.reading);
+  TerrainData bare;
+  bare.surface = Tin{};
+  bare.map.crs_name = "none";
+  bare.source = settings.inputs.front();
+  bare.paths = settings.inputs;
+  return bare;
+}
 
 void check_not_empty(const Map& map, const RenderSettings& settings) {
   if (map.facts.counts.strokes == 0)

@@ -4,7 +4,7 @@
 #include "cli/accuracy/accuracy_report.hpp"
 #include "cli/accuracy/plot_accuracy.hpp"
 #include "cli/progress.hpp"
-#include "cli/write_text.hpp"
+#include "cli/text_file.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "write/output_file.hpp"
 

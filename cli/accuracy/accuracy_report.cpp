@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/accuracy/accuracy_report.hpp"
 
-#include "cli/records.hpp"
+#include "cli/report/measurements.hpp"
 
 #include <fmt/format.h>
 

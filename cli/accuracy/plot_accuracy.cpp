@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/accuracy/plot_accuracy.hpp"
 
-#include "cli/run_gnuplot.hpp"
+#include "cli/report/measurements.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "cli/fragmentation/plot_fragmentation.hpp"
 #include "cli/fragmentation/worst_cases.hpp"
 #include "cli/progress.hpp"
-#include "cli/write_text.hpp"
+#include "cli/text_file.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "write/output_file.hpp"
 

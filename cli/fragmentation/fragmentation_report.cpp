@@ -2,7 +2,7 @@
 #include "cli/fragmentation/fragmentation_report.hpp"
 
 #include "cli/fragmentation/growth.hpp"
-#include "cli/records.hpp"
+#include "cli/report/measurements.hpp"
 
 #include <fmt/format.h>
 

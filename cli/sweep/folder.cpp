@@ -3,7 +3,7 @@
 
 #include "cli/sweep/record.hpp"
 #include "cli/sweep/tables.hpp"
-#include "cli/write_text.hpp"
+#include "cli/text_file.hpp"
 #include "geometry/error.hpp"
 #include "write/byte_sink.hpp"
 

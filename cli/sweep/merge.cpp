@@ -4,8 +4,7 @@
 #include "cli/sweep/record.hpp"
 #include "cli/sweep/sweep.hpp"
 #include "cli/sweep/tables.hpp"
-#include "cli/sweep/whole_file.hpp"
-#include "cli/write_text.hpp"
+#include "cli/text_file.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>

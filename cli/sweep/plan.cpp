@@ -2,7 +2,7 @@
 #include "cli/sweep/plan.hpp"
 
 #include "cli/sweep/fingerprint.hpp"
-#include "cli/sweep/whole_file.hpp"
+#include "cli/text_file.hpp"
 #include "cli/version.hpp"
 #include "dem/read/asked_window.hpp"
 #include "geometry/error.hpp"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/record.hpp"
 
-#include "cli/sweep/whole_file.hpp"
-#include "cli/write_text.hpp"
+#include "cli/text_file.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>

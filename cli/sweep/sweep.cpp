@@ -2,7 +2,7 @@
 #include "cli/sweep/sweep.hpp"
 
 #include "cli/progress.hpp"
-#include "cli/read_ground.hpp"
+#include "cli/render.hpp"
 #include "cli/sweep/check_done.hpp"
 #include "cli/sweep/draw_views.hpp"
 #include "cli/sweep/folder.hpp"

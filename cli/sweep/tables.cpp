@@ -3,8 +3,8 @@
 
 #include "cli/sweep/page.hpp"
 #include "cli/sweep/record.hpp"
+#include "cli/text_file.hpp"
 #include "cli/version.hpp"
-#include "cli/write_text.hpp"
 #include "geometry/error.hpp"
 
 #include <nlohmann/json.hpp>
