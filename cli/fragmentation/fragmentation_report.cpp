@@ -17,10 +17,6 @@ const char* word_of(Occluder occluder) {
   return occluder == Occluder::surface ? "surface" : "profiles";
 }
 
-std::string milliseconds(double s) {
-  return fmt::format("{:.2f}", 1e3 * s);
-}
-
 Cells cells_of(const FragmentationRow& row) {
   const auto count = [](const FragmentationRun* run, auto member) {
     return run ? std::to_string(run->*member) : std::string("-");
@@ -41,9 +37,9 @@ Cells cells_of(const FragmentationRow& row) {
           count(row.without_collapse(), kMost),
           std::to_string(row.collapsed.at_most),
           count(row.least_run(), kMost),
-          row.fragmented ? milliseconds(row.fragmented->seconds) : "-",
-          milliseconds(row.collapsed.seconds),
-          least ? milliseconds(least->run.seconds) : "-"};
+          row.fragmented ? milliseconds(row.fragmented->seconds, 2) : "-",
+          milliseconds(row.collapsed.seconds, 2),
+          least ? milliseconds(least->run.seconds, 2) : "-"};
 }
 
 // What tells rows apart.

@@ -48,6 +48,10 @@ std::size_t width_of(const std::string& text) {
 
 } // namespace
 
+std::string milliseconds(double seconds, int decimals) {
+  return fmt::format("{:.{}f}", 1e3 * seconds, decimals);
+}
+
 std::string aligned_table(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const auto& cells : rows)

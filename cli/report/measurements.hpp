@@ -22,6 +22,9 @@ Value known(const Optional& x) {
   return x ? Value(*x) : Value();
 }
 
+/// Seconds as milliseconds, with so many decimals.
+std::string milliseconds(double seconds, int decimals);
+
 /// Columns as wide as their widest cell, counted in characters; the first to the left, the others
 /// to the right. REQUIRES that all rows have as many cells.
 std::string aligned_table(const std::vector<std::vector<std::string>>& rows);
