@@ -24,11 +24,11 @@ struct AccuracySettings {
 
 /// How far lines are from those of the same drawing with all its points.
 struct SimplifiedDistance {
-  /// Hausdorff distance between strokes, the largest; at least, since `whole` is rounded to the
-  /// page's step as well: that much is taken off.
+  /// Hausdorff distance between strokes, the largest; at least, since the drawing with all its
+  /// points is rounded to the page's step as well: that much is taken off.
   double largest_mm = 0;
   std::uint64_t strokes = 0;   ///< compared
-  std::uint64_t unmatched = 0; ///< of `simplified`, that `whole` doesn't have
+  std::uint64_t unmatched = 0; ///< that the drawing with all its points doesn't have
 };
 
 enum class Arithmetic { float32, float64, exact };

@@ -80,9 +80,9 @@ void keep_least(StageSeconds& least, const StageSeconds& run) {
   keep_least(least.layout, run.layout);
 }
 
-// The seed's method in exact rational arithmetic, to see what arithmetic in double costs.
-// What profiles alone hide, by `exact_clip`: told to the observer and counted, not drawn.
-// Memory: all projected profiles.
+// The seed's method in exact rational arithmetic, to see what arithmetic in double costs: what
+// profiles alone hide, by `exact_clip`, is told to the observers and counted, not drawn. Memory:
+// all projected profiles.
 Map draw_exactly(const TerrainData& terrain, const PlacedView& scene,
                  const std::vector<LineObserver*>& observers) {
   using Clock = std::chrono::steady_clock;
@@ -220,15 +220,13 @@ std::optional<double> distance(std::span<const Vec2> kept, std::span<const Vec2>
   return largest;
 }
 
-// How far a drawing's lines are from those of the same drawing with all its points.
-// REQUIRES that `simplified` and `whole` were drawn with the same settings but for `--simplify`.
-// Cost O(points).
+// How far a drawing's lines are from those of the same drawing with all its points. REQUIRES that
+// `simplified` and `whole` were drawn with the same settings but for `--simplify`. Cost O(points).
 SimplifiedDistance simplified_distance(const Drawing& simplified, const Drawing& whole) {
   SimplifiedDistance out;
   for (std::size_t l = 0; l < simplified.layers.size(); ++l) {
     const Layer &few = simplified.layers[l], &all = whole.layers[l];
-    std::size_t next =
-        0; // strokes come in the same order; rounding may have dropped some of either
+    std::size_t next = 0; // in the same order; rounding may have dropped some of either
     for (const Stroke& stroke : few.strokes) {
       std::optional<double> found;
       for (std::size_t i = next; i < all.strokes.size() && !found; ++i) {

@@ -2,8 +2,6 @@
 // `orograph fragmentation`: its measures against brute force, what it writes, and its refusals.
 #include "cli/fragmentation/fragmentation.hpp"
 #include "cli/fragmentation/fragmentation_report.hpp"
-#include "cli/fragmentation/growth.hpp"
-#include "cli/fragmentation/plot_fragmentation.hpp"
 #include "cli/fragmentation/worst_cases.hpp"
 #include "cli/options/options.hpp"
 #include "dem/mesh/verify_tin.hpp"
