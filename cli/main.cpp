@@ -6,7 +6,6 @@
 #include "cli/options/help.hpp"
 #include "cli/options/options.hpp"
 #include "cli/render.hpp"
-#include "cli/sweep/launcher.hpp"
 #include "cli/sweep/ranks.hpp"
 #include "cli/tin.hpp"
 #include "dem/read/gdal.hpp"

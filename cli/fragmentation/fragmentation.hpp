@@ -50,8 +50,8 @@ struct FragmentationRow {
   int profiles = 0;
 
   std::uint64_t segments = 0; ///< of profiles
-  std::uint64_t occluders =
-      0;                     ///< that were put into the horizon: segments, or pieces of other lines
+  /// Put into the horizon: segments, or pieces of other lines.
+  std::uint64_t occluders = 0;
   std::uint64_t visible = 0; ///< visible pieces of profiles
   FragmentationRun collapsed;
   std::optional<FragmentationRun> fragmented; ///< none: more occluders than asked for

@@ -40,7 +40,7 @@ std::string series_csv(const std::vector<FragmentationRow>& rows);
 std::string fragmentation_json(const std::vector<FragmentationRow>& rows,
                                const std::string& terrain);
 
-/// Writes them as one SVG to `path`, an existing file or a new one: pieces over profiles with
+/// Writes plots as one SVG to `path`, an existing file or a new one: pieces over profiles with
 /// either occluder, pieces after each profile, seconds, the worst cases. Throws Error where gnuplot
 /// is missing or fails.
 void plot_fragmentation(const std::vector<FragmentationRow>& rows, const std::string& title,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The folder of a sweep before its first view is drawn.
+// The folder of a sweep: begun or gone on with, how it stands, its tables and its page.
 #pragma once
 
-#include "cli/sweep/plan.hpp"
+#include "cli/sweep/journal.hpp"
 #include "cli/sweep/sweep_settings.hpp"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace orograph {
@@ -25,5 +26,23 @@ void begin_folder(const std::string& out_dir, const Plan& plan);
 
 /// The temporary files of a sweep that was killed. REQUIRES that nobody draws into the folder.
 void remove_leftovers(const std::string& out_dir);
+
+struct SweepState {
+  std::vector<std::size_t> missing; ///< views without a row
+  std::vector<std::size_t> failed;  ///< views with an error instead of a drawing
+  std::vector<std::string> corrupt; ///< rows that can't be read; their views are missing
+};
+
+/// A view is done where its row and its drawing are there.
+SweepState state_of(const std::string& out_dir, const Plan& plan);
+
+/// Writes sweep.csv, sweep.json and index.html, of all rows that there are; what can't be read is
+/// left out. Tells what it found. Throws Error where they can't be written.
+SweepState write_tables(const std::string& out_dir, const Plan& plan);
+
+/// Tells on stderr, unless quiet, how many views there are and where to look. Throws Error where
+/// views of the shard have failed or are missing.
+void check_done(const SweepState& state, const std::string& out_dir, const Plan& plan,
+                const Shard& shard, bool quiet);
 
 } // namespace orograph
