@@ -12,11 +12,10 @@
 namespace orograph {
 
 /// Makes the folder, writes the plan, and tells which views of the shard are still to be drawn.
-/// With
-/// `--resume` those that are done stay as they are, what an end has left half-written is removed,
-/// and rows that can't be read are told of on stderr; with `--overwrite` an older sweep is removed,
-/// and nothing else. Throws Error where the folder can't be written to, where it holds another
-/// sweep, or this one without `--resume`, and where something else would be overwritten.
+/// With `--resume` those that are done stay as they are, what an end has left half-written is
+/// removed, and rows that can't be read are told of on stderr; with `--overwrite` an older sweep is
+/// removed, and nothing else. Throws Error where the folder can't be written to, where it holds
+/// another sweep, or this one without `--resume`, and where something else would be overwritten.
 std::vector<std::size_t> open_folder(const SweepSettings& settings, const Plan& plan);
 
 /// Makes the folder of a new sweep and writes its plan; another process may do the same just now.
