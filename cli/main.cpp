@@ -7,13 +7,15 @@
 #include "cli/options/named_fields.hpp"
 #include "cli/options/options.hpp"
 #include "cli/render.hpp"
-#include "cli/signals.hpp"
-#include "cli/sweep/launcher.hpp"
 #include "cli/sweep/ranks.hpp"
 #include "cli/tin.hpp"
 #include "dem/read/gdal.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "write/output_file.hpp"
+
+#include <signal.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -26,6 +28,22 @@
 using namespace orograph;
 
 namespace {
+
+extern "C" void remove_all_and_exit(int signal_number) {
+  remove_temporary_files();
+  _exit(128 + signal_number);
+}
+
+// From now on SIGINT and SIGTERM remove temporary files and exit with 130 and 143; SIGXFSZ and
+// SIGPIPE are ignored, so that a file-size limit or a closed pipe shows as a write error.
+void remove_output_files_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = remove_all_and_exit;
+  sigemptyset(&action.sa_mask);
+  for (const int interrupting : {SIGINT, SIGTERM}) sigaddset(&action.sa_mask, interrupting);
+  for (const int interrupting : {SIGINT, SIGTERM}) sigaction(interrupting, &action, nullptr);
+  for (const int of_writing : {SIGXFSZ, SIGPIPE}) signal(of_writing, SIG_IGN);
+}
 
 void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);

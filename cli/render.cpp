@@ -2,19 +2,18 @@
 #include "cli/render.hpp"
 
 #include "cli/progress.hpp"
-#include "cli/read_ground.hpp"
 #include "cli/report/run_report.hpp"
+#include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
+#include "map/describe_map.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdio>
-
-#include "map/describe_map.hpp"
-#include "map/draw_map.hpp"
-#include "placing/placed_view.hpp"
-#include "placing/terrain_of_view.hpp"
 
 namespace orograph {
 namespace {
@@ -46,6 +45,21 @@ void tell_check(const std::optional<CheckCounts>& check) {
 }
 
 } // namespace
+
+bool is_scene(const std::string& input) {
+  return input.ends_with(".toml") || input.ends_with(".TOML");
+}
+
+TerrainData read_ground(const RenderSettings& settings) {
+  if (settings.inputs.size() != 1 || !is_scene(settings.inputs.front()))
+    return read_terrain(settings.inputs, settings.reading);
+  TerrainData bare;
+  bare.surface = Tin{};
+  bare.map.crs_name = "none";
+  bare.source = settings.inputs.front();
+  bare.paths = settings.inputs;
+  return bare;
+}
 
 void check_not_empty(const Map& map, const RenderSettings& settings) {
   if (map.facts.counts.strokes == 0)

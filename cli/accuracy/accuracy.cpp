@@ -1,19 +1,102 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Which rows `orograph accuracy` measures, what they are called and promise, and the command.
 #include "cli/accuracy/accuracy.hpp"
 
 #include "cli/accuracy/accuracy_report.hpp"
-#include "cli/accuracy/plot_accuracy.hpp"
 #include "cli/progress.hpp"
-#include "cli/write_text.hpp"
+#include "cli/text_file.hpp"
+#include "dem/read/read_raster.hpp"
 #include "dem/read/read_terrain.hpp"
+#include "geometry/error.hpp"
+#include "placing/terrain_of_view.hpp"
 #include "write/output_file.hpp"
+
+#include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
 
-#include "placing/terrain_of_view.hpp"
-
 namespace orograph {
+namespace {
+
+// As many as the file has, told by which of them can be read. The coarsest may be too small to be a
+// terrain.
+int overview_count(const RenderSettings& settings) {
+  ReadOptions options = settings.reading;
+  for (int level = 0;; ++level) {
+    options.overview = level;
+    try {
+      read_rasters(settings.inputs, options);
+    } catch (const Error&) {
+      return level;
+    }
+  }
+}
+
+} // namespace
+
+std::string name_of(const AccuracyRow& row) {
+  const RowSettings& s = row.settings;
+  std::string name =
+      fmt::format("{}, {} profiles", s.occluder == Occluder::surface ? "surface" : "profiles",
+                  row.profile_count);
+  if (s.simplify_mm != RowSettings{}.simplify_mm)
+    name += fmt::format(", simplify {} mm", s.simplify_mm);
+  if (s.overview) name += fmt::format(", overview {}", *s.overview);
+  if (!s.collapse) name += ", no collapse";
+  if (s.arithmetic == Arithmetic::float32) name += ", float";
+  if (s.arithmetic == Arithmetic::float64 && row.group == "arithmetic") name += ", double";
+  if (s.arithmetic == Arithmetic::exact) name += ", exact";
+  return name;
+}
+
+std::vector<AccuracyRow> accuracy_rows(const AccuracySettings& settings) {
+  std::vector<AccuracyRow> rows;
+  const auto add = [&](const std::string& group, const RowSettings& row) {
+    rows.emplace_back();
+    rows.back().group = group;
+    rows.back().settings = row;
+  };
+  for (const Occluder occluder : {Occluder::surface, Occluder::profiles})
+    for (const auto& number : settings.profiles)
+      add("profiles", {.occluder = occluder, .profiles = number});
+
+  // All else is varied at one number of profiles, the middle one.
+  const auto number = settings.profiles[settings.profiles.size() / 2];
+  for (const double mm : {0.0, 0.1}) add("simplify", {.profiles = number, .simplify_mm = mm});
+  const int overviews = overview_count(settings.render);
+  for (int level = 0; level < overviews; ++level)
+    add("overview", {.profiles = number, .overview = level});
+  // The surface's horizon rises by silhouettes alone; these two are about profiles that hide.
+  add("collapse", {.occluder = Occluder::profiles, .profiles = number, .collapse = false});
+  for (const Arithmetic arithmetic : {Arithmetic::float32, Arithmetic::float64, Arithmetic::exact})
+    add("arithmetic",
+        {.occluder = Occluder::profiles, .profiles = number, .arithmetic = arithmetic});
+  return rows;
+}
+
+std::string broken_promise(const AccuracyRow& row) {
+  const RowPromise& promise = row.promise;
+  const InkSample ink = row.profiles + row.lines;
+  if (promise.ink_error && ink.error() > *promise.ink_error)
+    return fmt::format("its ink error is {:.3g} %, promised {:.3g} %", 100 * ink.error(),
+                       100 * *promise.ink_error);
+  if (promise.displacement_mm && row.displacement_mm() > *promise.displacement_mm)
+    return fmt::format("its displacement is {:.3g} mm, promised {:.3g} mm", row.displacement_mm(),
+                       *promise.displacement_mm);
+  if (promise.simplified_mm && row.simplified &&
+      row.simplified->largest_mm > *promise.simplified_mm)
+    return fmt::format("its simplification moved a point by {:.3g} mm, promised {:.3g} mm",
+                       row.simplified->largest_mm, *promise.simplified_mm);
+  return "";
+}
+
+void check_promises(const std::vector<AccuracyRow>& rows) {
+  for (const AccuracyRow& row : rows)
+    if (const std::string broken = broken_promise(row); !broken.empty())
+      throw Error(fmt::format("the row '{}' breaks its promise, {}", name_of(row), broken),
+                  "please report it with the terrain and the command");
+}
 
 void accuracy(const AccuracySettings& settings) {
   const RenderSettings& render = settings.render;

@@ -1,19 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One row's runs: one that measures lengths, one that asks the ray walk, and those that are timed.
+// One row's runs: one that measures lengths, one that asks the ray walk, those that are timed, and
+// those in exact arithmetic or with all points that it is compared with.
 #include "cli/accuracy/accuracy.hpp"
-#include "cli/accuracy/exact_run.hpp"
-#include "cli/accuracy/visible_record.hpp"
+#include "cli/accuracy/meters.hpp"
 #include "cli/render.hpp"
 #include "dem/read/read_raster.hpp"
 #include "dem/terrain.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
+#include "draw/drawing.hpp"
+#include "hidden_lines/instruments.hpp"
 #include "map/draw_map.hpp"
 #include "map/error_budget.hpp"
+#include "map/line_on_page.hpp"
+#include "placing/placed_view.hpp"
 #include "placing/terrain_of_view.hpp"
+#include "profiles/cut_surface.hpp"
+#include "profiles/profile.hpp"
+#include "reference/exact_clip.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace orograph {
 namespace {
@@ -64,6 +77,169 @@ void keep_least(StageSeconds& least, const StageSeconds& run) {
   keep_least(least.project, run.project);
   keep_least(least.clip, run.clip);
   keep_least(least.layout, run.layout);
+}
+
+// The seed's method in exact rational arithmetic, to see what arithmetic in double costs: what
+// profiles alone hide, by `exact_clip`, is told to the observers and counted, not drawn. Memory:
+// all projected profiles.
+Map draw_exactly(const TerrainData& terrain, const PlacedView& scene,
+                 const std::vector<LineObserver*>& observers) {
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Map out;
+  StageSeconds& seconds = out.facts.seconds;
+  Counts& counts = out.facts.counts;
+  seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.layout = 0;
+  for (const Sector& sector : scene.sectors) {
+    const SurfaceCutter cutter(terrain.surface, sector.view, scene.level.triangles, scene.border);
+    std::vector<Profile> profiles(sector.profiles.size());
+    std::vector<std::vector<Segment>> segments(sector.profiles.size());
+    std::vector<Segment> uprights; // of walls: the exact clip compares what has an extent in X
+    std::vector<ExactList> lists;
+    for (std::size_t i = 0; i < sector.profiles.size(); ++i) {
+      auto start = Clock::now();
+      cutter.cut(sector.profiles[i].depth_m, profiles[i]);
+      seconds.cut += since(start);
+      start = Clock::now();
+      project_profile(profiles[i], static_cast<std::uint32_t>(sector.profiles[i].number),
+                      sector.view, segments[i], uprights);
+      seconds.project += since(start);
+      counts.segments += segments[i].size();
+      lists.push_back({segments[i], Role::drawn_occluder});
+    }
+    const auto start = Clock::now();
+    const std::vector<ExactClip> clipped = exact_clip(lists);
+    seconds.clip += since(start);
+    for (std::size_t i = 0; i < clipped.size(); ++i) {
+      counts.largest_horizon =
+          std::max<std::uint64_t>(counts.largest_horizon, clipped[i].least_horizon);
+      for (LineObserver* observer : observers)
+        observer->see(SeenProfile{
+            sector, {-kInfinity, kInfinity}, profiles[i], segments[i], clipped[i].visible});
+    }
+  }
+  return out;
+}
+
+// Keeps the visible stretches of each profile, in mm on the page along it. REQUIRES that the
+// placed view outlives the record. Memory: 16 bytes a stretch.
+class VisibleRecord : public LineObserver {
+public:
+  explicit VisibleRecord(const PlacedView& scene) : scene_(scene) {}
+
+  void see(const SeenProfile& seen) override;
+  void see(const SeenLines&) override {}
+
+  using Stretches = std::vector<std::pair<double, double>>;
+  const std::vector<Stretches>& profiles() const { return profiles_; }
+
+private:
+  const PlacedView& scene_;
+  std::vector<Stretches> profiles_;
+};
+
+void VisibleRecord::see(const SeenProfile& seen) {
+  const auto& [sector, clipped, profile, segments, visible] = seen;
+  Stretches& stretches = profiles_.emplace_back();
+  const auto at = [&](std::uint32_t vertex) {
+    return ProfilePoint{profile.u_m[vertex], profile.depth_m, profile.z_m[vertex]};
+  };
+  double start_mm = 0; // the same in every run, whatever segments arithmetic has lost
+  auto piece = visible.begin();
+  for (std::uint32_t vertex = 0; vertex + 1 < profile.size(); ++vertex) {
+    if (profile.after[vertex] == Span::gap) continue;
+    const auto line = LineOnPage::of({at(vertex), at(vertex + 1)}, sector.view, sector.to_page,
+                                     scene_.page.inner_mm());
+    for (; piece != visible.end() && left_vertex(segments[piece->segment]) <= vertex; ++piece) {
+      if (!line || left_vertex(segments[piece->segment]) < vertex) continue;
+      const auto mm = [&](double t) {
+        return start_mm + std::clamp(line->mm_at(t), 0.0, line->length_mm());
+      };
+      const double begin = mm(piece->t_begin), end = mm(piece->t_end);
+      if (!stretches.empty() && stretches.back().second >= begin)
+        stretches.back().second = std::max(stretches.back().second, end);
+      else
+        stretches.emplace_back(begin, end);
+    }
+    if (line) start_mm += line->length_mm();
+  }
+}
+
+// The longest stretch that is visible in one run of a view and hidden in the other: 0 where the two
+// agree, else how far an end has moved, or what was lost or gained.
+double longest_difference_mm(const VisibleRecord& a, const VisibleRecord& b) {
+  double longest = 0;
+  for (std::size_t i = 0; i < std::min(a.profiles().size(), b.profiles().size()); ++i) {
+    // Ends in order: between two of them either run is visible or hidden throughout.
+    std::vector<std::pair<double, bool>> ends; // place, of `a`
+    for (const auto& [begin, end] : a.profiles()[i]) {
+      ends.emplace_back(begin, true);
+      ends.emplace_back(end, true);
+    }
+    for (const auto& [begin, end] : b.profiles()[i]) {
+      ends.emplace_back(begin, false);
+      ends.emplace_back(end, false);
+    }
+    std::sort(ends.begin(), ends.end());
+    bool in_a = false, in_b = false;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      if (in_a != in_b) longest = std::max(longest, ends[k].first - ends[k - 1].first);
+      bool& in = ends[k].second ? in_a : in_b;
+      in = !in;
+    }
+  }
+  return longest;
+}
+
+double distance(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 along = b - a, to = p - a;
+  const double square = dot(along, along);
+  const double t = square > 0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0;
+  return length(to - t * along);
+}
+
+// The points that were kept are points of the whole stroke, in order. Of each stretch between two
+// of them, the whole stroke's point farthest from the straight line is the Hausdorff distance: the
+// line has no point farther from the stretch, which goes from one of its ends to the other.
+// None where the strokes aren't the same line.
+std::optional<double> distance(std::span<const Vec2> kept, std::span<const Vec2> whole) {
+  if (!(kept.front() == whole.front()) || !(kept.back() == whole.back())) return std::nullopt;
+  double largest = 0;
+  std::size_t at = 0;
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    double stretch = 0;
+    for (++at; at < whole.size() && !(whole[at] == kept[i]); ++at)
+      stretch = std::max(stretch, distance(whole[at], kept[i - 1], kept[i]));
+    if (at == whole.size()) return std::nullopt;
+    largest = std::max(largest, stretch);
+  }
+  return largest;
+}
+
+// How far a drawing's lines are from those of the same drawing with all its points. REQUIRES that
+// `simplified` and `whole` were drawn with the same settings but for `--simplify`. Cost O(points).
+SimplifiedDistance simplified_distance(const Drawing& simplified, const Drawing& whole) {
+  SimplifiedDistance out;
+  for (std::size_t l = 0; l < simplified.layers.size(); ++l) {
+    const Layer &few = simplified.layers[l], &all = whole.layers[l];
+    std::size_t next = 0; // in the same order; rounding may have dropped some of either
+    for (const Stroke& stroke : few.strokes) {
+      std::optional<double> found;
+      for (std::size_t i = next; i < all.strokes.size() && !found; ++i) {
+        if (all.strokes[i].profile != stroke.profile) continue;
+        found = distance(few.points(stroke), all.points(all.strokes[i]));
+        if (found) next = i + 1;
+      }
+      ++(found ? out.strokes : out.unmatched);
+      if (found) out.largest_mm = std::max(out.largest_mm, *found);
+    }
+  }
+  constexpr double kRounding_mm = 0.5 * std::numbers::sqrt2 * kPageStep_mm;
+  out.largest_mm = std::max(0.0, out.largest_mm - kRounding_mm);
+  return out;
 }
 
 } // namespace

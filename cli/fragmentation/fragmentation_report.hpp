@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of `orograph fragmentation` as text: tables to read, CSV, JSON.
+// The rows of `orograph fragmentation` as text, tables to read, CSV and JSON, with their growth;
+// and as plots.
 #pragma once
 
-#include "cli/fragmentation/fragmentation_row.hpp"
+#include "cli/fragmentation/fragmentation.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace orograph {
+
+/// How a horizon grows. Of rows that differ in the number of profiles alone: the exponent of the
+/// power law through a measure, by least squares of the logarithms; none where fewer than two rows
+/// have it.
+struct Growth {
+  FragmentationRow like;                                                ///< one of the rows
+  std::vector<std::pair<std::string, std::optional<double>>> exponents; ///< by measure
+
+  bool is_known() const;
+};
+
+/// REQUIRES that such rows follow each other.
+std::vector<Growth> growth_of(const std::vector<FragmentationRow>& rows);
 
 /// Aligned columns, a heading of two lines; "-" where nothing was run.
 std::string fragmentation_table(const std::vector<FragmentationRow>& rows);
@@ -23,5 +39,15 @@ std::string series_csv(const std::vector<FragmentationRow>& rows);
 /// Rows and exponents, `"schema": 1`, with the program's version and what was measured.
 std::string fragmentation_json(const std::vector<FragmentationRow>& rows,
                                const std::string& terrain);
+
+/// Writes plots as one SVG to `path`, an existing file or a new one: pieces over profiles with
+/// either occluder, pieces after each profile, seconds, the worst cases. Throws Error where gnuplot
+/// is missing or fails.
+void plot_fragmentation(const std::vector<FragmentationRow>& rows, const std::string& title,
+                        const std::string& path);
+
+/// What gnuplot is told; for `plot_fragmentation` and its test.
+std::string fragmentation_plot_script(const std::vector<FragmentationRow>& rows,
+                                      const std::string& title, const std::string& path);
 
 } // namespace orograph

@@ -156,22 +156,6 @@ FragmentationRun timed(const MeasuredScene& s, bool collapse, int repeats) {
 
 } // namespace
 
-std::vector<FragmentationRow> fragmentation_rows(const FragmentationSettings& settings) {
-  std::vector<FragmentationRow> rows;
-  for (const Occluder occluder : {Occluder::profiles, Occluder::surface})
-    for (const double azimuth_deg : settings.azimuths_deg)
-      for (const double elevation_deg : settings.elevations_deg)
-        for (const int profiles : settings.profiles) {
-          FragmentationRow& row = rows.emplace_back();
-          row.scene = "terrain";
-          row.occluder = occluder;
-          row.azimuth_deg = azimuth_deg;
-          row.elevation_deg = elevation_deg;
-          row.profiles = profiles;
-        }
-  return rows;
-}
-
 void measure_row(FragmentationRow& row, const FragmentationSettings& settings,
                  const TerrainData& terrain) {
   const RenderSettings render = settings_of(row, settings.render);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/fragmentation/plot_fragmentation.hpp"
-
-#include "cli/run_gnuplot.hpp"
+// The plots of a fragmentation study.
+#include "cli/fragmentation/fragmentation_report.hpp"
+#include "cli/report/measurements.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include "cli/options/check_settings.hpp"
 
 #include "cli/options/option_values.hpp"
-#include "cli/read_ground.hpp"
-#include "cli/report/view_of_report.hpp"
+#include "cli/render.hpp"
+#include "cli/report/run_report.hpp"
 #include "geometry/error.hpp"
 #include "solids/read_scene.hpp"
 #include "write/write_drawing.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which lines are drawn, and how exactly.
+// Which lines are drawn of the ground, and how exactly; which solids stand on it.
 #include "cli/options/option_groups.hpp"
-#include "cli/options/option_kinds.hpp"
 #include "cli/options/option_values.hpp"
+#include "map/layer_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <string>
 #include <vector>
-
-#include "map/layer_table.hpp"
 
 namespace orograph {
 namespace {
@@ -121,6 +119,23 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                        s.map.style.layers.assign(names.begin(), names.end());
                        return are_layers(names);
                      }});
+}
+
+void add_scene_options(std::vector<Option>& options, RenderSettings& s) {
+  constexpr auto kGroup = "Solids";
+  options.push_back({.group = kGroup,
+                     .name = "--scene",
+                     .value = "FILE",
+                     .help = "Huts, towers, masts and the like on the terrain (docs/scenes.md); a "
+                             "scene as INPUT is drawn alone",
+                     .allowed = "a scene in TOML",
+                     .take = stored_name(s.scene_file)});
+  options.push_back(with_choice<bool>(
+      {.group = kGroup,
+       .name = "--hidden",
+       .help = "Edges of solids that aren't seen: leave them out, or dash them in the layer hidden",
+       .by_default = "omit"},
+      {{"omit", false}, {"dash", true}}, s.dashes_hidden));
 }
 
 } // namespace orograph

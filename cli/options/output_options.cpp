@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a drawing is written as, and what is told of it.
+// The paper and the pen; what a drawing is written as, and what is told of it.
 #include "cli/options/option_groups.hpp"
-#include "cli/options/option_kinds.hpp"
+#include "cli/options/option_values.hpp"
+#include "draw/page.hpp"
 #include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
@@ -10,13 +11,66 @@
 namespace orograph {
 namespace {
 
-constexpr auto kGroup = "Output";
+constexpr auto kPage = "Page";
+constexpr auto kOutput = "Output";
 
 } // namespace
 
+void add_page_options(std::vector<Option>& options, RenderSettings& s) {
+  options.push_back({.group = kPage,
+                     .name = "--page",
+                     .value = "NAME|WxH",
+                     .help = "Paper; a named one is turned to the picture's shape",
+                     .allowed = fmt::format("one of {}, or width x height in mm such as 400x250, "
+                                            "each 1 to 10000",
+                                            fmt::join(paper_names(), ", ")),
+                     .by_default = "a4",
+                     .take = [&page = s.map.page](const std::string& text) {
+                       const auto named = paper_size_mm(text);
+                       const auto size = named ? named : parse_width_x_height(text);
+                       if (!size) return false;
+                       page.width_mm = size->x;
+                       page.height_mm = size->y;
+                       if (!named && page.orientation == Orientation::by_picture)
+                         page.orientation = Orientation::as_given;
+                       return true;
+                     }});
+  options.push_back({.group = kPage,
+                     .name = "--portrait",
+                     .help = "Page upright",
+                     .take = set_to(s.map.page.orientation, Orientation::portrait)});
+  options.push_back({.group = kPage,
+                     .name = "--landscape",
+                     .help = "Page on its side",
+                     .take = set_to(s.map.page.orientation, Orientation::landscape)});
+  options.push_back(with_number({.group = kPage,
+                                 .name = "--margin",
+                                 .value = "MM",
+                                 .help = "Empty paper on each side",
+                                 .by_default = fmt::format("{}", s.map.page.margin_mm)},
+                                {.unit = "mm", .low = 0},
+                                [&s](double mm) { s.map.page.margin_mm = mm; }));
+  options.push_back(with_number({.group = kPage,
+                                 .name = "--pen-width",
+                                 .value = "MM",
+                                 .help = "Width of the pen that draws the profiles",
+                                 .by_default = fmt::format("{}", s.map.style.pen_width_mm)},
+                                {.unit = "mm", .low = 0.01, .high = 10},
+                                [&s](double mm) { s.map.style.pen_width_mm = mm; }));
+  options.push_back({.group = kPage,
+                     .name = "--title",
+                     .value = "TEXT",
+                     .help = "Title in the file's metadata",
+                     .by_default = "INPUT's file name",
+                     .take = [&s](const std::string& text) {
+                       s.map.title = text;
+                       return true;
+                     }});
+}
+
 void add_output_options(std::vector<Option>& options, RenderSettings& s) {
   const std::string formats = fmt::format("{}", fmt::join(format_names(), ", "));
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kOutput,
                      .name = "--of",
                      .value = "FORMAT",
                      .help = "Format of OUTPUT",
@@ -26,26 +80,26 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
                        s.write.format = format_of_name(text);
                        return true;
                      }});
-  options.push_back(with_number({.group = kGroup,
+  options.push_back(with_number({.group = kOutput,
                                  .name = "--dpi",
                                  .value = "N",
                                  .help = "Resolution of PNG",
                                  .by_default = fmt::format("{}", s.write.dpi)},
                                 {.unit = "dots per inch", .low = 10, .high = 4800},
                                 [&s](double dpi) { s.write.dpi = dpi; }));
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kOutput,
                      .name = "--overwrite",
                      .help = "Replace OUTPUT and the report where they exist",
                      .take = set_to(s.write.overwrite, true)});
   options.push_back(
-      {.group = kGroup,
+      {.group = kOutput,
        .name = "--report",
        .value = "FILE.json|FILE.toml",
        .help = "Write what was drawn, how exactly and in which time; to a .toml the view alone, "
                "as --view takes it",
        .allowed = "a file name",
        .take = stored_name(s.report)});
-  options.push_back(with_integer({.group = kGroup,
+  options.push_back(with_integer({.group = kOutput,
                                   .name = "--check",
                                   .value = "N",
                                   .help = "Ask N random points of the drawing of a ray walk over "

@@ -2,8 +2,8 @@
 // What `orograph sweep` varies, and how it goes about it: render's options, some of them with
 // lists.
 #include "cli/options/check_settings.hpp"
+#include "cli/options/option.hpp"
 #include "cli/options/option_groups.hpp"
-#include "cli/options/option_kinds.hpp"
 #include "cli/options/option_values.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/parse_arguments.hpp"

@@ -1,16 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a command reads of a terrain.
+// What a command reads of a terrain; and the two that tell of it or write it, `orograph info` and
+// `orograph tin`.
+#include "cli/options/check_settings.hpp"
 #include "cli/options/option_groups.hpp"
-#include "cli/options/option_kinds.hpp"
 #include "cli/options/option_values.hpp"
+#include "cli/options/options.hpp"
+#include "cli/options/parse_arguments.hpp"
 #include "dem/read/length_units.hpp"
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
 
 #include <limits>
+#include <map>
 
 namespace orograph {
 namespace {
 
 constexpr auto kGroup = "Terrain";
+constexpr auto kOutput = "Output";
+
+void add_tin_options(std::vector<Option>& options, TinSettings& settings) {
+  options.push_back({.group = kOutput,
+                     .name = "--max-error",
+                     .value = "LENGTH",
+                     .help = "Of a raster: keep as few of its vertices as leave the TIN nowhere "
+                             "farther from it in height",
+                     .allowed = "a length from 0 on with its unit, such as 2m",
+                     .take = stored(parse_metres, settings.max_error_m)});
+  std::optional<TinFormat>& format = settings.format;
+  const std::map<std::string, TinFormat> formats{{"gpkg", TinFormat::gpkg},
+                                                 {"off", TinFormat::off},
+                                                 {"ply", TinFormat::ply},
+                                                 {"obj", TinFormat::obj}};
+  options.push_back({.group = kOutput,
+                     .name = "--of",
+                     .value = "gpkg|off|ply|obj",
+                     .help = "Format of OUTPUT",
+                     .by_default = "by its extension",
+                     .take = [formats, &format](const std::string& text) {
+                       const auto found = formats.find(text);
+                       if (found == formats.end()) return false;
+                       format = found->second;
+                       return true;
+                     }});
+  options.push_back({.group = kOutput,
+                     .name = "--overwrite",
+                     .help = "Replace an existing file",
+                     .take = set_to(settings.overwrite, true)});
+  options.push_back(jobs_option(settings.jobs));
+  options.push_back(quiet_option(settings.quiet));
+  options.push_back(help_option());
+}
 
 } // namespace
 
@@ -140,6 +181,62 @@ void add_terrain_options(std::vector<Option>& options, std::vector<std::string>&
                                  .by_default = "none"},
                                 {.unit = "metres", .low = 0, .low_excluded = true},
                                 [&reading](double m) { reading.max_edge_m = m; }));
+}
+
+Command info_command(InfoSettings& settings) {
+  Command command{
+      .name = "info",
+      .summary = "Tell what a terrain is: size, cells, CRS, bounds, heights",
+      .options = {},
+      .conflicts = terrain_conflicts(),
+      .examples = {{"orograph info dem.tif", "What the file holds, as render reads it."}}};
+  add_terrain_options(command.options, settings.inputs, settings.reading);
+  command.options.push_back(jobs_option(settings.jobs));
+  command.options.push_back(help_option());
+  return command;
+}
+
+std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments) {
+  InfoSettings settings;
+  const auto given = parse_arguments(info_command(settings), arguments);
+  if (given.contains("--help")) return std::nullopt;
+  refuse_scenes(settings.inputs);
+  return settings;
+}
+
+Command tin_command(TinSettings& settings) {
+  Command command{.name = "tin",
+                  .summary =
+                      "Write a terrain as a TIN: points triangulated, a raster with few vertices",
+                  .options = {},
+                  .conflicts = terrain_conflicts(),
+                  .examples = {{"orograph tin survey.csv survey.gpkg --breaklines edges.gpkg",
+                                "Points and breaklines as triangles."},
+                               {"orograph tin dem.tif dem.ply --max-error 2m",
+                                "A DEM with the vertices that keep it within 2 m in height."}}};
+  add_terrain_options(command.options, settings.inputs, settings.reading);
+  command.options.insert(command.options.begin() + 1,
+                         {.name = "OUTPUT",
+                          .help = "the TIN: a file whose extension names the format (gpkg, off, "
+                                  "ply, obj)",
+                          .take = stored_name(settings.output)});
+  add_tin_options(command.options, settings);
+  return command;
+}
+
+std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments) {
+  TinSettings settings;
+  const auto given = parse_arguments(tin_command(settings), arguments);
+  if (given.contains("--help")) return std::nullopt;
+  refuse_scenes(settings.inputs);
+  std::vector<std::string> inputs = settings.inputs;
+  inputs.push_back(settings.reading.breaklines);
+  inputs.push_back(settings.reading.boundary);
+  for (const std::string& input : inputs)
+    if (!input.empty() && replaces_input(input, settings.output))
+      throw UsageError(fmt::format("OUTPUT '{}' is an input", settings.output),
+                       "give OUTPUT another name");
+  return settings;
 }
 
 } // namespace orograph

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The run report as JSON.
+// The run report as JSON, written and read.
 #include "cli/report/run_report.hpp"
 
 #include "cli/render_settings.hpp"
 #include "cli/version.hpp"
 #include "geometry/error.hpp"
+#include "placing/view_entries.hpp"
+#include "text/text_of_file.hpp"
+#include "text/words.hpp"
 #include "write/output_file.hpp"
 #include "write/write_drawing.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -173,6 +178,60 @@ Json json_of(const ErrorBudget& budget) {
           {"total", or_unknown(budget.total_mm())}};
 }
 
+constexpr std::size_t kMostBytesOfReport = 20'000'000; // it tells of every profile
+
+std::optional<double> as_number(const nlohmann::json& value) {
+  if (!value.is_number()) return std::nullopt;
+  return value.get<double>();
+}
+
+ViewEntry entry_of(const std::string& key, const nlohmann::json& value) {
+  ViewEntry entry;
+  entry.key = printable(key);
+  if (value.is_string()) {
+    entry.kind = ViewEntry::Kind::text;
+    entry.text = printable(value.get<std::string>());
+  } else if (const auto number = as_number(value)) {
+    entry.kind = ViewEntry::Kind::number;
+    entry.numbers = {*number};
+  } else if (value.is_array()) {
+    take_numbers(entry, value.size(), [&](std::size_t i) { return as_number(value[i]); });
+  } else {
+    entry.text = value.is_null() ? "null" : value.is_boolean() ? "true or false" : "an object";
+  }
+  return entry;
+}
+
+// Where a key isn't there, or its owner is no object, null.
+nlohmann::json member(const nlohmann::json& owner, const char* key) {
+  return owner.is_object() && owner.contains(key) ? owner[key] : nlohmann::json();
+}
+
+std::vector<ViewEntry> report_entries(const std::string& path) {
+  const std::string text = view_text(path, kMostBytesOfReport);
+  nlohmann::json report;
+  try {
+    report = nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    throw Error(
+        fmt::format("{}, line {}: this isn't JSON", path, 1 + std::count(text.begin(), end, '\n')),
+        "give the report again with --report");
+  } catch (const nlohmann::json::out_of_range&) {
+    throw Error(path + ": a number is too large", "give the report again with --report");
+  }
+  const nlohmann::json view = member(member(report, "view"), "phigs");
+  if (!view.is_object())
+    throw Error(path + " is no report of a run with a view to take over (view.phigs)",
+                "give a report that orograph render --report wrote, or a view in TOML");
+  std::vector<ViewEntry> entries;
+  for (const auto& [key, value] : view.items()) {
+    if (value.is_null() && (key == "front" || key == "back")) continue;
+    entries.push_back(entry_of(key, value));
+  }
+  return entries;
+}
+
 } // namespace
 
 RunReport run_report(const Map& map, const RenderSettings& settings) {
@@ -230,6 +289,11 @@ void write_report(const RunReport& report, const std::string& path, bool overwri
     throw Error("can't write the report '" + path + "'",
                 "make room on the disk, or choose another");
   place.commit();
+}
+
+ViewFile read_view(const std::string& path) {
+  return extension_of(path) == ".json" ? view_of_entries(report_entries(path), path)
+                                       : read_view_file(path);
 }
 
 } // namespace orograph

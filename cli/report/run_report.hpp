@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The run report: what was drawn, how exactly and in which time, as JSON (docs/how-it-works.md).
+// The run report: what was drawn, how exactly and in which time, as JSON (docs/how-it-works.md);
+// and the view that a report holds, to be drawn again.
 #pragma once
 
 #include "draw/drawing.hpp"
+#include "map/draw_map.hpp"
+#include "placing/view_file.hpp"
 
 #include <cstdint>
 #include <map>
 #include <string>
-
-#include "map/draw_map.hpp"
 
 namespace orograph {
 
@@ -35,5 +36,10 @@ std::string report_text(const RunReport& report);
 /// it. Throws Error where it can't be written, or exists and
 /// `overwrite` is off.
 void write_report(const RunReport& report, const std::string& path, bool overwrite);
+
+/// A view file as `read_view_file` takes it. A file whose name ends in .json is a run report
+/// instead: its object view.phigs holds the same keys, and null is as good as no front or back
+/// plane. Throws the same Errors.
+ViewFile read_view(const std::string& path);
 
 } // namespace orograph

@@ -11,7 +11,7 @@ string(REPLACE "{{style}}" "${style}" page "${page}")
 string(REPLACE "{{script}}" "${script}" page "${page}")
 
 file(WRITE "${OUT}" "// Written by embed_page.cmake.
-#include \"cli/sweep/page_template.hpp\"
+#include \"cli/sweep/page.hpp\"
 
 namespace orograph {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/folder.hpp"
 
-#include "cli/sweep/record.hpp"
-#include "cli/sweep/tables.hpp"
-#include "cli/write_text.hpp"
+#include "cli/sweep/journal.hpp"
+#include "cli/sweep/page.hpp"
+#include "cli/text_file.hpp"
 #include "geometry/error.hpp"
 #include "write/byte_sink.hpp"
 
@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <initializer_list>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -50,7 +51,60 @@ void refuse_strangers(const std::string& out_dir, const Plan& plan) {
   }
 }
 
+std::string in_folder(const std::string& out_dir, const char* name) {
+  return (fs::path(out_dir) / name).string();
+}
+
+// `take` gets each record that there is.
+template <class Take>
+SweepState read_records(const std::string& out_dir, const Plan& plan, const Take& take) {
+  SweepState state;
+  std::error_code ignored;
+  for (std::size_t view = 0; view < plan.views.size(); ++view) {
+    try {
+      auto record = read_record(out_dir, plan, view);
+      if (record && record->failed)
+        state.failed.push_back(view);
+      else if (!record || !fs::is_regular_file(fs::path(out_dir) / plan.file(view), ignored))
+        state.missing.push_back(view);
+      if (record) take(std::move(*record));
+    } catch (const Error&) {
+      state.missing.push_back(view);
+      state.corrupt.push_back(record_path(out_dir, plan, view));
+    }
+  }
+  return state;
+}
+
+std::vector<std::size_t> of_shard(std::vector<std::size_t> views, const Shard& shard) {
+  std::erase_if(views, [&](std::size_t view) { return !shard.holds(view); });
+  return views;
+}
+
+std::string reason(const std::string& out_dir, const Plan& plan, std::size_t view) {
+  const auto record = read_record(out_dir, plan, view);
+  return record ? std::get<std::string>(record->row[kErrorColumn]) : "no row";
+}
+
 } // namespace
+
+SweepState state_of(const std::string& out_dir, const Plan& plan) {
+  return read_records(out_dir, plan, [](ViewRecord&&) {});
+}
+
+SweepState write_tables(const std::string& out_dir, const Plan& plan) {
+  std::vector<ViewRecord> records;
+  RowPreviews previews;
+  SweepState state = read_records(out_dir, plan, [&](ViewRecord&& record) {
+    previews.add(std::exchange(record.preview, {}));
+    records.push_back(std::move(record));
+  });
+  const std::string table = table_json(plan, records);
+  write_text(table_csv(plan, records), in_folder(out_dir, "sweep.csv"), true);
+  write_text(table, in_folder(out_dir, "sweep.json"), true);
+  write_text(sweep_page(table, previews.json()), in_folder(out_dir, "index.html"), true);
+  return state;
+}
 
 void begin_folder(const std::string& out_dir, const Plan& plan) {
   try {
@@ -104,6 +158,27 @@ std::vector<std::size_t> open_folder(const SweepSettings& settings, const Plan& 
                             all - waiting.size(), all),
                 "give --resume to go on with it, --overwrite to begin anew, or another folder");
   return waiting;
+}
+
+void check_done(const SweepState& state, const std::string& out_dir, const Plan& plan,
+                const Shard& shard, bool quiet) {
+  const auto failed = of_shard(state.failed, shard), missing = of_shard(state.missing, shard);
+  const std::size_t all = shard.size(plan.views.size());
+  if (!missing.empty())
+    throw Error(fmt::format("{} of {} views are missing in {}, '{}' among them", missing.size(),
+                            all, out_dir, plan.views[missing.front()].name),
+                "draw them with orograph sweep --resume, then merge");
+  if (!failed.empty())
+    throw Error(fmt::format("{} of {} views failed, the others are drawn; '{}' failed with: {}",
+                            failed.size(), all, plan.views[failed.front()].name,
+                            reason(out_dir, plan, failed.front())),
+                "the column error of the table tells of each");
+  if (quiet) return;
+  if (shard.count == 1)
+    fmt::print(stderr, "orograph: {} views; open {}/index.html to see them\n", all, out_dir);
+  else
+    fmt::print(stderr, "orograph: {} views of shard {}/{}; orograph merge {} makes the tables\n",
+               all, shard.index, shard.count, out_dir);
 }
 
 } // namespace orograph

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sweep/check_done.hpp"
 #include "cli/sweep/folder.hpp"
-#include "cli/sweep/record.hpp"
+#include "cli/sweep/journal.hpp"
 #include "cli/sweep/sweep.hpp"
-#include "cli/sweep/tables.hpp"
-#include "cli/sweep/whole_file.hpp"
-#include "cli/write_text.hpp"
+#include "cli/text_file.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>

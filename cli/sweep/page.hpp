@@ -1,10 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The web page of a sweep: one file that needs no other and no network.
+// The web page of a sweep, one file that needs no other and no network, and the drawings in small
+// that it shows.
 #pragma once
 
+#include "draw/drawing.hpp"
+
+#include <cstddef>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace orograph {
+
+struct PreviewLayer {
+  std::string name;
+  double pen_mm = 0, grey = 0;
+  /// Moves and lines of SVG path data in whole tenths of a millimetre, relative but for the first:
+  /// "m120 340l3-2 4 1m…".
+  std::string path;
+};
+
+struct Preview {
+  double width_mm = 0, height_mm = 0;
+  std::vector<PreviewLayer> layers;
+};
+
+/// Some 30 kB at most, however large the drawing: every so many profiles, all other lines as far as
+/// they fit, with the points that a screen shows.
+Preview preview_of(const Drawing& drawing);
+
+/// The previews of a sweep's rows as JSON: all of them, or, where they would make the page slow to
+/// open, every second, fourth and so on, with null for the others.
+class RowPreviews {
+public:
+  /// That of the next row, as JSON.
+  void add(std::string preview);
+  std::string json() const;
+
+private:
+  std::vector<std::string> previews_;
+  std::size_t bytes_ = 0, every_ = 1;
+};
+
+/// The files of cli/sweep/page as one text, written into the program when it is built: HTML with
+/// the style and the script in it, and {{table}} and {{previews}}, in this order, where the data
+/// goes.
+std::string_view sweep_page_template();
 
 /// The page as HTML, with both texts inside it: `table_json` is that of `sweep.json`,
 /// `previews_json` an array in the order of its views, each null or

@@ -2,15 +2,58 @@
 // The processes that draw one sweep together under MPI, or this one alone.
 #pragma once
 
-#include "cli/sweep/view_queue.hpp"
-
+#include <atomic>
 #include <cstddef>
+#include <cstdlib>
 #include <exception>
 #include <functional>
+#include <initializer_list>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace orograph {
+
+// What mpirun tells a process before MPI is there to be asked.
+inline int launcher_number(const char* open_mpi, const char* pmi, int alone) {
+  for (const char* name : {open_mpi, pmi})
+    if (const char* text = std::getenv(name)) return std::atoi(text);
+  return alone;
+}
+
+/// Processes started together, 1 where nothing started them; and which of them this one is.
+inline int launched_size() {
+  return launcher_number("OMPI_COMM_WORLD_SIZE", "PMI_SIZE", 1);
+}
+inline int launched_rank() {
+  return launcher_number("OMPI_COMM_WORLD_RANK", "PMI_RANK", 0);
+}
+
+/// Hands out each view once, to any thread.
+class ViewQueue {
+public:
+  virtual ~ViewQueue() = default;
+  /// None where all are handed out, or `stop` was called.
+  virtual std::optional<std::size_t> next() = 0;
+  /// No more are handed out, to anybody.
+  virtual void stop() = 0;
+};
+
+/// Of this process alone.
+class LocalQueue : public ViewQueue {
+public:
+  explicit LocalQueue(std::vector<std::size_t> views) : views_(std::move(views)) {}
+
+  std::optional<std::size_t> next() override {
+    const std::size_t i = next_.fetch_add(1);
+    return i < views_.size() ? std::optional(views_[i]) : std::nullopt;
+  }
+  void stop() override { next_ = views_.size(); }
+
+private:
+  const std::vector<std::size_t> views_;
+  std::atomic<std::size_t> next_ = 0;
+};
 
 /// Another process failed, and tells of it.
 class StoppedElsewhere : public std::exception {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Built without MPI.
-#include "cli/sweep/launcher.hpp"
 #include "cli/sweep/ranks.hpp"
 #include "geometry/error.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Built with MPI: rank 0 hands out the views, and draws as well.
-#include "cli/sweep/launcher.hpp"
 #include "cli/sweep/ranks.hpp"
 #include "geometry/error.hpp"
 

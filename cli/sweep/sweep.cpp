@@ -1,22 +1,131 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/sweep.hpp"
 
+#include "cli/options/named_fields.hpp"
 #include "cli/progress.hpp"
-#include "cli/read_ground.hpp"
-#include "cli/sweep/check_done.hpp"
-#include "cli/sweep/draw_views.hpp"
+#include "cli/render.hpp"
+#include "cli/report/run_report.hpp"
+#include "cli/sweep/columns.hpp"
 #include "cli/sweep/folder.hpp"
+#include "cli/sweep/journal.hpp"
 #include "cli/sweep/ranks.hpp"
-#include "cli/sweep/tables.hpp"
+#include "dem/terrain.hpp"
+#include "geometry/error.hpp"
+#include "map/describe_map.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <functional>
 #include <memory>
+#include <mutex>
+#include <new>
+#include <optional>
 #include <thread>
 
 namespace orograph {
 namespace {
+
+// What all views share.
+struct SweepRun {
+  const SweepSettings& settings;
+  const TerrainData& terrain;
+  const ViewList& views;
+  const Columns& columns;
+  const Plan& plan;
+  const std::optional<TerrainFacts>& facts; ///< of the terrain as it was read, if views use it so
+};
+
+using Clock = std::chrono::steady_clock;
+
+void write_failure(const SweepRun& run, std::size_t view, const std::string& why) {
+  const std::string file = run.plan.file(view);
+  std::error_code ignored; // of an earlier try
+  std::filesystem::remove(std::filesystem::path(run.settings.out_dir) / file, ignored);
+  write_record(run.settings.out_dir, run.plan, view, run.columns.row(view, file, why, nullptr),
+               std::nullopt);
+}
+
+// What keeps one view from being drawn, but no other.
+struct Undrawn {
+  std::string why;
+};
+
+template <class Draw>
+auto drawn_or_why(const Draw& draw) {
+  try {
+    return draw();
+  } catch (const Error& error) {
+    throw Undrawn{with_options(error.what())};
+  } catch (const std::bad_alloc&) {
+    throw Undrawn{"not enough memory"};
+  }
+}
+
+// Draws a view: writes its drawing, and then its row. A view that can't be drawn has a row with
+// the reason. Throws Error where something can't be written.
+void draw_view(const SweepRun& run, std::size_t view) {
+  const auto start = Clock::now();
+  RenderSettings settings = run.views.settings(view);
+  const std::string file = run.plan.file(view);
+  settings.output = (std::filesystem::path(run.settings.out_dir) / file).string();
+  settings.write.overwrite = true; // a drawing without a row: the sweep ended between the two
+  try {
+    const auto terrain = drawn_or_why(
+        [&] { return std::make_unique<TerrainOfView>(run.terrain, settings.map.view); });
+    const PlacedView placed = drawn_or_why([&] {
+      return placed_view(*terrain, settings.map, settings.solids.get(),
+                         run.facts ? &*run.facts : nullptr);
+    });
+    GroundMeter ground(placed);
+    Map map = drawn_or_why([&] {
+      Map out = draw_map(**terrain, placed, settings.map, [](double) {}, {.observers = {&ground}});
+      check_not_empty(out, settings);
+      return out;
+    });
+    write_drawing(map.drawing, settings.output, settings.write);
+    describe_map(map, **terrain, placed, settings.map);
+    const RunReport report = run_report(map, settings);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const DrawnView facts{report, ground, seconds};
+    write_record(run.settings.out_dir, run.plan, view, run.columns.row(view, file, "", &facts),
+                 preview_of(map.drawing));
+  } catch (const Undrawn& undrawn) {
+    write_failure(run, view, undrawn.why);
+  }
+}
+
+// Draws views, `jobs` at a time, until the queue is empty; `done` is called after each, by one
+// thread at a time. The first Error that a view throws stops the queue and is thrown when the
+// others at work have ended. Memory: what the drawing of a view takes, `jobs` times.
+void draw_views(const SweepRun& run, int jobs, ViewQueue& queue,
+                const std::function<void()>& done) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(jobs));
+  tbb::task_arena arena(jobs);
+  std::mutex telling;
+  const auto draw_all = [&](int) {
+    while (const auto view = queue.next()) {
+      try {
+        draw_view(run, *view);
+      } catch (...) {
+        queue.stop();
+        throw;
+      }
+      const std::lock_guard lock(telling);
+      done();
+    }
+  };
+  arena.execute([&] { tbb::parallel_for(0, jobs, draw_all, tbb::simple_partitioner()); });
+}
 
 // What is made once of the settings; its parts refer to each other.
 struct Prepared {

@@ -2,7 +2,6 @@
 // `orograph accuracy`: its measures on a small terrain, what it writes, and its refusals.
 #include "cli/accuracy/accuracy.hpp"
 #include "cli/accuracy/accuracy_report.hpp"
-#include "cli/accuracy/plot_accuracy.hpp"
 #include "cli/options/options.hpp"
 #include "dem/read/read_raster.hpp"
 #include "geometry/error.hpp"

@@ -2,13 +2,12 @@
 // `orograph fragmentation`: its measures against brute force, what it writes, and its refusals.
 #include "cli/fragmentation/fragmentation.hpp"
 #include "cli/fragmentation/fragmentation_report.hpp"
-#include "cli/fragmentation/growth.hpp"
-#include "cli/fragmentation/plot_fragmentation.hpp"
 #include "cli/fragmentation/worst_cases.hpp"
 #include "cli/options/options.hpp"
 #include "dem/mesh/verify_tin.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
+#include "map/draw_map.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"
 #include "tests/cli/run_program.hpp"
@@ -19,8 +18,6 @@
 
 #include <algorithm>
 #include <sstream>
-
-#include "map/draw_map.hpp"
 
 using namespace orograph;
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scenes of data_samples/: each is read, and those of the sources have the edges, light and
 // dark, that these tell (Chen and Sabbagh 1983; Angell and Jones 1983, chapter 9).
-#include "cli/read_ground.hpp"
-#include "cli/report/view_of_report.hpp"
+#include "cli/render.hpp"
+#include "cli/report/run_report.hpp"
+#include "placing/placed_view.hpp"
 #include "solids/read_scene.hpp"
 #include "solids/solids_in_view.hpp"
 #include "tests/catch.hpp"
@@ -12,8 +13,6 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
-
-#include "placing/placed_view.hpp"
 
 using namespace orograph;
 namespace fs = std::filesystem;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // View files: what is read, what is refused and in which words, and the way there and back.
-#include "cli/report/view_of_report.hpp"
+#include "cli/report/run_report.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"
 #include "tests/view/matrices.hpp"

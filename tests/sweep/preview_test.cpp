@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings in small, read back.
-#include "cli/sweep/preview.hpp"
+#include "cli/sweep/page.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 

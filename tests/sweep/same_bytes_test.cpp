@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same bytes from any number of threads and shards.
+// Each drawing of a sweep is, byte for byte, what `orograph render` draws, and all files are the
+// same from any number of threads and shards.
 #include "tests/catch.hpp"
 #include "tests/sweep/made_sweep.hpp"
 
@@ -11,6 +12,30 @@
 using namespace orograph;
 
 namespace {
+
+const std::string kData = std::string(OROGRAPH_SOURCE_DIR) + "/data_samples/";
+
+// What render is told of each view, by the drawing's name.
+using Renders = std::vector<std::pair<std::string, Words>>;
+
+void check_same(const MadeFolder& folder, const Words& inputs, const std::string& format,
+                const Words& shared, const Words& varied, const Renders& renders) {
+  run_well(folder, Words{"sweep", inputs.front(), "out"} + Words(inputs.begin() + 1, inputs.end()) +
+                       words("-q --overwrite -j 2 --of " + format) + shared + varied);
+  const auto files = contents(folder, "out");
+  CHECK(files.size() == 2 * renders.size() + 4);
+  for (const auto& [name, options] : renders) {
+    const std::string output = "one." + format;
+    run_well(folder, Words{"render", inputs.front(), output} +
+                         Words(inputs.begin() + 1, inputs.end()) + words("-q --overwrite") +
+                         shared + options);
+    INFO(name << " as " << format);
+    const auto drawn = files.find(name + "." + format);
+    REQUIRE(drawn != files.end());
+    CHECK(drawn->second.size() > 400);
+    CHECK((drawn->second == folder.read(output)));
+  }
+}
 
 const Words kViews = words("--azimuth 0:360:72 --elevation 10:50:20");
 
@@ -27,6 +52,138 @@ std::string without_last_column(const std::string& csv) {
 }
 
 } // namespace
+
+TEST_CASE("around a terrain, in every format") {
+  const MadeFolder folder;
+  make_terrains(folder);
+  Renders renders;
+  for (const char* azimuth : {"000", "123.4", "270"})
+    for (const char* elevation : {"05", "90"}) {
+      const std::string azimuth_text = fmt::format("{:05.1f}", std::stod(azimuth));
+      renders.emplace_back(fmt::format("azimuth-{}_elevation-{}", azimuth_text, elevation),
+                           Words{"--view-from", fmt::format("{}/{}", azimuth, elevation)});
+    }
+  for (const std::string format : {"svg", "geojson", "gpkg", "pdf", "ps", "eps", "png"})
+    check_same(folder, {"hill.asc"}, format, kSmall,
+               words("--azimuth 0,123.4,270 --elevation 5,90"), renders);
+}
+
+TEST_CASE("distances, fields of view, exaggerations, profiles; crossed and together") {
+  const MadeFolder folder;
+  make_terrains(folder);
+  const Words shared = words("--page 60x45 --margin 2 --title Hills --simplify 0.1 --occluder "
+                             "profiles --flat draw --layers profiles,silhouettes --check 40");
+  Renders renders;
+  for (const char* distance : {"0400", "1500"})
+    for (const char* fov : {"20", "95"})
+      for (const char* exaggeration : {"0.5", "2.0"})
+        for (const char* profiles : {"5", "9"})
+          renders.emplace_back(fmt::format("distance-{}_fov-{}_exaggeration-{}_profiles-{}",
+                                           distance, fov, exaggeration, profiles),
+                               Words{"--distance", distance, "--fov", fov, "--exaggeration",
+                                     exaggeration, "--profiles", profiles});
+  check_same(folder, {"hill.asc"}, "svg", shared,
+             words("--distance 400,1500 --fov 20,95 --exaggeration 0.5,2 --profiles 5:9:4"),
+             renders);
+  check_same(folder, {"hill.asc"}, "geojson", kSmall,
+             words("--azimuth 10,20,30 --elevation 40,30,20 --fov 50:70:10 --zip --name z{index}"),
+             {{"z0", words("--view-from 10/40 --fov 50")},
+              {"z1", words("--view-from 20/30 --fov 60")},
+              {"z2", words("--view-from 30/20 --fov 70")}});
+  check_same(folder, {"hill.asc"}, "svg", words("--projection orthographic --page 60x45"),
+             words("--azimuth 33:53:10"),
+             {{"azimuth-33", words("--view-from 33/25")},
+              {"azimuth-43", words("--view-from 43/25")},
+              {"azimuth-53", words("--view-from 53/25")}});
+  // Nothing varies: a sweep of one view.
+  check_same(folder, {"hill.asc"}, "pdf", kSmall, {}, {{"view", {}}});
+}
+
+TEST_CASE("eyes along a path") {
+  const MadeFolder folder;
+  make_terrains(folder);
+  folder.write("high.geojson", line_text("[400,100,350],[410,100,400]"));
+  Renders renders;
+  for (const auto& [eye, place] : {std::pair{"0", "120,20"}, {"1", "120,60"}, {"2", "120,100"}})
+    for (const char* azimuth : {"000", "090", "350"})
+      renders.emplace_back(fmt::format("eye-{}_look-azimuth-{}", eye, azimuth),
+                           Words{"--eye", place, "--look-azimuth", azimuth});
+  // A CSV has no CRS; what could be degrees in GeoJSON is taken for degrees.
+  folder.write("inside.csv", "id,WKT\n1,\"LINESTRING(120 20,120 60,120 100)\"\n");
+  check_same(folder, {"hill.asc"}, "svg", kSmall + words("--fov 80 --eye-height 30 --pitch -60"),
+             words("--eye-path inside.csv --look-azimuth 0,90,350"), renders);
+  check_same(folder, {"hill.asc"}, "gpkg", kSmall,
+             words("--eye-path inside.csv --eye-step 40 --fov 60,140 --pitch=-55"),
+             {{"eye-0_fov-060", words("--eye 120,20 --look-azimuth 0 --fov 60 --pitch -55")},
+              {"eye-0_fov-140", words("--eye 120,20 --look-azimuth 0 --fov 140 --pitch -55")},
+              {"eye-1_fov-060", words("--eye 120,60 --look-azimuth 0 --fov 60 --pitch -55")},
+              {"eye-1_fov-140", words("--eye 120,60 --look-azimuth 0 --fov 140 --pitch -55")},
+              {"eye-2_fov-060", words("--eye 120,100 --look-azimuth 0 --fov 60 --pitch -55")},
+              {"eye-2_fov-140", words("--eye 120,100 --look-azimuth 0 --fov 140 --pitch -55")}});
+  check_same(folder, {"hill.asc"}, "geojson", kSmall + words("--look-at 120,120"),
+             words("--eye-path high.geojson"),
+             {{"eye-0", words("--eye 400,100,350")}, {"eye-1", words("--eye 410,100,400")}});
+}
+
+TEST_CASE("each eye has its own frame on the earth") {
+  const MadeFolder folder;
+  folder.write("sail.csv", "id,WKT\n1,\"LINESTRING(2.2 0.3,2.5 0.3,2.7 0.6)\"\n");
+  const Words whole{kData + "archipelago.tif"};
+  const Words shared = kSmall + words("--eye-height 900 --fov 70 --bbox 2.1,0.2,2.8,0.7");
+  for (const std::string format : {"svg", "geojson"})
+    check_same(
+        folder, whole, format, shared,
+        words("--eye-path sail.csv --look-azimuth 80 --exaggeration 1,2"),
+        {{"eye-0_exaggeration-1", words("--eye 2.2,0.3 --look-azimuth 80 --exaggeration 1")},
+         {"eye-0_exaggeration-2", words("--eye 2.2,0.3 --look-azimuth 80 --exaggeration 2")},
+         {"eye-1_exaggeration-1", words("--eye 2.5,0.3 --look-azimuth 80 --exaggeration 1")},
+         {"eye-1_exaggeration-2", words("--eye 2.5,0.3 --look-azimuth 80 --exaggeration 2")},
+         {"eye-2_exaggeration-1", words("--eye 2.7,0.6 --look-azimuth 80 --exaggeration 1")},
+         {"eye-2_exaggeration-2", words("--eye 2.7,0.6 --look-azimuth 80 --exaggeration 2")}});
+  check_same(
+      folder, whole, "svg", kSmall, words("--azimuth 45,300 --exaggeration auto"),
+      {{"azimuth-045", words("--view-from 45/25")}, {"azimuth-300", words("--view-from 300/25")}});
+}
+
+TEST_CASE("whole views of a list, and what they cut away") {
+  const MadeFolder folder;
+  make_terrains(folder);
+  const std::string common = "projection = 'parallel'\nvrp = [120, 120, 100]\nvpn = [0, -1, 1]\n"
+                             "prp = [0, 0, 100]\nwindow = [-150, -150, 150, 150]\n";
+  const std::string cut = common + "front = 30\nback = -30\n", eye = common + "exaggeration = 2\n";
+  folder.write("whole.toml", common);
+  folder.write("cut.toml", cut);
+  folder.write("eye.toml", eye);
+  folder.write("list.toml", "[[view]]\nname = 'whole'\n" + common + "[[view]]\n" + cut +
+                                "[[view]]\nname = 'high up'\n" + eye);
+  for (const std::string format : {"svg", "geojson"})
+    check_same(folder, {"hill.asc"}, format, words("--page 60x45"),
+               words("--views list.toml --profiles 8,12"),
+               {{"view-whole_profiles-08", words("--view whole.toml --profiles 8")},
+                {"view-whole_profiles-12", words("--view whole.toml --profiles 12")},
+                {"view-1_profiles-08", words("--view cut.toml --profiles 8")},
+                {"view-1_profiles-12", words("--view cut.toml --profiles 12")},
+                {"view-high up_profiles-08", words("--view eye.toml --profiles 8")},
+                {"view-high up_profiles-12", words("--view eye.toml --profiles 12")}});
+  // On the earth the cut and the frame are both the view's own.
+  std::string sea = common;
+  sea.replace(sea.find("[120, 120, 100]"), 15, "[2.5, 0.5, 0]");
+  sea.replace(sea.find("[-150, -150, 150, 150]"), 22, "[-60000, -60000, 60000, 60000]");
+  sea.replace(sea.find("[0, 0, 100]"), 11, "[0, 0, 99000]");
+  folder.write("sea.toml", sea + "front = 9000\nback = -9000\n");
+  folder.write("whole-sea.toml", sea);
+  folder.write("seas.toml", "[[view]]\n" + sea + "front = 9000\nback = -9000\n[[view]]\n" + sea);
+  check_same(folder, {kData + "archipelago.tif"}, "svg", kSmall, words("--views seas.toml"),
+             {{"view-0", words("--view sea.toml")}, {"view-1", words("--view whole-sea.toml")}});
+}
+
+TEST_CASE("a TIN, and terrain made of points") {
+  const MadeFolder folder;
+  const Words quarry{kData + "quarry_points.csv", "--breaklines",
+                     kData + "quarry_breaklines.geojson"};
+  check_same(folder, quarry, "svg", kSmall, words("--azimuth 20,200 --name q{azimuth}"),
+             {{"q020", words("--view-from 20/25")}, {"q200", words("--view-from 200/25")}});
+}
 
 TEST_CASE("threads, shards and merging change no byte of any file") {
   const MadeFolder folder;

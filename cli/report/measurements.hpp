@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of measures as text: a table to read, CSV, JSON.
+// What measuring commands write: rows of measures as a table to read, CSV and JSON, and plots by
+// gnuplot, which runs nowhere else.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +22,9 @@ Value known(const Optional& x) {
   return x ? Value(*x) : Value();
 }
 
+/// Seconds as milliseconds, with so many decimals.
+std::string milliseconds(double seconds, int decimals);
+
 /// Columns as wide as their widest cell, counted in characters; the first to the left, the others
 /// to the right. REQUIRES that all rows have as many cells.
 std::string aligned_table(const std::vector<std::vector<std::string>>& rows);
@@ -35,5 +39,13 @@ struct NamedRecords {
 };
 /// `"schema": 1`, the program's version, the terrain that was measured, and the lists.
 std::string json_of(const std::string& terrain, const std::vector<NamedRecords>& lists);
+
+/// Quoted for gnuplot: nothing inside single quotes has a meaning but they themselves. Control
+/// characters are left out.
+std::string quoted_for_gnuplot(const std::string& text);
+
+/// Runs a script that writes to `path`, an existing file or a new one. Throws Error where gnuplot
+/// is missing or fails; `what` is what it draws ("the curve").
+void run_gnuplot(const std::string& script, const std::string& path, const std::string& what);
 
 } // namespace orograph

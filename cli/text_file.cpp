@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sweep/whole_file.hpp"
+#include "cli/text_file.hpp"
 
 #include "geometry/error.hpp"
+#include "write/byte_sink.hpp"
+#include "write/output_file.hpp"
 
 #include <fmt/format.h>
 
@@ -29,6 +31,14 @@ std::optional<std::string> whole_file(const std::string& path) {
     throw Error(fmt::format("{} can't be read ({})", path, std::strerror(errno)),
                 "look at what it is, and at its rights");
   return text;
+}
+
+void write_text(const std::string& text, const std::string& path, bool overwrite) {
+  OutputFile place(path, overwrite);
+  ByteSink out(place.temporary_path(), path);
+  out.append(text);
+  out.finish();
+  place.commit();
 }
 
 } // namespace orograph

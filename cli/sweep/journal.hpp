@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sweep as it is written down in its folder, before the first view is drawn: what resumes, joins
-// and tells of it later.
+// What a sweep writes down in its folder, so that it can go on after any end: its plan, before the
+// first view is drawn, and a row for each view that is done. Tables are made of these.
 #pragma once
 
 #include "cli/sweep/columns.hpp"
+#include "cli/sweep/page.hpp"
 #include "cli/sweep/view_list.hpp"
 #include "dem/terrain.hpp"
 
@@ -43,5 +44,26 @@ std::optional<Plan> read_plan(const std::string& out_dir);
 /// Throws Error where the two aren't the same sweep: it says what is another. `out_dir` is where
 /// `old_plan` stands.
 void check_same(const Plan& old_plan, const Plan& plan, const std::string& out_dir);
+
+struct ViewRecord {
+  std::vector<Cell> row; ///< by the plan's columns
+  std::string preview;   ///< JSON; "null" where there is no drawing
+  bool failed = false;
+};
+
+/// Where the record of a view is, in OUT_DIR.
+std::string record_path(const std::string& out_dir, const Plan& plan, std::size_t view);
+
+/// Whole or not at all, in place of an older one. Throws Error where it can't be written.
+void write_record(const std::string& out_dir, const Plan& plan, std::size_t view,
+                  const std::vector<Cell>& row, const std::optional<Preview>& preview);
+
+/// None where there is none. Throws Error where the file isn't the record of this view.
+std::optional<ViewRecord> read_record(const std::string& out_dir, const Plan& plan,
+                                      std::size_t view);
+
+/// sweep.csv and sweep.json of these rows.
+std::string table_csv(const Plan& plan, const std::vector<ViewRecord>& records);
+std::string table_json(const Plan& plan, const std::vector<ViewRecord>& records);
 
 } // namespace orograph

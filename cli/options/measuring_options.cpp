@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `orograph accuracy` and `orograph fragmentation`: their options, and what a command line asks of
+// them.
+#include "cli/options/check_settings.hpp"
+#include "cli/options/option_groups.hpp"
+#include "cli/options/option_values.hpp"
+#include "cli/options/options.hpp"
+#include "cli/options/parse_arguments.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <limits>
+
+namespace orograph {
+namespace {
+
+constexpr auto kGroup = "Measures", kOutput = "Output";
+constexpr int kMostProfiles = 100000, kLargestWorstCase = 10000;
+
+// "60,150,rows"
+std::optional<std::vector<std::optional<int>>> parse_counts(const std::string& text) {
+  std::vector<std::optional<int>> counts;
+  for (const std::string& part : split(text, ',')) {
+    if (part == "rows") {
+      counts.emplace_back();
+      continue;
+    }
+    int count = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), count);
+    if (error != std::errc() || end != part.data() + part.size() || count < 1 ||
+        count > kMostProfiles)
+      return std::nullopt;
+    counts.emplace_back(count);
+  }
+  return counts;
+}
+
+void add_accuracy_options(std::vector<Option>& options, AccuracySettings& s) {
+  options.push_back({.group = kGroup,
+                     .name = "--profiles",
+                     .value = "LIST",
+                     .help = "Numbers of profiles to compare; all else is varied at the middle one",
+                     .allowed = fmt::format("whole numbers, 1 to {}, or rows for one to each row "
+                                            "of the grid, with commas between",
+                                            kMostProfiles),
+                     .by_default = "60,150,300,rows",
+                     .take = stored(parse_counts, s.profiles)});
+  options.push_back(with_integer({.group = kGroup,
+                                  .name = "--probes",
+                                  .value = "N",
+                                  .help = "Random points of each row's profiles to ask of the ray "
+                                          "walk, and as many to each mm of its other lines",
+                                  .by_default = std::to_string(s.probes)},
+                                 100, 100000000, [&s](int n) { s.probes = n; }));
+  options.push_back(with_integer({.group = kGroup,
+                                  .name = "--repeats",
+                                  .value = "N",
+                                  .help = "Runs to time for each row; the fastest counts",
+                                  .by_default = std::to_string(s.repeats)},
+                                 1, 1000, [&s](int n) { s.repeats = n; }));
+  options.push_back({.group = kOutput,
+                     .name = "--output",
+                     .value = "PREFIX",
+                     .help = "Write PREFIX.csv, PREFIX.json and the curve, PREFIX.svg",
+                     .allowed = "a file name without extension",
+                     .by_default = s.prefix,
+                     .take = stored_name(s.prefix)});
+  options.push_back({.group = kOutput,
+                     .name = "--overwrite",
+                     .help = "Replace these files where they exist",
+                     .take = set_to(s.render.write.overwrite, true)});
+}
+
+// Values with commas between, each read by `parse` and allowed by `allows`.
+template <class Number, class Parse, class Allows>
+auto list_of(Parse parse, Allows allows) {
+  return [=](const std::string& text) -> std::optional<std::vector<Number>> {
+    std::vector<Number> numbers;
+    for (const std::string& part : split(text, ',')) {
+      const auto number = parse(part);
+      if (!number || !allows(*number)) return std::nullopt;
+      numbers.push_back(*number);
+    }
+    return numbers;
+  };
+}
+
+void add_fragmentation_options(std::vector<Option>& options, FragmentationSettings& s) {
+  options.push_back(
+      {.group = kGroup,
+       .name = "--profiles",
+       .value = "LIST",
+       .help = "Numbers of profiles",
+       .allowed = fmt::format("whole numbers, 1 to {}, with commas between", kMostProfiles),
+       .by_default = fmt::format("{}", fmt::join(s.profiles, ",")),
+       .take =
+           stored(list_of<int>(parse_integer, [](int n) { return n >= 1 && n <= kMostProfiles; }),
+                  s.profiles)});
+  options.push_back(
+      {.group = kGroup,
+       .name = "--elevations",
+       .value = "LIST",
+       .help = "Where the viewer stands above the horizontal",
+       .allowed = "degrees, 0 to 90, with commas between",
+       .by_default = fmt::format("{}", fmt::join(s.elevations_deg, ",")),
+       .take =
+           stored(list_of<double>(parse_number, [](double deg) { return deg >= 0 && deg <= 90; }),
+                  s.elevations_deg)});
+  options.push_back(
+      {.group = kGroup,
+       .name = "--azimuths",
+       .value = "LIST",
+       .help = "Where the viewer stands, clockwise from north; profiles run across: along the rows "
+               "of a grid from 180, along its columns from 90",
+       .allowed = "degrees, -360 to 360, with commas between",
+       .by_default = fmt::format("{}", fmt::join(s.azimuths_deg, ",")),
+       .take = stored(
+           list_of<double>(parse_number, [](double deg) { return deg >= -360 && deg <= 360; }),
+           s.azimuths_deg)});
+  const int most = std::numeric_limits<int>::max();
+  options.push_back(with_integer(
+      {.group = kGroup,
+       .name = "--exact-segments",
+       .value = "N",
+       .help = "Find the least horizon, in exact arithmetic, where no more segments than this "
+               "make the horizon; it takes about 10 microseconds for each of them",
+       .by_default = std::to_string(s.exact_segments)},
+      0, most, [&s](int n) { s.exact_segments = n; }));
+  options.push_back(with_integer(
+      {.group = kGroup,
+       .name = "--fragmented-segments",
+       .value = "N",
+       .help = "Run without collapse where no more segments than this make the horizon; it has "
+               "about as many pieces in the end, of 72 bytes",
+       .by_default = std::to_string(s.fragmented_segments)},
+      0, most, [&s](int n) { s.fragmented_segments = n; }));
+  options.push_back(with_integer({.group = kGroup,
+                                  .name = "--worst-case",
+                                  .value = "N",
+                                  .help = "Measure terrains made to be the worst case as well, in "
+                                          "sizes N/16 to N; 0 leaves them out",
+                                  .by_default = std::to_string(s.worst_case)},
+                                 0, kLargestWorstCase, [&s](int n) { s.worst_case = n; }));
+  options.push_back(with_integer({.group = kGroup,
+                                  .name = "--repeats",
+                                  .value = "N",
+                                  .help = "Runs to time for each row; the fastest counts",
+                                  .by_default = std::to_string(s.repeats)},
+                                 1, 1000, [&s](int n) { s.repeats = n; }));
+  options.push_back({.group = kOutput,
+                     .name = "--output",
+                     .value = "PREFIX",
+                     .help = "Write PREFIX.csv, PREFIX-series.csv, PREFIX.json and the plots, "
+                             "PREFIX.svg",
+                     .allowed = "a file name without extension",
+                     .by_default = s.prefix,
+                     .take = stored_name(s.prefix)});
+  options.push_back({.group = kOutput,
+                     .name = "--overwrite",
+                     .help = "Replace these files where they exist",
+                     .take = set_to(s.render.write.overwrite, true)});
+}
+
+} // namespace
+
+Command accuracy_command(AccuracySettings& settings) {
+  RenderSettings& render = settings.render;
+  Command command{.name = "accuracy",
+                  .summary = "Measure what each setting costs in time, and in error on paper",
+                  .options = {},
+                  .conflicts = picture_conflicts(),
+                  .examples = {{"orograph accuracy dem.tif",
+                                "The table, and accuracy.csv, .json and .svg (the curve)."},
+                               {"orograph accuracy dem.tif --view-from 225/10 --profiles 100,200",
+                                "Seen from the south-west, low, with two numbers of profiles."}}};
+  add_terrain_options(command.options, render.inputs, render.reading);
+  // Overviews are among the settings that are measured.
+  std::erase_if(command.options, [](const Option& o) { return o.name == "--overview"; });
+  add_view_options(command.options, render);
+  add_page_options(command.options, render);
+  add_accuracy_options(command.options, settings);
+  command.options.push_back(jobs_option(render.jobs));
+  add_general_options(command.options, render.quiet, render.progress);
+  return command;
+}
+
+std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& arguments) {
+  AccuracySettings settings;
+  const auto given = parse_arguments(accuracy_command(settings), arguments);
+  if (given.contains("--help")) return std::nullopt;
+  refuse_scenes(settings.render.inputs);
+  check_picture_settings(settings.render, given);
+  check_prefix(settings.render, settings.prefix, {".csv", ".json", ".svg"});
+  return settings;
+}
+
+Command fragmentation_command(FragmentationSettings& settings) {
+  RenderSettings& render = settings.render;
+  Command command{
+      .name = "fragmentation",
+      .summary = "Measure how the horizon fragments, and what collapse keeps of it",
+      .options = {},
+      .conflicts = terrain_conflicts(),
+      .examples = {{"orograph fragmentation dem.tif",
+                    "The tables, and fragmentation.csv, -series.csv, .json and .svg (the plots)."},
+                   {"orograph fragmentation dem.tif --profiles 60 --elevations 25 --azimuths 180",
+                    "The paper's number of profiles, in one view."}}};
+  command.conflicts.push_back({"--progress", "--no-progress", "give one of the two"});
+  command.conflicts.push_back({"--quiet", "--progress", "give one of the two"});
+  add_terrain_options(command.options, render.inputs, render.reading);
+  add_fragmentation_options(command.options, settings);
+  command.options.push_back(jobs_option(render.jobs));
+  add_general_options(command.options, render.quiet, render.progress);
+  return command;
+}
+
+std::optional<FragmentationSettings>
+parse_fragmentation(const std::vector<std::string>& arguments) {
+  FragmentationSettings settings;
+  const auto given = parse_arguments(fragmentation_command(settings), arguments);
+  if (given.contains("--help")) return std::nullopt;
+  refuse_scenes(settings.render.inputs);
+  check_prefix(settings.render, settings.prefix, {".csv", "-series.csv", ".json", ".svg"});
+  return settings;
+}
+
+} // namespace orograph

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `orograph render`: its options, and what a command line asks of it.
+#include "cli/options/check_settings.hpp"
+#include "cli/options/option_groups.hpp"
+#include "cli/options/options.hpp"
+#include "cli/options/parse_arguments.hpp"
+#include "write/write_drawing.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orograph {
+
+std::vector<Conflict> picture_conflicts() {
+  std::vector<Conflict> conflicts{
+      {"--view-from", "--eye",
+       "give --view-from to frame the terrain, or --eye to stand somewhere"},
+      {"--view-from", "--eye-lonlat",
+       "give --view-from to frame the terrain, or --eye-lonlat to stand somewhere"},
+      {"--distance", "--eye", "the distance is from --eye to --look-at"},
+      {"--distance", "--eye-lonlat", "the distance is from --eye-lonlat to --look-at-lonlat"},
+      {"--eye", "--eye-lonlat", "give one of the two"},
+      {"--look-at", "--look-at-lonlat", "give one of the two"},
+      {"--look-at", "--look-azimuth", "look at a point, or in a direction"},
+      {"--look-at-lonlat", "--look-azimuth", "look at a point, or in a direction"},
+      {"--look-at", "--pitch", "the point tells how steeply to look"},
+      {"--look-at-lonlat", "--pitch", "the point tells how steeply to look"},
+      {"--portrait", "--landscape", "give one of the two"},
+      {"--view-from", "--axonometric", "give one of the two"},
+      {"--projection", "--axonometric", "leave --projection out"},
+      {"--oblique", "--axonometric", "give one of the two"},
+      {"--refraction", "--curvature-coefficient", "give one of the two"},
+      {"--progress", "--no-progress", "give one of the two"},
+      {"--quiet", "--progress", "give one of the two"}};
+  for (const char* option :
+       {"--view-from", "--projection", "--oblique", "--axonometric", "--distance", "--fov", "--eye",
+        "--eye-lonlat", "--eye-height", "--look-at", "--look-at-lonlat", "--look-azimuth",
+        "--pitch", "--roll"})
+    conflicts.push_back({"--view", option, "the file holds the whole view"});
+  for (const Conflict& conflict : terrain_conflicts()) conflicts.push_back(conflict);
+  return conflicts;
+}
+
+Command render_command(RenderSettings& settings) {
+  Command command{
+      .name = "render",
+      .summary = "Draw a perspective map of a terrain as vectors, hidden lines gone",
+      .options = {},
+      .conflicts = picture_conflicts(),
+      .examples = {
+          {"orograph render dem.tif map.svg", "A map with the defaults, on A4."},
+          {"orograph render N46E007.hgt N46E008.hgt map.svg", "Neighbouring tiles as one terrain."},
+          {"orograph render dem.tif map.pdf --view-from 225/15 --page a2",
+           "Seen from the south-west, low, on A2."},
+          {"orograph render dem.tif map.png --eye 250800,4071000,900 --fov 60",
+           "Seen from a point of the terrain's own coordinates."},
+          {"orograph render dem.tif map.svg --scene huts.toml", "With huts on it."}}};
+  command.conflicts.push_back({"--profiles", "--spacing", "give one of the two"});
+  add_terrain_options(command.options, settings.inputs, settings.reading);
+  command.options.insert(
+      command.options.begin() + 1,
+      {.name = "OUTPUT",
+       .help = fmt::format("the drawing: a file whose extension names the format ({}), or - for "
+                           "standard output",
+                           fmt::join(format_names(), ", ")),
+       .take = stored_name(settings.output)});
+  add_view_options(command.options, settings);
+  add_line_options(command.options, settings);
+  add_scene_options(command.options, settings);
+  add_page_options(command.options, settings);
+  add_output_options(command.options, settings);
+  command.options.push_back(jobs_option(settings.jobs));
+  add_general_options(command.options, settings.quiet, settings.progress);
+  return command;
+}
+
+std::optional<RenderSettings> parse_render(const std::vector<std::string>& arguments) {
+  RenderSettings settings;
+  const auto given = parse_arguments(render_command(settings), arguments);
+  if (given.contains("--help")) return std::nullopt;
+  check_settings(settings, given);
+  return settings;
+}
+
+} // namespace orograph
