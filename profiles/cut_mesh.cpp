@@ -5,6 +5,7 @@
 // Each walk is a run of vertices; runs are put in order of u.
 #include "profiles/cut_mesh.hpp"
 
+#include "geometry/on_all_cores.hpp"
 #include "profiles/facing.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/surface_edges.hpp"
@@ -201,9 +202,11 @@ struct CutTinMesh : TinMesh {
 
 std::vector<TinSide> border_of(const Tin& tin) {
   std::vector<TinSide> border;
-  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t)
+  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
     for (std::uint8_t k = 0; k < 3; ++k)
       if (tin.neighbours[t][k] == kNoTriangle) border.push_back({t, k});
+  }
   return border;
 }
 
@@ -221,7 +224,9 @@ TinCutter::TinCutter(const Tin& tin, const View& view, const TriangleSet& level)
         const double a = depth(1), b = depth(2);
         return BorderSides<TinSide>::Depths{std::min(a, b), std::max(a, b)};
       }) {
+  std::size_t step = 0;
   for (const Vec3& vertex : tin.vertices_m) {
+    throw_if_stopped(step++);
     const double v = to_profile_frame(view, vertex).v;
     nearest_m_ = std::min(nearest_m_, v);
     farthest_m_ = std::max(farthest_m_, v);

@@ -89,7 +89,10 @@ std::vector<Run> runs_of(const Grid& grid, const Heights<Height>& heights) {
       append_runs(grid, heights, row, of_tasks[task]);
   });
   std::vector<Run> runs;
-  for (const std::vector<Run>& some : of_tasks) runs.insert(runs.end(), some.begin(), some.end());
+  for (const std::vector<Run>& some : of_tasks) {
+    throw_if_stopped();
+    runs.insert(runs.end(), some.begin(), some.end());
+  }
   return runs;
 }
 
@@ -180,7 +183,8 @@ LevelGround find(const Grid& grid, const Heights<Height>& heights, std::size_t s
       }
     }
   }
-  std::sort(level.shores.begin(), level.shores.end());
+  std::size_t steps = 0;
+  std::sort(level.shores.begin(), level.shores.end(), StoppableLess(steps));
   return level;
 }
 
@@ -212,11 +216,13 @@ LevelGround find_level_ground(const Tin& tin, double smallest_m2) {
   TriangleSet seen(tin.triangles.size());
   std::vector<std::uint32_t> region;
   for (std::uint32_t first = 0; first < tin.triangles.size(); ++first) {
+    throw_if_stopped(first);
     if (seen.has(first) || !is_level(tin, first)) continue;
     region.assign(1, first);
     seen.add(first);
     double area_m2 = 0;
     for (std::size_t i = 0; i < region.size(); ++i) {
+      throw_if_stopped(i);
       area_m2 += plan_area_m2(tin, region[i]);
       for (const std::uint32_t other : tin.neighbours[region[i]])
         if (other != kNoTriangle && !seen.has(other) && is_level(tin, other)) {
@@ -235,7 +241,8 @@ LevelGround find_level_ground(const Tin& tin, double smallest_m2) {
         level.triangles.has(e.left) != level.triangles.has(e.right))
       level.shores.push_back(e.edge);
   });
-  std::sort(level.shores.begin(), level.shores.end());
+  std::size_t steps = 0;
+  std::sort(level.shores.begin(), level.shores.end(), StoppableLess(steps));
   return level;
 }
 

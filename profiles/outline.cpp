@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/outline.hpp"
 
+#include "geometry/on_all_cores.hpp"
 #include "profiles/surface_edges.hpp"
 
 #include <algorithm>
@@ -47,7 +48,8 @@ public:
   WholeStretches(const Grid& grid, const Heights<Height>& heights)
       : across_((grid.columns + length - 1) / length), rows_(grid.rows) {
     whole_.reserve(static_cast<std::size_t>(across_) * static_cast<std::size_t>(rows_));
-    for (int row = 0; row < rows_; ++row)
+    for (int row = 0; row < rows_; ++row) {
+      throw_if_stopped();
       for (int first = 0; first < grid.columns; first += length) {
         const Height* h = &heights[grid.index(first, row)];
         int missing = 0;
@@ -55,6 +57,7 @@ public:
           if (h[i] != h[i]) ++missing;
         whole_.push_back(missing == 0);
       }
+    }
   }
 
   bool has_no_border(int stretch, int row) const {
@@ -88,7 +91,8 @@ std::vector<BorderEdge> edges_with_one_side(const Grid& grid, const Heights<Heig
   };
   std::vector<BorderEdge> edges;
   const WholeStretches whole(grid, heights);
-  for (int row = 0; row < grid.rows; ++row)
+  for (int row = 0; row < grid.rows; ++row) {
+    throw_if_stopped();
     for (int column = 0; column < grid.columns; ++column) {
       if (column % WholeStretches::length == 0) {
         while (column < grid.columns && whole.has_no_border(column / WholeStretches::length, row))
@@ -109,6 +113,7 @@ std::vector<BorderEdge> edges_with_one_side(const Grid& grid, const Heights<Heig
       if (lower_here != upper_here)
         edges.push_back({{here, index_of(grid, column + 1, row + 1)}, upper_here});
     }
+  }
   return edges;
 }
 
@@ -117,15 +122,19 @@ std::vector<OutlineEdge> outline_of_border(const std::vector<BorderEdge>& border
                                            const VertexAt& at) {
   std::vector<OutlineEdge> outline;
   outline.reserve(border.size());
-  for (const auto& [edge, left] : border)
+  for (const auto& [edge, left] : border) {
+    throw_if_stopped(outline.size());
     outline.push_back(left ? OutlineEdge{at(edge.from), at(edge.to)}
                            : OutlineEdge{at(edge.to), at(edge.from)});
+  }
   return outline;
 }
 
 void put_in_order(std::vector<BorderEdge>& edges) {
+  std::size_t steps = 0;
+  const StoppableLess less(steps);
   std::sort(edges.begin(), edges.end(),
-            [](const BorderEdge& a, const BorderEdge& b) { return a.edge < b.edge; });
+            [&](const BorderEdge& a, const BorderEdge& b) { return less(a.edge, b.edge); });
 }
 
 } // namespace
@@ -170,7 +179,8 @@ std::vector<std::uint32_t> by_higher_vertex(const std::vector<BorderEdge>& borde
   std::vector<std::uint64_t> keys(border.size());
   for (std::uint64_t i = 0; i < border.size(); ++i)
     keys[i] = std::uint64_t{border[i].edge.to} << 32U | i;
-  std::sort(keys.begin(), keys.end());
+  std::size_t steps = 0;
+  std::sort(keys.begin(), keys.end(), StoppableLess(steps));
   return {keys.begin(), keys.end()}; // the lower halves
 }
 
@@ -212,7 +222,9 @@ std::vector<std::uint32_t> following_edges(const std::vector<BorderEdge>& border
   const auto count = static_cast<std::uint32_t>(border.size());
   const std::vector<std::uint32_t> by_higher = by_higher_vertex(border);
   std::vector<std::uint32_t> next(count), arriving, leaving;
+  std::size_t step = 0;
   for (std::uint32_t lower = 0, higher = 0; higher < count;) {
+    throw_if_stopped(step++);
     std::uint32_t vertex = border[by_higher[higher]].edge.to;
     if (lower < count) vertex = std::min(vertex, border[lower].edge.from);
     arriving.clear();
@@ -233,12 +245,15 @@ template <class At>
 std::vector<bool> clockwise_loops(const std::vector<BorderEdge>& border, const At& at) {
   const std::vector<std::uint32_t> next = following_edges(border, at);
   std::vector<bool> clockwise(border.size()), walked(border.size());
+  std::size_t step = 0;
   for (std::uint32_t first = 0; first < border.size(); ++first) {
+    throw_if_stopped(step++);
     if (walked[first]) continue;
     const Vec2 origin = at(tail(border[first]));
     double area = 0, rounding = 0; // twice the area
     std::uint32_t i = first;
     do {
+      throw_if_stopped(step++);
       walked[i] = true;
       const Vec2 a = at(tail(border[i])) - origin, b = at(head(border[i])) - origin;
       area += cross(a, b);

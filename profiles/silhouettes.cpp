@@ -109,7 +109,10 @@ std::vector<SurfaceEdge> find_on_all_cores(const Grid& grid, const SeenGround& g
   for (const auto& some : of_tasks) count += some.size();
   std::vector<SurfaceEdge> edges;
   edges.reserve(count);
-  for (const auto& some : of_tasks) edges.insert(edges.end(), some.begin(), some.end());
+  for (const auto& some : of_tasks) {
+    throw_if_stopped();
+    edges.insert(edges.end(), some.begin(), some.end());
+  }
   return edges;
 }
 
@@ -144,7 +147,8 @@ std::vector<SurfaceEdge> silhouette_edges(const Tin& tin, const View& view) {
                      at(apex_of(tin, e.right, e.edge))))
       edges.push_back(e.edge);
   });
-  std::sort(edges.begin(), edges.end());
+  std::size_t steps = 0;
+  std::sort(edges.begin(), edges.end(), StoppableLess(steps));
   return edges;
 }
 

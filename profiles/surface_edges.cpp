@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/surface_edges.hpp"
 
+#include "geometry/on_all_cores.hpp"
 #include "profiles/facing.hpp"
 #include "profiles/slab_lines.hpp"
 
@@ -13,6 +14,11 @@
 
 namespace orograph {
 namespace {
+
+void sort(std::vector<SurfaceEdge>& edges) {
+  std::size_t steps = 0;
+  std::sort(edges.begin(), edges.end(), StoppableLess(steps));
+}
 
 // With the vertex of lowest index first, as `facing_of` asks.
 std::array<std::uint32_t, 3> lowest_first(std::array<std::uint32_t, 3> triangle) {
@@ -40,10 +46,13 @@ std::map<Place, double> ground_in_front(const Tin& tin, const TriangleSet& walls
     return Place{tin.vertices_m[vertex].x, tin.vertices_m[vertex].y};
   };
   constexpr double kNone = -std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < tin.triangles.size(); ++t)
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
     if (walls.has(t))
       for (const std::uint32_t vertex : tin.triangles[t]) heights.emplace(place(vertex), kNone);
+  }
   for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
     if (walls.has(t)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto height = heights.find(place(tin.triangles[t][k]));
@@ -69,6 +78,7 @@ std::vector<std::uint8_t> facing_of_triangles(const Tin& tin, const View& view) 
   std::vector<std::uint8_t> facing(tin.triangles.size());
   const auto at = [&](std::uint32_t i) { return to_profile_frame(view, tin.vertices_m[i]); };
   for (std::size_t t = 0; t < facing.size(); ++t) {
+    throw_if_stopped(t);
     const auto [a, b, c] = lowest_first(tin.triangles[t]);
     facing[t] = facing_of(view, at(a), at(b), at(c));
   }
@@ -78,6 +88,7 @@ std::vector<std::uint8_t> facing_of_triangles(const Tin& tin, const View& view) 
 TriangleSet walls_of(const Tin& tin) {
   TriangleSet walls;
   for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
     const auto& [a, b, c] = tin.triangles[t];
     const Vec3 p = tin.vertices_m[a], q = tin.vertices_m[b], r = tin.vertices_m[c];
     const double one = (q.x - p.x) * (r.y - p.y), other = (q.y - p.y) * (r.x - p.x);
@@ -111,7 +122,7 @@ std::vector<SurfaceEdge> edges_behind_walls(const Tin& tin, const View& view) {
       return;
     }
   });
-  std::sort(edges.begin(), edges.end());
+  sort(edges);
   return edges;
 }
 
@@ -124,7 +135,8 @@ std::vector<SurfaceEdge> edges_of(const Grid& grid, const Heights<Height>& heigh
            !std::isnan(heights[grid.index(column, row)]);
   };
   std::vector<SurfaceEdge> edges;
-  for (int row = 0; row < grid.rows; ++row)
+  for (int row = 0; row < grid.rows; ++row) {
+    throw_if_stopped();
     for (int column = 0; column < grid.columns; ++column) {
       if (!valid(column, row)) continue;
       const auto add = [&](int c, int r) {
@@ -138,6 +150,7 @@ std::vector<SurfaceEdge> edges_of(const Grid& grid, const Heights<Height>& heigh
       if (south && (across || valid(column - 1, row))) add(column, row + 1);
       if (across && (east || south)) add(column + 1, row + 1);
     }
+  }
   return edges;
 }
 
@@ -150,7 +163,7 @@ std::vector<SurfaceEdge> edges_of(const Grid& grid) {
 std::vector<SurfaceEdge> edges_of(const Tin& tin) {
   std::vector<SurfaceEdge> edges;
   for_each_edge(tin, [&](const TinEdge& e) { edges.push_back(e.edge); });
-  std::sort(edges.begin(), edges.end());
+  sort(edges);
   return edges;
 }
 
@@ -170,8 +183,11 @@ std::vector<SurfaceEdge> brinks(const Surface& surface, const std::vector<Border
   };
   std::vector<SurfaceEdge> edges;
   if (walls.empty()) {
-    for (const auto& [edge, left] : border)
+    std::size_t step = 0;
+    for (const auto& [edge, left] : border) {
+      throw_if_stopped(step++);
       if (is_ground_in_front(edge, left)) edges.push_back(edge);
+    }
     return edges;
   }
   const auto is_ground = [&](std::uint32_t t) { return t != kNoTriangle && !walls.has(t); };
@@ -179,7 +195,7 @@ std::vector<SurfaceEdge> brinks(const Surface& surface, const std::vector<Border
     if (is_ground(e.left) != is_ground(e.right) && is_ground_in_front(e.edge, is_ground(e.left)))
       edges.push_back(e.edge);
   });
-  std::sort(edges.begin(), edges.end());
+  sort(edges);
   return edges;
 }
 

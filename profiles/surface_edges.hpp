@@ -4,6 +4,7 @@
 
 #include "dem/surface.hpp"
 #include "dem/tin.hpp"
+#include "geometry/on_all_cores.hpp"
 #include "profiles/outline.hpp"
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
@@ -31,11 +32,13 @@ inline TinEdge edge_opposite(const Tin& tin, std::uint32_t t, std::size_t k) {
 /// Calls take(TinEdge) for every edge once, triangle by triangle.
 template <class Take>
 void for_each_edge(const Tin& tin, const Take& take) {
-  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t)
+  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t other = tin.neighbours[t][k];
       if (other == kNoTriangle || t < other) take(edge_opposite(tin, t, k));
     }
+  }
 }
 
 /// The vertex of a triangle that isn't an end of the edge.

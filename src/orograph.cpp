@@ -4,6 +4,9 @@
 #include "dem/read/read_terrain.hpp"
 #include "dem/read/terrain_in_memory.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "map/describe_map.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 #include "solids/read_scene.hpp"
 
 #include <array>
@@ -12,11 +15,22 @@
 #include <optional>
 #include <utility>
 
-#include "map/describe_map.hpp"
-#include "map/draw_map.hpp"
-#include "placing/placed_view.hpp"
-
 namespace orograph {
+namespace {
+
+// Runs `work`. What it is about is there and was in order, so that what can't be done with it is
+// the request's fault, whatever the stages say that don't know.
+template <class Work>
+void as_requested(const Work& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::input) throw;
+    throw Error(error.wrong(), error.right(), ErrorCode::request);
+  }
+}
+
+} // namespace
 
 Terrain::Terrain(std::shared_ptr<const TerrainData> data) : data_(std::move(data)) {}
 
@@ -100,12 +114,15 @@ Session::Session(Terrain terrain, Solids solids)
 
 Map Session::draw(const MapSpec& spec, const Control& control) const {
   Map map;
-  on_cores(control.jobs, control.stop, [&] {
-    const TerrainOfView terrain(*kept_->terrain.data_, spec.view);
-    const PlacedView placed = placed_view(terrain, spec, kept_->solids.scene_.get(),
-                                          kept_->facts_for(terrain, spec.style.flat, control.stop));
-    map = draw_map(*terrain, placed, spec, control.progress);
-    describe_map(map, *terrain, placed, spec);
+  as_requested([&] {
+    on_cores(control.jobs, control.stop, [&] {
+      const TerrainOfView terrain(*kept_->terrain.data_, spec.view);
+      const PlacedView placed =
+          placed_view(terrain, spec, kept_->solids.scene_.get(),
+                      kept_->facts_for(terrain, spec.style.flat, control.stop));
+      map = draw_map(*terrain, placed, spec, control.progress);
+      describe_map(map, *terrain, placed, spec);
+    });
   });
   return map;
 }

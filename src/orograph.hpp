@@ -22,6 +22,8 @@
 #include "draw/drawing.hpp"
 #include "geometry/api.hpp"
 #include "geometry/error.hpp"
+#include "map/map_facts.hpp"
+#include "placing/map_spec.hpp"
 #include "write/write_drawing.hpp"
 
 #include <functional>
@@ -29,9 +31,6 @@
 #include <stop_token>
 #include <string>
 #include <vector>
-
-#include "map/map_facts.hpp"
-#include "placing/map_spec.hpp"
 
 namespace orograph {
 
@@ -42,10 +41,10 @@ struct SceneFile;
 struct Control {
   /// Is told the share done, 0 to 1, rising, by one thread at a time, which may be another than the
   /// caller's. What it throws ends the call and is thrown to the caller.
-  std::function<void(double)> progress;
+  std::function<void(double)> progress{};
   /// Once a stop is requested the call throws Error with ErrorCode::cancelled, within a tenth of a
   /// second.
-  std::stop_token stop;
+  std::stop_token stop{};
   int jobs = 0; ///< threads to use, at most; 0: one for each core
 };
 

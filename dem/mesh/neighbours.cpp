@@ -3,6 +3,8 @@
 // higher one (few sides a vertex). Sides of one edge are neighbours then.
 #include "dem/mesh/neighbours.hpp"
 
+#include "geometry/on_all_cores.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -20,11 +22,13 @@ struct SideAtVertex {
 
 template <class Visit>
 void for_each_side(std::span<const std::array<std::uint32_t, 3>> triangles, Visit visit) {
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    throw_if_stopped(t);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const auto [a, b] = ends_of(triangles[t], k);
       visit(std::min(a, b), std::max(a, b), TriangleSide{t, k});
     }
+  }
 }
 
 // The sides of one edge.
@@ -58,6 +62,7 @@ Neighbours find_neighbours(std::span<const std::array<std::uint32_t, 3>> triangl
   neighbours.of.assign(triangles.size(), {kNoTriangle, kNoTriangle, kNoTriangle});
   std::size_t from = 0;
   for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
+    throw_if_stopped(vertex);
     const std::size_t to = begin[vertex];
     std::sort(sides.begin() + static_cast<std::ptrdiff_t>(from),
               sides.begin() + static_cast<std::ptrdiff_t>(to));

@@ -5,6 +5,7 @@
 #include "dem/mesh/tin_index.hpp"
 #include "dem/mesh/walls.hpp"
 #include "dem/triangulate/orientation.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
 
@@ -49,7 +50,10 @@ bool overlap(const Corners& a, const Corners& b) {
 
 std::vector<bool> walls_of(const Tin& tin) {
   std::vector<bool> walls(tin.triangles.size());
-  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) walls[t] = is_wall(tin, t);
+  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
+    walls[t] = is_wall(tin, t);
+  }
   return walls;
 }
 
@@ -136,6 +140,7 @@ std::optional<TrianglePair> first_overlap(const Tin& tin) {
   const TinIndex index(tin);
   std::vector<std::uint32_t> near;
   for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
     const auto& others = tin.neighbours[t];
     if (walls[t] || std::none_of(others.begin(), others.end(),
                                  [&](std::uint32_t n) { return n == kNoTriangle || walls[n]; }))
@@ -155,6 +160,7 @@ std::vector<TrianglePair> all_overlaps(const Tin& tin) {
   std::vector<TrianglePair> pairs;
   std::vector<std::uint32_t> near;
   for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
     if (walls[t]) continue;
     const Corners at = corners(tin, t);
     index.meeting(box_of(at), near);

@@ -3,6 +3,8 @@
 // runs aslant holds many buckets that it never comes near.
 #include "dem/mesh/tin_index.hpp"
 
+#include "geometry/on_all_cores.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -70,10 +72,12 @@ TinIndex::TinIndex(const Tin& tin) : tin_(tin) {
   triangles_.resize(sum);
   // From the last triangle to the first, from each bucket's end down: begin_ is right in the end.
   for (std::size_t i = 0; i + 1 < begin_.size(); ++i) begin_[i] = begin_[i + 1];
-  for (std::uint32_t t = static_cast<std::uint32_t>(tin.triangles.size()); t-- > 0;)
+  for (std::uint32_t t = static_cast<std::uint32_t>(tin.triangles.size()); t-- > 0;) {
+    throw_if_stopped(t);
     for_each_run(t, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i <= last; ++i) triangles_[--begin_[i]] = t;
     });
+  }
 }
 
 void TinIndex::lay_buckets(double bucket_m) {
@@ -86,11 +90,13 @@ void TinIndex::lay_buckets(double bucket_m) {
 bool TinIndex::count(std::vector<std::uint32_t>& counts, std::size_t most) const {
   counts.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
   std::size_t entries = 0;
-  for (std::uint32_t t = 0; t < tin_.triangles.size() && entries <= most; ++t)
+  for (std::uint32_t t = 0; t < tin_.triangles.size() && entries <= most; ++t) {
+    throw_if_stopped(t);
     for_each_run(t, [&](std::size_t first, std::size_t last) {
       entries += last - first + 1;
       for (std::size_t i = first; i <= last; ++i) ++counts[i];
     });
+  }
   return entries <= most;
 }
 

@@ -3,6 +3,7 @@
 
 #include "dem/mesh/overlap.hpp"
 #include "dem/triangulate/orientation.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <fmt/format.h>
 
@@ -80,12 +81,14 @@ std::optional<Misfit> edge_misfit(const Tin& tin, const Neighbours& neighbours) 
       misfit.triangles.push_back(side.triangle);
     return misfit;
   }
-  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t)
+  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t other = neighbours.of[t][k];
       if (other != kNoTriangle && run_alike(tin, t, k, other))
         return Misfit{TinFault::Kind::edge_runs_twice, {std::min(t, other), std::max(t, other)}};
     }
+  }
   return std::nullopt;
 }
 

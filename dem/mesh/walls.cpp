@@ -5,6 +5,7 @@
 #include "dem/mesh/overlap.hpp"
 #include "dem/mesh/verify_tin.hpp"
 #include "dem/triangulate/orientation.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -114,6 +115,7 @@ void turn_walls(Tin& tin) {
   Spread spread{tin, std::vector<std::uint8_t>(tin.triangles.size()), {}};
   std::vector<std::uint32_t> walls;
   for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
     spread.settled[t] = !is_wall(tin, t);
     if (!spread.settled[t]) walls.push_back(t);
   }

@@ -209,6 +209,7 @@ FilledVoids fill(std::span<Height> heights, int columns, int rows, double cells)
   FilledVoids voids;
   std::vector<std::uint8_t> is_there(heights.size());
   for (std::size_t i = 0; i < heights.size(); ++i) {
+    throw_if_stopped(i);
     is_there[i] = std::isnan(heights[i]) ? 0 : 255;
     voids.left += is_there[i] == 0;
   }
@@ -218,9 +219,11 @@ FilledVoids fill(std::span<Height> heights, int columns, int rows, double cells)
   const Dataset mask = raster_over(is_there, columns, rows, GDT_Byte);
   CPLStringList options;
   options.SetNameValue("TEMP_FILE_DRIVER", "MEM");
-  if (GDALFillNodata(surface->GetRasterBand(1), mask->GetRasterBand(1), cells, 0, 0, options.List(),
-                     nullptr, nullptr) != CE_None)
-    throw Error("GDAL can't fill the voids", "leave `fill_voids` out");
+  const auto go_on = [](double, const char*, void*) { return is_stopped() ? FALSE : TRUE; };
+  const CPLErr done = GDALFillNodata(surface->GetRasterBand(1), mask->GetRasterBand(1), cells, 0, 0,
+                                     options.List(), go_on, nullptr);
+  throw_if_stopped();
+  if (done != CE_None) throw Error("GDAL can't fill the voids", "leave `fill_voids` out");
   surface->FlushCache();
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (std::isnan(heights[i]) && !std::isnan(filled[i])) {

@@ -234,7 +234,7 @@ TerrainData terrain_from_points(MapShapes shapes, std::optional<MapShapes> lines
     terrain.surface = std::move(made.tin);
     terrain.triangulation = made.counts;
   } catch (const Error& error) {
-    throw Error(terrain.source, error.what());
+    throw Error(terrain.source, error.what(), error.code());
   }
   return terrain;
 }

@@ -363,10 +363,12 @@ PlaneMesh PlaneTriangulation::mesh() const {
   mesh.triangles.reserve(inside_->number_of_faces());
   mesh.neighbours.reserve(inside_->number_of_faces());
   for (const auto f : inside_->finite_face_handles()) {
+    throw_if_stopped(mesh.triangles.size());
     f->info().number = static_cast<std::uint32_t>(mesh.triangles.size());
     mesh.triangles.push_back(numbers_of(f));
   }
   for (const auto f : inside_->finite_face_handles()) {
+    throw_if_stopped(mesh.neighbours.size());
     auto& across = mesh.neighbours.emplace_back();
     for (int i = 0; i < 3; ++i)
       across[i] =

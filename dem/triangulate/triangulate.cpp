@@ -4,6 +4,7 @@
 #include "dem/triangulate/place_order.hpp"
 #include "dem/triangulate/plane_triangulation.hpp"
 #include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <fmt/format.h>
 
@@ -106,6 +107,7 @@ MergedPlaces merge_places(const Survey& survey) {
   std::vector<std::uint32_t> vertex_of(order.size());
   std::vector<double> of_points, of_lines;
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    throw_if_stopped(merged.vertices_m.size());
     const Vec2 place = places[order[begin]];
     of_points.clear();
     of_lines.clear();
@@ -208,20 +210,25 @@ std::vector<Placed> in_order(const PlaneMesh& mesh, const std::vector<char>& kep
     return Placed{{v[first], v[(first + 1) % 3], v[(first + 2) % 3]}, t, first};
   };
   std::vector<std::uint32_t> end(vertices + 1, 0);
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    throw_if_stopped(t);
     if (kept[t]) ++end[placed(t).vertices[0] + 1];
+  }
   for (std::size_t v = 0; v < vertices; ++v) end[v + 1] += end[v];
   std::vector<Placed> ordered(end.back());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    if (kept[t]) {
-      const Placed here = placed(t);
-      ordered[end[here.vertices[0]]++] = here;
-    }
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    throw_if_stopped(t);
+    if (!kept[t]) continue;
+    const Placed here = placed(t);
+    ordered[end[here.vertices[0]]++] = here;
+  }
   // Each bucket's begin has become its end.
-  for (std::size_t v = 0, begin = 0; v < vertices; begin = end[v], ++v)
+  for (std::size_t v = 0, begin = 0; v < vertices; begin = end[v], ++v) {
+    throw_if_stopped(v);
     std::sort(ordered.begin() + static_cast<std::ptrdiff_t>(begin),
               ordered.begin() + static_cast<std::ptrdiff_t>(end[v]),
               [](const Placed& a, const Placed& b) { return a.vertices < b.vertices; });
+  }
   return ordered;
 }
 
@@ -237,6 +244,7 @@ Tin order_tin(const PlaneMesh& mesh, const std::vector<char>& kept, const std::v
   tin.triangles.reserve(ordered.size());
   tin.neighbours.reserve(ordered.size());
   for (const Placed& triangle : ordered) {
+    throw_if_stopped(tin.triangles.size());
     tin.triangles.push_back(triangle.vertices);
     auto& across = tin.neighbours.emplace_back();
     for (std::uint32_t k = 0; k < 3; ++k) {

@@ -19,12 +19,15 @@ std::vector<std::uint32_t> partners_of(std::span<const ChainLink> links) {
   std::vector<EndAtVertex> ends;
   ends.reserve(2 * links.size());
   for (std::uint32_t piece = 0; piece < links.size(); ++piece) {
+    throw_if_stopped(piece);
     if (links[piece].begin != kLooseEnd) ends.push_back({links[piece].begin, 2 * piece});
     if (links[piece].end != kLooseEnd) ends.push_back({links[piece].end, 2 * piece + 1});
   }
   sort_by_number(ends, [](const EndAtVertex& end) { return end.vertex; });
   std::vector<std::uint32_t> partner(2 * links.size(), kNone);
+  std::size_t step = 0;
   for (std::size_t i = 0; i + 1 < ends.size();) {
+    throw_if_stopped(step++);
     if (ends[i].vertex != ends[i + 1].vertex) {
       ++i;
       continue;
@@ -52,10 +55,14 @@ Chains chain(std::span<const ChainLink> links) {
     }
     chains.ends.push_back(static_cast<std::uint32_t>(chains.pieces.size()));
   };
-  for (std::uint32_t end = 0; end < partner.size(); ++end)
+  for (std::uint32_t end = 0; end < partner.size(); ++end) {
+    throw_if_stopped(end);
     if (partner[end] == kNone && !used[end / 2]) walk(end);
-  for (std::uint32_t end = 0; end < partner.size(); end += 2)
+  }
+  for (std::uint32_t end = 0; end < partner.size(); end += 2) {
+    throw_if_stopped(end);
     if (!used[end / 2]) walk(end); // what is left are rings
+  }
   return chains;
 }
 

@@ -30,9 +30,12 @@ double rounded_to_page_step(double x_mm) {
 RoundingCounts round_strokes(Layer& layer) {
   RoundingCounts dropped;
   const bool has_map = !layer.map.empty();
-  for (Vec2& p : layer.page_mm) p = {rounded_to_page_step(p.x), rounded_to_page_step(p.y)};
-  std::uint32_t kept_point = 0, kept_stroke = 0;
   std::size_t step = 0;
+  for (Vec2& p : layer.page_mm) {
+    throw_if_stopped(step++);
+    p = {rounded_to_page_step(p.x), rounded_to_page_step(p.y)};
+  }
+  std::uint32_t kept_point = 0, kept_stroke = 0;
   for (Stroke stroke : layer.strokes) {
     throw_if_stopped(step++);
     const std::uint32_t first = kept_point, end = stroke.first_point + stroke.point_count;

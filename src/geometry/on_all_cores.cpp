@@ -3,10 +3,13 @@
 
 #include "geometry/error.hpp"
 
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 // The thread sanitizer doesn't see what TBB, which isn't built with it, does between a loop's
@@ -60,15 +63,21 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& tas
 }
 
 void on_cores(int jobs, const std::stop_token& stop, const std::function<void()>& work) {
+  if (jobs < 0)
+    throw Error(std::to_string(jobs) + " jobs", "1 or more, or 0 for one on each core",
+                ErrorCode::request);
   const auto stoppable = [&] {
     const BusyWith busy(&stop);
     throw_if_stopped();
     work();
   };
+  // Of more TBB would say on stderr that there are none.
+  const auto most = static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   if (jobs == 0)
     stoppable();
   else
-    tbb::task_arena(jobs).execute(stoppable);
+    tbb::task_arena(std::min(jobs, most)).execute(stoppable);
 }
 
 std::function<void()> stopped_with_caller(std::function<void()> work) {
@@ -78,9 +87,12 @@ std::function<void()> stopped_with_caller(std::function<void()> work) {
   };
 }
 
+bool is_stopped() {
+  return current_stop && current_stop->stop_requested();
+}
+
 void throw_if_stopped() {
-  if (current_stop && current_stop->stop_requested())
-    throw Error("the work was stopped", "begin it again", ErrorCode::cancelled);
+  if (is_stopped()) throw Error("the work was stopped", "begin it again", ErrorCode::cancelled);
 }
 
 } // namespace orograph

@@ -19,18 +19,32 @@ template <class Thing, class NumberOf>
 void sort_by_number(std::vector<Thing>& things, const NumberOf& number_of) {
   constexpr unsigned kBits = 11;
   constexpr std::uint64_t kMask = (1U << kBits) - 1;
+  // In pieces, between which it can be stopped.
+  constexpr std::size_t kPiece = 1U << 16U;
+  const auto for_each_thing = [&](const auto& take) {
+    for (std::size_t i = 0; i < things.size();) {
+      throw_if_stopped();
+      for (const std::size_t end = std::min(i + kPiece, things.size()); i < end; ++i)
+        take(things[i]);
+    }
+  };
   std::uint64_t greatest = 0;
-  for (const Thing& thing : things) greatest = std::max<std::uint64_t>(greatest, number_of(thing));
-  std::vector<Thing> sorted(things.size());
-  for (unsigned shift = 0; shift < 64 && greatest >> shift > 0; shift += kBits) {
+  for_each_thing(
+      [&](const Thing& thing) { greatest = std::max<std::uint64_t>(greatest, number_of(thing)); });
+  std::vector<Thing> sorted;
+  sorted.reserve(things.size());
+  while (sorted.size() < things.size()) { // what takes longest is the system's first look at it
     throw_if_stopped();
+    sorted.resize(std::min(sorted.size() + kPiece, things.size()));
+  }
+  for (unsigned shift = 0; shift < 64 && greatest >> shift > 0; shift += kBits) {
     const auto digit = [&](const Thing& thing) {
       return static_cast<std::size_t>(std::uint64_t{number_of(thing)} >> shift & kMask);
     };
     std::array<std::uint32_t, kMask + 2> first{};
-    for (const Thing& thing : things) ++first[digit(thing) + 1];
+    for_each_thing([&](const Thing& thing) { ++first[digit(thing) + 1]; });
     for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-    for (const Thing& thing : things) sorted[first[digit(thing)]++] = thing;
+    for_each_thing([&](const Thing& thing) { sorted[first[digit(thing)]++] = thing; });
     things.swap(sorted);
   }
 }

@@ -9,8 +9,9 @@
 namespace orograph {
 void join(std::vector<LinePart>& parts, const std::function<double(std::uint32_t)>& gap) {
   sort_by_number(parts, [](const LinePart& part) { return part.line; });
+  std::size_t step = 0;
   for (auto first = parts.begin(); first != parts.end();) {
-    throw_if_stopped(static_cast<std::size_t>(first - parts.begin()));
+    throw_if_stopped(step++);
     const auto end = std::find_if(first, parts.end(),
                                   [&](const LinePart& part) { return part.line != first->line; });
     if (end - first > 1)
@@ -20,6 +21,7 @@ void join(std::vector<LinePart>& parts, const std::function<double(std::uint32_t
   }
   std::size_t count = 0;
   for (const LinePart& part : parts) {
+    throw_if_stopped(step++);
     if (count > 0 && parts[count - 1].line == part.line &&
         parts[count - 1].t_end >= part.t_begin - (gap ? gap(part.line) : kSameShare))
       parts[count - 1].t_end = std::max(parts[count - 1].t_end, part.t_end);

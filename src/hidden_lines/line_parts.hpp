@@ -42,7 +42,10 @@ void draw_chained(const std::vector<LinePart>& parts, const View& view, const Li
                   const Point& point, StrokeBuilder& builder) {
   std::vector<ChainLink> links;
   links.reserve(parts.size());
-  for (const LinePart& part : parts) links.push_back(link(part));
+  for (const LinePart& part : parts) {
+    throw_if_stopped(links.size());
+    links.push_back(link(part));
+  }
   const Chains chains = chain(links);
   for (std::size_t i = 0; i < chains.size(); ++i) {
     throw_if_stopped();

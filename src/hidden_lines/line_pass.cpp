@@ -283,8 +283,13 @@ std::vector<std::vector<LineAtDepth>> lines_by_range(const Surface& surface, con
   });
   std::vector<Found> out(ranges.size());
   on_all_cores(ranges.size(), [&](std::size_t range) {
-    for (const auto& found : of_tasks)
+    std::size_t count = 0;
+    for (const auto& found : of_tasks) count += found[range].size();
+    out[range].reserve(count);
+    for (const auto& found : of_tasks) {
+      throw_if_stopped();
       out[range].insert(out[range].end(), found[range].begin(), found[range].end());
+    }
   });
   return out;
 }
@@ -298,7 +303,9 @@ void join_sectors(const Surface& surface, const View& view, const std::vector<Ed
   };
   join(parts, [&](std::uint32_t line) { return strip(whole(line)); });
   // Edges that meet in the strip meet in the drawing as well.
+  std::size_t step = 0;
   for (LinePart& part : parts) {
+    throw_if_stopped(step++);
     const ProfileLine line = whole(part.line);
     if (std::abs(line.from.v) <= strip_m && part.t_begin <= strip(line)) part.t_begin = 0;
     if (std::abs(line.to.v) <= strip_m && part.t_end >= 1 - strip(line)) part.t_end = 1;

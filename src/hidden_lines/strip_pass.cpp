@@ -122,7 +122,11 @@ public:
 
   SectorParts found() const {
     SectorParts out;
+    std::size_t count = 0;
+    for (const auto& strip : strips_) count += strip->lines().visible_parts().size();
+    out.visible.reserve(count);
     for (const auto& strip : strips_) {
+      throw_if_stopped();
       const auto& parts = strip->lines().visible_parts();
       out.visible.insert(out.visible.end(), parts.begin(), parts.end());
       const std::vector<LinePart> skyline = strip->lines().skyline(strip->horizon().joined());

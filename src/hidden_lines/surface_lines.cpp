@@ -44,13 +44,17 @@ std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& pla
   std::vector<SurfaceEdge> drawn; // in order: an edge of several kinds is drawn as the first
   // What was added behind `middle` in order goes where it belongs.
   const auto merge_drawn = [&](std::size_t middle) {
+    std::size_t steps = 0;
     std::inplace_merge(drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(middle),
-                       drawn.end());
+                       drawn.end(), StoppableLess(steps));
   };
   const auto add_drawn = [&](const std::vector<SurfaceEdge>& edges, LineKind kind) {
     std::vector<SurfaceEdge> news;
+    std::size_t steps = 0;
+    news.reserve(edges.size());
     std::set_difference(edges.begin(), edges.end(), drawn.begin(), drawn.end(),
-                        std::back_inserter(news));
+                        std::back_inserter(news), StoppableLess(steps));
+    lines.reserve(lines.size() + news.size());
     for (const SurfaceEdge& edge : news) {
       throw_if_stopped(lines.size());
       lines.push_back({edge, kind, false, true, false});
@@ -96,7 +100,10 @@ std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& pla
   // The foot of a wall that the eye sees hides nothing, but what may hang there beneath it.
   if (surface)
     for (std::size_t i = 0; i < all_brinks.size(); ++i)
-      if (!hides[i]) lines.push_back({all_brinks[i], LineKind::silhouette, true, false, true});
+      if (!hides[i]) {
+        throw_if_stopped(lines.size());
+        lines.push_back({all_brinks[i], LineKind::silhouette, true, false, true});
+      }
   if (style.asks_for("shores")) add_drawn(placed.level.shores, LineKind::shore);
   if (style.asks_for("edges")) add_drawn(edges_of(terrain.surface), LineKind::edge);
   return lines;
@@ -120,8 +127,10 @@ std::vector<LinePart> folds(const LinePass& pass, const std::vector<LinePart>& p
     const std::size_t end = std::min(parts.size(), (task + 1) * kPartsOfTask);
     for (std::size_t i = task * kPartsOfTask; i < end; ++i) folds[i] = is_fold(parts[i]) ? 1 : 0;
   });
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    throw_if_stopped(i);
     if (folds[i] != 0) out.push_back(parts[i]);
+  }
   return out;
 }
 

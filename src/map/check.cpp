@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map/check.hpp"
 
+#include "geometry/on_all_cores.hpp"
 #include "placing/sector.hpp"
 #include "profiles/profile.hpp"
 
@@ -66,6 +67,7 @@ double Check::near_end(double begin, double end) {
 }
 
 void Check::judge(const ProfileLine& line, double t, bool on_edge, bool drawn) {
+  throw_if_stopped(); // a ray may go over thousands of triangles
   ++counts_.asked;
   const Verdict verdict = judge_->verdict(line, t, on_edge, drawn);
   if (verdict == Verdict::tied)

@@ -24,7 +24,9 @@ constexpr double kDash_mm = 0.8, kDashGap_mm = 0.5;
 
 double length_mm(const Layer& layer) {
   double sum = 0;
+  std::size_t step = 0;
   for (const Stroke& stroke : layer.strokes) {
+    throw_if_stopped(step++);
     const auto points = layer.points(stroke);
     for (std::size_t i = 1; i < points.size(); ++i) sum += length(points[i] - points[i - 1]);
   }
@@ -44,8 +46,11 @@ struct LineLayer {
 std::vector<LinePart> of_kind(const std::vector<EdgeLine>& lines,
                               const std::vector<LinePart>& parts, LineKind kind) {
   std::vector<LinePart> out;
-  for (const LinePart& part : parts)
+  std::size_t step = 0;
+  for (const LinePart& part : parts) {
+    throw_if_stopped(step++);
     if (lines[part.line].kind == kind) out.push_back(part);
+  }
   return out;
 }
 
@@ -76,6 +81,7 @@ public:
   std::vector<LinePart> of(std::vector<LinePart> SectorLines::*kind) const {
     std::vector<LinePart> all;
     for (const SectorLines& sector : sectors_) append(sector.*kind, all);
+    throw_if_stopped();
     if (sectors_.size() > 1 && has_ground(terrain_.surface))
       join_sectors(terrain_.surface, placed_.view, lines_,
                    placed_.sectors.front().keeps_strip ? placed_.view.near_m : 0, all);

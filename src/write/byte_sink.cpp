@@ -40,7 +40,7 @@ std::string what_would_be_right(int error_number) {
 
 Error write_error(const std::string& name, int error_number) {
   return {name + " can't be written (" + std::generic_category().message(error_number) + ")",
-          what_would_be_right(error_number)};
+          what_would_be_right(error_number), ErrorCode::output};
 }
 
 ByteSink::ByteSink(int descriptor, std::string name)

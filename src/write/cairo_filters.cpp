@@ -32,7 +32,7 @@ void PostscriptFilter::finish() {
   pass_on_line();
   if (good_ && !page_is_whole_)
     throw Error(out_.name() + " can't be written (the page got lost in a temporary file)",
-                "free space in /tmp, or another format");
+                "free space in /tmp, or another format", ErrorCode::output);
 }
 
 std::string postscript_title(std::string_view title) {

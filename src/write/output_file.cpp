@@ -99,7 +99,7 @@ private:
 namespace fs = std::filesystem;
 
 Error exists_error(const std::string& path) {
-  return {path + " exists already", "another name, or `overwrite`"};
+  return {path + " exists already", "another name, or `overwrite`", ErrorCode::output};
 }
 
 // Renaming would replace a symbolic link by the file; what is meant is the file it points to.
@@ -110,14 +110,15 @@ std::string followed(const std::string& path) {
 
 void check_place(const std::string& path, bool overwrite) {
   if (!fs::path(path).has_filename())
-    throw Error("'" + path + "' names no file", "the name of a file to write");
+    throw Error("'" + path + "' names no file", "the name of a file to write", ErrorCode::output);
   struct stat place {};
   if (::stat(path.c_str(), &place) != 0) {
     if (errno != ENOENT) throw write_error(path, errno);
     return;
   }
   if (!S_ISREG(place.st_mode))
-    throw Error(path + " is not an ordinary file", "the name of a file to write");
+    throw Error(path + " is not an ordinary file", "the name of a file to write",
+                ErrorCode::output);
   if (!overwrite) throw exists_error(path);
   if (::access(path.c_str(), W_OK) != 0) throw write_error(path, errno);
 }
@@ -139,7 +140,7 @@ std::pair<std::string, std::size_t> create_temporary(const std::string& path) {
     if (const auto number = note_for_removal(temporary)) return {temporary, *number};
     ::unlink(temporary.c_str());
     throw Error(path + " is one output too many at a time, or its path is too long",
-                "up to 256 at a time, with paths under 4096 bytes");
+                "up to 256 at a time, with paths under 4096 bytes", ErrorCode::output);
   }
 }
 

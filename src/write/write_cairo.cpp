@@ -39,7 +39,7 @@ cairo_status_t call_append(void* append, const unsigned char* data, unsigned int
 void check(cairo_status_t status, const ByteSink& out) {
   if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_WRITE_ERROR)
     throw Error(fmt::format("{} can't be written ({})", out.name(), cairo_status_to_string(status)),
-                "room in memory and in /tmp, or another format");
+                "room in memory and in /tmp, or another format", ErrorCode::output);
 }
 
 // Short neighbouring strokes share a path. `ink` sets the colour of a grey.
@@ -118,7 +118,8 @@ void check_pixels(const Page& page, double dpi, double width, double height) {
                             (kLargestPixelSide - 1) / longer_mm);
   throw Error(fmt::format("{} dpi on a page of {} x {} mm is no PNG that can be made", dpi,
                           page.width_mm, page.height_mm),
-              fmt::format("from 1 to {} dpi for this page, or SVG or PDF", std::floor(most_dpi)));
+              fmt::format("from 1 to {} dpi for this page, or SVG or PDF", std::floor(most_dpi)),
+              ErrorCode::request);
 }
 
 // Bytes of an alpha-only image are written to a PNG as they are, as levels of grey, at a quarter of

@@ -34,7 +34,7 @@ void check_map_points(const Drawing& drawing, Format format) {
   for (const Layer& layer : drawing.layers)
     if (layer.map.size() != layer.page_mm.size())
       throw Error(fmt::format("layer {} has no map points", layer.name),
-                  "a drawing tied to the ground, or a format such as SVG");
+                  "a drawing tied to the ground, or a format such as SVG", ErrorCode::request);
 }
 
 void write_to_sink(const Drawing& drawing, const WriteOptions& options, ByteSink& out) {

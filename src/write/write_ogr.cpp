@@ -242,7 +242,8 @@ bool write(const char* driver_name, const std::string& path, const Drawing& draw
   GDALAllRegister();
   GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName(driver_name);
   if (driver == nullptr)
-    throw Error(fmt::format("GDAL has no {} here", driver_name), "a GDAL that has it");
+    throw Error(fmt::format("GDAL has no {} here", driver_name), "a GDAL that has it",
+                ErrorCode::output);
   Dataset dataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
   if (!dataset) return false;
   OGRLayer* const layer = add_layer(*dataset, drawing, layer_options);
