@@ -140,8 +140,10 @@ int main(int argc, char** argv) {
   } catch (const StoppedElsewhere&) {
     return 1;
   } catch (const UsageError& error) {
-    // All processes of a sweep are told the same; one tells what is wrong with it.
-    return launched_rank() == 0 ? fail(error.what(), 2) : 2;
+    // All processes of a sweep are told the same; the first tells what is wrong with it. The others
+    // end without an exit code of their own: mpirun kills the rest at the first that isn't 0, and
+    // the first process may not have told it yet. What mpirun hands on is the first's.
+    return launched_rank() == 0 ? fail(error.what(), 2) : 0;
   } catch (const Error& error) {
     return fail(error.what(), 1);
   } catch (const std::bad_alloc&) {
