@@ -134,7 +134,7 @@ TEST_CASE("the extent of a grid on the ellipsoid is that of its vertices") {
     CHECK(range.low_m == low);
     CHECK(range.high_m == high);
   }
-  CHECK(all_turned >= enough(1));
+  CHECK(all_turned >= enough<1>);
 }
 
 TEST_CASE("triangles that lean beyond upright are counted") {
@@ -197,8 +197,8 @@ TEST_CASE("the height at a point on the ellipsoid is that of the triangle that h
       if (height) CHECK(std::abs(*height - vertex.z) <= 1e-6);
     }
   }
-  CHECK(inside > enough(800));
-  CHECK(outside > enough(200));
+  CHECK(inside > enough<800>);
+  CHECK(outside > enough<200>);
 }
 
 TEST_CASE("another frame has every vertex at the same place of the earth") {

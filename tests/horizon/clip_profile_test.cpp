@@ -147,8 +147,8 @@ TEST_CASE("profiles clipped by blocks show what clip shows, whole and in ranges"
     }
   WARN(runs_seen << " visible runs, " << ranges << " ranges, " << steps << " steps, " << ties
                  << " ties");
-  CHECK(runs_seen > enough(10000));
-  CHECK(ties > enough(100));
+  CHECK(runs_seen > enough<10000>);
+  CHECK(ties > enough<100>);
 }
 
 TEST_CASE("a horizon in blocks has bounds, and a cursor over all of its pieces") {

@@ -264,11 +264,11 @@ TEST_CASE("a grid on the ellipsoid is cut as the TIN of its triangles, bit for b
   WARN(sum.grids << " grids, " << sum.leaning << " with cliffs that lean over; " << sum.profiles
                  << " profiles of " << sum.vertices << " vertices, " << sum.level
                  << " level spans, " << sum.gaps << " gaps; " << sum.empty << " empty");
-  CHECK(sum.grids - sum.leaning > enough(800));
-  CHECK(sum.leaning > enough(50));
-  CHECK(sum.vertices > enough(200000));
-  CHECK(sum.level > enough(20000));
-  CHECK(sum.gaps > enough(5000));
+  CHECK(sum.grids - sum.leaning > enough<800>);
+  CHECK(sum.leaning > enough<50>);
+  CHECK(sum.vertices > enough<200000>);
+  CHECK(sum.level > enough<20000>);
+  CHECK(sum.gaps > enough<5000>);
 }
 
 TEST_CASE("and as its triangles are, one by one") {
@@ -284,10 +284,10 @@ TEST_CASE("and as its triangles are, one by one") {
   }
   WARN(asked.places << " places, " << asked.gaps << " in gaps, " << asked.level << " level, "
                     << asked.in_plane << " on edges in the plane, " << asked.ends << " crossings");
-  CHECK(asked.places > enough(50000));
-  CHECK(asked.gaps > enough(5000));
-  CHECK(asked.level > enough(5000));
-  CHECK(asked.in_plane > enough(500));
+  CHECK(asked.places > enough<50000>);
+  CHECK(asked.gaps > enough<5000>);
+  CHECK(asked.level > enough<5000>);
+  CHECK(asked.in_plane > enough<500>);
 }
 
 TEST_CASE("a meridian and the equator lie in planes of one depth, and are there once") {

@@ -228,9 +228,9 @@ TEST_CASE("a TIN is cut as its triangles are, from any azimuth") {
     check_cuts(random, tin, view, asked);
   }
   report(asked);
-  CHECK(asked.places > enough(100000));
-  CHECK(asked.walls > enough(1000));
-  CHECK(asked.turned > enough(1000));
+  CHECK(asked.places > enough<100000>);
+  CHECK(asked.walls > enough<1000>);
+  CHECK(asked.turned > enough<1000>);
 }
 
 // Whole coordinates seen along an axis, or whole directions: depths are exact, so planes meet
@@ -254,9 +254,9 @@ TEST_CASE("planes through vertices and along edges and walls, exactly") {
     check_cuts(random, tin, random_view(random, direction), asked);
   }
   report(asked);
-  CHECK(asked.in_plane > enough(10000));
-  CHECK(asked.walls > enough(1000));
-  CHECK(asked.turned > enough(1000));
+  CHECK(asked.in_plane > enough<10000>);
+  CHECK(asked.walls > enough<1000>);
+  CHECK(asked.turned > enough<1000>);
 }
 
 TEST_CASE("a grid's profile and that of its triangles as a TIN are one, bit for bit") {

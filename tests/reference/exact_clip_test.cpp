@@ -129,8 +129,8 @@ TEST_CASE("by the definition of the horizon: lattice and other random scenes") {
         }
     }
     CAPTURE(kind.name, visible, hidden);
-    CHECK(visible > enough(1000));
-    CHECK(hidden > enough(1000));
+    CHECK(visible > enough<1000>);
+    CHECK(hidden > enough<1000>);
   }
 }
 

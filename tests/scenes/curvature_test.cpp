@@ -289,7 +289,7 @@ TEST_CASE("and a grid and its TIN are the same there, to the bit") {
                         by_grid.parts.size() * sizeof(double)) == 0);
     compared += by_grid.parts.size();
   }
-  CHECK(compared > enough(10000));
+  CHECK(compared > enough<10000>);
 }
 
 // Along a transverse Mercator, from a point E1, N1 (from the central meridian) to E2, N2: the line

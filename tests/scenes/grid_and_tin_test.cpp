@@ -132,7 +132,7 @@ TEST_CASE("all samples, ten views each") {
   WARN(compared.views << " views, " << compared.parts << " visible parts, " << compared.strokes
                       << " strokes");
   CHECK(compared.views == 80);
-  CHECK(compared.parts > enough(500000));
+  CHECK(compared.parts > enough<500000>);
 }
 
 TEST_CASE("and made scenes with holes, spikes and steps") {
@@ -144,5 +144,5 @@ TEST_CASE("and made scenes with holes, spikes and steps") {
     compare_in(scene.terrain, tin_terrain(scene.terrain), scene.spec, compared);
   }
   WARN(compared.views << " views, " << compared.parts << " visible parts");
-  CHECK(compared.parts > enough(100000));
+  CHECK(compared.parts > enough<100000>);
 }

@@ -133,8 +133,8 @@ TEST_CASE("a triangle's shadow is what rays meet behind it") {
         shadow, random_point(random, lattice, 0.01), random_point(random, lattice, 0.01),
         [&](Vec3 p) { return behind_triangle(rays, corners, p); }, tally);
   }
-  CHECK(tally.hidden > enough(10000));
-  CHECK(tally.seen > enough(10000));
+  CHECK(tally.hidden > enough<10000>);
+  CHECK(tally.seen > enough<10000>);
 }
 
 TEST_CASE("an edge of the ground hides what is behind it and lower in the picture") {
@@ -154,8 +154,8 @@ TEST_CASE("an edge of the ground hides what is behind it and lower in the pictur
         shadow, random_point(random, lattice, 0.02), random_point(random, lattice, 0.02),
         [&](Vec3 p) { return below_edge(view, left, right, p); }, tally);
   }
-  CHECK(tally.hidden > enough(10000));
-  CHECK(tally.seen > enough(10000));
+  CHECK(tally.hidden > enough<10000>);
+  CHECK(tally.seen > enough<10000>);
 }
 
 TEST_CASE("what is buried is below a triangle of the ground") {
@@ -173,8 +173,8 @@ TEST_CASE("what is buried is below a triangle of the ground") {
         shadow, random_point(random, lattice, 1), random_point(random, lattice, 1),
         [&](Vec3 p) { return under_triangle(corners, p); }, tally);
   }
-  CHECK(tally.hidden > enough(10000));
-  CHECK(tally.seen > enough(10000));
+  CHECK(tally.hidden > enough<10000>);
+  CHECK(tally.seen > enough<10000>);
 }
 
 TEST_CASE("neighbouring shadows meet in the same share") {
@@ -201,5 +201,5 @@ TEST_CASE("neighbouring shadows meet in the same share") {
     CHECK(first.end == second.begin);
     ++met;
   }
-  CHECK(met > enough(100));
+  CHECK(met > enough<100>);
 }

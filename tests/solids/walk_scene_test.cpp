@@ -65,7 +65,7 @@ TEST_CASE("the walk makes an instance of every path, with the product along it")
       REQUIRE((matrix_of(found[i].to_place) - expected[i].product).cwiseAbs().maxCoeff() < 1e-9);
     }
   }
-  CHECK(most > enough(400));
+  CHECK(most > enough<400>);
 }
 
 TEST_CASE("paths are counted before they are walked") {

@@ -22,14 +22,13 @@ constexpr std::uint64_t last_seed(std::uint64_t count) {
 
 /// How often a test must have met what it is about, in as many scenes as asked for. Fewer scenes
 /// needn't have met it.
-template <class Number>
-constexpr Number enough(Number count) {
 #ifdef NDEBUG
-  return count;
+template <auto count>
+constexpr auto enough = count;
 #else
-  return count * 0;
+template <auto count>
+constexpr auto enough = count * 0;
 #endif
-}
 
 class Random {
 public:
