@@ -47,7 +47,7 @@ const std::vector<std::string> kExtensions{"svg", "pdf", "ps", "eps", "png", "ge
 
 } // namespace
 
-TEST_CASE("bad input gets one line, the right exit code, and leaves no file") {
+TEST_CASE("bad input gets one line, the right exit code, and leaves no file", "[slow]") {
   const MadeFolder folder;
   make_bad_inputs(folder);
   const auto before = folder.names();

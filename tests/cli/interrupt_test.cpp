@@ -42,7 +42,7 @@ bool has_temporary_file(const MadeFolder& folder) {
 
 } // namespace
 
-TEST_CASE("an interrupted run leaves nothing but what was there") {
+TEST_CASE("an interrupted run leaves nothing but what was there", "[slow]") {
   const MadeFolder folder;
   make_big_terrain(folder);
   const std::string old = "an older drawing";

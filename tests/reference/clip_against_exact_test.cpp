@@ -33,7 +33,8 @@ ClipDifferences compare_as(const FlatScene& scene, std::uint64_t seed) {
 
 } // namespace
 
-TEST_CASE("ten thousand random scenes: the same pieces, ties apart, with the ends promised") {
+TEST_CASE("ten thousand random scenes: the same pieces, ties apart, with the ends promised",
+          "[slow]") {
   const std::vector<SceneKind> kinds = scene_kinds();
   for (const SceneKind& kind : kinds) {
     // Full size in one scene of twenty.
@@ -59,7 +60,7 @@ TEST_CASE("ten thousand random scenes: the same pieces, ties apart, with the end
   }
 }
 
-TEST_CASE("and hard scenes") {
+TEST_CASE("and hard scenes", "[slow]") {
   for (const HardKind& kind : hard_kinds()) {
     std::size_t pieces = 0, exact_pieces = 0, close = 0;
     for (std::uint64_t seed = 1; seed <= kScenes / 100; ++seed) {

@@ -154,7 +154,7 @@ TEST_CASE("turning terrain and view together changes nothing") {
   }
 }
 
-TEST_CASE("scaling everything changes nothing; by a power of two, not a bit") {
+TEST_CASE("scaling everything changes nothing; by a power of two, not a bit", "[slow]") {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     CAPTURE(seed);
     const Picture one = picture_of(seed);

@@ -91,7 +91,7 @@ double difference(const Visible& a, const Visible& b) {
 
 } // namespace
 
-TEST_CASE("the ray walk agrees with any PHIGS view, cut by its planes or not") {
+TEST_CASE("the ray walk agrees with any PHIGS view, cut by its planes or not", "[slow]") {
   Asked sum;
   int refused = 0, cut = 0, parallel = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {

@@ -9,6 +9,7 @@
 #include "tests/scenes/random_scene.hpp"
 #include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/sample_names.hpp"
 
 #include <cmath>
 
@@ -83,10 +84,9 @@ TEST_CASE("and from an eye on the surface, on a vertex, a millimetre above it") 
   CHECK(sum.ties < sum.asked / 5);
 }
 
-TEST_CASE("and of the samples, from several sides") {
+TEST_CASE("and of the samples, from several sides", "[slow]") {
   Asked sum;
-  for (const char* name : {"cone", "plateau", "saddle", "ridge_and_valley", "fractal_alps",
-                           "islands", "jacksboro", "volcano"}) {
+  for (const char* name : sample_names()) {
     const TerrainData terrain =
         read_raster(std::string(OROGRAPH_SOURCE_DIR "/data_samples/") + name + ".tif");
     for (int side = 0; side < 4; ++side) {

@@ -106,7 +106,7 @@ void ask_left_out(const Grid& grid, const Sector& sector, const SeenGround& grou
 
 } // namespace
 
-TEST_CASE("what isn't looked at isn't seen") {
+TEST_CASE("what isn't looked at isn't seen", "[slow]") {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     Random random(seed + 40000);
@@ -138,7 +138,7 @@ TEST_CASE("what isn't looked at isn't seen") {
 }
 
 // So wide that many vertices share a column of the bound on the horizon.
-TEST_CASE("nor what narrow peaks stand in front of") {
+TEST_CASE("nor what narrow peaks stand in front of", "[slow]") {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= kScenes / 60; ++seed) {
     Random random(seed);

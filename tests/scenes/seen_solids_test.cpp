@@ -81,7 +81,7 @@ std::optional<ProfileLine> ground_line(const SolidScene& made, const View& view,
 
 } // namespace
 
-TEST_CASE("edges of solids are drawn where the eye sees them, and nowhere else") {
+TEST_CASE("edges of solids are drawn where the eye sees them, and nowhere else", "[slow]") {
   ShareTally tally;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const DrawnSolids drawn(seed);

@@ -58,7 +58,7 @@ void check_scenes(const SceneOf& scene_of) {
 
 } // namespace
 
-TEST_CASE("strips leave no trace in drawings of grids") {
+TEST_CASE("strips leave no trace in drawings of grids", "[slow]") {
   check_scenes([](std::uint64_t seed) {
     RandomScene scene = random_scene(seed);
     scene.spec.style.simplify_mm = seed % 2 ? 0.02 : 0;

@@ -61,7 +61,7 @@ void put_eye(MapSpec& spec, const Tin& tin, Random& random) {
 
 } // namespace
 
-TEST_CASE("the ray walk agrees with every line of made TINs") {
+TEST_CASE("the ray walk agrees with every line of made TINs", "[slow]") {
   Asked sum;
   std::uint64_t refused = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
@@ -78,7 +78,7 @@ TEST_CASE("the ray walk agrees with every line of made TINs") {
   CHECK(sum.ties < sum.asked / 20);
 }
 
-TEST_CASE("and with profiles through vertices and along edges and walls") {
+TEST_CASE("and with profiles through vertices and along edges and walls", "[slow]") {
   Asked sum;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomTinScene scene = random_tin_scene(8 * seed, false);

@@ -10,6 +10,7 @@
 #include "tests/horizon/check_clip.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/sample_names.hpp"
 
 using namespace orograph;
 
@@ -38,7 +39,8 @@ Tally check(const TerrainData& terrain, const MapSpec& spec, std::uint64_t seed)
 
 } // namespace
 
-TEST_CASE("every piece of 600 made scenes is above all nearer profiles, or is not, as it claims") {
+TEST_CASE("every piece of 600 made scenes is above all nearer profiles, or is not, as it claims",
+          "[slow]") {
   Tally sum;
   for (std::uint64_t seed = 1; seed <= last_seed(600); ++seed) {
     const RandomScene scene = random_scene(seed);
@@ -58,9 +60,8 @@ TEST_CASE("every piece of 600 made scenes is above all nearer profiles, or is no
   CHECK(sum.ties < sum.asked / 20);
 }
 
-TEST_CASE("and of the samples, from eight sides") {
-  for (const char* name : {"cone", "plateau", "saddle", "ridge_and_valley", "fractal_alps",
-                           "islands", "jacksboro", "volcano"}) {
+TEST_CASE("and of the samples, from eight sides", "[slow]") {
+  for (const char* name : sample_names()) {
     const TerrainData terrain =
         read_raster(std::string(OROGRAPH_SOURCE_DIR "/data_samples/") + name + ".tif");
     for (int side = 0; side < 8; ++side) {

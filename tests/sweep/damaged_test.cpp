@@ -113,7 +113,7 @@ TEST_CASE("folders that no sweep can be in") {
   CHECK(folder.names() == before);
 }
 
-TEST_CASE("rows that something has spoilt are told of, and drawn again") {
+TEST_CASE("rows that something has spoilt are told of, and drawn again", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);
   run_well(folder, sweep_into("out"));

@@ -52,7 +52,7 @@ bool holds_all(const std::map<std::string, FileIdentity>& now,
 
 } // namespace
 
-TEST_CASE("a sweep killed at twenty random moments loses nothing and repeats nothing") {
+TEST_CASE("a sweep killed at twenty random moments loses nothing and repeats nothing", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);
   const auto start = std::chrono::steady_clock::now();

@@ -53,7 +53,7 @@ std::string without_last_column(const std::string& csv) {
 
 } // namespace
 
-TEST_CASE("around a terrain, in every format") {
+TEST_CASE("around a terrain, in every format", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);
   Renders renders;
@@ -185,7 +185,7 @@ TEST_CASE("a TIN, and terrain made of points") {
              {{"q020", words("--view-from 20/25")}, {"q200", words("--view-from 200/25")}});
 }
 
-TEST_CASE("threads, shards and merging change no byte of any file") {
+TEST_CASE("threads, shards and merging change no byte of any file", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);
   const Words no_seconds{"--no-seconds"};
