@@ -43,7 +43,7 @@ constexpr bool kIsTimed = true;
 // of 4000², of which 0.1 s would be 1.3 ms; there are slower and busier machines, and first looks
 // at memory have their own whims. What goes over all cells, edges or lines without a look takes
 // longer than that: 10 to 70 ms.
-constexpr int kSide = 450;
+constexpr int kSide = kIsTimed ? 450 : 120;
 constexpr double kGap_s = 0.008;
 // With all memory given back.
 constexpr double kLatency_s = 0.02;
@@ -105,18 +105,24 @@ std::string place_of(const void* in_code) {
 
 } // namespace
 
-// The linker has what calls `throw_if_stopped` and `on_all_cores` call these instead
+// The linker has what calls `throw_if_stopped`, `is_stopped` and `on_all_cores` call these instead
 // (CMakeLists.txt), and gives them the true ones by another name.
 using Task = std::function<void(std::size_t)>;
 extern "C" {
 void __real__ZN8orograph16throw_if_stoppedEv();
 void __wrap__ZN8orograph16throw_if_stoppedEv();
+bool __real__ZN8orograph10is_stoppedEv();
+bool __wrap__ZN8orograph10is_stoppedEv();
 void __real__ZN8orograph12on_all_coresEmRKSt8functionIFvmEE(std::size_t count, const Task& task);
 void __wrap__ZN8orograph12on_all_coresEmRKSt8functionIFvmEE(std::size_t count, const Task& task);
 }
 void __wrap__ZN8orograph16throw_if_stoppedEv() {
   look(__builtin_return_address(0));
   __real__ZN8orograph16throw_if_stoppedEv();
+}
+bool __wrap__ZN8orograph10is_stoppedEv() {
+  look(__builtin_return_address(0));
+  return __real__ZN8orograph10is_stoppedEv();
 }
 void __wrap__ZN8orograph12on_all_coresEmRKSt8functionIFvmEE(std::size_t count, const Task& task) {
   const void* const from = __builtin_return_address(0);
