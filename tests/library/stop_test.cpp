@@ -40,10 +40,10 @@ constexpr bool kIsTimed = true;
 
 // A tenth of a second is promised of any terrain. What is done between two looks at the stop token
 // grows with a terrain's rows, or with its cells where a loop doesn't look at all. 450² is a 79th
-// of 4000², of which 0.1 s would be 1.3 ms; there are slower and busier machines, and first looks
+// of 4000², of which 0.1 s would be 1 ms; there are slower and busier machines, and first looks
 // at memory have their own whims. What goes over all cells, edges or lines without a look takes
 // longer than that: 10 to 70 ms.
-constexpr int kSide = kIsTimed ? 450 : 120;
+constexpr int kSide = kIsTimed ? 400 : 120;
 constexpr double kGap_s = 0.008;
 // With all memory given back.
 constexpr double kLatency_s = 0.02;
