@@ -214,7 +214,12 @@ FilledVoids fill(std::span<Height> heights, int columns, int rows, double cells)
     voids.left += is_there[i] == 0;
   }
   if (voids.left == 0 || voids.left == heights.size()) return voids;
-  std::vector<float> filled(heights.begin(), heights.end());
+  std::vector<float> filled;
+  filled.reserve(heights.size());
+  for (const Height height : heights) {
+    throw_if_stopped(filled.size());
+    filled.push_back(static_cast<float>(height));
+  }
   const Dataset surface = raster_over(filled, columns, rows, GDT_Float32);
   const Dataset mask = raster_over(is_there, columns, rows, GDT_Byte);
   CPLStringList options;
@@ -225,12 +230,14 @@ FilledVoids fill(std::span<Height> heights, int columns, int rows, double cells)
   throw_if_stopped();
   if (done != CE_None) throw Error("GDAL can't fill the voids", "leave `fill_voids` out");
   surface->FlushCache();
-  for (std::size_t i = 0; i < heights.size(); ++i)
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    throw_if_stopped(i);
     if (std::isnan(heights[i]) && !std::isnan(filled[i])) {
       heights[i] = static_cast<Height>(filled[i]);
       ++voids.filled;
       --voids.left;
     }
+  }
   return voids;
 }
 

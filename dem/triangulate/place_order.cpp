@@ -3,6 +3,7 @@
 
 #include "dem/triangulate/orientation.hpp"
 #include "geometry/box.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
 #include <array>
@@ -60,12 +61,14 @@ void sort_range(std::span<const Vec2> places, std::span<std::uint32_t> numbers) 
   const double cells_per_m = 0x1p32 / side;
   std::vector<Keyed> keyed(numbers.size());
   for (std::size_t k = 0; k < numbers.size(); ++k) {
+    throw_if_stopped(k);
     const Vec2 p = places[numbers[k]];
     keyed[k] = {
         along_curve(cell_of(p.x, box.low.x, cells_per_m), cell_of(p.y, box.low.y, cells_per_m)),
         numbers[k]};
   }
-  std::sort(keyed.begin(), keyed.end());
+  std::size_t steps = 0;
+  std::sort(keyed.begin(), keyed.end(), StoppableLess(steps));
   for (std::size_t k = 0; k < keyed.size(); ++k) numbers[k] = keyed[k].number;
 
   for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
