@@ -21,6 +21,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <locale>
 #include <string>
 #include <thread>
@@ -94,8 +95,10 @@ std::array<struct sigaction, 32> signal_actions() {
 // Of a stream of the process, what is written to it while this lives.
 class Overheard {
 public:
-  Overheard(int stream, const std::string& path)
-      : stream_(stream), path_(path), before_(::dup(stream)) {
+  Overheard(int stream, const std::string& path) : stream_(stream), path_(path) {
+    std::fflush(nullptr); // what was said before isn't meant
+    std::cout.flush();
+    before_ = ::dup(stream);
     const int file = ::open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
     ::dup2(file, stream_);
     ::close(file);
@@ -116,7 +119,7 @@ public:
 private:
   int stream_;
   std::string path_;
-  int before_;
+  int before_ = -1;
 };
 
 } // namespace

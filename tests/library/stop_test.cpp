@@ -68,6 +68,11 @@ public:
   const void *gap_from = nullptr, *gap_to = nullptr; ///< places in the code that look
   double stopped_at_s = 0;
 
+  /// Before another call of the same.
+  void begin() {
+    count = 0;
+    greatest_gap_s = 0;
+  }
   void take(const void* from) {
     const double now_s = seconds_of(CLOCK_THREAD_CPUTIME_ID);
     if (count > 0 && now_s - last_s_ > greatest_gap_s) {
@@ -154,18 +159,26 @@ double latency_s(const Call& call, std::size_t stop_at) {
   return seconds_of(CLOCK_THREAD_CPUTIME_ID) - looks.stopped_at_s;
 }
 
+// A machine that does other work as well only ever adds to a time: the least of some tries counts.
+constexpr int kTries = 5;
+
 // Fails where a call looks too seldom whether it is to be stopped, or takes too long to be back.
 void check_latency(const std::string& name, const Call& call, double gap_s = kGap_s) {
   Looks looks;
-  call({.stop = looks.stop.get_token(), .jobs = 1});
-  looks.take(nullptr); // at its end
+  for (int i = 0; i < kTries && (i == 0 || (kIsTimed && looks.greatest_gap_s >= gap_s)); ++i) {
+    looks.begin();
+    call({.stop = looks.stop.get_token(), .jobs = 1});
+    looks.take(nullptr); // at its end
+  }
   INFO(name << ": " << looks.count << " looks, at most " << 1e3 * looks.greatest_gap_s
             << " ms apart, from " << place_of(looks.gap_from) << " to " << place_of(looks.gap_to));
   REQUIRE(looks.count > 2);
   if (kIsTimed) CHECK(looks.greatest_gap_s < gap_s);
   for (const double share : {0.3, 1.0}) {
     const auto at = 1 + static_cast<std::size_t>(share * static_cast<double>(looks.count - 2));
-    const double latency = latency_s(call, at);
+    double latency = latency_s(call, at);
+    for (int i = 1; i < kTries && kIsTimed && latency >= kLatency_s; ++i)
+      latency = latency_s(call, at);
     INFO(1e3 * latency << " ms after look " << at);
     if (kIsTimed) CHECK(latency < kLatency_s);
   }
