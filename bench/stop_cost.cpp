@@ -87,11 +87,6 @@ void measure(const Call& call, int stops) {
   std::fflush(stdout);
 }
 
-struct Heights2 {
-  int side;
-  std::shared_ptr<std::vector<float>> heights;
-};
-
 GridInput input_of(int side, const std::shared_ptr<std::vector<float>>& heights) {
   GridInput input;
   input.columns = input.rows = side;
