@@ -5,7 +5,11 @@
 // least of several rounds.
 //
 //   degree_cost [VERTICES [ROUNDS]]     3600 and 5 unless told otherwise
+#include "data_samples/terrains.hpp"
 #include "dem/extent.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
 #include "write/write_drawing.hpp"
 
 #include <algorithm>
@@ -14,11 +18,6 @@
 #include <cstdlib>
 #include <limits>
 #include <utility>
-
-#include "data_samples/terrains.hpp"
-#include "map/draw_map.hpp"
-#include "placing/placed_view.hpp"
-#include "placing/terrain_of_view.hpp"
 
 using namespace orograph;
 
@@ -56,7 +55,7 @@ Cost run(TerrainData& terrain, const MapSpec& spec) {
   stand_on_earth(terrain, spec.view);
   const PlacedView scene = placed_view(terrain, spec);
   const std::chrono::duration<double> placed = std::chrono::steady_clock::now() - start;
-  const StageSeconds s = draw_map(terrain, scene, spec, [](double) {}).seconds;
+  const StageSeconds s = draw_map(terrain, scene, spec, [](double) {}).facts.seconds;
   return {placed.count(), s.facing, s.cut, s.clip, s.project + s.layout, scene.depths_m.size()};
 }
 

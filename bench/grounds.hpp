@@ -2,10 +2,10 @@
 // The two terrains that views are measured on, in any size.
 #pragma once
 
-#include <array>
-
 #include "bench/scenes.hpp"
 #include "data_samples/terrains.hpp"
+
+#include <array>
 
 namespace orograph {
 

@@ -72,10 +72,10 @@ Drawn draw(const TerrainData& terrain, const From& from) {
   watch.mark(place_s);
   const Map drawn = draw_map(terrain, scene, spec, [](double) {});
   all.mark(whole_s);
-  const StageSeconds& s = drawn.seconds;
+  const StageSeconds& s = drawn.facts.seconds;
   return {{place_s, s.facing, s.cut, s.project, s.clip, s.layout, whole_s, processor_s() - begin_s},
           scene.depths_m.size(),
-          drawn.counts};
+          drawn.facts.counts};
 }
 
 // The quickest of several rounds, as a whole.
@@ -87,8 +87,8 @@ Drawn quickest(const TerrainData& terrain, const From& from) {
   for (int round = 0; round < 2 || (round < kRounds && spent_s < kLong_s) || spent_s < kLeast_s;
        ++round) {
     const Drawn drawn = draw(terrain, from);
-    spent_s += drawn.seconds.back();
-    if (drawn.seconds.back() < best.seconds.back()) best = drawn;
+    spent_s += drawn.facts.seconds.back();
+    if (drawn.facts.seconds.back() < best.seconds.back()) best = drawn;
   }
   return best;
 }

@@ -3,6 +3,9 @@
 // slopes as steep at every size, or fractal_alps of the samples, smooth at the size of a cell.
 //
 //   make_fractal fractal|smooth VERTICES OUTPUT.tif
+#include "bench/scenes.hpp"
+#include "data_samples/terrains.hpp"
+
 #include <gdal_priv.h>
 
 #include <array>
@@ -12,9 +15,6 @@
 #include <memory>
 #include <string_view>
 #include <variant>
-
-#include "bench/scenes.hpp"
-#include "data_samples/terrains.hpp"
 
 namespace {
 

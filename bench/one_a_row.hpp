@@ -2,7 +2,6 @@
 #pragma once
 
 #include "dem/extent.hpp"
-
 #include "placing/map_spec.hpp"
 
 namespace orograph {

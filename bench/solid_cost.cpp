@@ -3,6 +3,10 @@
 // over it, two instances each, in one process, in turn, the least of several rounds.
 //
 //   solid_cost [VERTICES [ROUNDS]]     2000 and 5 unless told otherwise
+#include "bench/one_a_row.hpp"
+#include "data_samples/terrains.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 #include "solids/shapes.hpp"
 
 #include <algorithm>
@@ -13,11 +17,6 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
-
-#include "bench/one_a_row.hpp"
-#include "data_samples/terrains.hpp"
-#include "map/draw_map.hpp"
-#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
@@ -37,10 +36,8 @@ SceneFile huts(int count, const Grid& grid) {
                                   1 + static_cast<int>(down * (grid.rows - 2)));
     scene.places.push_back({.part = "hut", .x = at.x, .y = at.y, .height = {}});
     const auto place = static_cast<std::size_t>(i);
-    Eigen::Matrix4d on_walls = Eigen::Matrix4d::Identity();
-    on_walls(2, 3) = 40;
-    scene.instances.push_back({place, 0, Eigen::Matrix4d::Identity()});
-    scene.instances.push_back({place, 1, on_walls});
+    scene.instances.push_back({place, 0, {}});
+    scene.instances.push_back({place, 1, {.origin = {0, 0, 40}}}); // on its walls
   }
   return scene;
 }

@@ -4,6 +4,10 @@
 // one process, in turn, the least of several rounds.
 //
 //   surface_cost [VERTICES [ROUNDS]]     2000 and 5 unless told otherwise
+#include "bench/one_a_row.hpp"
+#include "data_samples/terrains.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 #include "profiles/silhouettes.hpp"
 
 #include <algorithm>
@@ -11,11 +15,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-
-#include "bench/one_a_row.hpp"
-#include "data_samples/terrains.hpp"
-#include "map/draw_map.hpp"
-#include "placing/placed_view.hpp"
 
 using namespace orograph;
 
@@ -32,7 +31,7 @@ Cost least(const Cost& a, const Cost& b) {
 
 Cost run(const TerrainData& terrain, const PlacedView& scene, MapSpec spec, Occluder occluder) {
   spec.style.occluder = occluder;
-  const StageSeconds s = draw_map(terrain, scene, spec, [](double) {}).seconds;
+  const StageSeconds s = draw_map(terrain, scene, spec, [](double) {}).facts.seconds;
   return {s.facing, s.cut, s.project, s.clip};
 }
 

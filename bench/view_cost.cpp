@@ -11,6 +11,7 @@
 #include "bench/csv_file.hpp"
 #include "bench/one_a_row.hpp"
 #include "bench/scenes.hpp"
+#include "data_samples/terrains.hpp"
 #include "hidden_lines/instruments.hpp"
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
@@ -23,8 +24,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-
-#include "data_samples/terrains.hpp"
 
 using namespace orograph;
 
@@ -55,13 +54,13 @@ Cost draw(const TerrainData& terrain, const PlacedView& scene, const MapSpec& sp
   Cost cost;
   Map drawn;
   cost.whole = seconds_of([&] { drawn = draw_map(terrain, scene, spec, [](double) {}); });
-  const StageSeconds& s = drawn.seconds;
+  const StageSeconds& s = drawn.facts.seconds;
   cost.facing = s.facing;
   cost.cut = s.cut;
   cost.project = s.project;
   cost.clip = s.clip;
   cost.layout = s.layout;
-  cost.counts = drawn.counts;
+  cost.counts = drawn.facts.counts;
   return cost;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/read/read_options.hpp"
+#include "placing/map_spec.hpp"
 #include "solids/scene_file.hpp"
 #include "write/write_drawing.hpp"
 
@@ -10,8 +11,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "placing/map_spec.hpp"
 
 namespace orograph {
 

@@ -2,13 +2,13 @@
 // make_terrains OUT_DIR [VERTICES]: writes every made terrain as an Arc/Info ASCII grid, heights
 // rounded to decimetres, and the islands' heights once more over a degree. They lie in the Gulf of
 // Guinea, where nobody takes them for real ones. make_terrains.sh makes GeoTIFFs of them.
+#include "data_samples/terrains.hpp"
+
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <string>
-
-#include "data_samples/terrains.hpp"
 
 namespace {
 

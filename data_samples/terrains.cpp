@@ -2,12 +2,11 @@
 // Notation: `at` in metres, p in units of a terrain's main wavelength.
 #include "data_samples/terrains.hpp"
 
+#include "data_samples/noise.hpp"
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "data_samples/noise.hpp"
 
 namespace orograph {
 namespace {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Draws a house through the whole view pipeline, stage by stage, in a perspective and in an oblique
 // parallel view (docs/pipeline.md). usage: draw_house OUT_DIR
+#include "figures/stage_pictures.hpp"
 #include "geometry/error.hpp"
 #include "view/pipeline.hpp"
 
 #include <cstdio>
 #include <string>
-
-#include "figures/stage_pictures.hpp"
 
 using namespace orograph;
 

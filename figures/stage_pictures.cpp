@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/stage_pictures.hpp"
 
+#include "figures/house.hpp"
 #include "view/pipeline.hpp"
 
 #include <Eigen/LU>
 
 #include <array>
 #include <optional>
-
-#include "figures/house.hpp"
 
 namespace orograph {
 namespace {

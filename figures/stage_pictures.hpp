@@ -2,9 +2,8 @@
 // The house and its view volume after each stage of the view pipeline, as pictures.
 #pragma once
 
-#include "view/pipeline.hpp"
-
 #include "figures/line_picture.hpp"
+#include "view/pipeline.hpp"
 
 namespace orograph {
 

@@ -2,9 +2,9 @@
 // What one stage costs, while others run in between.
 #pragma once
 
-#include <chrono>
-
 #include "bench/stages/allocations.hpp"
+
+#include <chrono>
 
 namespace orograph {
 

@@ -7,6 +7,10 @@
 //
 // What a vertex is: of the terrain for facing, of a profile as cut for cut, project and clip, a
 // point on the page for all that follows.
+#include "bench/grounds.hpp"
+#include "bench/one_a_row.hpp"
+#include "bench/stages/stages.hpp"
+
 #include <benchmark/benchmark.h>
 #include <oneapi/tbb/global_control.h>
 
@@ -17,10 +21,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-
-#include "bench/grounds.hpp"
-#include "bench/one_a_row.hpp"
-#include "bench/stages/stages.hpp"
 
 using namespace orograph;
 

@@ -3,12 +3,11 @@
 #pragma once
 
 #include "draw/stroke_builder.hpp"
-
-#include <vector>
-
 #include "hidden_lines/sector_in_work.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
+
+#include <vector>
 
 namespace orograph {
 

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/stages/stages.hpp"
 
+#include "bench/stages/front_to_back.hpp"
 #include "draw/round_drawing.hpp"
 #include "draw/simplify.hpp"
+#include "hidden_lines/profile_strokes.hpp"
+#include "hidden_lines/surface_lines.hpp"
+#include "map/draw_map.hpp"
 #include "write/byte_sink.hpp"
 #include "write/writers.hpp"
 
 #include <memory>
 #include <utility>
-
-#include "bench/stages/front_to_back.hpp"
-#include "hidden_lines/profile_strokes.hpp"
-#include "hidden_lines/surface_lines.hpp"
-#include "map/draw_map.hpp"
 
 namespace orograph {
 namespace {

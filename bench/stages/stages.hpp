@@ -2,12 +2,12 @@
 // The stages of drawing, each on its own.
 #pragma once
 
+#include "bench/stages/meter.hpp"
+#include "bench/stages/staged_view.hpp"
+
 #include <cstddef>
 #include <functional>
 #include <vector>
-
-#include "bench/stages/meter.hpp"
-#include "bench/stages/staged_view.hpp"
 
 namespace orograph {
 

@@ -5,6 +5,7 @@
 #include "geometry/angle.hpp"
 #include "geometry/box.hpp"
 #include "geometry/vec.hpp"
+#include "placing/map_spec.hpp"
 #include "profiles/plan_request.hpp"
 #include "view/view_request.hpp"
 
@@ -12,8 +13,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "placing/map_spec.hpp"
 
 namespace orograph {
 

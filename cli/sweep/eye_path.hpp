@@ -4,12 +4,11 @@
 
 #include "dem/terrain.hpp"
 #include "geometry/angle.hpp"
+#include "placing/map_spec.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "placing/map_spec.hpp"
 
 namespace orograph {
 

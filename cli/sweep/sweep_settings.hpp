@@ -4,14 +4,13 @@
 
 #include "cli/render_settings.hpp"
 #include "cli/sweep/parameter.hpp"
+#include "placing/view_file.hpp"
 
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "placing/view_file.hpp"
 
 namespace orograph {
 

@@ -193,8 +193,9 @@ void frame_perspective(View& view, const ViewRequest& request, const TerrainShap
       return;
     }
   }
-  throw Error("part of the terrain is beside or behind the eye, where it has no picture",
-              "use a greater `distance_m`, or give `field_of_view` too, to show a part of the terrain");
+  throw Error(
+      "part of the terrain is beside or behind the eye, where it has no picture",
+      "use a greater `distance_m`, or give `field_of_view` too, to show a part of the terrain");
 }
 
 Box2 window_of_field(Angle field, double aspect) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/stages/allocations.hpp"
+#include "bench/stages/meter.hpp"
 #include "tests/catch.hpp"
 
 #include <array>
@@ -9,9 +11,6 @@
 #include <new>
 #include <thread>
 #include <vector>
-
-#include "bench/stages/allocations.hpp"
-#include "bench/stages/meter.hpp"
 
 using namespace orograph;
 

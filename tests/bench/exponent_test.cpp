@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/exponent.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "bench/exponent.hpp"
 
 using namespace orograph;
 

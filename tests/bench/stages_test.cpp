@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages that are measured one by one are those of a drawing: put together they make it.
+#include "bench/one_a_row.hpp"
+#include "bench/scenes.hpp"
+#include "bench/stages/front_to_back.hpp"
+#include "bench/stages/stages.hpp"
 #include "draw/round_drawing.hpp"
+#include "hidden_lines/strip_pass.hpp"
+#include "hidden_lines/strips.hpp"
+#include "hidden_lines/surface_lines.hpp"
+#include "map/draw_map.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "bench/one_a_row.hpp"
-#include "bench/scenes.hpp"
-#include "bench/stages/front_to_back.hpp"
-#include "bench/stages/stages.hpp"
-#include "hidden_lines/strips.hpp"
-#include "hidden_lines/strip_pass.hpp"
-#include "hidden_lines/surface_lines.hpp"
-#include "map/draw_map.hpp"
 
 using namespace orograph;
 

@@ -13,6 +13,7 @@
 //   layer NAME STROKES MM    what must be drawn in a layer, and how long it is in all, to 0.01 mm;
 //                            "any" for either where the check alone decides
 #include "geometry/error.hpp"
+#include "map/draw_map.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/grid_of.hpp"
 
@@ -23,8 +24,6 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
-
-#include "map/draw_map.hpp"
 
 using namespace orograph;
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strokes of profiles against their definition, span after span.
+#include "hidden_lines/profile_strokes.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <utility>
-
-#include "hidden_lines/profile_strokes.hpp"
 
 using namespace orograph;
 

@@ -2,11 +2,10 @@
 // Whole scenes, drawn and asked of the ray walk.
 #pragma once
 
+#include "map/draw_map.hpp"
 #include "tests/catch.hpp"
 
 #include <cstdint>
-
-#include "map/draw_map.hpp"
 
 namespace orograph {
 

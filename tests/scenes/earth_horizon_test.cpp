@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Known answers on the ellipsoid: where the drawn sea ends, and which mountains show beyond it.
+#include "map/draw_map.hpp"
+#include "placing/terrain_of_view.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/earth_terrain.hpp"
 
@@ -8,9 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "map/draw_map.hpp"
-#include "placing/terrain_of_view.hpp"
 
 using namespace orograph;
 

@@ -4,11 +4,10 @@
 
 #include "dem/extent.hpp"
 #include "dem/height_at.hpp"
+#include "placing/map_spec.hpp"
 #include "tests/support/random.hpp"
 
 #include <cmath>
-
-#include "placing/map_spec.hpp"
 
 namespace orograph {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/scenes/random_earth_scene.hpp"
 
+#include "data_samples/terrains.hpp"
 #include "dem/extent.hpp"
 #include "tests/support/grid_of.hpp"
 #include "tests/support/made_earth_grid.hpp"
@@ -8,8 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "data_samples/terrains.hpp"
 
 namespace orograph {
 namespace {

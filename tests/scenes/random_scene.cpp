@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/scenes/random_scene.hpp"
 
+#include "data_samples/terrains.hpp"
 #include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "data_samples/terrains.hpp"
 
 namespace orograph {
 namespace {

@@ -4,11 +4,10 @@
 
 #include "dem/grid.hpp"
 #include "dem/terrain.hpp"
+#include "placing/map_spec.hpp"
 
 #include <cstdint>
 #include <string>
-
-#include "placing/map_spec.hpp"
 
 namespace orograph {
 

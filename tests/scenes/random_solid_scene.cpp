@@ -5,6 +5,7 @@
 #include "dem/height_at.hpp"
 #include "geometry/box.hpp"
 #include "geometry/error.hpp"
+#include "placing/placed_view.hpp"
 #include "reference/sight_segment.hpp"
 #include "tests/scenes/put_eye.hpp"
 #include "tests/scenes/random_scene.hpp"
@@ -15,8 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-
-#include "placing/placed_view.hpp"
 
 namespace orograph {
 namespace {

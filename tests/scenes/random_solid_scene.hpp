@@ -3,14 +3,13 @@
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "placing/map_spec.hpp"
 #include "solids/standing_solid.hpp"
 
 #include <cstdint>
 #include <deque>
 #include <string>
 #include <vector>
-
-#include "placing/map_spec.hpp"
 
 namespace orograph {
 

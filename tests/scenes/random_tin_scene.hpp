@@ -3,11 +3,10 @@
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "placing/map_spec.hpp"
 
 #include <cstdint>
 #include <string>
-
-#include "placing/map_spec.hpp"
 
 namespace orograph {
 

@@ -2,6 +2,10 @@
 // The same ground, eye and target in two CRSs, on a map plane that bends and on the ellipsoid, give
 // the same picture.
 #include "dem/read/lonlat.hpp"
+#include "map/draw_map.hpp"
+#include "map/error_budget.hpp"
+#include "map/line_on_page.hpp"
+#include "placing/terrain_of_view.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/earth_terrain.hpp"
 
@@ -14,11 +18,6 @@
 #include <numbers>
 #include <optional>
 #include <vector>
-
-#include "map/draw_map.hpp"
-#include "map/error_budget.hpp"
-#include "map/line_on_page.hpp"
-#include "placing/terrain_of_view.hpp"
 
 using namespace orograph;
 

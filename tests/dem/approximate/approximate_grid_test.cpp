@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An approximated grid against every triangle of the Tin at every vertex of the grid, every pair of
 // edges, and the ground that each two triangles share. All in columns and rows.
+#include "data_samples/terrains.hpp"
 #include "dem/approximate/approximate_grid.hpp"
 #include "dem/mesh/verify_tin.hpp"
 #include "geometry/error.hpp"
@@ -13,8 +14,6 @@
 #include <limits>
 #include <map>
 #include <set>
-
-#include "data_samples/terrains.hpp"
 
 using namespace orograph;
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sample terrains: what is committed can be read, and is what the program makes.
+#include "data_samples/noise.hpp"
+#include "data_samples/terrains.hpp"
 #include "dem/extent.hpp"
 #include "dem/read/read_raster.hpp"
 #include "tests/catch.hpp"
@@ -8,9 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-
-#include "data_samples/noise.hpp"
-#include "data_samples/terrains.hpp"
 
 using namespace orograph;
 
