@@ -87,8 +87,8 @@ Drawn quickest(const TerrainData& terrain, const From& from) {
   for (int round = 0; round < 2 || (round < kRounds && spent_s < kLong_s) || spent_s < kLeast_s;
        ++round) {
     const Drawn drawn = draw(terrain, from);
-    spent_s += drawn.facts.seconds.back();
-    if (drawn.facts.seconds.back() < best.seconds.back()) best = drawn;
+    spent_s += drawn.seconds.back();
+    if (drawn.seconds.back() < best.seconds.back()) best = drawn;
   }
   return best;
 }

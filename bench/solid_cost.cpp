@@ -36,8 +36,11 @@ SceneFile huts(int count, const Grid& grid) {
                                   1 + static_cast<int>(down * (grid.rows - 2)));
     scene.places.push_back({.part = "hut", .x = at.x, .y = at.y, .height = {}});
     const auto place = static_cast<std::size_t>(i);
-    scene.instances.push_back({place, 0, {}});
-    scene.instances.push_back({place, 1, {.origin = {0, 0, 40}}}); // on its walls
+    const AffineMap as_it_is{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}};
+    AffineMap on_walls = as_it_is;
+    on_walls.origin.z = 40;
+    scene.instances.push_back({place, 0, as_it_is});
+    scene.instances.push_back({place, 1, on_walls});
   }
   return scene;
 }
@@ -62,15 +65,14 @@ int main(int argc, char** argv) {
     for (const double elevation : {5.0, 25.0}) {
       MapSpec spec = one_profile_a_row(terrain.surface, 213, elevation);
       if (!one_a_row) spec.style.plan.reset();
-      spec.style.layers = MapSpec().layers;
+      spec.style.layers = Style().layers;
       std::array<double, kHuts.size()> least_s;
       least_s.fill(std::numeric_limits<double>::infinity());
       std::vector<PlacedView> scenes;
       std::vector<std::shared_ptr<const SceneFile>> files;
       for (const int count : kHuts) {
         files.push_back(std::make_shared<const SceneFile>(huts(count, grid)));
-        spec.solids = count > 0 ? files.back() : nullptr;
-        scenes.push_back(placed_view(terrain, spec));
+        scenes.push_back(placed_view(terrain, spec, count > 0 ? files.back().get() : nullptr));
       }
       for (int round = 0; round < rounds; ++round)
         for (std::size_t i = 0; i < kHuts.size(); ++i)
