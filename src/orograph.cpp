@@ -4,6 +4,7 @@
 #include "dem/read/read_terrain.hpp"
 #include "dem/read/terrain_in_memory.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "map/check_spec.hpp"
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
@@ -115,6 +116,7 @@ Session::Session(Terrain terrain, Solids solids)
 Map Session::draw(const MapSpec& spec, const Control& control) const {
   Map map;
   as_requested([&] {
+    check_spec(spec, kept_->solids.scene_ != nullptr);
     on_cores(control.jobs, control.stop, [&] {
       const TerrainOfView terrain(*kept_->terrain.data_, spec.view);
       const PlacedView placed =

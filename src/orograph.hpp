@@ -95,8 +95,9 @@ public:
 
   /// The map that `spec` asks for: the same bytes whatever `control` says and whoever else draws. A
   /// view in which nothing of the terrain is seen gives a drawing without strokes. Throws Error
-  /// where the view makes no sense on this terrain (an eye under the ground, a place that isn't
-  /// there), and where it is stopped; the session stays as good as before.
+  /// where a number of `spec` is out of its range or two wishes exclude each other, where the view
+  /// makes no sense on this terrain (an eye under the ground, a place that isn't there), and where
+  /// it is stopped; the session stays as good as before.
   /// Cost: about 0.1 microseconds a vertex that profiles cut, more on rough ground.
   Map draw(const MapSpec& spec, const Control& control = {}) const;
 

@@ -4,9 +4,12 @@
 #include "tests/dem/temp_folder.hpp"
 #include "tests/library/made_ground.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace orograph;
 
@@ -57,6 +60,43 @@ TEST_CASE("files that can't be used are of code input") {
   check_error(ErrorCode::input, "none.toml", [&] { Solids::read(folder.file("none.toml")); });
   check_error(ErrorCode::input, "scene.toml, line 2", [&] { Solids::read(scene); });
   check_error(ErrorCode::input, "scene.toml", [&] { read_view_file(scene); });
+}
+
+TEST_CASE("numbers out of their range, and wishes that exclude each other, are told by field") {
+  const double none = std::nan("");
+  const std::vector<std::pair<const char*, std::function<void(MapSpec&)>>> cases{
+      {"`plan` is 0 profiles", [](MapSpec& s) { s.style.plan = ProfileCount{0}; }},
+      {"`plan` is -1 mm", [](MapSpec& s) { s.style.plan = PageSpacing{-1}; }},
+      {"`plan` is nan m", [&](MapSpec& s) { s.style.plan = GroundSpacing{none}; }},
+      {"`field_of_view` is 180", [](MapSpec& s) { s.view.field_of_view = Angle::degrees(180); }},
+      {"`from_elevation` is 91", [](MapSpec& s) { s.view.from_elevation = Angle::degrees(91); }},
+      {"`distance_m` is 0", [](MapSpec& s) { s.view.distance_m = 0; }},
+      {"`exaggeration` is -2", [](MapSpec& s) { s.view.exaggeration = -2; }},
+      {"`refraction` is nan", [&](MapSpec& s) { s.view.refraction = none; }},
+      {"`eye_map` is nan,3", [&](MapSpec& s) { s.view.eye_map = GivenPlace(none, 3); }},
+      {"`eye_map` has no meaning",
+       [](MapSpec& s) {
+         s.view.eye_map = GivenPlace(1, 2);
+         s.view.projection = Projection::oblique;
+       }},
+      {"`simplify_mm` is -1", [](MapSpec& s) { s.style.simplify_mm = -1; }},
+      {"`visibility_tolerance_mm` is 11", [](MapSpec& s) { s.style.visibility_tolerance_mm = 11; }},
+      {"`pen_width_mm` is 0", [](MapSpec& s) { s.style.pen_width_mm = 0; }},
+      {"no layer 'ridges'",
+       [](MapSpec& s) {
+         s.style.layers = {"profiles", "ridges"};
+       }},
+      {"'shores' is asked for twice",
+       [](MapSpec& s) {
+         s.style.layers = {"shores", "shores"};
+       }},
+      {"`grey` is 1.5", [](MapSpec& s) { s.style.layers.front().grey = 1.5; }},
+      {"`width_mm` is nan", [&](MapSpec& s) { s.page.width_mm = none; }},
+      {"`margin_mm` 105 leaves no room", [](MapSpec& s) { s.page.margin_mm = 105; }}};
+  for (const auto& [wrong, spoil] : cases) {
+    CAPTURE(wrong);
+    check_draw(wrong, spoil);
+  }
 }
 
 TEST_CASE("what can't be drawn is of code request, and the session draws on") {

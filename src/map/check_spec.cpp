@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/check_spec.hpp"
+
+#include "geometry/error.hpp"
+#include "map/layer_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+namespace orograph {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+// From `low` to `high`, both included.
+void check_range(const char* field, double value, double low, double high, const char* unit = "") {
+  if (!std::isfinite(value) || value < low || value > high)
+    throw UsageError(fmt::format("`{}` is {}{}", field, value, unit),
+                     high == kNone ? fmt::format("at least {}{}", low, unit)
+                                   : fmt::format("{} to {}{}", low, high, unit));
+}
+void check_above_0(const char* field, double value, double high, const char* unit = "") {
+  if (!(value > 0 && value <= high) || !std::isfinite(value))
+    throw UsageError(fmt::format("`{}` is {}{}", field, value, unit),
+                     high == kNone ? fmt::format("above 0{}", unit)
+                                   : fmt::format("above 0 and at most {}{}", high, unit));
+}
+
+void check_finite(const char* field, const std::optional<GivenPlace>& place) {
+  if (place &&
+      !(std::isfinite(place->x) && std::isfinite(place->y) && std::isfinite(place->z.value_or(0))))
+    throw UsageError(fmt::format("`{}` is {},{}", field, place->x, place->y), "finite numbers");
+}
+
+void check_view(const ViewSpec& view) {
+  if (view.projection != Projection::perspective)
+    for (const auto& [is_given, field] :
+         {std::pair{view.eye_map.has_value(), "eye_map"},
+          std::pair{view.eye_lonlat.has_value(), "eye_lonlat"},
+          std::pair{view.distance_m.has_value(), "distance_m"},
+          std::pair{view.field_of_view.has_value(), "field_of_view"},
+          std::pair{view.look_azimuth.has_value(), "look_azimuth"}})
+      if (is_given)
+        throw UsageError(fmt::format("`{}` has no meaning in a parallel view", field),
+                         "leave it out, or ask for Projection::perspective");
+  for (const auto& [field, place] :
+       {std::pair{"eye_map", view.eye_map}, std::pair{"eye_lonlat", view.eye_lonlat},
+        std::pair{"look_at_map", view.look_at_map},
+        std::pair{"look_at_lonlat", view.look_at_lonlat}})
+    check_finite(field, place);
+  check_range("from_azimuth", view.from_azimuth.in_degrees(), -1e6, 1e6, " degrees");
+  check_range("from_elevation", view.from_elevation.in_degrees(), 0, 90, " degrees");
+  if (view.field_of_view) {
+    const double field_deg = view.field_of_view->in_degrees();
+    if (!(field_deg > 0 && field_deg < 180))
+      throw UsageError(fmt::format("`field_of_view` is {} degrees", field_deg),
+                       "above 0 and below 180 degrees");
+  }
+  if (view.distance_m) check_above_0("distance_m", *view.distance_m, kNone, " m");
+  if (view.eye_height_m) check_above_0("eye_height_m", *view.eye_height_m, kNone, " m");
+  if (view.look_azimuth)
+    check_range("look_azimuth", view.look_azimuth->in_degrees(), -1e6, 1e6, " degrees");
+  check_range("pitch", view.pitch.in_degrees(), -90, 90, " degrees");
+  check_range("roll", view.roll.in_degrees(), -1e6, 1e6, " degrees");
+  check_range("refraction", view.refraction, -1, 1);
+  if (view.exaggeration) check_above_0("exaggeration", *view.exaggeration, 1000);
+  check_above_0("oblique.length", view.oblique.length, kNone);
+  check_range("oblique.rise", view.oblique.rise.in_degrees(), 0, 180, " degrees");
+}
+
+void check_plan(const PlanRequest& plan) {
+  std::visit(
+      [](const auto& asked) {
+        using Asked = std::decay_t<decltype(asked)>;
+        if constexpr (std::is_same_v<Asked, ProfileCount>)
+          check_range("plan", asked.count, 1, 100000, " profiles");
+        else if constexpr (std::is_same_v<Asked, PageSpacing>)
+          check_above_0("plan", asked.mm, kNone, " mm");
+        else
+          check_above_0("plan", asked.m, kNone, " m");
+      },
+      plan);
+}
+
+void check_layers(const std::vector<LayerSpec>& layers) {
+  for (const LayerSpec& spec : layers) {
+    const auto is_named = [&](const auto& other) { return other.name == spec.name; };
+    if (std::none_of(layer_table().begin(), layer_table().end(), is_named)) {
+      std::string names;
+      for (const LayerRow& row : layer_table())
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
+      throw UsageError(fmt::format("there is no layer '{}'", spec.name), "one of " + names);
+    }
+    if (std::count_if(layers.begin(), layers.end(), is_named) > 1)
+      throw UsageError(fmt::format("the layer '{}' is asked for twice", spec.name), "once");
+    if (spec.weight) check_above_0("weight", *spec.weight, kNone);
+    if (spec.grey) check_range("grey", *spec.grey, 0, 1);
+  }
+}
+
+void check_style(const Style& style, bool has_solids) {
+  if (style.plan) check_plan(*style.plan);
+  check_range("visibility_tolerance_mm", style.visibility_tolerance_mm, 0, 10);
+  check_range("simplify_mm", style.simplify_mm, 0, 10);
+  check_range("silhouette_jump", style.silhouette_jump, 0, 10);
+  check_range("min_stroke_mm", style.min_stroke_mm, 0, 1000);
+  check_range("pen_width_mm", style.pen_width_mm, 0.01, 10);
+  check_layers(style.layers);
+  if (has_solids && style.occluder == Occluder::profiles)
+    throw UsageError("solids stand in front of the surface and behind it, not of profiles",
+                     "Occluder::surface");
+}
+
+void check_page(const PageRequest& page) {
+  check_range("width_mm", page.width_mm, 1, 10000);
+  check_range("height_mm", page.height_mm, 1, 10000);
+  check_range("margin_mm", page.margin_mm, 0, kNone);
+  const double shorter_mm = std::min(page.width_mm, page.height_mm);
+  if (shorter_mm - 2 * page.margin_mm < 1)
+    throw UsageError(fmt::format("`margin_mm` {} leaves no room on a page of {} x {} mm",
+                                 page.margin_mm, page.width_mm, page.height_mm),
+                     fmt::format("{} or less", std::max(0.0, (shorter_mm - 1) / 2)));
+}
+
+} // namespace
+
+void check_spec(const MapSpec& spec, bool has_solids) {
+  if (!spec.view.file) check_view(spec.view);
+  check_style(spec.style, has_solids);
+  check_page(spec.page);
+}
+
+} // namespace orograph
