@@ -28,9 +28,9 @@ Crs plane_of(const std::string& text) {
 
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
-Transformation make_transformation(const std::string& crs_wkt, Way way) {
+Transformation make_transformation(const std::string& crs_wkt, const Crs& earth, Way way) {
   if (crs_wkt.empty()) return nullptr;
-  const Crs map = plane_of(crs_wkt), earth = plane_of("EPSG:4326");
+  const Crs map = plane_of(crs_wkt);
   if (!map || !earth || map->IsLocal()) return nullptr;
   Transformation there(OGRCreateCoordinateTransformation(map.get(), earth.get()));
   if (way == Way::to_lonlat || !there) return there;
@@ -44,10 +44,13 @@ OGRCoordinateTransformation* transformation(const std::string& crs_wkt, Way way)
     std::string crs_wkt;
     Transformation transform;
   };
+  // Made before `kept`, it is freed after it, and after both what GDAL keeps for the thread. Freed
+  // earlier, that would be made again by the freeing of `kept`, and leak.
+  thread_local const Crs earth = plane_of("EPSG:4326");
   thread_local std::array<Kept, 2> kept; // by way
   Kept& last = kept[way == Way::to_lonlat ? 0 : 1];
   if (!last.transform || last.crs_wkt != crs_wkt)
-    last = {crs_wkt, make_transformation(crs_wkt, way)};
+    last = {crs_wkt, make_transformation(crs_wkt, earth, way)};
   return last.transform.get();
 }
 

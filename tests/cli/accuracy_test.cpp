@@ -54,7 +54,7 @@ double ink_error(const AccuracyRow& row) {
   return (row.profiles + row.lines).error();
 }
 
-std::string refusal(const std::vector<std::string>& arguments) {
+std::string accuracy_refusal(const std::vector<std::string>& arguments) {
   try {
     parse_accuracy(arguments);
   } catch (const UsageError& error) {
@@ -218,13 +218,14 @@ TEST_CASE("without gnuplot all but the curve is written") {
 }
 
 TEST_CASE("wrong settings are refused") {
-  CHECK(refusal({"a.tif"}) == "accepted");
-  CHECK(refusal({"a.tif", "--profiles", "60,rows", "--view-from", "90/10"}) == "accepted");
-  CHECK(refusal({"a.tif", "--profiles", "60,,80"}).find("--profiles") != std::string::npos);
-  CHECK(refusal({"a.tif", "--profiles", "0"}).find("--profiles") != std::string::npos);
-  CHECK(refusal({"a.tif", "--probes", "10"}).find("--probes") != std::string::npos);
-  CHECK(refusal({"a.tif", "--overview", "1"}).find("--overview") != std::string::npos);
-  CHECK(refusal({"a.tif", "--projection", "orthographic", "--fov", "40"}).find("--fov") !=
+  CHECK(accuracy_refusal({"a.tif"}) == "accepted");
+  CHECK(accuracy_refusal({"a.tif", "--profiles", "60,rows", "--view-from", "90/10"}) == "accepted");
+  CHECK(accuracy_refusal({"a.tif", "--profiles", "60,,80"}).find("--profiles") !=
         std::string::npos);
-  CHECK(refusal({}).find("INPUT") != std::string::npos);
+  CHECK(accuracy_refusal({"a.tif", "--profiles", "0"}).find("--profiles") != std::string::npos);
+  CHECK(accuracy_refusal({"a.tif", "--probes", "10"}).find("--probes") != std::string::npos);
+  CHECK(accuracy_refusal({"a.tif", "--overview", "1"}).find("--overview") != std::string::npos);
+  CHECK(accuracy_refusal({"a.tif", "--projection", "orthographic", "--fov", "40"}).find("--fov") !=
+        std::string::npos);
+  CHECK(accuracy_refusal({}).find("INPUT") != std::string::npos);
 }

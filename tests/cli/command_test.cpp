@@ -13,9 +13,9 @@ using namespace orograph;
 
 namespace {
 
-constexpr int kSize = 40;
-double small_hill_m(int column, int row) {
-  return hill_m(column, row, kSize);
+constexpr int kHillSide = 40;
+double even_hill_m(int column, int row) {
+  return hill_m(column, row, kHillSide);
 }
 
 bool holds(const std::string& text, const std::string& part) {
@@ -41,14 +41,14 @@ TEST_CASE("help and version go to standard output") {
 
 TEST_CASE("info tells what a file holds") {
   const MadeFolder folder;
-  folder.write("hill.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("hill.asc", ascii_grid(kHillSide, kHillSide, even_hill_m));
   const auto text = run_orograph({"info", "hill.asc"}, {.folder = folder.path()});
   INFO(text.err);
   CHECK(text.exit_code == 0);
   CHECK(holds(text.out, "40 x 40 vertices"));
   CHECK(holds(text.out, "5,5,395,395"));
 
-  folder.write("hill.tif", geotiff(kSize, kSize, small_hill_m));
+  folder.write("hill.tif", geotiff(kHillSide, kHillSide, even_hill_m));
   const auto window =
       run_orograph({"info", "hill.tif", "--bbox", "100,100,200,300"}, {.folder = folder.path()});
   INFO(window.err);
@@ -59,7 +59,7 @@ TEST_CASE("info tells what a file holds") {
 
 TEST_CASE("an eye by longitude and latitude is where the report says, and looks where it is told") {
   const MadeFolder folder;
-  folder.write("hill.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("hill.asc", ascii_grid(kHillSide, kHillSide, even_hill_m));
   folder.write("hill.prj", kUtm32);
   const auto view_of = [&](std::vector<std::string> options) {
     options.insert(options.begin(), {"render", "hill.asc", "a.svg"});
@@ -110,7 +110,7 @@ TEST_CASE("an eye by longitude and latitude is where the report says, and looks 
   near({parallel["look_at_lonlat"][0], parallel["look_at_lonlat"][1]},
        {by_map["look_at_lonlat"][0], by_map["look_at_lonlat"][1]});
 
-  folder.write("plain.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("plain.asc", ascii_grid(kHillSide, kHillSide, even_hill_m));
   REQUIRE(run_orograph({"render", "plain.asc", "b.svg", "--eye", "100,60", "--report", "b.json"},
                        {.folder = folder.path()})
               .exit_code == 0);
@@ -122,7 +122,7 @@ TEST_CASE("an eye by longitude and latitude is where the report says, and looks 
 
 TEST_CASE("render writes every format and a report, the same bytes each time") {
   const MadeFolder folder;
-  folder.write("hill.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("hill.asc", ascii_grid(kHillSide, kHillSide, even_hill_m));
   for (const std::string extension : {"svg", "pdf", "ps", "eps", "png", "geojson", "gpkg"}) {
     const std::string first = "first." + extension, again = "again." + extension;
     const auto result = run_orograph(
@@ -146,9 +146,9 @@ TEST_CASE("render writes every format and a report, the same bytes each time") {
 
 TEST_CASE("voids are gaps, outlined if asked for") {
   const MadeFolder folder;
-  folder.write("void.asc", ascii_grid(kSize, kSize, [](int column, int row) {
+  folder.write("void.asc", ascii_grid(kHillSide, kHillSide, [](int column, int row) {
                  const bool in_void = column > 14 && column < 25 && row > 14 && row < 25;
-                 return in_void ? -9999 : small_hill_m(column, row);
+                 return in_void ? -9999 : even_hill_m(column, row);
                }));
   const auto drawn = [&](std::vector<std::string> options) {
     options.insert(options.begin(), {"render", "void.asc", "-", "--of", "svg"});
@@ -179,7 +179,7 @@ TEST_CASE("voids are gaps, outlined if asked for") {
 
 TEST_CASE("OUTPUT - is standard output, alone") {
   const MadeFolder folder;
-  folder.write("hill.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("hill.asc", ascii_grid(kHillSide, kHillSide, even_hill_m));
   const auto before = folder.names();
   const auto result =
       run_orograph({"render", "hill.asc", "-", "--of", "svg"}, {.folder = folder.path()});
@@ -192,7 +192,7 @@ TEST_CASE("OUTPUT - is standard output, alone") {
 
 TEST_CASE("quiet says nothing; progress shows a bar where it is asked for") {
   const MadeFolder folder;
-  folder.write("hill.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("hill.asc", ascii_grid(kHillSide, kHillSide, even_hill_m));
   const auto quiet = run_orograph({"render", "hill.asc", "a.svg", "-q"}, {.folder = folder.path()});
   CHECK(quiet.exit_code == 0);
   CHECK(quiet.err == "");
@@ -206,7 +206,7 @@ TEST_CASE("quiet says nothing; progress shows a bar where it is asked for") {
 
 TEST_CASE("--overwrite replaces, and a negative first value is one") {
   const MadeFolder folder;
-  folder.write("hill.asc", ascii_grid(kSize, kSize, small_hill_m));
+  folder.write("hill.asc", ascii_grid(kHillSide, kHillSide, even_hill_m));
   folder.write("map.svg", "an older drawing");
   const auto result = run_orograph({"render", "hill.asc", "map.svg", "--overwrite", "--eye",
                                     "-300,200,350", "--look-at", "200,200,150", "--roll", "-5"},

@@ -14,23 +14,23 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr int kSize = 40;
+constexpr int kTileSide = 40;
 
 // The hill's columns and rows from (column, row) on; rows count from the north.
 std::string hill_part(int column, int row, int columns, int rows) {
-  std::string text =
-      ascii_grid(columns, rows, [=](int c, int r) { return hill_m(column + c, row + r, kSize); });
+  std::string text = ascii_grid(
+      columns, rows, [=](int c, int r) { return hill_m(column + c, row + r, kTileSide); });
   const auto set = [&text](const std::string& word, int value) {
     const auto at = text.find(word + " 0\n");
     text.replace(at, word.size() + 3, word + " " + std::to_string(value) + "\n");
   };
   set("xllcorner", 10 * column);
-  set("yllcorner", 10 * (kSize - row - rows));
+  set("yllcorner", 10 * (kTileSide - row - rows));
   return text;
 }
 
 void write_tiles(const MadeFolder& folder) {
-  folder.write("hill.asc", hill_part(0, 0, kSize, kSize));
+  folder.write("hill.asc", hill_part(0, 0, kTileSide, kTileSide));
   folder.write("a.asc", hill_part(0, 0, 21, 40)); // shares a column with the next
   folder.write("b.asc", hill_part(20, 0, 20, 15));
   folder.write("c.asc", hill_part(20, 15, 20, 25));
@@ -71,7 +71,7 @@ TEST_CASE("a drawing of joined files is that of one file, but for its title") {
   CHECK(folder.read("joined.svg") == folder.read("hill.svg"));
   const auto report = nlohmann::json::parse(folder.read("r.json"));
   CHECK(report["input"]["paths"] == nlohmann::json{"c.asc", "a.asc", "b.asc"});
-  CHECK(report["input"]["columns"] == kSize);
+  CHECK(report["input"]["columns"] == kTileSide);
 
   REQUIRE(run(folder, {"render", "c.asc", "a.asc", "b.asc", "titled.svg", "-q"}).exit_code == 0);
   CHECK(folder.read("titled.svg").find("<title>c.asc and 2 more</title>") != std::string::npos);

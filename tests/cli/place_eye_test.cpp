@@ -46,8 +46,8 @@ ViewRequest placed(const TerrainData& terrain, const MapSpec& spec, double exagg
   return request;
 }
 
-void check_refused(const TerrainData& terrain, const MapSpec& spec,
-                   const std::vector<std::string>& words) {
+void check_no_place(const TerrainData& terrain, const MapSpec& spec,
+                    const std::vector<std::string>& words) {
   std::string message;
   try {
     placed(terrain, spec);
@@ -144,35 +144,35 @@ TEST_CASE("a direction counts from true north where the CRS tells it") {
 
 TEST_CASE("where the ground isn't known, a height is asked for") {
   const TerrainData terrain = plane_in("EPSG:32632", kInUtm);
-  check_refused(terrain, eye_at(3, 4),
-                {"--eye 3,4 is outside of the terrain", "between 500000,5204764 and 500400,5205164",
-                 "--eye X,Y,Z"});
-  check_refused(terrain, eye_at(kInUtm.x + 200, kInUtm.y - 200), {"a gap there", "--eye X,Y,Z"});
-  check_refused(terrain, eye_lonlat(9.01, 47),
-                {"--eye-lonlat 9.01,47 is outside", "longitudes 9.00000 and 9.005",
-                 "latitudes 46.996", "--eye-lonlat LON,LAT,H"});
+  check_no_place(terrain, eye_at(3, 4),
+                 {"--eye 3,4 is outside of the terrain",
+                  "between 500000,5204764 and 500400,5205164", "--eye X,Y,Z"});
+  check_no_place(terrain, eye_at(kInUtm.x + 200, kInUtm.y - 200), {"a gap there", "--eye X,Y,Z"});
+  check_no_place(terrain, eye_lonlat(9.01, 47),
+                 {"--eye-lonlat 9.01,47 is outside", "longitudes 9.00000 and 9.005",
+                  "latitudes 46.996", "--eye-lonlat LON,LAT,H"});
   MapSpec target = eye_at(kInUtm.x, kInUtm.y);
   target.view.look_at_lonlat = GivenPlace(9.002, 48);
-  check_refused(terrain, target, {"--look-at-lonlat 9.002,48 is outside", "longitudes"});
+  check_no_place(terrain, target, {"--look-at-lonlat 9.002,48 is outside", "longitudes"});
   target.view.look_at_lonlat.reset();
   target.view.look_at_map = GivenPlace(3, 4);
-  check_refused(terrain, target, {"--look-at 3,4 is outside", "--look-at X,Y,Z"});
+  check_no_place(terrain, target, {"--look-at 3,4 is outside", "--look-at X,Y,Z"});
   target.view.look_at_map->z = 5;
   CHECK(placed(terrain, target).look_at_m);
 }
 
 TEST_CASE("longitude and latitude need a CRS on the earth, and the right order") {
-  check_refused(plane_in("", kInUtm), eye_lonlat(9, 47),
-                {"--eye-lonlat: the terrain has no CRS", "give --eye X,Y"});
-  check_refused(plane_in("LOCAL_CS[\"a quarry\",UNIT[\"metre\",1]]", kInUtm), eye_lonlat(9, 47),
-                {"--eye-lonlat", "doesn't tell where on the earth it is", "give --eye X,Y"});
+  check_no_place(plane_in("", kInUtm), eye_lonlat(9, 47),
+                 {"--eye-lonlat: the terrain has no CRS", "give --eye X,Y"});
+  check_no_place(plane_in("LOCAL_CS[\"a quarry\",UNIT[\"metre\",1]]", kInUtm), eye_lonlat(9, 47),
+                 {"--eye-lonlat", "doesn't tell where on the earth it is", "give --eye X,Y"});
   const TerrainData terrain = plane_in("EPSG:32632", kInUtm);
-  check_refused(terrain, eye_lonlat(-81, 3), {"--eye-lonlat -81,3 has no place"});
+  check_no_place(terrain, eye_lonlat(-81, 3), {"--eye-lonlat -81,3 has no place"});
   MapSpec swapped = eye_lonlat(46.998, 9.002);
-  check_refused(terrain, swapped,
-                {"far from the terrain, which holds 9.002,46.998", "--eye-lonlat 9.002,46.998"});
+  check_no_place(terrain, swapped,
+                 {"far from the terrain, which holds 9.002,46.998", "--eye-lonlat 9.002,46.998"});
   swapped.view.eye_lonlat->z = 5000; // needs no ground, and is wrong all the same
-  check_refused(terrain, swapped, {"longitude comes first"});
+  check_no_place(terrain, swapped, {"longitude comes first"});
 }
 
 TEST_CASE("an eye in a corner of a wide terrain is in it, however far from its middle") {
@@ -184,7 +184,7 @@ TEST_CASE("an eye in a corner of a wide terrain is in it, however far from its m
   CHECK(eye.x == Approx(5789e3).epsilon(1e-3));
   CHECK(eye.y == Approx(-2858e3).epsilon(1e-3));
   spec.view.eye_lonlat = GivenPlace(100, -23); // 3900 km east of it
-  check_refused(terrain, spec, {"km away from the terrain", "longitudes 0.0"});
+  check_no_place(terrain, spec, {"km away from the terrain", "longitudes 0.0"});
 }
 
 TEST_CASE("from an eye that is given, in whatever way, heights are true") {

@@ -26,7 +26,7 @@ double decimal(long number, int decimals) {
   return std::strtod(decimal_text(number, decimals).c_str(), nullptr);
 }
 
-std::string fault_of(const std::string& text) {
+std::string fault_in(const std::string& text) {
   try {
     parse_number_list("--azimuth", text);
     return "";
@@ -58,7 +58,7 @@ TEST_CASE("ranges hold what counting in whole numbers holds") {
     if (from == to)
       REQUIRE(parse_number_list("--azimuth", wrong) == expected);
     else
-      REQUIRE(fault_of(wrong).find("lead away from") != std::string::npos);
+      REQUIRE(fault_in(wrong).find("lead away from") != std::string::npos);
   }
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("what is no list of numbers is told in one line that names the option"
            {"-1e308:1e308:1", "values"},
            {"0:10000000:1", "10000001 values"},
            {"0:99999:1,0:9999999:1", "0:9999999:1' can't be used: 10000000 values are too many"}}) {
-    const std::string fault = fault_of(text);
+    const std::string fault = fault_in(text);
     INFO(text << ": " << fault);
     if (words.empty()) {
       CHECK(fault.empty());

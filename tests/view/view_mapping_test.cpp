@@ -14,7 +14,7 @@ using namespace orograph;
 
 namespace {
 
-constexpr PhigsProjection kBoth[] = {PhigsProjection::perspective, PhigsProjection::parallel};
+constexpr PhigsProjection kKinds[] = {PhigsProjection::perspective, PhigsProjection::parallel};
 
 // Numbered as by corners_of.
 Vec3 canonical_corner(const CanonicalVolume& volume, int i) {
@@ -27,7 +27,7 @@ Vec3 canonical_corner(const CanonicalVolume& volume, int i) {
 } // namespace
 
 TEST_CASE("the corners of the view volume go to the corners of the canonical volume") {
-  for (const PhigsProjection projection : kBoth)
+  for (const PhigsProjection projection : kKinds)
     for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
       Random random(seed);
       INFO("seed " << seed << (projection == PhigsProjection::parallel ? " parallel" : ""));
@@ -99,7 +99,7 @@ TEST_CASE("view volumes that are none are refused") {
     check_refused([&] { view_mapping(view); }, words);
     check_refused([&] { canonical_volume(view); }, words);
   };
-  for (const PhigsProjection projection : kBoth) {
+  for (const PhigsProjection projection : kKinds) {
     PhigsView view;
     view.window_m = {{1, -1}, {1, 1}};
     refused(view, projection, "window is empty");

@@ -10,7 +10,7 @@ using namespace orograph;
 
 namespace {
 
-const Box2 kViewport{{15, 20}, {225, 160}};
+const Box2 kShown{{15, 20}, {225, 160}};
 constexpr double kOfThePage = 1e-10;
 
 struct FramePoint {
@@ -24,14 +24,14 @@ FramePoint in_frame(const ProfileFrame& frame, Vec3 world) {
 }
 
 bool lands_on_page(Vec2 page) {
-  return page.x >= kViewport.low.x && page.x <= kViewport.high.x && page.y >= kViewport.low.y &&
-         page.y <= kViewport.high.y;
+  return page.x >= kShown.low.x && page.x <= kShown.high.x && page.y >= kShown.low.y &&
+         page.y <= kShown.high.y;
 }
 
 // Compares at points of the view volume with v > 0; returns how many there were.
 int compare(Random& random, const PhigsView& view, const ProfileFrame& frame) {
-  const Eigen::Matrix4d page = compose(Eigen::Matrix4d::Identity(), view, kViewport);
-  const Homography homography = homography_of(view, frame, kViewport);
+  const Eigen::Matrix4d page = compose(Eigen::Matrix4d::Identity(), view, kShown);
+  const Homography homography = homography_of(view, frame, kShown);
   const Vec3 along = direction_of_projection(view);
   const FramePoint d = in_frame({{}, frame.forward}, along);
   int compared = 0;
@@ -48,7 +48,7 @@ int compare(Random& random, const PhigsView& view, const ProfileFrame& frame) {
     if (!lands_on_page(expected)) continue;
     REQUIRE(homography.w(plane) > 0);
     CAPTURE(expected.x, expected.y, plane.x, plane.y);
-    REQUIRE(length(homography(plane) - expected) < kOfThePage * kViewport.height());
+    REQUIRE(length(homography(plane) - expected) < kOfThePage * kShown.height());
     ++compared;
   }
   return compared;
@@ -82,7 +82,7 @@ TEST_CASE("parallel: the homography agrees with the pipeline") {
     const PhigsView view = random_phigs_view(random, PhigsProjection::parallel);
     const ProfileFrame frame = frame_of(view);
     compared += compare(random, view, frame);
-    const Homography homography = homography_of(view, frame, kViewport);
+    const Homography homography = homography_of(view, frame, kShown);
     REQUIRE(homography.m[6] == 0);
     REQUIRE(homography.m[7] == 0);
     REQUIRE(homography.m[8] == 1);
@@ -133,9 +133,9 @@ TEST_CASE("level and upright view planes") {
   view.prp_m = {0, -1, 1};
   CHECK(length(frame_of(view).forward - Vec2{0, 1}) < 1e-15);
   CHECK(compare(random, view, frame_of(view)) > 0);
-  const Homography plan = homography_of(view, frame_of(view), kViewport);
+  const Homography plan = homography_of(view, frame_of(view), kShown);
   // A step up in height goes as far up the page as a step north on the ground.
-  CHECK(plan({0, 0}).y - plan({0, 1}).y == Approx(kViewport.height() / 2));
+  CHECK(plan({0, 0}).y - plan({0, 1}).y == Approx(kShown.height() / 2));
 
   view.vpn = {1e-12, -1e-12, 1}; // level but for rounding
   CHECK(length(frame_of(view).forward - Vec2{0, 1}) < 1e-9);
