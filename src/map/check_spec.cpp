@@ -117,15 +117,10 @@ void check_style(const Style& style, bool has_solids) {
                      "Occluder::surface");
 }
 
+// Margins are checked where the page is laid out (draw/page.hpp).
 void check_page(const PageRequest& page) {
   check_range("width_mm", page.width_mm, 1, 10000);
   check_range("height_mm", page.height_mm, 1, 10000);
-  check_range("margin_mm", page.margin_mm, 0, kNone);
-  const double shorter_mm = std::min(page.width_mm, page.height_mm);
-  if (shorter_mm - 2 * page.margin_mm < 1)
-    throw UsageError(fmt::format("`margin_mm` {} leaves no room on a page of {} x {} mm",
-                                 page.margin_mm, page.width_mm, page.height_mm),
-                     fmt::format("{} or less", std::max(0.0, (shorter_mm - 1) / 2)));
 }
 
 } // namespace

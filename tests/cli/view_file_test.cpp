@@ -124,7 +124,7 @@ TEST_CASE("a view file in TOML") {
   CHECK(b.back_m == -2000.5);
 }
 
-TEST_CASE("a view that is written reads back bit for bit") {
+TEST_CASE("a view that is written reads back bit for bit", "[slow]") {
   const MadeFolder folder;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     Random random(seed);

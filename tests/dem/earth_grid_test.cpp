@@ -15,8 +15,7 @@
 #include <limits>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::earth_grid_test {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -249,3 +248,5 @@ TEST_CASE("a terrain that reaches too far round the earth is refused") {
   CHECK(!is_refused(40)); // corners 54 degrees away
   CHECK(is_refused(50));  // 66
 }
+
+} // namespace orograph::earth_grid_test

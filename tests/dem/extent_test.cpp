@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::extent_test {
 namespace {
 
 // Heights from a fixed sequence, about `gaps` of them NaN.
@@ -145,3 +144,5 @@ TEST_CASE("each block is in one group") {
   CHECK(extent.blocks.groups.size() == 2);
   check_groups(extent.blocks);
 }
+
+} // namespace orograph::extent_test

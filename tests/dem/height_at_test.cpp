@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-using namespace orograph;
-
+namespace orograph::height_at_test {
 namespace {
 
 struct Barycentric {
@@ -127,3 +126,5 @@ TEST_CASE(
   CHECK(asked > enough<3000>);
   CHECK(beside > enough<50>);
 }
+
+} // namespace orograph::height_at_test

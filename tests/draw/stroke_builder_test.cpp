@@ -94,7 +94,7 @@ Nearness to_polyline(const PlacedView& scene, Vec3 map) {
 
 } // namespace
 
-TEST_CASE("what lies in the frame is drawn, and nothing else") {
+TEST_CASE("what lies in the frame is drawn, and nothing else", "[slow]") {
   // Page coordinates up to 200, from plane coordinates up to 30: some ten roundings.
   constexpr double rounding_mm = 1e-9;
   std::size_t strokes = 0;

@@ -3,8 +3,7 @@
 #include "tests/horizon/check_clip.hpp"
 #include "tests/support/random.hpp"
 
-using namespace orograph;
-
+namespace orograph::clip_definition_test {
 namespace {
 
 Tally check_scene(const FlatScene& scene, double tolerance, std::uint64_t seed) {
@@ -39,3 +38,5 @@ TEST_CASE("with a tolerance, only what is within it of the horizon is tied") {
     }
   }
 }
+
+} // namespace orograph::clip_definition_test

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-using namespace orograph;
-
+namespace orograph::clip_hard_test {
 namespace {
 
 ClipOptions options_of(Role role, double tolerance) {
@@ -144,3 +143,5 @@ TEST_CASE("zigzags make a quadratic number of visible pieces, all of them") {
   }
   CHECK(pieces == static_cast<std::size_t>(n) * (n + 1));
 }
+
+} // namespace orograph::clip_hard_test

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <map>
 
-using namespace orograph;
-
+namespace orograph::clip_profile_test {
 namespace {
 
 // Segments as a profile: neighbours that meet are joined. `spans` are the segments' numbers.
@@ -197,3 +196,5 @@ TEST_CASE("a horizon in blocks has bounds, and a cursor over all of its pieces")
       }
     }
 }
+
+} // namespace orograph::clip_profile_test

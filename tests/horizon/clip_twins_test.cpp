@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace orograph;
-
+namespace orograph::clip_twins_test {
 namespace {
 
 bool same_horizon(const Horizon& a, const Horizon& b) {
@@ -122,3 +121,5 @@ TEST_CASE("a compared list leaves the horizon as it was and shows what a drawn o
       }
     }
 }
+
+} // namespace orograph::clip_twins_test

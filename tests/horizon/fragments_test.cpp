@@ -4,8 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/horizon/flat_scenes.hpp"
 
-using namespace orograph;
-
+namespace orograph::fragments_test {
 namespace {
 
 Horizon joined(const Horizon& horizon) {
@@ -59,3 +58,5 @@ TEST_CASE("joined, the fragmented horizon is the collapsed one") {
       CHECK(fragmented.size() > collapsed.size());
     }
 }
+
+} // namespace orograph::fragments_test

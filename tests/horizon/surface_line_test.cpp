@@ -11,8 +11,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::surface_line_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -327,3 +326,5 @@ TEST_CASE("raising a horizon is the pointwise maximum") {
       }
     }
 }
+
+} // namespace orograph::surface_line_test

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::upright_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -154,3 +153,5 @@ TEST_CASE("uprights and their pieces go among the others by id") {
     CHECK(after == before);
   }
 }
+
+} // namespace orograph::upright_test

@@ -92,7 +92,7 @@ TEST_CASE("numbers out of their range, and wishes that exclude each other, are t
        }},
       {"`grey` is 1.5", [](MapSpec& s) { s.style.layers.front().grey = 1.5; }},
       {"`width_mm` is nan", [&](MapSpec& s) { s.page.width_mm = none; }},
-      {"`margin_mm` 105 leaves no room", [](MapSpec& s) { s.page.margin_mm = 105; }}};
+      {"margins of 105 mm leave no room", [](MapSpec& s) { s.page.margin_mm = 105; }}};
   for (const auto& [wrong, spoil] : cases) {
     CAPTURE(wrong);
     check_draw(wrong, spoil);

@@ -223,7 +223,7 @@ void write_geotiff(const OwnedHeights& heights, int side, const std::string& pat
 
 } // namespace
 
-TEST_CASE("stopped at any stage, a call is back at once") {
+TEST_CASE("stopped at any stage, a call is back at once", "[slow]") {
   const OwnedHeights heights = rough_heights(kSide);
   const Terrain rough = Terrain::of(borrowed(heights, kSide));
   check_draw("the default view", rough, [](MapSpec&) {});

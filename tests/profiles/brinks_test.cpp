@@ -11,8 +11,7 @@
 #include <initializer_list>
 #include <set>
 
-using namespace orograph;
-
+namespace orograph::brinks_test {
 namespace {
 
 // A square block of height 5 on low ground, open in the east and the west: walls in the south (over
@@ -78,3 +77,5 @@ TEST_CASE("without its walls, a block's ground still ends over what is below") {
   CHECK(edges_behind_walls(Surface(tin), view).empty());
   CHECK(set_of(brinks(Surface(tin), border_edges(tin), view)) == Edges{{2, 3}, {6, 7}, {10, 11}});
 }
+
+} // namespace orograph::brinks_test

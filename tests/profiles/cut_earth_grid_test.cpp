@@ -16,8 +16,7 @@
 #include <limits>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::cut_earth_grid_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -318,3 +317,5 @@ TEST_CASE("a meridian and the equator lie in planes of one depth, and are there 
     }
   }
 }
+
+} // namespace orograph::cut_earth_grid_test

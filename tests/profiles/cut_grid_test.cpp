@@ -8,8 +8,7 @@
 
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::cut_grid_test {
 namespace {
 
 const TriangleSet no_level;
@@ -228,3 +227,5 @@ TEST_CASE("nothing is cut before the grid, behind it, or at a depth that isn't a
     CHECK(profile.size() == 0);
   }
 }
+
+} // namespace orograph::cut_grid_test

@@ -16,8 +16,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::cut_tin_test {
 namespace {
 
 const TriangleSet no_level;
@@ -235,7 +234,7 @@ TEST_CASE("a TIN is cut as its triangles are, from any azimuth") {
 
 // Whole coordinates seen along an axis, or whole directions: depths are exact, so planes meet
 // vertices and hold edges, walls and needles exactly.
-TEST_CASE("planes through vertices and along edges and walls, exactly") {
+TEST_CASE("planes through vertices and along edges and walls, exactly", "[slow]") {
   Asked asked;
   for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
     Random random(seed);
@@ -358,3 +357,5 @@ TEST_CASE("many planes through a large TIN") {
   WARN(kPlanes << " planes, " << vertices << " vertices, " << taken.count() << " s");
   CHECK(vertices > std::size_t{kPlanes} * kSide);
 }
+
+} // namespace orograph::cut_tin_test

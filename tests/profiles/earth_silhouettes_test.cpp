@@ -17,8 +17,7 @@
 #include <limits>
 #include <set>
 
-using namespace orograph;
-
+namespace orograph::earth_silhouettes_test {
 namespace {
 
 using Edges = std::vector<SurfaceEdge>;
@@ -299,3 +298,5 @@ TEST_CASE("of heights of 1e30 and of 1e-30, and of cliffs 100 km away") {
   report("extremes", sum);
   CHECK(sum.certain > enough<1500>);
 }
+
+} // namespace orograph::earth_silhouettes_test

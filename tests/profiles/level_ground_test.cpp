@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-using namespace orograph;
-
+namespace orograph::level_ground_test {
 namespace {
 
 struct Flooded {
@@ -147,3 +146,5 @@ TEST_CASE("water has at least 500 triangles and a five-thousandth of the grid") 
   CHECK(regions(1500, 449) == 0);
   CHECK(regions(1500, 450) == 1); // 900 of 4,500,000
 }
+
+} // namespace orograph::level_ground_test

@@ -9,8 +9,7 @@
 
 #include <cmath>
 
-using namespace orograph;
-
+namespace orograph::line_cutter_test {
 namespace {
 
 GridLattice upright_lattice(Random& random, int most) {
@@ -132,3 +131,5 @@ TEST_CASE("the quick cut is that of the walk, whole and in parts") {
   CHECK(tally.quick > tally.asked * 6 / 10);
   CHECK(tally.rows > tally.asked / 40);
 }
+
+} // namespace orograph::line_cutter_test

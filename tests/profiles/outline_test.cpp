@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-using namespace orograph;
-
+namespace orograph::outline_test {
 namespace {
 
 // As directed edges with the terrain on the left, sorted.
@@ -71,3 +70,5 @@ TEST_CASE("few heights missing in long rows") {
     REQUIRE(directed(border_edges(grid, false)) == outline_by_triangles(grid));
   }
 }
+
+} // namespace orograph::outline_test

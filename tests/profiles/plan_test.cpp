@@ -6,8 +6,7 @@
 #include "view/place_view.hpp"
 #include "view/sectors.hpp"
 
-using namespace orograph;
-
+namespace orograph::plan_test {
 namespace {
 
 // Of the picture plane: at distance 1 in perspective, in metres in a parallel view.
@@ -289,3 +288,5 @@ TEST_CASE("profiles go where the page shows ground, as many as fit on it") {
   CHECK(planned({0, 0, 2500}, {0, 1, 0}, 60) > 250);
   CHECK(planned({0, 0, 2500}, {0, 1, 0}, 60) < 1000);
 }
+
+} // namespace orograph::plan_test

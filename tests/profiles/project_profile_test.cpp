@@ -4,8 +4,7 @@
 #include "tests/support/made_grid.hpp"
 #include "tests/support/random.hpp"
 
-using namespace orograph;
-
+namespace orograph::project_profile_test {
 namespace {
 
 const Profile profile{100,
@@ -92,3 +91,5 @@ TEST_CASE("runs and uprights are what lies after the vertices, one by one") {
     }
   }
 }
+
+} // namespace orograph::project_profile_test

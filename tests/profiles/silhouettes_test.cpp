@@ -10,8 +10,7 @@
 #include <cmath>
 #include <set>
 
-using namespace orograph;
-
+namespace orograph::silhouettes_test {
 namespace {
 
 struct Point {
@@ -315,3 +314,5 @@ TEST_CASE("heights of 1e30, 1e-30 and denormals") {
     CHECK(tally.certain > enough<100>);
   }
 }
+
+} // namespace orograph::silhouettes_test

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::slab_lines_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -135,3 +134,5 @@ TEST_CASE("a grid edge in the profile frame runs from its lower vertex to its hi
     check(edge.to, line.to);
   }
 }
+
+} // namespace orograph::slab_lines_test

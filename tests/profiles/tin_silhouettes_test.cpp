@@ -18,8 +18,7 @@
 #include <map>
 #include <set>
 
-using namespace orograph;
-
+namespace orograph::tin_silhouettes_test {
 namespace {
 
 View eye_view(Vec3 eye, double azimuth_deg, double exaggeration = 1) {
@@ -303,3 +302,5 @@ TEST_CASE("silhouettes of TINs with walls are those of the definition") {
                      << " may be");
   CHECK(certain_count > enough<20000>);
 }
+
+} // namespace orograph::tin_silhouettes_test

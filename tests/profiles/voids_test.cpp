@@ -12,8 +12,7 @@
 #include <set>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::voids_test {
 namespace {
 
 using Vertex = std::pair<int, int>; // column, row
@@ -231,3 +230,5 @@ TEST_CASE("around walls") {
   triangles.erase(triangles.end() - 4); // half of the wall
   CHECK(voids_in() == 0);
 }
+
+} // namespace orograph::voids_test

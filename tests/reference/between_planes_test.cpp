@@ -14,8 +14,7 @@
 #include <cmath>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::between_planes_test {
 namespace {
 
 constexpr double kTie = 1e-7;    // of Y; in a parallel view metres
@@ -162,3 +161,5 @@ TEST_CASE("between a front and a back plane is hidden what is hidden by what the
   CHECK(ties < asked / 20);
   CHECK(uncovered > asked / 50);
 }
+
+} // namespace orograph::between_planes_test

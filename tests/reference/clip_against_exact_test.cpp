@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace orograph;
-
+namespace orograph::clip_against_exact_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(10000);
@@ -75,3 +74,5 @@ TEST_CASE("and hard scenes", "[slow]") {
     CHECK(pieces > kScenes / 100);
   }
 }
+
+} // namespace orograph::clip_against_exact_test

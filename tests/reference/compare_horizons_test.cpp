@@ -12,8 +12,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::compare_horizons_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -211,3 +210,5 @@ TEST_CASE("collapse keeps the least size on hard scenes, ties apart") {
     }
   CHECK(ties > 100);
 }
+
+} // namespace orograph::compare_horizons_test

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::exact_clip_test {
 namespace {
 
 using Segments = std::vector<Segment>;
@@ -152,3 +151,5 @@ TEST_CASE("the least horizon is what `clip` keeps with collapse, and not what it
     REQUIRE(clips.back().least_horizon < fragmented.size());
   }
 }
+
+} // namespace orograph::exact_clip_test

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <functional>
 
-using namespace orograph;
-
+namespace orograph::ray_walk_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -301,3 +300,5 @@ TEST_CASE("against the surface sampled along the ray: cone, ridge, steps, with a
       CHECK(check_many(random, grid, 40, 25).asked > 400);
     }
 }
+
+} // namespace orograph::ray_walk_test

@@ -11,8 +11,7 @@
 
 #include <cmath>
 
-using namespace orograph;
-
+namespace orograph::sight_test {
 namespace {
 
 View looking_north(Projection projection, double descent_deg, double eye_z_m = 0) {
@@ -279,3 +278,5 @@ TEST_CASE("over the ground, the same as the ray walk") {
   // Rays along rows and columns, on the border.
   CHECK(unsure < asked / 10);
 }
+
+} // namespace orograph::sight_test

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::tin_ray_walk_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -301,3 +300,5 @@ TEST_CASE("a wall that the eye sees, and one turned away, reckoned by hand") {
     CHECK(walk.in_front({0, -4, 0}).greatest_y == -kInfinity);
   }
 }
+
+} // namespace orograph::tin_ray_walk_test

@@ -16,8 +16,7 @@
 #include <cstring>
 #include <numbers>
 
-using namespace orograph;
-
+namespace orograph::curvature_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(400);
@@ -228,7 +227,7 @@ TEST_CASE("what is looked at is in the picture's middle on a round earth too") {
   }
 }
 
-TEST_CASE("the ray walk agrees on a small planet, in any view") {
+TEST_CASE("the ray walk agrees on a small planet, in any view", "[slow]") {
   Asked sum;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_scene(seed);
@@ -326,3 +325,5 @@ TEST_CASE("the map plane's own errors are in the budget, where the map is distor
     CHECK_FALSE(map_plane_mm(scene, terrain.map, true));
   }
 }
+
+} // namespace orograph::curvature_test

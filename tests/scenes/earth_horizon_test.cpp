@@ -11,8 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace orograph;
-
+namespace orograph::earth_horizon_test {
 namespace {
 
 constexpr double kRadian_deg = 180 / std::numbers::pi;
@@ -296,3 +295,5 @@ TEST_CASE("a mountain shows up to its limiting distance, and is drawn at its pla
           }
         }
 }
+
+} // namespace orograph::earth_horizon_test

@@ -17,8 +17,7 @@
 #include <string>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::earth_output_test {
 namespace {
 
 // As a user counts it, all in the file's own unit of angle and of longitudes.
@@ -296,3 +295,5 @@ TEST_CASE("a ring around the pole is written in its own turn, wherever the eye s
     check(file, asked);
   }
 }
+
+} // namespace orograph::earth_output_test

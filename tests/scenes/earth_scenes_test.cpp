@@ -15,8 +15,7 @@
 #include <cstring>
 #include <optional>
 
-using namespace orograph;
-
+namespace orograph::earth_scenes_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(300);
@@ -281,3 +280,5 @@ TEST_CASE("turned about the earth's axis a terrain looks the same") {
   // Where lines nearly coincide rounding decides which is drawn.
   CHECK(far <= compared / 200);
 }
+
+} // namespace orograph::earth_scenes_test

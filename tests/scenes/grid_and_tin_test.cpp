@@ -14,8 +14,7 @@
 #include <cmath>
 #include <cstring>
 
-using namespace orograph;
-
+namespace orograph::grid_and_tin_test {
 namespace {
 
 // What is visible, before anything is laid out on the page.
@@ -146,3 +145,5 @@ TEST_CASE("and made scenes with holes, spikes and steps") {
   WARN(compared.views << " views, " << compared.parts << " visible parts");
   CHECK(compared.parts > enough<100000>);
 }
+
+} // namespace orograph::grid_and_tin_test

@@ -12,8 +12,7 @@
 #include <cmath>
 #include <functional>
 
-using namespace orograph;
-
+namespace orograph::metamorphic_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(60);
@@ -257,3 +256,5 @@ TEST_CASE("a mirror image of ground whose diagonals don't matter is the mirrored
     });
   }
 }
+
+} // namespace orograph::metamorphic_test

@@ -16,8 +16,7 @@
 #include <cmath>
 #include <map>
 
-using namespace orograph;
-
+namespace orograph::phigs_scenes_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(500);
@@ -227,3 +226,5 @@ TEST_CASE("terrain of any size comes back through a view file") {
         CHECK(length(page(placed, at) - page(again, at)) <= 1e-6);
     }
 }
+
+} // namespace orograph::phigs_scenes_test

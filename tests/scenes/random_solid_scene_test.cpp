@@ -9,8 +9,7 @@
 #include <array>
 #include <map>
 
-using namespace orograph;
-
+namespace orograph::random_solid_scene_test {
 namespace {
 
 // Every edge of every triangle is in the list once, with its triangles on the right sides.
@@ -110,3 +109,5 @@ TEST_CASE("and the same seed makes the same scene") {
     }
   }
 }
+
+} // namespace orograph::random_solid_scene_test

@@ -13,15 +13,14 @@
 
 #include <cmath>
 
-using namespace orograph;
-
+namespace orograph::ray_walk_scenes_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(700), kSampleProbes = 20 * last_seed(500);
 
 } // namespace
 
-TEST_CASE("the ray walk agrees with every line of made scenes") {
+TEST_CASE("the ray walk agrees with every line of made scenes", "[slow]") {
   Asked sum;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const RandomScene scene = random_scene(seed);
@@ -32,7 +31,7 @@ TEST_CASE("the ray walk agrees with every line of made scenes") {
   CHECK(sum.ties < sum.asked / 20);
 }
 
-TEST_CASE("and with profiles along rows, columns and diagonals, through their vertices") {
+TEST_CASE("and with profiles along rows, columns and diagonals, through their vertices", "[slow]") {
   Asked sum;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_scene(seed);
@@ -102,3 +101,5 @@ TEST_CASE("and of the samples, from several sides", "[slow]") {
   report("samples", sum);
   CHECK(sum.ties < sum.asked / 20);
 }
+
+} // namespace orograph::ray_walk_scenes_test

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <optional>
 
-using namespace orograph;
-
+namespace orograph::sector_scenes_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(500);
@@ -74,7 +73,7 @@ const Layer& layer_named(const Drawing& drawing, const std::string& name) {
 
 } // namespace
 
-TEST_CASE("the ray walk agrees with cameras that look straight down, and nearly") {
+TEST_CASE("the ray walk agrees with cameras that look straight down, and nearly", "[slow]") {
   Asked sum;
   int two_sectors = 0, refused = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
@@ -244,3 +243,5 @@ TEST_CASE("what is visible doesn't depend on pitch, roll or field, to the bit") 
   CHECK(compared > static_cast<int>(kScenes / 2));
   CHECK(in_two_sectors > static_cast<int>(kScenes / 8));
 }
+
+} // namespace orograph::sector_scenes_test

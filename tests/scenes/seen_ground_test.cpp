@@ -15,8 +15,7 @@
 
 #include <cmath>
 
-using namespace orograph;
-
+namespace orograph::seen_ground_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(600);
@@ -208,3 +207,5 @@ TEST_CASE("ground that is tied to what stands in front of it is looked at") {
   CHECK(share(0) < 0.7); // what is 0.1 m below the brink, a twentieth of a millimetre on the page
   CHECK(share(0.5) == 1);
 }
+
+} // namespace orograph::seen_ground_test

@@ -12,8 +12,7 @@
 
 #include <map>
 
-using namespace orograph;
-
+namespace orograph::seen_solids_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(1000);
@@ -174,3 +173,5 @@ TEST_CASE("what isn't looked at changes nothing of solids") {
   }
   CHECK(solids > static_cast<int>(kScenes / 10));
 }
+
+} // namespace orograph::seen_solids_test

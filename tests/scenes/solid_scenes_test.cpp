@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <functional>
 
-using namespace orograph;
-
+namespace orograph::solid_scenes_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(24);
@@ -230,3 +229,5 @@ TEST_CASE("shares out of order, or beyond the line, are wrong") {
     CHECK(!tally.first_wrong.empty());
   }
 }
+
+} // namespace orograph::solid_scenes_test

@@ -11,8 +11,7 @@
 #include "tests/scenes/same_drawing.hpp"
 #include "tests/support/random.hpp"
 
-using namespace orograph;
-
+namespace orograph::strips_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(400);
@@ -70,3 +69,5 @@ TEST_CASE("strips leave no trace in drawings of grids", "[slow]") {
 TEST_CASE("nor in those of TINs with walls") {
   check_scenes([](std::uint64_t seed) { return random_tin_scene(seed); });
 }
+
+} // namespace orograph::strips_test

@@ -9,8 +9,7 @@
 
 #include <exception>
 
-using namespace orograph;
-
+namespace orograph::terrain_facts_test {
 namespace {
 
 void check_same(const PlacedView& a, const PlacedView& b) {
@@ -52,3 +51,5 @@ TEST_CASE("facts of a terrain place each view as if it were the only one") {
     check_views(of_tin.terrain, of_tin.spec);
   }
 }
+
+} // namespace orograph::terrain_facts_test

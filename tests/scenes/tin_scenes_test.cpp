@@ -13,8 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 
-using namespace orograph;
-
+namespace orograph::tin_scenes_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(500);
@@ -98,7 +97,8 @@ TEST_CASE("and with profiles through vertices and along edges and walls", "[slow
   CHECK(sum.ties < sum.asked / 5);
 }
 
-TEST_CASE("and from an eye on the surface, on a vertex, in a hole, a millimetre above it") {
+TEST_CASE("and from an eye on the surface, on a vertex, in a hole, a millimetre above it",
+          "[slow]") {
   Asked sum;
   std::uint64_t refused = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
@@ -117,3 +117,5 @@ TEST_CASE("and from an eye on the surface, on a vertex, in a hole, a millimetre 
   WARN(refused << " views refused");
   CHECK(sum.ties < sum.asked / 3);
 }
+
+} // namespace orograph::tin_scenes_test

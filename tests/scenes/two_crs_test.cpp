@@ -19,8 +19,7 @@
 #include <optional>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::two_crs_test {
 namespace {
 
 constexpr double kRadian_deg = 180 / std::numbers::pi;
@@ -288,3 +287,5 @@ TEST_CASE("a UTM grid and a degrees grid of one surface have the same skyline an
   CHECK(landmarks_mm <= geodesy_mm + refraction_mm);
   CHECK(landmarks_mm > 0); // not the same scene twice
 }
+
+} // namespace orograph::two_crs_test

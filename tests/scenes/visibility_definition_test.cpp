@@ -12,8 +12,7 @@
 #include "tests/support/random.hpp"
 #include "tests/support/sample_names.hpp"
 
-using namespace orograph;
-
+namespace orograph::visibility_definition_test {
 namespace {
 
 FlatScene cut_all(const TerrainData& terrain, const PlacedView& scene) {
@@ -77,3 +76,5 @@ TEST_CASE("and of the samples, from eight sides", "[slow]") {
     }
   }
 }
+
+} // namespace orograph::visibility_definition_test

@@ -15,8 +15,7 @@
 #include <functional>
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::voids_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(300);
@@ -211,3 +210,5 @@ TEST_CASE("voids are outlined only if asked for, and nothing else in the drawing
   CHECK(others == 0);
   CHECK(gone == 0);
 }
+
+} // namespace orograph::voids_test

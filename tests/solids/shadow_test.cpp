@@ -114,7 +114,7 @@ void ask_along(const Shadow& shadow, Vec3 from, Vec3 to, const Ask& ask, Tally& 
 
 } // namespace
 
-TEST_CASE("a triangle's shadow is what rays meet behind it") {
+TEST_CASE("a triangle's shadow is what rays meet behind it", "[slow]") {
   Tally tally;
   for (std::uint64_t n = 0; n < kLines; ++n) {
     Random random(static_cast<std::uint64_t>(n));
@@ -137,7 +137,7 @@ TEST_CASE("a triangle's shadow is what rays meet behind it") {
   CHECK(tally.seen > enough<10000>);
 }
 
-TEST_CASE("an edge of the ground hides what is behind it and lower in the picture") {
+TEST_CASE("an edge of the ground hides what is behind it and lower in the picture", "[slow]") {
   Tally tally;
   for (std::uint64_t n = 0; n < kLines; ++n) {
     Random random(static_cast<std::uint64_t>(n) + 1000000);
@@ -158,7 +158,7 @@ TEST_CASE("an edge of the ground hides what is behind it and lower in the pictur
   CHECK(tally.seen > enough<10000>);
 }
 
-TEST_CASE("what is buried is below a triangle of the ground") {
+TEST_CASE("what is buried is below a triangle of the ground", "[slow]") {
   Tally tally;
   for (std::uint64_t n = 0; n < kLines; ++n) {
     Random random(static_cast<std::uint64_t>(n) + 2000000);

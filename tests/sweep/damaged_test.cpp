@@ -174,7 +174,7 @@ TEST_CASE("files that are folders are in the way, and nothing is lost to them") 
   }
 }
 
-TEST_CASE("plans that are none, or reach beyond their folder") {
+TEST_CASE("plans that are none, or reach beyond their folder", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);
   run_well(folder, sweep_into("out"));

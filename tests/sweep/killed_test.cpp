@@ -127,7 +127,7 @@ TEST_CASE("whatever an end has left is taken up") {
   CHECK(differences(expected, contents(folder, "out")) == "");
 }
 
-TEST_CASE("Ctrl-C ends a sweep between views, and it goes on") {
+TEST_CASE("Ctrl-C ends a sweep between views, and it goes on", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);
   for (const auto& [signal_number, exit_code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {

@@ -68,7 +68,7 @@ TEST_CASE("around a terrain, in every format", "[slow]") {
                words("--azimuth 0,123.4,270 --elevation 5,90"), renders);
 }
 
-TEST_CASE("distances, fields of view, exaggerations, profiles; crossed and together") {
+TEST_CASE("distances, fields of view, exaggerations, profiles; crossed and together", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);
   const Words shared = words("--page 60x45 --margin 2 --title Hills --simplify 0.1 --occluder "

@@ -15,8 +15,7 @@
 #include <map>
 #include <set>
 
-using namespace orograph;
-
+namespace orograph::approximate_grid_test {
 namespace {
 
 // The same triangles with column and row as x and y.
@@ -280,3 +279,5 @@ TEST_CASE("mountains are approximated with few triangles, islands with a level s
     }
   }
 }
+
+} // namespace orograph::approximate_grid_test

@@ -8,8 +8,7 @@
 #include <set>
 #include <utility>
 
-using namespace orograph;
-
+namespace orograph::lattice_triangulation_test {
 namespace {
 
 using Place = std::pair<int, int>;
@@ -158,3 +157,5 @@ TEST_CASE("the insertion order has every point once, and begins with few from ev
     quarters.insert({ordered[i].column / 32, ordered[i].row / 32});
   CHECK(quarters.size() == 4);
 }
+
+} // namespace orograph::lattice_triangulation_test

@@ -10,8 +10,7 @@
 #include <limits>
 #include <set>
 
-using namespace orograph;
-
+namespace orograph::tin_of_grid_test {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -80,3 +79,5 @@ TEST_CASE("single triangles, and parts that touch at a vertex only") {
   CHECK(pinched.triangles.size() == 4);
   CHECK(pinched.neighbours == neighbours_by_pairs(pinched));
 }
+
+} // namespace orograph::tin_of_grid_test

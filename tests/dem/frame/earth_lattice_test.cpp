@@ -14,8 +14,7 @@
 #include <limits>
 #include <numbers>
 
-using namespace orograph;
-
+namespace orograph::earth_lattice_test {
 namespace {
 
 using Long = long double;
@@ -220,3 +219,5 @@ TEST_CASE("right up to the poles and on the far side; nothing beyond") {
   CHECK_THROWS_AS(EarthLattice({0, 1, 2, -89, -1, 3}, frame), Error);
   CHECK_THROWS_AS(EarthLattice({0, 1, 2, std::nan(""), -1, 3}, frame), Error);
 }
+
+} // namespace orograph::earth_lattice_test

@@ -12,8 +12,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::local_frame_test {
 TEST_CASE("places in the frame are LocalCartesian's, and come back") {
   Random random(1);
   double worst_deg = 0, worst_m = 0;
@@ -179,3 +178,5 @@ TEST_CASE("no ellipsoid: refused in a line") {
   CHECK_NOTHROW(check({}));
   CHECK_NOTHROW(check({6371000, 0}));
 }
+
+} // namespace orograph::local_frame_test

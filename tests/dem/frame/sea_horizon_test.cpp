@@ -9,8 +9,7 @@
 #include <cmath>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::sea_horizon_test {
 namespace {
 
 constexpr std::array kEyeHeights_m{2., 10., 100., 1000., 3000., 9000.};
@@ -145,3 +144,5 @@ TEST_CASE("refraction makes the dip that of an earth flatter by 1 - K") {
       CHECK(std::abs(found + dip) <= (1e-6 + height_m / 6371000) * dip);
     }
 }
+
+} // namespace orograph::sea_horizon_test

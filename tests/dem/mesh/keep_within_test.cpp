@@ -13,8 +13,7 @@
 
 #include <algorithm>
 
-using namespace orograph;
-
+namespace orograph::keep_within_test {
 namespace {
 
 Vec3 any_vertex(const Tin& tin, Random& random) {
@@ -235,3 +234,5 @@ TEST_CASE("a needle alone is cut to a valid TIN or leaves nothing") {
   CHECK(kept > enough<100>);
   CHECK(nothing > enough<100>);
 }
+
+} // namespace orograph::keep_within_test

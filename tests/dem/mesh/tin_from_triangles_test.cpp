@@ -13,8 +13,7 @@
 #include <set>
 #include <string>
 
-using namespace orograph;
-
+namespace orograph::tin_from_triangles_test {
 namespace {
 
 TriangleSoup soup_of(const Tin& tin) {
@@ -194,3 +193,5 @@ TEST_CASE("walls take the direction that reaches them through other walls") {
     CHECK_FALSE(verify(tin));
   }
 }
+
+} // namespace orograph::tin_from_triangles_test

@@ -10,8 +10,7 @@
 #include <map>
 #include <set>
 
-using namespace orograph;
-
+namespace orograph::tin_index_test {
 namespace {
 
 Vec2 ground(const Tin& tin, std::uint32_t vertex) {
@@ -204,3 +203,5 @@ TEST_CASE("triangles that have an edge in common are neighbours") {
       }
   }
 }
+
+} // namespace orograph::tin_index_test

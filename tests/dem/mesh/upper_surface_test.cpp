@@ -14,8 +14,7 @@
 #include <set>
 #include <string>
 
-using namespace orograph;
-
+namespace orograph::upper_surface_test {
 namespace {
 
 struct HighestAt {
@@ -342,3 +341,5 @@ TEST_CASE("a fin on an edge is dropped, and nothing else") {
   const Tin tin = repaired(soup);
   CHECK(tin.triangles == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}});
 }
+
+} // namespace orograph::upper_surface_test

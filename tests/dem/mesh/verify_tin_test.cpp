@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::verify_tin_test {
 namespace {
 
 using Kind = TinFault::Kind;
@@ -370,3 +369,5 @@ TEST_CASE("walls only: one that fits its neighbour is valid, one turned the othe
   REQUIRE(fault);
   CHECK(fault->kind == Kind::edge_runs_twice);
 }
+
+} // namespace orograph::verify_tin_test

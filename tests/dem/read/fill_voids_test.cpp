@@ -9,8 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-using namespace orograph;
-
+namespace orograph::fill_voids_test {
 namespace {
 
 template <class Height>
@@ -90,3 +89,5 @@ TEST_CASE("a hole in a plateau is filled level, and nothing but holes stays as i
   grid.heights_m = std::vector<double>(grid.size(), 1.0);
   CHECK(fill_voids(grid, 10).filled == 0);
 }
+
+} // namespace orograph::fill_voids_test

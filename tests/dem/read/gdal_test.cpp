@@ -24,8 +24,7 @@
 #include <thread>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::gdal_test {
 namespace {
 
 std::atomic<int> heard = 0;
@@ -148,3 +147,5 @@ TEST_CASE("several threads read at once, each with the program's handlers left a
   CHECK(same == kThreads * kTimes);
   host.check_all_is_as_it_was();
 }
+
+} // namespace orograph::gdal_test

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <sstream>
 
-using namespace orograph;
-
+namespace orograph::join_error_test {
 namespace {
 
 struct Pair {
@@ -181,3 +180,5 @@ TEST_CASE("a window of several files") {
   options.bbox = Box2{{500000, 4999950}, {500040, 4999970}};
   CHECK(pair.refusal(options) == "");
 }
+
+} // namespace orograph::join_error_test

@@ -16,8 +16,7 @@
 #include <limits>
 #include <set>
 
-using namespace orograph;
-
+namespace orograph::join_rasters_test {
 namespace {
 
 using Limits = std::numeric_limits<double>;
@@ -349,3 +348,5 @@ TEST_CASE("a file that counts to 360 and one that counts from -180 are joined") 
   options.bbox_lonlat = Box2{{-74, 44}, {-70, 46}};
   check_degrees(read_terrain(paths, options), -74, 46, 5, 3);
 }
+
+} // namespace orograph::join_rasters_test

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <map>
 
-using namespace orograph;
-
+namespace orograph::join_tiles_test {
 namespace {
 
 /// `count` columns with their first at a longitude, in steps of `step` degrees; 3 rows.
@@ -160,3 +159,5 @@ TEST_CASE("heights of any storage go to their place in a wider array") {
       }
   }
 }
+
+} // namespace orograph::join_tiles_test

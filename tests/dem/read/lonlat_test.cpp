@@ -13,8 +13,7 @@
 #include <numbers>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::lonlat_test {
 namespace {
 
 constexpr double kRadian = std::numbers::pi / 180;
@@ -213,3 +212,5 @@ TEST_CASE("on a map that isn't conformal, directions are those on the ground") {
     CHECK(apart(*back, azimuth) <= 1e-7);
   }
 }
+
+} // namespace orograph::lonlat_test

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <memory>
 
-using namespace orograph;
-
+namespace orograph::lonlat_window_test {
 namespace {
 
 class ToMap {
@@ -161,3 +160,5 @@ TEST_CASE("points by longitude and latitude") {
   CHECK(std::get<Tin>(read_terrain(folder.file("p.geojson"), options).surface).vertices_m.size() ==
         4);
 }
+
+} // namespace orograph::lonlat_window_test

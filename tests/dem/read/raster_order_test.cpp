@@ -7,8 +7,7 @@
 #include <limits>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::raster_order_test {
 namespace {
 
 bool near(Vec2 a, Vec2 b, double tolerance) {
@@ -138,3 +137,5 @@ TEST_CASE("the window's border counts, whatever rounding does to it") {
   const RasterWindow nothing = window_of(lattice, {{1e300, 0}, {1e301, 1}});
   CHECK(nothing.pixels * nothing.lines == 0);
 }
+
+} // namespace orograph::raster_order_test

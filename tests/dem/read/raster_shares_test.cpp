@@ -18,8 +18,7 @@
 #include <string>
 #include <vector>
 
-using namespace orograph;
-
+namespace orograph::raster_shares_test {
 namespace {
 
 constexpr int kPixels = 1300, kLines = 2100; // three shares
@@ -168,3 +167,5 @@ TEST_CASE("a large GeoTIFF of which parts were never written says so") {
     }
   }
 }
+
+} // namespace orograph::raster_shares_test

@@ -3,8 +3,7 @@
 #include "tests/dem/read/refused.hpp"
 #include "tests/dem/read/tin_of_file.hpp"
 
-using namespace orograph;
-
+namespace orograph::read_landxml_test {
 namespace {
 
 const std::string points = "<P id=\"1\">2000 1000 1</P><P id=\"2\">2000 1010 2</P>"
@@ -154,3 +153,5 @@ TEST_CASE("LandXML that can't be a surface is refused") {
                            "<F>1 2 7</F>")),
           {"no place on earth"});
 }
+
+} // namespace orograph::read_landxml_test

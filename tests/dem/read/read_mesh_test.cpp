@@ -7,8 +7,7 @@
 #include <bit>
 #include <cstdint>
 
-using namespace orograph;
-
+namespace orograph::read_mesh_test {
 namespace {
 
 // Two triangles over a square of 10 m, on both sides of the diagonal from 0 to 2.
@@ -322,3 +321,5 @@ TEST_CASE("files that are no meshes are refused") {
           "property float z\nend_header\n1 2 3\n",
           {"no faces", "text"});
 }
+
+} // namespace orograph::read_mesh_test

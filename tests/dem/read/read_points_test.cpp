@@ -7,8 +7,7 @@
 #include <cstdio>
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::read_points_test {
 namespace {
 
 const std::array<std::string, 3> xyz{"x", "y", "z"};
@@ -121,3 +120,5 @@ TEST_CASE("numbers are read as they were written, however many there are") {
   }
   CHECK(points_in(text).points == wanted);
 }
+
+} // namespace orograph::read_points_test

@@ -10,12 +10,11 @@
 #include <filesystem>
 #include <fstream>
 
-using namespace orograph;
-
+namespace orograph::read_raster_error_test {
 namespace {
 
 // "" if nothing is thrown.
-std::string message_of(const std::string& path, const ReadOptions& options = {}) {
+std::string raster_message(const std::string& path, const ReadOptions& options = {}) {
   try {
     read_raster(path, options);
   } catch (const Error& error) {
@@ -38,7 +37,7 @@ void refused(const RasterFile& raster, const std::vector<std::string>& words,
              const ReadOptions& options = {}) {
   const TempFolder folder;
   write_raster(raster, folder.file("dem.tif"));
-  check_message(message_of(folder.file("dem.tif"), options), words);
+  check_message(raster_message(folder.file("dem.tif"), options), words);
 }
 
 ReadOptions window(double west, double south, double east, double north) {
@@ -51,13 +50,14 @@ ReadOptions window(double west, double south, double east, double north) {
 
 TEST_CASE("files that aren't rasters are refused") {
   const TempFolder folder;
-  check_message(message_of(folder.file("missing.tif")), {"missing.tif", "no such file"});
+  check_message(raster_message(folder.file("missing.tif")), {"missing.tif", "no such file"});
   std::ofstream(folder.file("words.txt")) << "not a raster\n";
-  check_message(message_of(folder.file("words.txt")), {"words.txt", "can't be opened", "GeoTIFF"});
-  check_message(message_of(folder.path().string()), {"can't be opened"});
+  check_message(raster_message(folder.file("words.txt")),
+                {"words.txt", "can't be opened", "GeoTIFF"});
+  check_message(raster_message(folder.path().string()), {"can't be opened"});
   // An archive in which nothing is found.
   std::ofstream(folder.file("dem.zip")) << "not a zip\n";
-  check_message(message_of(folder.file("dem.zip")), {"archive", "/vsizip/"});
+  check_message(raster_message(folder.file("dem.zip")), {"archive", "/vsizip/"});
 }
 
 TEST_CASE("truncated files are refused, wherever they end") {
@@ -73,7 +73,7 @@ TEST_CASE("truncated files are refused, wherever they end") {
                                  std::filesystem::copy_options::overwrite_existing);
       std::filesystem::resize_file(cut, static_cast<std::uintmax_t>(part * double(size)));
       INFO(compression << " cut at " << part);
-      check_message(message_of(cut), {"cut.tif"});
+      check_message(raster_message(cut), {"cut.tif"});
     }
   }
 }
@@ -173,5 +173,7 @@ TEST_CASE("an open option without a value is refused") {
   options.open_options = {"NUM_THREADS=2"};
   const TempFolder folder;
   write_raster(counting_raster(4, 4), folder.file("dem.tif"));
-  CHECK(message_of(folder.file("dem.tif"), options).empty());
+  CHECK(raster_message(folder.file("dem.tif"), options).empty());
 }
+
+} // namespace orograph::read_raster_error_test

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <fstream>
 
-using namespace orograph;
-
+namespace orograph::read_raster_frame_test {
 namespace {
 
 constexpr double us_foot_m = 1200. / 3937., foot_m = 0.3048;
@@ -148,3 +147,5 @@ TEST_CASE("the geotransform that GDAL tells where there is none counts as none")
   CHECK(grid_of(terrain).height_m(0, 0) == 0);
   CHECK(has_note(terrain, "no georeference"));
 }
+
+} // namespace orograph::read_raster_frame_test

@@ -12,8 +12,7 @@
 #include <filesystem>
 #include <limits>
 
-using namespace orograph;
-
+namespace orograph::read_raster_test {
 namespace {
 
 // Every vertex where the surface has it (to the rounding of coordinates of 5e6) and as high, but
@@ -181,3 +180,5 @@ TEST_CASE("unwritten parts of a file are told") {
   raster.creation_options = {"SPARSE_OK=TRUE"};
   CHECK(has_note(read_back(raster), "never written"));
 }
+
+} // namespace orograph::read_raster_test

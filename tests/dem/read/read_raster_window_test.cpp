@@ -9,8 +9,7 @@
 
 #include <cmath>
 
-using namespace orograph;
-
+namespace orograph::read_raster_window_test {
 TEST_CASE("a window holds the vertices inside it, border included, in any storage") {
   ReadOptions options;
   options.bbox = Box2{{500015, 4999971}, {500034, 4999990}}; // columns 1 to 2, rows 1 to 3
@@ -103,3 +102,5 @@ TEST_CASE("a band other than the first") {
   options.band = 2;
   CHECK(grid_of(read_raster(folder.file("dem.tif"), options)).height_m(1, 1) == 5);
 }
+
+} // namespace orograph::read_raster_window_test

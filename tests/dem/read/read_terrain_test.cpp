@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-using namespace orograph;
-
+namespace orograph::read_terrain_test {
 namespace {
 
 VectorFile of(const std::string& wkt, const std::string& crs = "EPSG:32632") {
@@ -240,3 +239,5 @@ TEST_CASE("points that make no triangle are refused by the file's name") {
   write_text(folder.file("a.csv"), "x,y,z\n0,0,0\n");
   check_message(message_of(folder.file("a.csv")), {"a.csv"});
 }
+
+} // namespace orograph::read_terrain_test

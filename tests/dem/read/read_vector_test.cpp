@@ -9,8 +9,7 @@
 #include <cmath>
 #include <tuple>
 
-using namespace orograph;
-
+namespace orograph::read_vector_test {
 namespace {
 
 const std::string lower = "((0 0 1,10 0 2,10 10 3.5,0 0 1))";
@@ -296,3 +295,5 @@ TEST_CASE("a truncated vector file is refused") {
   write_text(folder.file("b.geojson"), "not json");
   check_message(message_of(folder.file("b.geojson")), {"b.geojson", "can't be opened"});
 }
+
+} // namespace orograph::read_vector_test

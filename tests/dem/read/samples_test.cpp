@@ -11,8 +11,7 @@
 #include <cmath>
 #include <filesystem>
 
-using namespace orograph;
-
+namespace orograph::samples_test {
 namespace {
 
 struct Sample {
@@ -152,3 +151,5 @@ TEST_CASE("noise tells its own slope") {
     CHECK(std::abs(gradient_noise(at, 3).value) <= 1.5);
   }
 }
+
+} // namespace orograph::samples_test

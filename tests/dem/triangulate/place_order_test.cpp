@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-using namespace orograph;
-
+namespace orograph::place_order_test {
 namespace {
 
 // The length of the way through all places in the order.
@@ -84,3 +83,5 @@ TEST_CASE("the order of different places doesn't depend on their numbers") {
   for (const std::uint32_t i : hilbert_order(reversed)) again.push_back(reversed[i]);
   CHECK(ordered == again);
 }
+
+} // namespace orograph::place_order_test

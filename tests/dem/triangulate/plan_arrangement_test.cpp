@@ -9,8 +9,7 @@
 #include <cmath>
 #include <set>
 
-using namespace orograph;
-
+namespace orograph::plan_arrangement_test {
 namespace {
 
 /// Exact for coordinates from 1/4 to 8: they are multiples of 2^-58.
@@ -84,3 +83,5 @@ TEST_CASE("lines are bent so that they cross at their points only") {
       }
   }
 }
+
+} // namespace orograph::plan_arrangement_test

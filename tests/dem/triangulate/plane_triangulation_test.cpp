@@ -9,8 +9,7 @@
 #include <cmath>
 #include <set>
 
-using namespace orograph;
-
+namespace orograph::plane_triangulation_test {
 namespace {
 
 struct Lines {
@@ -129,3 +128,5 @@ TEST_CASE("a place is told by its vertex, its edge or its triangle, exactly") {
     if (vertex == 0) at_start = share;
   CHECK(at_start == 0.5);
 }
+
+} // namespace orograph::plane_triangulation_test

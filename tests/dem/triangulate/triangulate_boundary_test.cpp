@@ -9,8 +9,7 @@
 #include <numbers>
 #include <optional>
 
-using namespace orograph;
-
+namespace orograph::triangulate_boundary_test {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -231,3 +230,5 @@ TEST_CASE("long triangles go from the border inwards until none is left there") 
     CHECK(expected == found);
   }
 }
+
+} // namespace orograph::triangulate_boundary_test

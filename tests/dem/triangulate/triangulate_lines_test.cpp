@@ -10,8 +10,7 @@
 #include <set>
 #include <string>
 
-using namespace orograph;
-
+namespace orograph::triangulate_lines_test {
 namespace {
 
 constexpr double kTolerance = 1e-9;
@@ -275,3 +274,5 @@ TEST_CASE("many lines through one place, or nearly the same line, split at few v
   CHECK(met.counts.crossings == 1);
   CHECK_FALSE(verify(triangulate(bundle).tin));
 }
+
+} // namespace orograph::triangulate_lines_test

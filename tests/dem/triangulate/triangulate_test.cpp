@@ -10,8 +10,7 @@
 #include <set>
 #include <string>
 
-using namespace orograph;
-
+namespace orograph::triangulate_test {
 namespace {
 
 void check_neighbours(const Tin& tin) {
@@ -253,3 +252,5 @@ TEST_CASE("the least longest edge is told, and keeps something") {
     CHECK(complaint(scattered) != "");
   }
 }
+
+} // namespace orograph::triangulate_test

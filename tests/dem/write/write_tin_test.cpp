@@ -18,8 +18,7 @@
 #include <memory>
 #include <sstream>
 
-using namespace orograph;
-
+namespace orograph::write_tin_test {
 namespace {
 
 std::string wkt_of(int epsg) {
@@ -290,3 +289,5 @@ TEST_CASE("a full disk is an error wherever it fills up, and so is a missing fol
     CHECK_THROWS_AS(write_tin(terrain, folder.file("no/tin.gpkg"), format), Error);
   }
 }
+
+} // namespace orograph::write_tin_test
