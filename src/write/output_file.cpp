@@ -15,7 +15,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
@@ -73,29 +72,6 @@ void remove_with_companions(const char* path) {
   }
 }
 
-sigset_t interrupting_signals() {
-  sigset_t set;
-  sigemptyset(&set);
-  sigaddset(&set, SIGINT);
-  sigaddset(&set, SIGTERM);
-  return set;
-}
-
-// Keeps SIGINT and SIGTERM waiting in this thread as long as it lives.
-class SignalPause {
-public:
-  SignalPause() {
-    const sigset_t set = interrupting_signals();
-    pthread_sigmask(SIG_BLOCK, &set, &before_);
-  }
-  ~SignalPause() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalPause(const SignalPause&) = delete;
-  SignalPause& operator=(const SignalPause&) = delete;
-
-private:
-  sigset_t before_;
-};
-
 namespace fs = std::filesystem;
 
 Error exists_error(const std::string& path) {
@@ -124,23 +100,27 @@ void check_place(const std::string& path, bool overwrite) {
 }
 
 // Process and counter tell it from those of other runs and threads; O_EXCL from any left over.
-// With its number among the files to be removed.
+// With its number among the files to be removed: noted before it is there, since a signal may come
+// to any thread at any time.
 std::pair<std::string, std::size_t> create_temporary(const std::string& path) {
   static std::atomic<unsigned> counter = 0;
   const fs::path place(path);
-  const SignalPause pause;
   for (;;) {
     const std::string name =
         fmt::format(".orograph-{}-{}{}", ::getpid(), counter++, place.extension().string());
     std::string temporary = (place.parent_path() / name).string();
+    const std::optional<std::size_t> number = note_for_removal(temporary);
+    if (!number)
+      throw Error(path + " is one output too many at a time, or its path is too long",
+                  "up to 256 at a time, with paths under 4096 bytes", ErrorCode::output);
     const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0 && errno == EEXIST) continue;
-    if (descriptor < 0) throw write_error(path, errno);
-    ::close(descriptor);
-    if (const auto number = note_for_removal(temporary)) return {temporary, *number};
-    ::unlink(temporary.c_str());
-    throw Error(path + " is one output too many at a time, or its path is too long",
-                "up to 256 at a time, with paths under 4096 bytes", ErrorCode::output);
+    if (descriptor >= 0) {
+      ::close(descriptor);
+      return {temporary, *number};
+    }
+    const int error_number = errno;
+    forget_removal(*number);
+    if (error_number != EEXIST) throw write_error(path, error_number);
   }
 }
 
