@@ -4,6 +4,7 @@
 
 #include "dem/grid.hpp"
 #include "profiles/facing.hpp"
+#include "profiles/lattice_order.hpp"
 #include "profiles/mesh.hpp"
 #include "view/view.hpp"
 
@@ -22,26 +23,6 @@ namespace orograph {
 // above that plane; in a parallel view, where walking away along F raises Y. Both are one
 // expression of gc and gr. That decides nearly all triangles; the few signs within its rounding are
 // asked of `facing_of`.
-
-// Where the eye is on the ground, in cell coordinates; in a parallel view a direction to it.
-struct EyeInCells {
-  double column, row, height;
-};
-
-// Its height is one before exaggeration.
-inline EyeInCells eye_in_cells(const Grid& grid, const View& view) {
-  const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
-  const double area = cross(column_step_m, row_step_m);
-  const auto solve = [&](Vec2 v) {
-    return Vec2{cross(v, row_step_m) / area, cross(column_step_m, v) / area};
-  };
-  if (!view.is_perspective()) {
-    const Vec2 back = solve(view.x_per_v * view.right - view.forward);
-    return {back.x, back.y, 0};
-  }
-  const Vec2 at = solve(view.depth_origin_m - first_vertex_m);
-  return {at.x, at.y, view.eye_z_m / view.exaggeration};
-}
 
 // The facing of a row of cells. The loop over a row is plain arithmetic without branches, for the
 // vector units; in float, where heights are.

@@ -33,7 +33,7 @@ PassFound pass_front_to_back(const StagedView& view, const std::vector<EdgeLine>
     for (const auto& strip : strips) strip->finish();
   });
   for (const auto& strip : strips) {
-    const std::vector<LinePart>& parts = strip->lines().visible_parts();
+    const std::vector<LinePart>& parts = strip->visible_parts();
     found.visible.insert(found.visible.end(), parts.begin(), parts.end());
   }
   return found;

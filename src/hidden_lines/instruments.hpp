@@ -2,7 +2,7 @@
 // What is changed, watched and timed of a run, beyond what a user may ask for.
 #pragma once
 
-#include "hidden_lines/line_pass.hpp"
+#include "hidden_lines/line_pictures.hpp"
 #include "hidden_lines/strips.hpp"
 #include "horizon/clip.hpp"
 #include "profiles/profile.hpp"
@@ -25,7 +25,7 @@ struct SeenProfile {
 struct SeenLines {
   const Sector& sector;
   XRange clipped;
-  const LinePass& lines;
+  const LinePictures& lines;
   const std::vector<LinePart>& visible; ///< by line
 };
 

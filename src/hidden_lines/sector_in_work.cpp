@@ -9,10 +9,14 @@
 namespace orograph {
 namespace {
 
+// Where a profile crosses what hides, rounding may leave a slit: a share of a span, far below the
+// page's step.
+constexpr double kSlit = 1e-9;
+
 // Whether nothing is between a run's end and the next one's begin.
 bool meet(const ProfileInWork& work, const VisibleRun& a, const VisibleRun& b) {
-  if (a.last == b.first) return a.t_end == b.t_begin;
-  if (a.t_end < 1 || b.t_begin > 0) return false;
+  if (a.last == b.first) return b.t_begin <= a.t_end + kSlit;
+  if (a.t_end < 1 - kSlit || b.t_begin > kSlit) return false;
   // Between the two spans are at most some without any extent in X.
   for (std::uint32_t i = a.last + 1; i < b.first; ++i)
     if (work.profile.after[i] == Span::gap || work.profile.after[i] == Span::wall ||
@@ -31,7 +35,8 @@ void join_strips(ProfileInWork& work) {
   const auto in_order = [](const VisibleRun& a, const VisibleRun& b) {
     return a.first != b.first ? a.first < b.first : a.t_begin < b.t_begin;
   };
-  if (!work.uprights.empty()) std::sort(visible.begin(), visible.end(), in_order);
+  if (!std::is_sorted(visible.begin(), visible.end(), in_order))
+    std::sort(visible.begin(), visible.end(), in_order);
   std::size_t count = 0;
   for (const VisibleRun& run : visible) {
     if (count > 0 && meet(work, visible[count - 1], run)) {

@@ -26,6 +26,7 @@ namespace orograph {
 /// A profile and what is found of it. Memory is reused from profile to profile.
 struct ProfileInWork {
   PlannedProfile planned{};
+  std::size_t index = 0; ///< among the sector's
   Profile profile;
   ProjectedProfile projected;
   std::vector<Segment> uprights;                 ///< along walls

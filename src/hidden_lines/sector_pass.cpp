@@ -4,6 +4,7 @@
 #include "draw/round_drawing.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "hidden_lines/instruments.hpp"
+#include "hidden_lines/lattice_pass.hpp"
 #include "hidden_lines/profile_strokes.hpp"
 #include "hidden_lines/solid_lines.hpp"
 #include "hidden_lines/strip_pass.hpp"
@@ -39,8 +40,8 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
   const View& view = sector.view;
   const auto which = lines_by_range(work.terrain.surface, sector, work.lines,
                                     std::span(&work.range, 1), work.from_m);
-  LinePass lines(work.terrain.surface, sector, work.lines, which.front(), work.range, work.from_m,
-                 work.tolerance);
+  const LinePictures pictures(work.terrain.surface, sector, work.lines, work.range, work.from_m);
+  LinePass lines(pictures, which.front(), work.tolerance);
   if (instruments.occluders) lines.record(*instruments.occluders);
   const ClipOptions options{surface ? Role::compared : Role::drawn_occluder, work.tolerance,
                             instruments.collapse};
@@ -86,7 +87,7 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
     watch.mark(seconds.project);
     auto& visible = profile.by_strip.front();
     visible.clear();
-    add_visible_uprights(profile, view, work.range, horizon, lines.rounding_m(), visible);
+    add_visible_uprights(profile, view, work.range, horizon, pictures.rounding_m(), visible);
     clip(segments, horizon, options, workspace);
     for (const Piece& piece : workspace.visible) {
       const std::uint32_t vertex = left_vertex(segments[piece.segment]);
@@ -109,7 +110,7 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
   counts.ties += workspace.ties;
   counts.pieces_before_collapse += workspace.pieces_uncollapsed;
   counts.pieces_after_collapse += workspace.pieces_collapsed;
-  SectorParts out{lines.visible_parts(), lines.skyline(horizon)};
+  SectorParts out{lines.visible_parts(), pictures.skyline(horizon)};
   join(out.visible);
   out.skyline = shared(out.skyline, out.visible);
   watch.mark(seconds.layout);
@@ -184,16 +185,19 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     profile_done();
   };
   watch.mark(seconds.facing);
+  const Grid* grid = std::get_if<Grid>(&terrain.surface);
+  const bool has_order = grid && !grid->is_on_earth();
   const SectorParts found_parts =
-      in_list ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)
-              : strips_pass(work, lay_out, show, counts, seconds);
+      in_list     ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)
+      : has_order ? lattice_pass(work, lay_out, show, counts, seconds)
+                  : strips_pass(work, lay_out, show, counts, seconds);
 
   watch = {};
-  const LinePass every_line(terrain.surface, sector, lines, {}, work.range, work.from_m, tolerance);
+  const LinePictures every_line(terrain.surface, sector, lines, work.range, work.from_m);
   SectorLines out;
   out.skyline = found_parts.skyline;
   out.visible = without(found_parts.visible, out.skyline);
-  out.folded = folds(every_line, out.visible, terrain.surface, view, style.silhouette_jump,
+  out.folded = folds(every_line, out.visible, terrain.surface, style.silhouette_jump,
                      sector.farthest_m - sector.nearest_m);
   out.visible = without(out.visible, out.folded);
   watch.mark(seconds.layout);

@@ -322,7 +322,7 @@ void leave_out_behind(const SolidsInView& solids, const Profile& profile,
   runs = std::move(left);
 }
 
-std::vector<LinePart> not_behind(const SolidsInView& solids, const LinePass& lines,
+std::vector<LinePart> not_behind(const SolidsInView& solids, const LinePictures& lines,
                                  const std::vector<LinePart>& parts) {
   std::vector<LinePart> left;
   left.reserve(parts.size());

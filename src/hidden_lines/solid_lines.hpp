@@ -5,7 +5,7 @@
 
 #include "dem/terrain.hpp"
 #include "hidden_lines/line_parts.hpp"
-#include "hidden_lines/line_pass.hpp"
+#include "hidden_lines/line_pictures.hpp"
 #include "horizon/clip_profile.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/profile.hpp"
@@ -47,7 +47,7 @@ void leave_out_behind(const SolidsInView& solids, const Profile& profile,
                       std::vector<VisibleRun>& runs);
 
 /// The same of parts of lines, by line.
-std::vector<LinePart> not_behind(const SolidsInView& solids, const LinePass& lines,
+std::vector<LinePart> not_behind(const SolidsInView& solids, const LinePictures& lines,
                                  const std::vector<LinePart>& parts);
 
 } // namespace orograph

@@ -3,6 +3,7 @@
 
 #include "geometry/on_all_cores.hpp"
 #include "hidden_lines/instruments.hpp"
+#include "hidden_lines/profile_stages.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,10 +17,11 @@
 namespace orograph {
 StripPass::StripPass(const SectorInWork& work, const Strip& strip,
                      std::span<const LineAtDepth> which, std::span<const Segment> near_cut)
-    : work_(work), range_(strip.range), lines_(work.terrain.surface, work.sector, work.lines, which,
-                                               strip.range, work.from_m, work.tolerance),
-      horizon_(strip.core.begin, strip.core.end, strip.blocks, lines_.looked_at().begin,
-               lines_.looked_at().end),
+    : work_(work), range_(strip.range),
+      pictures_(work.terrain.surface, work.sector, work.lines, strip.range, work.from_m),
+      lines_(pictures_, which, work.tolerance),
+      horizon_(strip.core.begin, strip.core.end, strip.blocks, pictures_.looked_at().begin,
+               pictures_.looked_at().end),
       planes_(work) {
   for (const Segment& s : near_cut)
     if (s.x0 <= range_.end && s.x1 >= range_.begin) horizon_.raise({s.x0, s.x1, s, false});
@@ -32,7 +34,8 @@ void StripPass::take_lines(double to_m) {
 void StripPass::take_profile(const ProfileInWork& profile, std::vector<VisibleRun>& visible) {
   visible.clear();
   clip_profile(profile.projected, range_, horizon_, work_.tolerance, visible, counts_);
-  add_visible_uprights(profile, work_.sector.view, range_, horizon_, lines_.rounding_m(), visible);
+  add_visible_uprights(profile, work_.sector.view, range_, horizon_, pictures_.rounding_m(),
+                       visible);
 }
 
 void StripPass::finish() {
@@ -86,10 +89,9 @@ std::size_t batch_size(const PlacedView& placed, const Sector& sector) {
 class StripsPass {
 public:
   StripsPass(const SectorInWork& work, const LayOut& lay_out)
-      : work_(work), lay_out_(lay_out), size_(batch_size(work.placed, work.sector)),
-        strips_(strips_of(work)), strip_seconds_(strips_.size()) {
+      : work_(work), size_(batch_size(work.placed, work.sector)), strips_(strips_of(work)),
+        strip_seconds_(strips_.size()), stages_(work, lay_out, strips_.size()) {
     for (auto& batch : batches_) batch.resize(size_);
-    if (work.ground) over_blocks_.emplace(std::get<Grid>(work.terrain.surface), work.sector.view);
   }
 
   void run(const Show& show, Counts& counts) {
@@ -104,9 +106,9 @@ public:
         if (task < strip_tasks)
           clip(clipping, to_clip, task);
         else if (task < strip_tasks + to_cut)
-          cut(cutting[task - strip_tasks], round * size_ + task - strip_tasks);
+          stages_.cut(cutting[task - strip_tasks], round * size_ + task - strip_tasks);
         else
-          lay_out(laying[task - strip_tasks - to_cut]);
+          stages_.lay_out(laying[task - strip_tasks - to_cut]);
       });
       for (std::size_t i = 0; i < to_lay; ++i) {
         count(laying[i].profile, counts);
@@ -120,72 +122,22 @@ public:
     });
   }
 
-  SectorParts found() const {
-    SectorParts out;
-    std::size_t count = 0;
-    for (const auto& strip : strips_) count += strip->lines().visible_parts().size();
-    out.visible.reserve(count);
-    for (const auto& strip : strips_) {
-      throw_if_stopped();
-      const auto& parts = strip->lines().visible_parts();
-      out.visible.insert(out.visible.end(), parts.begin(), parts.end());
-      const std::vector<LinePart> skyline = strip->lines().skyline(strip->horizon().joined());
-      out.skyline.insert(out.skyline.end(), skyline.begin(), skyline.end());
-    }
-    join(out.visible);
-    join(out.skyline);
-    out.skyline = shared(out.skyline, out.visible);
-    return out;
-  }
+  SectorParts found() const { return parts_of(strips_); }
 
   void add_to(Counts& counts, StageSeconds& seconds) const {
-    for (const auto& strip : strips_) {
-      counts.ties += strip->counts().ties;
-      counts.pieces_before_collapse += strip->horizon().pieces_uncollapsed();
-      counts.pieces_after_collapse += strip->horizon().pieces_collapsed();
-    }
+    add_counts(strips_, counts);
     for (const double strip_s : strip_seconds_) seconds.clip += strip_s;
     for (const auto& batch : batches_)
-      for (const Timed& timed : batch) {
-        seconds.cut += timed.cut_s;
-        seconds.project += timed.project_s;
-        seconds.layout += timed.layout_s;
-      }
+      for (const TimedProfile& timed : batch) timed.add_to(seconds);
   }
 
 private:
-  struct Timed {
-    ProfileInWork profile;
-    std::vector<URange> parts;
-    double cut_s = 0, project_s = 0, layout_s = 0;
-  };
-
   std::size_t in_batch(std::size_t batch) const {
     const std::size_t all = work_.sector.profiles.size();
     return batch * size_ < all ? std::min(size_, all - batch * size_) : 0;
   }
 
-  void cut(Timed& timed, std::size_t number) const {
-    Stopwatch watch;
-    ProfileInWork& profile = timed.profile;
-    const View& view = work_.sector.view;
-    profile.planned = work_.sector.profiles[number];
-    profile.by_strip.resize(strips_.size());
-    profile.horizon_sizes.resize(strips_.size());
-    const double depth_m = profile.planned.depth_m;
-    const URange asked = work_.whole_profiles ? URange{} : u_range(view, depth_m, work_.range);
-    if (over_blocks_)
-      over_blocks_->seen_parts(depth_m, asked, *work_.ground, timed.parts);
-    else
-      timed.parts.assign(1, asked);
-    work_.cutter.cut(depth_m, timed.parts, profile.profile);
-    watch.mark(timed.cut_s);
-    project_profile(profile.profile, static_cast<std::uint32_t>(profile.planned.number), view,
-                    profile.projected, profile.uprights);
-    watch.mark(timed.project_s);
-  }
-
-  void clip(std::vector<Timed>& batch, std::size_t count, std::size_t number) {
+  void clip(std::vector<TimedProfile>& batch, std::size_t count, std::size_t number) {
     Stopwatch watch;
     StripPass& strip = *strips_[number];
     for (std::size_t i = 0; i < count; ++i) {
@@ -197,28 +149,12 @@ private:
     watch.mark(strip_seconds_[number]);
   }
 
-  void lay_out(Timed& timed) const {
-    Stopwatch watch;
-    join_strips(timed.profile);
-    lay_out_(timed.profile);
-    watch.mark(timed.layout_s);
-  }
-
-  static void count(const ProfileInWork& profile, Counts& counts) {
-    counts.cut_vertices += profile.profile.size();
-    for (const VertexRun& run : profile.projected.runs) counts.segments += run.last - run.first;
-    const auto& sizes = profile.horizon_sizes;
-    counts.largest_horizon = std::max(
-        counts.largest_horizon, std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0}));
-  }
-
   const SectorInWork& work_;
-  const LayOut& lay_out_;
-  std::optional<PlaneOverBlocks> over_blocks_;
   std::size_t size_; ///< profiles in a batch
   std::vector<std::unique_ptr<StripPass>> strips_;
   std::vector<double> strip_seconds_;
-  std::array<std::vector<Timed>, 3> batches_;
+  ProfileStages stages_;
+  std::array<std::vector<TimedProfile>, 3> batches_;
 };
 
 } // namespace

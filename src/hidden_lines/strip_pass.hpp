@@ -32,7 +32,9 @@ public:
   /// Lines behind the last profile.
   void finish();
 
-  const LinePass& lines() const { return lines_; }
+  /// All that was visible so far.
+  const std::vector<LinePart>& visible_parts() const { return lines_.visible_parts(); }
+  const LinePictures& pictures() const { return pictures_; }
   const BlockedHorizon& horizon() const { return horizon_; }
   const ProfileClipCounts& counts() const { return counts_; }
 
@@ -41,6 +43,7 @@ private:
 
   const SectorInWork& work_;
   XRange range_;
+  LinePictures pictures_;
   LinePass lines_;
   BlockedHorizon horizon_;
   SlabPlanes planes_;

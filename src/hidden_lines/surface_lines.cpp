@@ -109,17 +109,17 @@ std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& pla
   return lines;
 }
 
-std::vector<LinePart> folds(const LinePass& pass, const std::vector<LinePart>& parts,
-                            const Surface& surface, const View& view, double share,
-                            double parallel_depth_m) {
+std::vector<LinePart> folds(const LinePictures& lines, const std::vector<LinePart>& parts,
+                            const Surface& surface, double share, double parallel_depth_m) {
   std::vector<LinePart> out;
   if (share <= 0) return out;
+  const View& view = lines.sector().view;
   const GroundBehind ground(surface, view);
   const auto is_fold = [&](const LinePart& part) {
-    if (pass.line(part.line).kind != LineKind::silhouette) return false;
-    const ProfilePoint middle = pass.point(part.line, 0.5 * (part.t_begin + part.t_end));
+    if (lines.line(part.line).kind != LineKind::silhouette) return false;
+    const ProfilePoint middle = lines.point(part.line, 0.5 * (part.t_begin + part.t_end));
     const double depth = view.is_perspective() ? middle.v : parallel_depth_m;
-    return ground.rises_within(pass.line(part.line).edge, middle, share * depth);
+    return ground.rises_within(lines.line(part.line).edge, middle, share * depth);
   };
   constexpr std::size_t kPartsOfTask = 1024;
   std::vector<std::uint8_t> folds(parts.size());

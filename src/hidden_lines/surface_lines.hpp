@@ -2,7 +2,7 @@
 // Which lines are taken beside the profiles, and which of the visible ones are worth drawing.
 #pragma once
 
-#include "hidden_lines/line_pass.hpp"
+#include "hidden_lines/line_pictures.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/seen_ground.hpp"
 
@@ -18,8 +18,7 @@ std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& pla
 /// The parts of silhouettes behind which the ground comes up again within a share of the depth
 /// (`Style::silhouette_jump`): folds of a slope, not ridges. In a parallel view, which has no eye
 /// to be far from, the share is of the terrain's own extent in depth, `parallel_depth_m`.
-std::vector<LinePart> folds(const LinePass& pass, const std::vector<LinePart>& parts,
-                            const Surface& surface, const View& view, double share,
-                            double parallel_depth_m);
+std::vector<LinePart> folds(const LinePictures& lines, const std::vector<LinePart>& parts,
+                            const Surface& surface, double share, double parallel_depth_m);
 
 } // namespace orograph

@@ -183,6 +183,12 @@ void clip_profile(const ProjectedProfile& profile, XRange range, BlockedHorizon&
   for (const VertexRun& run : profile.runs) clip.clip(run, range);
 }
 
+void clip_run(const ProjectedProfile& profile, VertexRun run, XRange range, BlockedHorizon& horizon,
+              const TieTolerance& tolerance, std::vector<VisibleRun>& visible,
+              ProfileClipCounts& counts) {
+  RunClip(profile, horizon, tolerance, visible, counts).clip(run, range);
+}
+
 namespace {
 
 template <class AnyHorizon>

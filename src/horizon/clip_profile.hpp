@@ -40,6 +40,11 @@ void clip_profile(const ProjectedProfile& profile, XRange range, BlockedHorizon&
                   const TieTolerance& tolerance, std::vector<VisibleRun>& visible,
                   ProfileClipCounts& counts);
 
+/// The same of one of its runs, or of a part of one.
+void clip_run(const ProjectedProfile& profile, VertexRun run, XRange range, BlockedHorizon& horizon,
+              const TieTolerance& tolerance, std::vector<VisibleRun>& visible,
+              ProfileClipCounts& counts);
+
 /// What of each upright segment (x0 == x1; a profile's way up or down a wall that the eye sees) is
 /// above `horizon`, as pieces numbered by `uprights`. Where the horizon has a step at that X, its
 /// lower side counts: the wall's own top stands on the higher one. `beside` is what is that close

@@ -134,6 +134,21 @@ double last_x(const SurfaceLine& line) {
 
 } // namespace
 
+template <class AnyHorizon>
+void add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
+                       const TieTolerance& tolerance, std::vector<VisibleLinePart>& parts) {
+  above_horizon(line, horizon, tolerance,
+                [&](Stretch seen) { append(parts, number, seen.begin, seen.end); });
+}
+template void add_above_horizon(const SurfaceLine&, std::uint32_t, const BlockedHorizon&,
+                                const TieTolerance&, std::vector<VisibleLinePart>&);
+
+void add_above_height(const SurfaceLine& line, std::uint32_t number, double height,
+                      std::vector<VisibleLinePart>& parts) {
+  const Stretch seen = upright_above(line, height);
+  append(parts, number, seen.begin, seen.end);
+}
+
 // Adds where `behind` is hidden by `front`: where that is nearer and higher, or tied with it.
 void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t front,
                               std::uint32_t behind, const TieTolerance& tolerance) {

@@ -49,6 +49,15 @@ struct VisibleLinePart {
   double t_begin, t_end;
 };
 
+/// Appends to `parts`, left to right, what of a line that isn't upright is above `horizon`.
+template <class AnyHorizon> // Horizon or BlockedHorizon
+void add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
+                       const TieTolerance& tolerance, std::vector<VisibleLinePart>& parts);
+/// The same of a line straight away from the eye that has `height` in front of it. Of one that
+/// doesn't rise nothing is: its own nearer end hides it.
+void add_above_height(const SurfaceLine& line, std::uint32_t number, double height,
+                      std::vector<VisibleLinePart>& parts);
+
 /// Finds, slab by slab, what is visible of lines on the surface, and raises a horizon by those that
 /// hide. Memory is reused from slab to slab.
 class SlabHorizon {

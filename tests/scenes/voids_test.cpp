@@ -70,8 +70,13 @@ const Layer* layer_of(const Drawing& drawing, const std::string& name) {
   return nullptr;
 }
 
+// A stretch ends where either of two lines that meet there crosses it, which is a few ulp apart.
 bool holds(const Layer& layer, Vec3 at) {
-  return std::find(layer.map.begin(), layer.map.end(), at) != layer.map.end();
+  constexpr double kSame_m = 1e-8;
+  return std::any_of(layer.map.begin(), layer.map.end(), [&](const Vec3& p) {
+    return std::abs(p.x - at.x) <= kSame_m && std::abs(p.y - at.y) <= kSame_m &&
+           std::abs(p.z - at.z) <= kSame_m;
+  });
 }
 
 // Height of the ground at a point or, at the border, a hair beside it.

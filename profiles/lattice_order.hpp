@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The order in which the triangles and edges of a grid on a map plane may hide each other: that of
+// its own rows and columns, outwards from the eye (docs/lattice-order.md).
+#pragma once
+
+#include "dem/grid.hpp"
+#include "profiles/triangles.hpp"
+#include "view/view.hpp"
+
+#include <cstdint>
+
+namespace orograph {
+
+/// Where the eye is on the ground, in cell coordinates: columns east and rows south of the grid's
+/// first vertex; in a parallel view a direction to it.
+struct EyeInCells {
+  double column, row, height; ///< the height before exaggeration
+};
+EyeInCells eye_in_cells(const Grid& grid, const View& view);
+
+/// Every triangle and every edge has a turn. What stands in front of something else along a ray has
+/// the lesser turn; an edge's is between those of its two triangles. (An edge that runs along a
+/// ray hides nothing; of several such edges of one lattice line those nearer to the eye come
+/// first.)
+///
+/// Cells are taken strip by strip, rows or columns of cells, those nearer to the eye first, and
+/// within a strip those nearer to the eye first.
+class LatticeOrder {
+public:
+  /// Strips are the rows if `rows_are_strips`, otherwise the columns. The order is right with
+  /// either; the one whose lines the view's rays cross more steeply makes shorter profiles wait.
+  LatticeOrder(int columns, int rows, const EyeInCells& eye, bool is_parallel,
+               bool rows_are_strips);
+  /// Takes the better one. REQUIRES a grid on a map plane.
+  LatticeOrder(const Grid& grid, const View& view);
+
+  using Turn = std::uint64_t;
+  Turn turn(SurfaceEdge edge) const;
+  Turn turn(int column, int row, Half half) const;
+  /// Of the nearer triangle of a cell: its strip, and its number in that.
+  Turn turn_of_nearer(int strip, int cell) const {
+    return turn_at(strips_.place_of_cell(strip), cells_.place_of_cell(cell), Step::near);
+  }
+
+  bool rows_are_strips() const { return rows_are_strips_; }
+  /// Whether the lower triangle of a cell is in front of its diagonal.
+  bool is_lower_near(int column, int row) const {
+    return eye_across_ < static_cast<double>(column - row);
+  }
+
+  /// A place in the order: first the edges along a line of the lattice, then what is in the strip
+  /// of cells behind it. The eye's own strip comes without a line, a side's last line without a
+  /// strip.
+  struct Place {
+    static constexpr int kNone = -1;
+    int line, strip; ///< rows, or columns
+  };
+  std::uint32_t place_count() const { return strips_.place_count(); }
+  Place place(std::uint32_t number) const;
+  /// Of the strip.
+  std::uint32_t place_of_strip(int strip) const { return strips_.place_of_cell(strip); }
+  /// From the first to the last place that holds something of the strips and lines between two
+  /// rows, or columns.
+  struct Places {
+    std::uint32_t first, last;
+  };
+  Places places_between(int low, int high) const;
+  static std::uint32_t place_of(Turn turn) {
+    return static_cast<std::uint32_t>(turn >> kPlaceBits);
+  }
+  static bool is_on_line(Turn turn) { return ((turn >> kInsideBit) & 1U) == 0; }
+
+  /// Within a strip cells are taken from `first_outwards` on with rising numbers, then those before
+  /// it with falling ones.
+  int first_outwards() const { return cells_.first_plus; }
+  bool goes_back(Turn turn) const {
+    return static_cast<std::uint32_t>(turn >> 2U & kCellMask) >= cells_.minus_place();
+  }
+  static bool is_upright(Turn turn) { return (turn & 3U) == static_cast<Turn>(Step::upright); }
+  static bool is_diagonal(Turn turn) { return (turn & 3U) == static_cast<Turn>(Step::diagonal); }
+
+private:
+  // Of cells in a row about the eye. Places of cells with rising numbers, one more for the line
+  // behind the last of them, then those of cells with falling numbers, and one more.
+  struct Outwards {
+    double eye;        // in cells
+    int count;         // cells
+    int first_plus;    // with rising numbers
+    int first_minus;   // with falling ones; -1: none
+    std::uint32_t own; // places before those of first_plus
+
+    std::uint32_t minus_place() const {
+      return own + static_cast<std::uint32_t>(count - first_plus) + 1;
+    }
+    std::uint32_t place_count() const {
+      return minus_place() + static_cast<std::uint32_t>(first_minus + 2);
+    }
+    std::uint32_t place_of_cell(int cell) const;
+    // The cell behind a line has the line's place.
+    std::uint32_t place_of_line(int line) const {
+      return line > eye ? own + static_cast<std::uint32_t>(line - first_plus)
+                        : minus_place() + static_cast<std::uint32_t>(first_minus + 1 - line);
+    }
+  };
+  static Outwards outwards(double eye, int count, bool keeps_eye_apart);
+
+  static constexpr unsigned kInsideBit = 33, kPlaceBits = 34;
+  static constexpr Turn kCellMask = (Turn{1} << (kInsideBit - 2U)) - 1;
+  enum class Step : std::uint64_t { upright = 0, near = 1, diagonal = 2, far = 3 };
+  static Turn turn_at(std::uint32_t place, std::uint32_t cell, Step step) {
+    return (Turn{place} << kPlaceBits) | (Turn{1} << kInsideBit) | (Turn{cell} << 2U) |
+           static_cast<Turn>(step);
+  }
+
+  std::uint32_t columns_;
+  bool rows_are_strips_;
+  double eye_across_; ///< columns less rows
+  Outwards strips_, cells_;
+};
+
+} // namespace orograph

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/lattice_pass.hpp"
+
+#include "geometry/on_all_cores.hpp"
+#include "hidden_lines/instruments.hpp"
+#include "hidden_lines/lattice_strip.hpp"
+#include "hidden_lines/profile_stages.hpp"
+#include "hidden_lines/strips.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace orograph {
+namespace {
+
+// Places are taken so many at a time that the profiles that begin there, where they run along the
+// strips of cells, stay in the cache: some 40 bytes a vertex.
+constexpr double kVerticesABand = 32768;
+constexpr double kLeastPlaces = 8, kMostPlaces = 64;
+
+std::uint32_t places_of_band(const LatticeInWork& lattice) {
+  const int cells =
+      (lattice.order.rows_are_strips() ? lattice.grid.columns : lattice.grid.rows) - 1;
+  return static_cast<std::uint32_t>(
+      std::clamp(kVerticesABand / (2.0 * cells), kLeastPlaces, kMostPlaces));
+}
+
+// Where the plane at a depth cuts the terrain, at most.
+LatticeOrder::Places places_of(const LatticeInWork& lattice, double depth_m) {
+  const View& view = lattice.work.sector.view;
+  const PlaneLattice& plane = lattice.grid.plane();
+  double low = 0, high = -1; // strips, from one of the grid's corners to another
+  bool any = false;
+  const std::array<std::pair<int, int>, 4> corners{
+      {{0, 0},
+       {lattice.grid.columns - 1, 0},
+       {lattice.grid.columns - 1, lattice.grid.rows - 1},
+       {0, lattice.grid.rows - 1}}};
+  const auto frame = [&](std::size_t i) {
+    const Vec2 at =
+        plane.position_m(corners[i % 4].first, corners[i % 4].second) - view.depth_origin_m;
+    return Vec2{dot(at, view.right), dot(at, view.forward)};
+  };
+  const URange shown =
+      lattice.work.whole_profiles ? URange{} : u_range(view, depth_m, lattice.work.range);
+  double u_low = shown.high_m, u_high = shown.low_m;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec2 a = frame(i), b = frame(i + 1);
+    if ((a.y < depth_m) == (b.y < depth_m)) continue;
+    const double u =
+        std::clamp(a.x + (depth_m - a.y) / (b.y - a.y) * (b.x - a.x), shown.low_m, shown.high_m);
+    u_low = std::min(u_low, u);
+    u_high = std::max(u_high, u);
+    any = true;
+  }
+  if (!any) { // at the grid's very end, or beside it
+    u_low = u_high = 0;
+    const auto nearest = std::min({frame(0).y, frame(1).y, frame(2).y, frame(3).y});
+    const auto farthest = std::max({frame(0).y, frame(1).y, frame(2).y, frame(3).y});
+    if (depth_m < nearest || depth_m > farthest) return {0, 0};
+    return {0, lattice.order.place_count() - 1};
+  }
+  low = std::min(lattice.strip.at(u_low, depth_m), lattice.strip.at(u_high, depth_m));
+  high = std::max(lattice.strip.at(u_low, depth_m), lattice.strip.at(u_high, depth_m));
+  constexpr double kBeside = 1.5; // cells: a span may begin in the strip beside
+  return lattice.order.places_between(static_cast<int>(std::floor(low - kBeside)),
+                                      static_cast<int>(std::ceil(high + kBeside)));
+}
+
+// All strips of X and all profiles of a sector. The places of the lattice's order are taken in
+// bands; in each, profiles that begin in the next band are cut, and those that ended in the last
+// one are laid out, so that there are always tasks of several kinds for the threads.
+class LatticePass {
+public:
+  LatticePass(const SectorInWork& work, const LayOut& lay_out)
+      : lattice_(work), band_(places_of_band(lattice_)), strips_(strips_of()),
+        seconds_(strips_.size()), stages_(work, lay_out, strips_.size()) {
+    const auto& profiles = work.sector.profiles;
+    waiting_.reserve(profiles.size());
+    for (std::size_t i = 0; i < profiles.size(); ++i) {
+      const auto [first, last] = places_of(lattice_, profiles[i].depth_m);
+      waiting_.push_back({i, first / band_, last / band_});
+    }
+    std::stable_sort(waiting_.begin(), waiting_.end(), [](const Waiting& a, const Waiting& b) {
+      return a.first_band < b.first_band;
+    });
+    slots_.resize(profiles.size());
+  }
+
+  void run(const Show& show, Counts& counts) {
+    const std::uint32_t bands = (lattice_.order.place_count() + band_ - 1) / band_;
+    // In round r band r is cut, r - 1 clipped, r - 2 laid out.
+    for (std::uint32_t round = 0; round < bands + 2; ++round) {
+      begin_profiles(round);
+      end_profiles(round);
+      const bool clips = round >= 1 && round <= bands;
+      const std::size_t strip_tasks = clips ? strips_.size() : 0;
+      on_all_cores(strip_tasks + cutting_.size() + laying_.size(), [&](std::size_t task) {
+        if (task < strip_tasks)
+          clip(task, (round - 1) * band_);
+        else if (task < strip_tasks + cutting_.size())
+          stages_.cut(*slots_[cutting_[task - strip_tasks]], cutting_[task - strip_tasks]);
+        else
+          stages_.lay_out(*slots_[laying_[task - strip_tasks - cutting_.size()]]);
+      });
+      // Those that were cut come into work, by depth.
+      for (const std::size_t index : cutting_) active_.push_back(&slots_[index]->profile);
+      std::sort(active_.begin(), active_.end(),
+                [](const ProfileInWork* a, const ProfileInWork* b) { return a->index < b->index; });
+      for (const std::size_t index : laying_) laid_out_[index] = true;
+      show_finished(show, counts);
+    }
+  }
+
+  SectorParts found() const { return parts_of(strips_); }
+
+  void add_to(Counts& counts, StageSeconds& seconds) const {
+    add_counts(strips_, counts);
+    for (const double strip_s : seconds_) seconds.clip += strip_s;
+    for (const auto& timed : free_) timed->add_to(seconds);
+  }
+
+private:
+  struct Waiting {
+    std::size_t profile;
+    std::uint32_t first_band, last_band;
+  };
+
+  std::vector<std::unique_ptr<LatticeStrip>> strips_of() const {
+    const SectorInWork& work = lattice_.work;
+    const std::vector<Strip> plan =
+        plan_strips(work.placed, work.sector, work.range, work.vertices_a_strip);
+    std::vector<XRange> ranges;
+    for (const Strip& strip : plan) ranges.push_back(strip.range);
+    const auto which =
+        lines_by_range(work.terrain.surface, work.sector, work.lines, ranges, work.from_m);
+    const std::vector<Segment> cut = near_cut(work);
+    std::vector<std::unique_ptr<LatticeStrip>> strips(plan.size());
+    on_all_cores(plan.size(), [&](std::size_t i) {
+      strips[i] = std::make_unique<LatticeStrip>(lattice_, plan[i], i, which[i], cut);
+    });
+    return strips;
+  }
+
+  void begin_profiles(std::uint32_t band) {
+    cutting_.clear();
+    for (; next_waiting_ < waiting_.size() && waiting_[next_waiting_].first_band <= band;
+         ++next_waiting_) {
+      const std::size_t index = waiting_[next_waiting_].profile;
+      if (free_.empty()) free_.push_back(std::make_unique<TimedProfile>());
+      slots_[index] = std::move(free_.back());
+      free_.pop_back();
+      cutting_.push_back(index);
+      last_band_[index] = waiting_[next_waiting_].last_band;
+    }
+  }
+
+  // Those whose last band was clipped in the last round.
+  void end_profiles(std::uint32_t round) {
+    laying_.clear();
+    std::erase_if(active_, [&](const ProfileInWork* profile) {
+      if (last_band_[profile->index] + 2 > round) return false;
+      laying_.push_back(profile->index);
+      return true;
+    });
+  }
+
+  void clip(std::size_t number, std::uint32_t first_place) {
+    Stopwatch watch;
+    const std::uint32_t end = std::min(first_place + band_, lattice_.order.place_count());
+    for (std::uint32_t place = first_place; place < end; ++place)
+      strips_[number]->take(place, active_);
+    watch.mark(seconds_[number]);
+  }
+
+  void show_finished(const Show& show, Counts& counts) {
+    for (; next_shown_ < slots_.size() && laid_out_[next_shown_]; ++next_shown_) {
+      ProfileInWork& profile = slots_[next_shown_]->profile;
+      count(profile, counts);
+      show(profile);
+      free_.push_back(std::move(slots_[next_shown_]));
+    }
+  }
+
+  LatticeInWork lattice_;
+  std::uint32_t band_; ///< places
+  std::vector<std::unique_ptr<LatticeStrip>> strips_;
+  std::vector<double> seconds_;
+  ProfileStages stages_;
+  std::vector<Waiting> waiting_; ///< by the band that they begin in
+  std::size_t next_waiting_ = 0, next_shown_ = 0;
+  std::vector<std::unique_ptr<TimedProfile>> slots_; ///< by profile, of those in work
+  std::vector<std::unique_ptr<TimedProfile>> free_;
+  std::vector<ProfileInWork*> active_; ///< that are clipped, by depth
+  std::vector<std::size_t> cutting_, laying_;
+  std::vector<std::uint32_t> last_band_ =
+      std::vector<std::uint32_t>(lattice_.work.sector.profiles.size());
+  std::vector<bool> laid_out_ = std::vector<bool>(lattice_.work.sector.profiles.size());
+};
+
+} // namespace
+
+SectorParts lattice_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,
+                         Counts& counts, StageSeconds& seconds) {
+  Stopwatch watch;
+  LatticePass pass(work, lay_out);
+  watch.mark(seconds.facing);
+  pass.run(show, counts);
+  pass.add_to(counts, seconds);
+  watch = {};
+  SectorParts out = pass.found();
+  watch.mark(seconds.layout);
+  return out;
+}
+
+} // namespace orograph

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pass through a grid on a map plane in the lattice's own order (docs/lattice-order.md): what
+// may hide something else comes before it, so that each line, whole, is compared with the horizon
+// at its turn and then raises it, and of each profile a piece at a time.
+#pragma once
+
+#include "hidden_lines/sector_in_work.hpp"
+
+namespace orograph {
+
+/// As `strips_pass`, of a surface that hides and is a grid on a map plane.
+SectorParts lattice_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,
+                         Counts& counts, StageSeconds& seconds);
+
+} // namespace orograph

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A strip of X in the lattice's order.
+#pragma once
+
+#include "hidden_lines/line_pictures.hpp"
+#include "hidden_lines/sector_in_work.hpp"
+#include "hidden_lines/strips.hpp"
+#include "hidden_lines/upright_heights.hpp"
+#include "horizon/blocked_horizon.hpp"
+#include "horizon/clip_profile.hpp"
+#include "profiles/lattice_order.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// A lattice's strips of cells, and the cells of a strip, as coordinates of the profile frame: at
+/// (u, v) a strip's number and the share of it, `at_origin + per_u * u + per_v * v`.
+struct AcrossLattice {
+  double at_origin, per_u, per_v;
+  double at(double u, double v) const { return at_origin + per_u * u + per_v * v; }
+};
+
+/// The lattice of a sector in work.
+struct LatticeInWork {
+  const SectorInWork& work;
+  const Grid& grid;
+  LatticeOrder order;
+  AcrossLattice strip, cell; ///< by the order's strips
+  double rounding;           ///< of both
+
+  /// REQUIRES a grid on a map plane, and that `work` outlives this.
+  explicit LatticeInWork(const SectorInWork& work);
+};
+
+/// Takes place after place of the order: compares what is drawn with the horizon, and raises the
+/// horizon by what hides.
+class LatticeStrip {
+public:
+  /// The strip's lines are `which`, by number; `near_cut` stands in front of everything. `number`
+  /// is that of the strip among the sector's. REQUIRES that all outlive it.
+  LatticeStrip(const LatticeInWork& lattice, const Strip& strip, std::size_t number,
+               std::span<const LineAtDepth> which, std::span<const Segment> near_cut);
+  LatticeStrip(const LatticeStrip&) = delete;
+  LatticeStrip& operator=(const LatticeStrip&) = delete;
+
+  /// What is at a place; of the profiles what is visible there goes to their runs of this strip,
+  /// in no particular order. `profiles`: by depth, at least those that the place may hold something
+  /// of. REQUIRES that places are taken in order.
+  void take(std::uint32_t place, std::span<ProfileInWork* const> profiles);
+
+  const std::vector<LinePart>& visible_parts() const { return parts_; }
+  const LinePictures& pictures() const { return pictures_; }
+  const BlockedHorizon& horizon() const { return horizon_; }
+  const ProfileClipCounts& counts() const { return counts_; }
+
+private:
+  struct LineAtTurn {
+    LatticeOrder::Turn turn;
+    std::uint32_t line;
+  };
+  using Group = std::span<const LineAtTurn>; // on one edge
+  // What of a profile is in the present strip of cells, from span `next` up to `end`, outwards from
+  // the eye. Cells are counted outwards as well: backwards on one side.
+  struct ProfilePart {
+    ProfileInWork* profile;
+    std::ptrdiff_t next, end, step;
+    double first_cell, cell_per_u;
+
+    bool done() const { return next == end; }
+    double middle(std::ptrdiff_t span) const {
+      const auto i = static_cast<std::size_t>(span);
+      return 0.5 * (profile->profile.u_m[i] + profile->profile.u_m[i + 1]);
+    }
+    double cell(std::ptrdiff_t span) const { return first_cell + cell_per_u * middle(span); }
+  };
+
+  LatticeOrder::Turn turn_of(std::uint32_t line) const;
+  Group next_group(std::uint32_t place, bool on_line);
+  bool look_at(Group group);
+  void take_looked_at();
+  void find_profiles(const LatticeOrder::Place& place, std::span<ProfileInWork* const> profiles);
+  void add_profile(const LatticeOrder::Place& place, ProfileInWork& profile);
+  void take_side(std::uint32_t place, bool back);
+  void take_diagonal(int column, int row, bool back);
+  void take_up_to(double cell);
+  void clip(ProfileInWork& profile, std::ptrdiff_t first, std::ptrdiff_t last);
+
+  const LatticeInWork& lattice_;
+  XRange range_;
+  std::size_t number_;
+  LinePictures pictures_;
+  BlockedHorizon horizon_;
+  UprightHeights uprights_;
+  ProfileClipCounts counts_;
+  std::vector<LineAtTurn> lines_; ///< by turn
+  std::size_t next_line_ = 0;
+  struct LookedAt {
+    SurfaceLine line;
+    LinePicture picture;
+    std::uint32_t number;
+  };
+  std::vector<LookedAt> looked_at_;
+  std::vector<VisibleLinePart> visible_;
+  std::vector<LinePart> parts_;
+  std::vector<ProfilePart> outwards_, backwards_;
+  std::vector<ProfilePart>* side_ = nullptr;
+  std::size_t begun_ = 0, done_ = 0; ///< of the side's
+  struct FarSpan {
+    ProfileInWork* profile;
+    std::ptrdiff_t span;
+  };
+  std::vector<FarSpan> far_;           ///< of the present diagonal's cell
+  std::vector<std::uint32_t> cursors_; ///< by profile: a span of it near where it was taken last
+};
+
+} // namespace orograph

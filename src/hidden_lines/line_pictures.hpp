@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines on the surface other than profiles (silhouettes, shores, the border) as a sector sees them.
+#pragma once
+
+#include "hidden_lines/line_parts.hpp"
+#include "horizon/blocked_horizon.hpp"
+#include "horizon/surface_line.hpp"
+#include "placing/placed_view.hpp"
+#include "profiles/slab_lines.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// Which layer a line is drawn in, if it is drawn.
+enum class LineKind : std::uint8_t { silhouette, shore, border, void_edge, edge };
+
+struct EdgeLine {
+  SurfaceEdge edge;
+  LineKind kind;
+  bool hides; ///< is an occluder
+  bool drawn;
+  bool covers; ///< ground in front of it ends there, above what else is at its place
+};
+
+/// A line as projected: its source, and which of the edge's ends is on the left (nearer, if
+/// upright).
+struct LinePicture {
+  Segment source;
+  double t_left, t_right; ///< along the edge, at the source's ends
+  ProfilePoint left, right;
+  double nearness_left, nearness_right;
+  double beside; ///< rounding of X
+
+  bool is_upright() const { return source.x0 == source.x1; }
+};
+
+/// The lines of a sector within a range of X. REQUIRES that surface, sector and lines outlive it.
+class LinePictures {
+public:
+  /// `from_m`: depth from which on terrain is looked at.
+  LinePictures(const Surface& surface, const Sector& sector, const std::vector<EdgeLine>& lines,
+               XRange range, double from_m);
+
+  const EdgeLine& line(std::uint32_t i) const { return lines_[i]; }
+  std::size_t size() const { return lines_.size(); }
+  const Sector& sector() const { return sector_; }
+  ProfileLine whole(std::uint32_t i) const;
+  /// Whether a line lies between the sectors, so that it was moved ahead of the near plane.
+  bool is_moved(std::uint32_t i) const;
+  /// The point at a place along a line.
+  ProfilePoint point(std::uint32_t line, double t) const;
+
+  LinePicture picture(std::uint32_t line, const ProfileLine& whole) const;
+  /// As a line of a slab that holds all of it.
+  SurfaceLine surface_line(std::uint32_t line, const LinePicture& picture) const;
+  /// Leaves what is in the range; tells whether any of it is.
+  bool cut_to_range(SurfaceLine& line) const;
+  /// By bounds alone: all of it is below all of the horizon's blocks that it reaches.
+  bool is_hidden(const LinePicture& picture, const BlockedHorizon& horizon) const;
+  /// From a share of the way along the picture, left to right, to one along the edge.
+  double along_edge(const LinePicture& picture, double share) const;
+  /// The parts of drawn silhouettes that `horizon`, the one behind everything, is made of, visible
+  /// or not.
+  std::vector<LinePart> skyline(const Horizon& horizon) const;
+
+  /// X that is looked at: the range, and what is beside it by rounding.
+  XRange looked_at() const { return beside_range_; }
+  double from_m() const { return from_m_; }
+  /// Bound on the rounding of u and v.
+  double rounding_m() const { return rounding_m_; }
+
+private:
+  EdgeEnds ends_;
+  const Sector& sector_;
+  const View& view_;
+  const std::vector<EdgeLine>& lines_;
+  XRange range_, beside_range_; ///< the second with what is beside the first by rounding
+  double from_m_;
+  double rounding_m_;
+};
+
+/// Whether a height is below all blocks of the horizon between two abscissae.
+bool is_below_blocks(const BlockedHorizon& horizon, double x_begin, double x_end, double height);
+
+/// The number of the line that a source is of.
+std::uint32_t line_number(const Segment& source);
+
+/// Whether a line hides anything, and as what: it has an extent in X.
+inline bool raises(const SurfaceLine& line) {
+  return line.hides && line.begin < line.end && !line.upright();
+}
+inline HorizonPiece occluder_of(const SurfaceLine& line) {
+  return {line.begin, line.end, line.source, line.drawn};
+}
+
+/// For each of the ranges the lines that reach into it, by number.
+std::vector<std::vector<LineAtDepth>> lines_by_range(const Surface& surface, const Sector& sector,
+                                                     const std::vector<EdgeLine>& lines,
+                                                     std::span<const XRange> ranges, double from_m);
+
+} // namespace orograph

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/profile_stages.hpp"
+
+#include "hidden_lines/instruments.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace orograph {
+
+void TimedProfile::add_to(StageSeconds& seconds) const {
+  seconds.cut += cut_s;
+  seconds.project += project_s;
+  seconds.layout += layout_s;
+}
+
+ProfileStages::ProfileStages(const SectorInWork& work, const LayOut& lay_out, std::size_t strips)
+    : work_(work), lay_out_(lay_out), strips_(strips) {
+  if (work.ground) over_blocks_.emplace(std::get<Grid>(work.terrain.surface), work.sector.view);
+}
+
+void ProfileStages::cut(TimedProfile& timed, std::size_t index) const {
+  Stopwatch watch;
+  ProfileInWork& profile = timed.profile;
+  const View& view = work_.sector.view;
+  profile.planned = work_.sector.profiles[index];
+  profile.index = index;
+  profile.by_strip.resize(strips_);
+  for (std::vector<VisibleRun>& runs : profile.by_strip) runs.clear();
+  profile.horizon_sizes.assign(strips_, 0);
+  const double depth_m = profile.planned.depth_m;
+  const URange asked = work_.whole_profiles ? URange{} : u_range(view, depth_m, work_.range);
+  if (over_blocks_)
+    over_blocks_->seen_parts(depth_m, asked, *work_.ground, timed.parts);
+  else
+    timed.parts.assign(1, asked);
+  work_.cutter.cut(depth_m, timed.parts, profile.profile);
+  watch.mark(timed.cut_s);
+  project_profile(profile.profile, static_cast<std::uint32_t>(profile.planned.number), view,
+                  profile.projected, profile.uprights);
+  watch.mark(timed.project_s);
+}
+
+void ProfileStages::lay_out(TimedProfile& timed) const {
+  Stopwatch watch;
+  join_strips(timed.profile);
+  lay_out_(timed.profile);
+  watch.mark(timed.layout_s);
+}
+
+void count(const ProfileInWork& profile, Counts& counts) {
+  counts.cut_vertices += profile.profile.size();
+  for (const VertexRun& run : profile.projected.runs) counts.segments += run.last - run.first;
+  const auto& sizes = profile.horizon_sizes;
+  counts.largest_horizon = std::max(counts.largest_horizon,
+                                    std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0}));
+}
+
+} // namespace orograph

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is done with a profile before and after it is clipped, and what the strips of a sector have
+// found together.
+#pragma once
+
+#include "geometry/on_all_cores.hpp"
+#include "hidden_lines/sector_in_work.hpp"
+#include "profiles/seen_ground.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace orograph {
+
+/// A profile in work, and the seconds that it took, over all that its memory was used for.
+struct TimedProfile {
+  ProfileInWork profile;
+  std::vector<URange> parts; ///< that are cut
+  double cut_s = 0, project_s = 0, layout_s = 0;
+
+  void add_to(StageSeconds& seconds) const;
+};
+
+/// Cuts, projects and lays out. Safe from several threads, for different profiles.
+class ProfileStages {
+public:
+  /// REQUIRES that both outlive it. `strips`: of X.
+  ProfileStages(const SectorInWork& work, const LayOut& lay_out, std::size_t strips);
+
+  /// Profile number `index` of the sector.
+  void cut(TimedProfile& timed, std::size_t index) const;
+  /// Of the runs by strip.
+  void lay_out(TimedProfile& timed) const;
+
+private:
+  const SectorInWork& work_;
+  const LayOut& lay_out_;
+  std::size_t strips_;
+  std::optional<PlaneOverBlocks> over_blocks_;
+};
+
+/// Of a profile that was clipped.
+void count(const ProfileInWork& profile, Counts& counts);
+
+/// What the strips of a sector, left to right, have found of lines.
+template <class Strip>
+SectorParts parts_of(const std::vector<std::unique_ptr<Strip>>& strips) {
+  SectorParts out;
+  std::size_t count = 0;
+  for (const auto& strip : strips) count += strip->visible_parts().size();
+  out.visible.reserve(count);
+  for (const auto& strip : strips) {
+    throw_if_stopped();
+    const std::vector<LinePart>& parts = strip->visible_parts();
+    out.visible.insert(out.visible.end(), parts.begin(), parts.end());
+    const std::vector<LinePart> skyline = strip->pictures().skyline(strip->horizon().joined());
+    out.skyline.insert(out.skyline.end(), skyline.begin(), skyline.end());
+  }
+  join(out.visible);
+  join(out.skyline);
+  out.skyline = shared(out.skyline, out.visible);
+  return out;
+}
+
+template <class Strip>
+void add_counts(const std::vector<std::unique_ptr<Strip>>& strips, Counts& counts) {
+  for (const auto& strip : strips) {
+    counts.ties += strip->counts().ties;
+    counts.pieces_before_collapse += strip->horizon().pieces_uncollapsed();
+    counts.pieces_after_collapse += strip->horizon().pieces_collapsed();
+  }
+}
+
+} // namespace orograph
