@@ -98,10 +98,13 @@ struct Rays {
   Vec3 at, above;
 };
 
-// Not beside the eye, where a profile would have no picture.
+// Not beside the eye, where a profile would have no picture; nor so close to that plane that what
+// hides it is cut away.
 double beside_no_eye(double depth, const View& view) {
-  return view.is_perspective() && std::abs(depth) < view.near_m ? kNearPlanesAhead * view.near_m
-                                                                : depth;
+  if (!view.is_perspective()) return depth;
+  const double ahead_m = kNearPlanesAhead * view.near_m;
+  if (std::abs(depth) >= (shows_beside(view) ? ahead_m : view.near_m)) return depth;
+  return depth < -view.near_m ? -ahead_m : ahead_m;
 }
 
 // length(a) < way, for which squares mostly do.

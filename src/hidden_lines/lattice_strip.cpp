@@ -162,11 +162,8 @@ void LatticeStrip::take_looked_at() {
           visible_);
     else
       add_above_horizon(line, number, horizon_, lattice_.work.tolerance, visible_);
-    for (const auto& [same, t_begin, t_end] : visible_) {
-      const double a = pictures_.along_edge(picture, t_begin),
-                   b = pictures_.along_edge(picture, t_end);
-      parts_.push_back({number, std::min(a, b), std::max(a, b)});
-    }
+    for (const auto& [same, t_begin, t_end] : visible_)
+      pictures_.add_part(number, picture, t_begin, t_end, parts_);
   }
   for (const LookedAt& at : looked_at_)
     if (raises(at.line)) horizon_.raise(occluder_of(at.line));

@@ -85,9 +85,7 @@ template void LinePass::begin_slab(double, const BlockedHorizon&);
 void LinePass::add_visible(std::span<const VisibleLinePart> visible) {
   for (const auto& [index, t_begin, t_end] : visible) {
     const SurfaceLine& line = in_slab_[index];
-    const LinePicture& p = taken_[line.tag];
-    const double a = pictures_.along_edge(p, t_begin), b = pictures_.along_edge(p, t_end);
-    parts_.push_back({line_number(line.source), std::min(a, b), std::max(a, b)});
+    pictures_.add_part(line_number(line.source), taken_[line.tag], t_begin, t_end, parts_);
   }
 }
 

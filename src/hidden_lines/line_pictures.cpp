@@ -113,6 +113,20 @@ LinePicture LinePictures::picture(std::uint32_t line, const ProfileLine& whole) 
   return out;
 }
 
+void LinePictures::add_part(std::uint32_t line, const LinePicture& p, double t_begin,
+                            double t_end, std::vector<LinePart>& parts) const {
+  auto [begin, end] = std::minmax({along_edge(p, t_begin), along_edge(p, t_end)});
+  if (std::min(p.left.v, p.right.v) < view_.drawn_from_m) {
+    if (std::max(p.left.v, p.right.v) <= view_.drawn_from_m) return;
+    const double from = p.t_left + (view_.drawn_from_m - p.left.v) / (p.right.v - p.left.v) *
+                                       (p.t_right - p.t_left);
+    const bool rises = (p.t_left < p.t_right) == (p.left.v < p.right.v);
+    (rises ? begin : end) = rises ? std::max(begin, from) : std::min(end, from);
+    if (!(begin < end)) return;
+  }
+  parts.push_back({line, begin, end});
+}
+
 double LinePictures::along_edge(const LinePicture& p, double share) const {
   if (share <= 0) return p.t_left;
   if (share >= 1) return p.t_right;

@@ -60,7 +60,11 @@ public:
   bool cut_to_range(SurfaceLine& line) const;
   /// By bounds alone: all of it is below all of the horizon's blocks that it reaches.
   bool is_hidden(const LinePicture& picture, const BlockedHorizon& horizon) const;
-  /// From a share of the way along the picture, left to right, to one along the edge.
+  /// Adds what the view draws of a part of a line; shares of the way along its picture, left to
+  /// right.
+  void add_part(std::uint32_t line, const LinePicture& picture, double t_begin, double t_end,
+                std::vector<LinePart>& parts) const;
+  /// From such a share to one along the edge.
   double along_edge(const LinePicture& picture, double share) const;
   /// The parts of drawn silhouettes that `horizon`, the one behind everything, is made of, visible
   /// or not.

@@ -128,13 +128,14 @@ void Check::see(const SeenLines& seen) {
     const ProfilePoint at = lines.point(line, t);
     // Cut away, or not: rounding of the place, of the cut and of the cut's own line decides.
     if (view.is_perspective() && at.v <= view.near_m + 4 * lines.rounding_m()) continue;
+    const bool may_be_left_out = at.v <= view.drawn_from_m + 4 * lines.rounding_m();
     const double x = project(view, at).x;
     if (!(x >= range.begin && x <= range.end)) continue;
     const auto part = std::partition_point(visible.begin(), visible.end(), [&](const LinePart& p) {
       return p.line < line || (p.line == line && p.t_end < t);
     });
-    judge(lines.whole(line), t, true,
-          part != visible.end() && part->line == line && part->t_begin <= t);
+    const bool drawn = part != visible.end() && part->line == line && part->t_begin <= t;
+    if (drawn || !may_be_left_out) judge(lines.whole(line), t, true, drawn);
   }
 }
 

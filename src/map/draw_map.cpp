@@ -84,7 +84,7 @@ public:
     throw_if_stopped();
     if (sectors_.size() > 1 && has_ground(terrain_.surface))
       join_sectors(terrain_.surface, placed_.view, lines_,
-                   placed_.sectors.front().keeps_strip ? placed_.view.near_m : 0, all);
+                   placed_.sectors.front().view.drawn_from_m, all);
     return all;
   }
   std::vector<LinePart> of(std::vector<LinePart> SolidParts::*kind) const {

@@ -207,6 +207,9 @@ std::vector<Sector> sectors_of(const PlacedView& placed) {
     behind.farthest_m = -placed.nearest_m;
     sectors.push_back(behind);
     sectors.front().keeps_strip = placed.view.near_m < kNearShareOfCell * placed.cell_m;
+    if (sectors.front().keeps_strip)
+      for (Sector& sector : sectors)
+        sector.view.drawn_from_m = kNearPlanesAhead * placed.view.near_m;
   }
   for (Sector& sector : sectors) {
     for (std::size_t i = 0; i < placed.depths_m.size(); ++i) {

@@ -16,6 +16,13 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Terrain is cut at the near plane; but where a view draws nothing close behind that plane, nearer
+// ground is looked at as well, which shows whether it does.
+double nearest_m(const View& view) {
+  return view.drawn_from_m > view.near_m ? view.near_m * (view.near_m / view.drawn_from_m)
+                                         : view.near_m;
+}
+
 int whole(double number) {
   return static_cast<int>(std::floor(number));
 }
@@ -143,7 +150,7 @@ InFront GridRayWalk::in_front(ProfilePoint p) const {
           return to_profile_frame(view_, grid_.plane().vertex_m(c, r, height)).z;
         };
         const double begin_m =
-            view_.is_perspective() ? view_.near_m : -std::numeric_limits<double>::infinity();
+            view_.is_perspective() ? nearest_m(view_) : -std::numeric_limits<double>::infinity();
         GridWalk<decltype(z_m)> walk{view_,
                                      z_m,
                                      grid_.columns,
@@ -187,7 +194,7 @@ class TinWalk {
 public:
   TinWalk(const View& view, ProfilePoint p, double rounding_m, double highest_m)
       : view_(view), p_(p), rounding_m_(rounding_m), rounding_z_(8 * kEpsilon * highest_m),
-        begin_m_(view.is_perspective() ? view.near_m : -kInfinity), own_y_(y_of(p.z, p.v)) {
+        begin_m_(view.is_perspective() ? nearest_m(view) : -kInfinity), own_y_(y_of(p.z, p.v)) {
     const double along = u_along_ray(view, p), length = std::hypot(along, 1);
     aside_u_ = 1 / length;
     aside_v_ = -along / length;
@@ -308,7 +315,7 @@ InFront TinRayWalk::in_front(ProfilePoint p) const {
   // Towards the eye as far as there is terrain.
   const double farther_m = length(at) + reach_m_;
   const Vec2 end = view_.is_perspective()
-                       ? ground(p.u / p.v * view_.near_m, view_.near_m)
+                       ? ground(p.u / p.v * nearest_m(view_), nearest_m(view_))
                        : at - farther_m * (u_along_ray(view_, p) * view_.right + view_.forward);
   TinWalk walk(view_, p, rounding_m, highest_m_);
   index_.along(at, end, 4 * rounding_m, near_);

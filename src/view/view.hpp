@@ -36,6 +36,9 @@ struct View {
   double exaggeration = 1;
   FrameDrop drop;             ///< of every vertex, after exaggeration
   double near_m = 0;          ///< v_near: nearer ground is cut away; perspective only
+  /// Lines are drawn from this depth on, if it is beyond v_near: what might hide them is then all
+  /// there, but for what stands in so small a share of the way to them.
+  double drawn_from_m = 0;
   bool frames_terrain = true; ///< the window was made to hold all of the terrain
   Homography to_picture;      ///< visibility plane to picture plane (x right, y up)
   Box2 window;                ///< what of the picture plane is shown
