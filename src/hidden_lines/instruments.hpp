@@ -47,6 +47,7 @@ struct Instruments {
   bool one_list = false;         ///< keep the horizon in one list, so that it can be seen
   bool beyond_page = false;      ///< look at what is beside the page as well
   bool hidden_ground = false;    ///< look at ground that is hidden as a whole as well
+  bool order_always = false;     ///< take grids in the lattice's order where it doesn't pay, too
   double vertices_a_strip = kVerticesAStrip;
   /// Gets every occluder but profiles, hidden ones too, before the profile that it stands in front
   /// of is seen.

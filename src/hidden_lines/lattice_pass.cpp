@@ -201,6 +201,17 @@ private:
 
 } // namespace
 
+bool pays_in_order(const SectorInWork& work) {
+  const LatticeInWork lattice(work);
+  double pieces = 0;
+  for (const PlannedProfile& profile : work.sector.profiles) {
+    const auto [first, last] = places_of(lattice, profile.depth_m);
+    pieces += last - first;
+  }
+  constexpr double kCellsAPiece = 8;
+  return pieces * kCellsAPiece <= static_cast<double>(lattice.grid.size());
+}
+
 SectorParts lattice_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,
                          Counts& counts, StageSeconds& seconds) {
   Stopwatch watch;

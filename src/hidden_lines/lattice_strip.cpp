@@ -83,18 +83,33 @@ LatticeStrip::LatticeStrip(const LatticeInWork& lattice, const Strip& strip, std
                pictures_.looked_at().end),
       uprights_(lattice.grid, lattice.work.sector.view, lattice.work.from_m),
       cursors_(lattice.work.sector.profiles.size(), 0) {
-  lines_.reserve(which.size());
-  for (const LineAtDepth& line : which) {
-    throw_if_stopped(lines_.size());
-    lines_.push_back({turn_of(line.line), line.line});
-  }
-  std::size_t steps = 0;
-  std::sort(lines_.begin(), lines_.end(), [&](const LineAtTurn& a, const LineAtTurn& b) {
-    throw_if_stopped(steps++);
-    return a.turn != b.turn ? a.turn < b.turn : a.line < b.line;
-  });
+  order_lines(which);
   for (const Segment& s : near_cut)
     if (s.x0 <= range_.end && s.x1 >= range_.begin) horizon_.raise({s.x0, s.x1, s, false});
+}
+
+// Into the order of their turns: parted by place first, which is cheaper than a sort of all.
+void LatticeStrip::order_lines(std::span<const LineAtDepth> which) {
+  std::vector<LineAtTurn> unordered;
+  unordered.reserve(which.size());
+  std::vector<std::uint32_t> end(lattice_.order.place_count() + 2, 0);
+  for (const LineAtDepth& line : which) {
+    throw_if_stopped(unordered.size());
+    unordered.push_back({turn_of(line.line), line.line});
+    ++end[LatticeOrder::place_of(unordered.back().turn) + 1];
+  }
+  for (std::size_t i = 1; i < end.size(); ++i) end[i] += end[i - 1];
+  lines_.resize(unordered.size());
+  for (const LineAtTurn& line : unordered) lines_[end[LatticeOrder::place_of(line.turn)]++] = line;
+  const auto at = [&](std::uint32_t i) { return lines_.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::uint32_t begin = 0;
+  for (const std::uint32_t past : end) {
+    throw_if_stopped(begin);
+    std::sort(at(begin), at(past), [](const LineAtTurn& a, const LineAtTurn& b) {
+      return a.turn != b.turn ? a.turn < b.turn : a.line < b.line;
+    });
+    begin = past;
+  }
 }
 
 LatticeOrder::Turn LatticeStrip::turn_of(std::uint32_t line) const {
@@ -273,6 +288,7 @@ void LatticeStrip::add_profile(const LatticeOrder::Place& place, ProfileInWork& 
   if (first >= last) return;
   cursor = first;
   profile.horizon_sizes[number_] = horizon_.size();
+  if (is_hidden(profile, first, last)) return;
   if (on_line) {
     clip(profile, first, last);
     return;
@@ -300,6 +316,24 @@ void LatticeStrip::add_profile(const LatticeOrder::Place& place, ProfileInWork& 
     if (parting < end)
       backwards_.push_back({&profile, parting, end, 1, -cell_at_depth, -cell_per_u});
   }
+}
+
+// By bounds alone, as they stand before the strip's own lines rise: they never fall.
+bool LatticeStrip::is_hidden(const ProfileInWork& profile, std::uint32_t first,
+                             std::uint32_t last) const {
+  constexpr std::uint32_t kMostSpans = 64; // of more, some part is likely to be seen
+  if (last - first > kMostSpans) return false;
+  const double* const y = profile.projected.y.data();
+  double highest = y[first], lowest = highest;
+  for (std::uint32_t i = first + 1; i <= last; ++i) {
+    highest = std::max(highest, y[i]);
+    lowest = std::min(lowest, y[i]);
+  }
+  // What is tied is nearer than this, and rounding far less.
+  const double slack =
+      lattice_.work.tolerance.greatest_y + 1e-12 * (std::abs(lowest) + std::abs(highest));
+  return is_below_blocks(horizon_, std::max(profile.projected.x[first], range_.begin),
+                         std::min(profile.projected.x[last], range_.end), highest + slack);
 }
 
 // The lines of a strip on one side of the eye's cell, between them the profiles.

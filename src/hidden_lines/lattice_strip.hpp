@@ -77,12 +77,14 @@ private:
     double cell(std::ptrdiff_t span) const { return first_cell + cell_per_u * middle(span); }
   };
 
+  void order_lines(std::span<const LineAtDepth> which);
   LatticeOrder::Turn turn_of(std::uint32_t line) const;
   Group next_group(std::uint32_t place, bool on_line);
   bool look_at(Group group);
   void take_looked_at();
   void find_profiles(const LatticeOrder::Place& place, std::span<ProfileInWork* const> profiles);
   void add_profile(const LatticeOrder::Place& place, ProfileInWork& profile);
+  bool is_hidden(const ProfileInWork& profile, std::uint32_t first, std::uint32_t last) const;
   void take_side(std::uint32_t place, bool back);
   void take_diagonal(int column, int row, bool back);
   void take_up_to(double cell);

@@ -113,8 +113,8 @@ LinePicture LinePictures::picture(std::uint32_t line, const ProfileLine& whole) 
   return out;
 }
 
-void LinePictures::add_part(std::uint32_t line, const LinePicture& p, double t_begin,
-                            double t_end, std::vector<LinePart>& parts) const {
+void LinePictures::add_part(std::uint32_t line, const LinePicture& p, double t_begin, double t_end,
+                            std::vector<LinePart>& parts) const {
   auto [begin, end] = std::minmax({along_edge(p, t_begin), along_edge(p, t_end)});
   if (std::min(p.left.v, p.right.v) < view_.drawn_from_m) {
     if (std::max(p.left.v, p.right.v) <= view_.drawn_from_m) return;

@@ -186,7 +186,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   };
   watch.mark(seconds.facing);
   const Grid* grid = std::get_if<Grid>(&terrain.surface);
-  const bool has_order = grid && !grid->is_on_earth();
+  const bool has_order =
+      grid && !grid->is_on_earth() && (instruments.order_always || pays_in_order(work));
   const SectorParts found_parts =
       in_list     ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)
       : has_order ? lattice_pass(work, lay_out, show, counts, seconds)

@@ -14,6 +14,7 @@
 #include "map/draw_solids.hpp"
 #include "map/layer_table.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -84,7 +85,7 @@ public:
     throw_if_stopped();
     if (sectors_.size() > 1 && has_ground(terrain_.surface))
       join_sectors(terrain_.surface, placed_.view, lines_,
-                   placed_.sectors.front().view.drawn_from_m, all);
+                   std::max(0.0, placed_.sectors.front().view.drawn_from_m), all);
     return all;
   }
   std::vector<LinePart> of(std::vector<LinePart> SolidParts::*kind) const {

@@ -9,8 +9,8 @@
 namespace orograph {
 
 /// What keeps to the plane between two sectors is taken to lie so many near planes ahead, in the
-/// first sector; else neither would have it. Other lines are drawn from there on as well. The ground
-/// before them is there but for a twentieth.
+/// first sector; else neither would have it. Other lines are drawn from there on as well. The
+/// ground before them is there but for a twentieth.
 constexpr double kNearPlanesAhead = 20;
 
 /// The ray of a point of the picture plane, from the eye, in the homogeneous coordinates of the

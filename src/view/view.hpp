@@ -10,6 +10,8 @@
 #include "geometry/vec.hpp"
 #include "view/view_request.hpp"
 
+#include <limits>
+
 namespace orograph {
 
 /// The same along u and v: a quadratic form, in metres.
@@ -34,11 +36,11 @@ struct View {
   double x_per_v = 0, y_per_z = 1, y_per_v = 0;
   Angle roll;
   double exaggeration = 1;
-  FrameDrop drop;             ///< of every vertex, after exaggeration
-  double near_m = 0;          ///< v_near: nearer ground is cut away; perspective only
+  FrameDrop drop;    ///< of every vertex, after exaggeration
+  double near_m = 0; ///< v_near: nearer ground is cut away; perspective only
   /// Lines are drawn from this depth on, if it is beyond v_near: what might hide them is then all
   /// there, but for what stands in so small a share of the way to them.
-  double drawn_from_m = 0;
+  double drawn_from_m = -std::numeric_limits<double>::infinity();
   bool frames_terrain = true; ///< the window was made to hold all of the terrain
   Homography to_picture;      ///< visibility plane to picture plane (x right, y up)
   Box2 window;                ///< what of the picture plane is shown

@@ -31,7 +31,7 @@ inline CheckCounts ask(const TerrainData& terrain, MapSpec spec, std::uint64_t p
   spec.style.layers.push_back("voids");
   spec.check = probes;
   const PlacedView scene = placed_view(terrain, spec);
-  const Map drawn = draw_map(terrain, scene, spec, [](double) {});
+  const Map drawn = draw_map(terrain, scene, spec, [](double) {}, {.order_always = true});
   const auto fault = find_fault(drawn.drawing);
   INFO(fault.value_or(""));
   REQUIRE(!fault);

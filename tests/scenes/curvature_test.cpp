@@ -260,7 +260,7 @@ TEST_CASE("and of a grid and its TIN the same is seen there") {
     of_tin.border = border_edges(std::get<Tin>(as_tin.surface));
     VisibleParts by_grid(placed), by_tin(of_tin);
     draw_map(scene.terrain, placed, scene.spec, [](double) {},
-             {.observers = {&by_grid}, .beyond_page = true});
+             {.observers = {&by_grid}, .beyond_page = true, .order_always = true});
     draw_map(as_tin, of_tin, scene.spec, [](double) {},
              {.observers = {&by_tin}, .beyond_page = true});
     const VisibleDifference found = difference(

@@ -46,7 +46,8 @@ void compare_in(const TerrainData& as_grid, const TerrainData& as_tin, const Map
   if (spec.style.flat == FlatGround::shore)
     by_tin.level = find_level_ground(tin, smallest_water_m2(grid));
   VisibleParts of_grid(by_grid), of_tin(by_tin);
-  draw_map(as_grid, by_grid, spec, [](double) {}, {.observers = {&of_grid}, .beyond_page = true});
+  draw_map(as_grid, by_grid, spec, [](double) {},
+           {.observers = {&of_grid}, .beyond_page = true, .order_always = true});
   draw_map(as_tin, by_tin, spec, [](double) {}, {.observers = {&of_tin}, .beyond_page = true});
   REQUIRE(of_grid.lines.size() == of_tin.lines.size());
   std::size_t others = 0;

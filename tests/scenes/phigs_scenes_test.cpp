@@ -166,7 +166,7 @@ TEST_CASE("what is visible doesn't depend on the plate, its window or its turn")
       const PlacedView placed = placed_view(scene.terrain, spec);
       if (placed.sectors.size() > 1) continue; // cut at another near plane
       draw_map(scene.terrain, placed, spec, [](double) {},
-               {.observers = {&seen.emplace_back()}, .beyond_page = true});
+               {.observers = {&seen.emplace_back()}, .beyond_page = true, .order_always = true});
     }
     for (std::size_t i = 1; i < seen.size(); ++i) {
       CAPTURE(seed, scene.what, parallel, i);

@@ -134,7 +134,8 @@ TEST_CASE("from straight above nothing of a gentle hill is missing, and no line 
       spec.style.plan = ProfileCount{24};
       const PlacedView scene = placed_view(terrain, spec);
       REQUIRE(scene.sectors.size() == 2);
-      const Drawing drawing = draw_map(terrain, scene, spec, [](double) {}).drawing;
+      const Drawing drawing =
+          draw_map(terrain, scene, spec, [](double) {}, {.order_always = true}).drawing;
       REQUIRE(!find_fault(drawing));
 
       const Layer& border = layer_named(drawing, "border");
@@ -228,7 +229,7 @@ TEST_CASE("what is visible doesn't depend on pitch, roll or field, to the bit") 
       const PlacedView& placed = *found;
       Seen seen;
       draw_map(scene.terrain, placed, spec, [](double) {},
-               {.observers = {&seen}, .beyond_page = true});
+               {.observers = {&seen}, .beyond_page = true, .order_always = true});
       auto& parts = first[shows_beside(placed.view) ? 1 : 0];
       CAPTURE(seed, scene.what, i);
       if (parts.empty()) {

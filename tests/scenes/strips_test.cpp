@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Passes in strips of X, with the horizon in blocks, against the same with one horizon in one
-// list: the same drawing to the bit, however many strips there are. Only where plateaus are
-// seen exactly edge-on, so that several occluders are equally high at one place, another of them
-// may be kept, and the line there be drawn as another or as a part of another.
+// Passes in strips of X, with the horizon in blocks, in slabs and in the lattice's order, against
+// the pass in slabs with one horizon in one list: the same is visible, however many strips there
+// are, but for declared ties.
 #include "hidden_lines/strips.hpp"
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
@@ -34,14 +33,17 @@ void check_strips(const TerrainData& terrain, const MapSpec& spec, Tally& tally)
     return parts;
   };
   const VisibleParts in_list = seen({.one_list = true});
-  for (const double vertices_a_strip : {1e9, 30.0, 2.0}) {
-    const VisibleDifference found = difference(
-        seen({.beyond_page = true, .vertices_a_strip = vertices_a_strip}), in_list, scene, judges);
-    INFO(vertices_a_strip << " vertices a strip: " << found.first_wrong);
-    CHECK(found.wrong() == 0);
-    tally.tied += found.tied;
-    tally.wrong += found.wrong();
-  }
+  for (const double vertices_a_strip : {1e9, 30.0, 2.0})
+    for (const bool in_order : {true, false}) {
+      const VisibleParts in_strips = seen(
+          {.beyond_page = true, .order_always = in_order, .vertices_a_strip = vertices_a_strip});
+      const VisibleDifference found = difference(in_strips, in_list, scene, judges);
+      INFO(vertices_a_strip << " vertices a strip, " << (in_order ? "in order: " : "in slabs: ")
+                            << found.first_wrong);
+      CHECK(found.wrong() == 0);
+      tally.tied += found.tied;
+      tally.wrong += found.wrong();
+    }
   for (const Sector& sector : scene.sectors)
     tally.strips += plan_strips(scene, sector, page_range(sector), 2).size();
   tally.lines += in_list.lines.size();
