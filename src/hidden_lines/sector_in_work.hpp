@@ -7,7 +7,7 @@
 #include "draw/drawing.hpp"
 #include "geometry/segment.hpp"
 #include "hidden_lines/counts.hpp"
-#include "hidden_lines/line_pass.hpp"
+#include "hidden_lines/line_pictures.hpp"
 #include "horizon/clip.hpp"
 #include "horizon/clip_profile.hpp"
 #include "placing/placed_view.hpp"

@@ -2,13 +2,36 @@
 // UTF-8 by the table of well-formed sequences in the Unicode standard (section 3.9).
 #include "write/format_text.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace orograph {
 namespace {
+
+// A number below 10000.
+struct FourDigits {
+  std::array<char, 7> digits; // four; the rest is room to read
+  std::uint8_t leading_zeros : 4, trailing_zeros : 4;
+};
+constexpr std::array<FourDigits, 10000> kFourDigits = [] {
+  std::array<FourDigits, 10000> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::size_t rest = i;
+    for (std::size_t k = 4; k-- > 0; rest /= 10)
+      all[i].digits[k] = static_cast<char>('0' + rest % 10);
+    std::uint8_t leading = 0, trailing = 0;
+    while (leading < 4 && all[i].digits[leading] == '0') ++leading;
+    while (trailing < 4 && all[i].digits[3U - trailing] == '0') ++trailing;
+    all[i].leading_zeros = leading;
+    all[i].trailing_zeros = trailing;
+  }
+  return all;
+}();
 
 char* without_trailing_zeros(char* end) {
   while (end[-1] == '0') --end;
@@ -19,25 +42,27 @@ char* without_trailing_zeros(char* end) {
 
 char* print_page_number(double value_mm, char* to) {
   // Up to this many steps the product's rounding is far below the distance from a quarter to a
-  // half, so that the exact decimal rounds to the same whole number of steps.
-  constexpr double kMostSteps = 1e13;
+  // half, so that the exact decimal rounds to the same whole number of steps; and what is printed
+  // has at most four digits before the point.
+  constexpr double kMostSteps = 1e8 - 1;
   const double steps = std::abs(value_mm) * 1e4;
-  const auto nearest = static_cast<std::int64_t>(steps < kMostSteps ? steps + 0.5 : 0);
+  const auto nearest = static_cast<std::uint32_t>(steps < kMostSteps ? steps + 0.5 : 0);
   if (!(std::abs(steps - static_cast<double>(nearest)) < 0.25))
     return without_trailing_zeros(
         std::to_chars(to, to + kPageNumberBytes, value_mm, std::chars_format::fixed, 4).ptr);
 
-  if (std::signbit(value_mm)) *to++ = '-';
-  const auto whole_mm = static_cast<std::uint64_t>(nearest) / 10000;
-  const auto decimals = static_cast<std::uint32_t>(static_cast<std::uint64_t>(nearest) % 10000);
-  to = std::to_chars(to, to + kPageNumberBytes - 1, whole_mm).ptr;
+  // Without branches but for whole numbers: a general formatter took half of the writing.
+  *to = '-';
+  to += std::signbit(value_mm) ? 1 : 0;
+  const std::uint32_t whole_mm = nearest / 10000, decimals = nearest % 10000;
+  const FourDigits &before = kFourDigits[whole_mm], &behind = kFourDigits[decimals];
+  const std::size_t zeros = std::min<std::size_t>(before.leading_zeros, 3);
+  std::memcpy(to, before.digits.data() + zeros, 4);
+  to += 4 - zeros;
   if (decimals == 0) return to;
-  to[0] = '.';
-  to[1] = static_cast<char>('0' + decimals / 1000);
-  to[2] = static_cast<char>('0' + decimals / 100 % 10);
-  to[3] = static_cast<char>('0' + decimals / 10 % 10);
-  to[4] = static_cast<char>('0' + decimals % 10);
-  return without_trailing_zeros(to + 5);
+  *to = '.';
+  std::memcpy(to + 1, behind.digits.data(), 4);
+  return to + 5 - behind.trailing_zeros;
 }
 
 namespace {
