@@ -4,6 +4,7 @@
 #include "bench/stages/front_to_back.hpp"
 #include "draw/round_drawing.hpp"
 #include "draw/simplify.hpp"
+#include "hidden_lines/line_pass.hpp"
 #include "hidden_lines/profile_strokes.hpp"
 #include "hidden_lines/surface_lines.hpp"
 #include "map/draw_map.hpp"

@@ -3,6 +3,7 @@
 // front to back, and all profiles and lines of the sector by strips.
 #pragma once
 
+#include "hidden_lines/line_pass.hpp"
 #include "hidden_lines/sector_in_work.hpp"
 #include "hidden_lines/strips.hpp"
 #include "horizon/blocked_horizon.hpp"
