@@ -53,44 +53,21 @@ LatticeOrder::LatticeOrder(int columns, int rows, const EyeInCells& eye, bool is
     at = {far_off(at.column), far_off(at.row), 0};
     eye_across_ = far_off(eye_across_);
   }
-  // A ray goes on from the eye's own strip to those on either side of it, so that it is taken
-  // before both; within a strip it goes on from the eye's cell to one of its neighbours, and that
-  // cell is taken before the others in any case.
-  strips_ =
-      outwards(rows_are_strips ? at.row : at.column, (rows_are_strips ? rows : columns) - 1, true);
-  cells_ =
-      outwards(rows_are_strips ? at.column : at.row, (rows_are_strips ? columns : rows) - 1, false);
+  strips_ = outwards(rows_are_strips ? at.row : at.column, (rows_are_strips ? rows : columns) - 1);
+  cells_ = outwards(rows_are_strips ? at.column : at.row, (rows_are_strips ? columns : rows) - 1);
 }
 
-LatticeOrder::Outwards LatticeOrder::outwards(double eye, int count, bool keeps_eye_apart) {
-  Outwards out{eye, count, 0, -1, keeps_eye_apart ? 1U : 0U};
-  if (eye < 0) return out;
-  if (eye >= count) {
-    out.first_plus = count;
-    out.first_minus = count - 1;
-    return out;
-  }
-  const int own = static_cast<int>(std::floor(eye));
-  out.first_minus = own - 1;
-  out.first_plus = keeps_eye_apart && eye > own ? own + 1 : own;
-  return out;
-}
-
-std::uint32_t LatticeOrder::Outwards::place_of_cell(int cell) const {
-  if (cell >= first_plus) return own + static_cast<std::uint32_t>(cell - first_plus);
-  if (cell <= first_minus) return minus_place() + static_cast<std::uint32_t>(first_minus - cell);
-  return 0; // the eye's own
+LatticeOrder::Outwards LatticeOrder::outwards(double eye, int count) {
+  if (eye < 0) return {eye, count, 0, -1};
+  const int own = eye >= count ? count : static_cast<int>(std::floor(eye));
+  return {eye, count, own, own - 1};
 }
 
 LatticeOrder::Place LatticeOrder::place(std::uint32_t number) const {
-  const auto& [eye, count, first_plus, first_minus, own] = strips_;
-  if (number < own) {
-    const bool exists = first_plus - first_minus == 2;
-    return {Place::kNone, exists ? first_minus + 1 : Place::kNone};
-  }
+  const auto& [eye, count, first_plus, first_minus] = strips_;
   if (number < strips_.minus_place()) {
-    const int strip = first_plus + static_cast<int>(number - own);
-    // Where the eye is on that line, it has its place on the other side.
+    const int strip = first_plus + static_cast<int>(number);
+    // A line that isn't behind the eye has its place on the other side.
     return {strip > eye ? strip : Place::kNone, strip < count ? strip : Place::kNone};
   }
   const int strip = first_minus - static_cast<int>(number - strips_.minus_place());

@@ -80,29 +80,30 @@ public:
   static bool is_diagonal(Turn turn) { return (turn & 3U) == static_cast<Turn>(Step::diagonal); }
 
 private:
-  // Of cells in a row about the eye. Places of cells with rising numbers, one more for the line
-  // behind the last of them, then those of cells with falling numbers, and one more.
+  // Of cells in a row about the eye: places of the eye's own and of those with rising numbers, one
+  // more for the line behind the last of them, then those of cells with falling numbers, and one
+  // more. So what is in the eye's own cell comes before the lines on both sides of it.
   struct Outwards {
-    double eye;        // in cells
-    int count;         // cells
-    int first_plus;    // with rising numbers
-    int first_minus;   // with falling ones; -1: none
-    std::uint32_t own; // places before those of first_plus
+    double eye;      // in cells
+    int count;       // cells
+    int first_plus;  // the eye's own, or the first with rising numbers
+    int first_minus; // the first with falling ones; -1: none
 
-    std::uint32_t minus_place() const {
-      return own + static_cast<std::uint32_t>(count - first_plus) + 1;
-    }
+    std::uint32_t minus_place() const { return static_cast<std::uint32_t>(count - first_plus) + 1; }
     std::uint32_t place_count() const {
       return minus_place() + static_cast<std::uint32_t>(first_minus + 2);
     }
-    std::uint32_t place_of_cell(int cell) const;
+    std::uint32_t place_of_cell(int cell) const {
+      return cell >= first_plus ? static_cast<std::uint32_t>(cell - first_plus)
+                                : minus_place() + static_cast<std::uint32_t>(first_minus - cell);
+    }
     // The cell behind a line has the line's place.
     std::uint32_t place_of_line(int line) const {
-      return line > eye ? own + static_cast<std::uint32_t>(line - first_plus)
+      return line > eye ? static_cast<std::uint32_t>(line - first_plus)
                         : minus_place() + static_cast<std::uint32_t>(first_minus + 1 - line);
     }
   };
-  static Outwards outwards(double eye, int count, bool keeps_eye_apart);
+  static Outwards outwards(double eye, int count);
 
   static constexpr unsigned kInsideBit = 33, kPlaceBits = 34;
   static constexpr Turn kCellMask = (Turn{1} << (kInsideBit - 2U)) - 1;

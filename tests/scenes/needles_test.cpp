@@ -104,7 +104,7 @@ void ask(const TerrainData& terrain, const MapSpec& spec, const Instruments& how
 
 } // namespace
 
-TEST_CASE("needles hide what is behind them, seen from straight above") {
+TEST_CASE("needles hide what is behind them, seen from straight above", "[slow]") {
   for (const int side : {17, 30})
     for (const double highest_m : {1e6, 1e5})
       for (const double elevation : {90.0, 89.999})
