@@ -129,7 +129,7 @@ LatticeOrder::Turn LatticeStrip::turn_of(std::uint32_t line) const {
 }
 
 void LatticeStrip::take(std::uint32_t number, std::span<ProfileInWork* const> profiles) {
-  throw_if_stopped(number);
+  throw_if_stopped();
   const LatticeOrder::Place place = lattice_.order.place(number);
   find_profiles(place, profiles);
   for (Group group = next_group(number, true); !group.empty(); group = next_group(number, true))
