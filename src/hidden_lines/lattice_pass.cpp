@@ -26,60 +26,23 @@ std::uint32_t places_of_band(const LatticeInWork& lattice) {
       std::clamp(kVerticesABand / (2.0 * cells), kLeastPlaces, kMostPlaces));
 }
 
-// Where the plane at a depth cuts the terrain, at most.
-LatticeOrder::Places places_of(const LatticeInWork& lattice, double depth_m) {
-  const View& view = lattice.work.sector.view;
-  const PlaneLattice& plane = lattice.grid.plane();
-  double low = 0, high = -1; // strips, from one of the grid's corners to another
-  bool any = false;
-  const std::array<std::pair<int, int>, 4> corners{
-      {{0, 0},
-       {lattice.grid.columns - 1, 0},
-       {lattice.grid.columns - 1, lattice.grid.rows - 1},
-       {0, lattice.grid.rows - 1}}};
-  const auto frame = [&](std::size_t i) {
-    const Vec2 at =
-        plane.position_m(corners[i % 4].first, corners[i % 4].second) - view.depth_origin_m;
-    return Vec2{dot(at, view.right), dot(at, view.forward)};
-  };
-  const URange shown =
-      lattice.work.whole_profiles ? URange{} : u_range(view, depth_m, lattice.work.range);
-  double u_low = shown.high_m, u_high = shown.low_m;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec2 a = frame(i), b = frame(i + 1);
-    if ((a.y < depth_m) == (b.y < depth_m)) continue;
-    const double u =
-        std::clamp(a.x + (depth_m - a.y) / (b.y - a.y) * (b.x - a.x), shown.low_m, shown.high_m);
-    u_low = std::min(u_low, u);
-    u_high = std::max(u_high, u);
-    any = true;
-  }
-  if (!any) { // at the grid's very end, or beside it
-    u_low = u_high = 0;
-    const auto nearest = std::min({frame(0).y, frame(1).y, frame(2).y, frame(3).y});
-    const auto farthest = std::max({frame(0).y, frame(1).y, frame(2).y, frame(3).y});
-    if (depth_m < nearest || depth_m > farthest) return {0, 0};
-    return {0, lattice.order.place_count() - 1};
-  }
-  low = std::min(lattice.strip.at(u_low, depth_m), lattice.strip.at(u_high, depth_m));
-  high = std::max(lattice.strip.at(u_low, depth_m), lattice.strip.at(u_high, depth_m));
-  constexpr double kBeside = 1.5; // cells: a span may begin in the strip beside
-  return lattice.order.places_between(static_cast<int>(std::floor(low - kBeside)),
-                                      static_cast<int>(std::ceil(high + kBeside)));
-}
-
 // All strips of X and all profiles of a sector. The places of the lattice's order are taken in
 // bands; in each, profiles that begin in the next band are cut, and those that ended in the last
 // one are laid out, so that there are always tasks of several kinds for the threads.
 class LatticePass {
 public:
   LatticePass(const SectorInWork& work, const LayOut& lay_out)
-      : lattice_(work), band_(places_of_band(lattice_)), strips_(strips_of()),
+      : lattice_(work), band_(places_of_band(lattice_)),
+        strips_(strips_of<LatticeStrip>(work,
+                                        [&](std::size_t i, const auto&... of_strip) {
+                                          return std::make_unique<LatticeStrip>(lattice_,
+                                                                                of_strip..., i);
+                                        })),
         seconds_(strips_.size()), stages_(work, lay_out, strips_.size()) {
     const auto& profiles = work.sector.profiles;
     waiting_.reserve(profiles.size());
     for (std::size_t i = 0; i < profiles.size(); ++i) {
-      const auto [first, last] = places_of(lattice_, profiles[i].depth_m);
+      const auto [first, last] = lattice_.places_of(profiles[i].depth_m);
       waiting_.push_back({i, first / band_, last / band_});
     }
     std::stable_sort(waiting_.begin(), waiting_.end(), [](const Waiting& a, const Waiting& b) {
@@ -126,22 +89,6 @@ private:
     std::size_t profile;
     std::uint32_t first_band, last_band;
   };
-
-  std::vector<std::unique_ptr<LatticeStrip>> strips_of() const {
-    const SectorInWork& work = lattice_.work;
-    const std::vector<Strip> plan =
-        plan_strips(work.placed, work.sector, work.range, work.vertices_a_strip);
-    std::vector<XRange> ranges;
-    for (const Strip& strip : plan) ranges.push_back(strip.range);
-    const auto which =
-        lines_by_range(work.terrain.surface, work.sector, work.lines, ranges, work.from_m);
-    const std::vector<Segment> cut = near_cut(work);
-    std::vector<std::unique_ptr<LatticeStrip>> strips(plan.size());
-    on_all_cores(plan.size(), [&](std::size_t i) {
-      strips[i] = std::make_unique<LatticeStrip>(lattice_, plan[i], i, which[i], cut);
-    });
-    return strips;
-  }
 
   void begin_profiles(std::uint32_t band) {
     cutting_.clear();
@@ -205,7 +152,7 @@ bool pays_in_order(const SectorInWork& work) {
   const LatticeInWork lattice(work);
   double pieces = 0;
   for (const PlannedProfile& profile : work.sector.profiles) {
-    const auto [first, last] = places_of(lattice, profile.depth_m);
+    const auto [first, last] = lattice.places_of(profile.depth_m);
     pieces += last - first;
   }
   constexpr double kCellsAPiece = 8;
@@ -214,15 +161,7 @@ bool pays_in_order(const SectorInWork& work) {
 
 SectorParts lattice_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,
                          Counts& counts, StageSeconds& seconds) {
-  Stopwatch watch;
-  LatticePass pass(work, lay_out);
-  watch.mark(seconds.facing);
-  pass.run(show, counts);
-  pass.add_to(counts, seconds);
-  watch = {};
-  SectorParts out = pass.found();
-  watch.mark(seconds.layout);
-  return out;
+  return run_pass<LatticePass>(work, lay_out, show, counts, seconds);
 }
 
 } // namespace orograph

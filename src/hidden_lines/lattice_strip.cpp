@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hidden_lines/lattice_strip.hpp"
 
-#include "dem/extent.hpp"
-#include "geometry/sort_by_number.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
 #include <array>
@@ -50,32 +49,11 @@ private:
   std::size_t count_ = 0;
 };
 
-AcrossLattice across(const Grid& grid, const View& view, bool columns) {
-  const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
-  const double area = cross(column_step_m, row_step_m);
-  const auto number = [&](Vec2 from_first) {
-    return (columns ? cross(from_first, row_step_m) : cross(column_step_m, from_first)) / area;
-  };
-  return {number(view.depth_origin_m - first_vertex_m), number(view.right), number(view.forward)};
-}
-
 } // namespace
 
-LatticeInWork::LatticeInWork(const SectorInWork& in_work)
-    : work(in_work), grid(std::get<Grid>(in_work.terrain.surface)),
-      order(grid, in_work.sector.view),
-      strip(across(grid, in_work.sector.view, !order.rows_are_strips())),
-      cell(across(grid, in_work.sector.view, order.rows_are_strips())) {
-  const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
-  const double reach =
-      reach_m(in_work.terrain.surface) + length(in_work.sector.view.depth_origin_m);
-  const double area = std::abs(cross(column_step_m, row_step_m));
-  rounding = 64 * std::numeric_limits<double>::epsilon() * reach *
-             (length(column_step_m) + length(row_step_m)) / area;
-}
-
-LatticeStrip::LatticeStrip(const LatticeInWork& lattice, const Strip& strip, std::size_t number,
-                           std::span<const LineAtDepth> which, std::span<const Segment> near_cut)
+LatticeStrip::LatticeStrip(const LatticeInWork& lattice, const Strip& strip,
+                           std::span<const LineAtDepth> which, std::span<const Segment> near_cut,
+                           std::size_t number)
     : lattice_(lattice), range_(strip.range), number_(number),
       pictures_(lattice.work.terrain.surface, lattice.work.sector, lattice.work.lines, strip.range,
                 lattice.work.from_m),
@@ -95,7 +73,7 @@ void LatticeStrip::order_lines(std::span<const LineAtDepth> which) {
   std::vector<std::uint32_t> end(lattice_.order.place_count() + 2, 0);
   for (const LineAtDepth& line : which) {
     throw_if_stopped(unordered.size());
-    unordered.push_back({turn_of(line.line), line.line});
+    unordered.push_back({lattice_.turn_of(pictures_, line.line), line.line});
     ++end[LatticeOrder::place_of(unordered.back().turn) + 1];
   }
   for (std::size_t i = 1; i < end.size(); ++i) end[i] += end[i - 1];
@@ -110,22 +88,6 @@ void LatticeStrip::order_lines(std::span<const LineAtDepth> which) {
     });
     begin = past;
   }
-}
-
-LatticeOrder::Turn LatticeStrip::turn_of(std::uint32_t line) const {
-  const LatticeOrder& order = lattice_.order;
-  const SurfaceEdge edge = pictures_.line(line).edge;
-  const LatticeOrder::Turn turn = order.turn(edge);
-  if (!LatticeOrder::is_on_line(turn) || !pictures_.is_moved(line)) return turn;
-  // The lattice's line runs under the eye, across the view. Moved ahead of the near plane its edges
-  // are in the strip of cells ahead, where what hides them begins at their nearer ends.
-  const auto columns = static_cast<std::uint32_t>(lattice_.grid.columns);
-  const auto column = static_cast<int>(edge.from % columns),
-             row = static_cast<int>(edge.from / columns);
-  const bool rows = order.rows_are_strips();
-  const int ahead = (rows ? row : column) - (lattice_.strip.per_v > 0 ? 0 : 1);
-  const int strips = (rows ? lattice_.grid.rows : lattice_.grid.columns) - 1;
-  return ahead >= 0 && ahead < strips ? order.turn_of_nearer(ahead, rows ? column : row) : turn;
 }
 
 void LatticeStrip::take(std::uint32_t number, std::span<ProfileInWork* const> profiles) {

@@ -2,6 +2,7 @@
 // A strip of X in the lattice's order.
 #pragma once
 
+#include "hidden_lines/lattice_in_work.hpp"
 #include "hidden_lines/line_pictures.hpp"
 #include "hidden_lines/sector_in_work.hpp"
 #include "hidden_lines/strips.hpp"
@@ -16,33 +17,14 @@
 
 namespace orograph {
 
-/// A lattice's strips of cells, and the cells of a strip, as coordinates of the profile frame: at
-/// (u, v) a strip's number and the share of it, `at_origin + per_u * u + per_v * v`.
-struct AcrossLattice {
-  double at_origin, per_u, per_v;
-  double at(double u, double v) const { return at_origin + per_u * u + per_v * v; }
-};
-
-/// The lattice of a sector in work.
-struct LatticeInWork {
-  const SectorInWork& work;
-  const Grid& grid;
-  LatticeOrder order;
-  AcrossLattice strip, cell; ///< by the order's strips
-  double rounding;           ///< of both
-
-  /// REQUIRES a grid on a map plane, and that `work` outlives this.
-  explicit LatticeInWork(const SectorInWork& work);
-};
-
 /// Takes place after place of the order: compares what is drawn with the horizon, and raises the
 /// horizon by what hides.
 class LatticeStrip {
 public:
   /// The strip's lines are `which`, by number; `near_cut` stands in front of everything. `number`
   /// is that of the strip among the sector's. REQUIRES that all outlive it.
-  LatticeStrip(const LatticeInWork& lattice, const Strip& strip, std::size_t number,
-               std::span<const LineAtDepth> which, std::span<const Segment> near_cut);
+  LatticeStrip(const LatticeInWork& lattice, const Strip& strip, std::span<const LineAtDepth> which,
+               std::span<const Segment> near_cut, std::size_t number);
   LatticeStrip(const LatticeStrip&) = delete;
   LatticeStrip& operator=(const LatticeStrip&) = delete;
 
@@ -78,7 +60,6 @@ private:
   };
 
   void order_lines(std::span<const LineAtDepth> which);
-  LatticeOrder::Turn turn_of(std::uint32_t line) const;
   Group next_group(std::uint32_t place, bool on_line);
   bool look_at(Group group);
   void take_looked_at();

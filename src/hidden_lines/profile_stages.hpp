@@ -4,7 +4,10 @@
 #pragma once
 
 #include "geometry/on_all_cores.hpp"
+#include "hidden_lines/instruments.hpp"
+#include "hidden_lines/line_pictures.hpp"
 #include "hidden_lines/sector_in_work.hpp"
+#include "hidden_lines/strips.hpp"
 #include "profiles/seen_ground.hpp"
 
 #include <cstddef>
@@ -44,6 +47,23 @@ private:
 /// Of a profile that was clipped.
 void count(const ProfileInWork& profile, Counts& counts);
 
+/// The strips of X of a sector, left to right, made on all cores. `make(i, strip, lines,
+/// near_cut)`: strip number i, the lines that reach into it, and what stands in front of
+/// everything.
+template <class MadeStrip, class Make>
+std::vector<std::unique_ptr<MadeStrip>> strips_of(const SectorInWork& work, const Make& make) {
+  const std::vector<Strip> plan =
+      plan_strips(work.placed, work.sector, work.range, work.vertices_a_strip);
+  std::vector<XRange> ranges;
+  for (const Strip& strip : plan) ranges.push_back(strip.range);
+  const auto lines =
+      lines_by_range(work.terrain.surface, work.sector, work.lines, ranges, work.from_m);
+  const std::vector<Segment> cut = near_cut(work);
+  std::vector<std::unique_ptr<MadeStrip>> strips(plan.size());
+  on_all_cores(plan.size(), [&](std::size_t i) { strips[i] = make(i, plan[i], lines[i], cut); });
+  return strips;
+}
+
 /// What the strips of a sector, left to right, have found of lines.
 template <class Strip>
 SectorParts parts_of(const std::vector<std::unique_ptr<Strip>>& strips) {
@@ -71,6 +91,21 @@ void add_counts(const std::vector<std::unique_ptr<Strip>>& strips, Counts& count
     counts.pieces_before_collapse += strip->horizon().pieces_uncollapsed();
     counts.pieces_after_collapse += strip->horizon().pieces_collapsed();
   }
+}
+
+/// Makes a pass through a sector, runs it and times its stages.
+template <class Pass>
+SectorParts run_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,
+                     Counts& counts, StageSeconds& seconds) {
+  Stopwatch watch;
+  Pass pass(work, lay_out);
+  watch.mark(seconds.facing);
+  pass.run(show, counts);
+  pass.add_to(counts, seconds);
+  watch = {};
+  SectorParts out = pass.found();
+  watch.mark(seconds.layout);
+  return out;
 }
 
 } // namespace orograph

@@ -53,18 +53,9 @@ void StripPass::take_slab(double to_m) {
 }
 
 std::vector<std::unique_ptr<StripPass>> strips_of(const SectorInWork& work) {
-  const std::vector<Strip> plan =
-      plan_strips(work.placed, work.sector, work.range, work.vertices_a_strip);
-  std::vector<XRange> ranges;
-  for (const Strip& strip : plan) ranges.push_back(strip.range);
-  const auto which =
-      lines_by_range(work.terrain.surface, work.sector, work.lines, ranges, work.from_m);
-  const std::vector<Segment> cut = near_cut(work);
-  std::vector<std::unique_ptr<StripPass>> strips(plan.size());
-  on_all_cores(plan.size(), [&](std::size_t i) {
-    strips[i] = std::make_unique<StripPass>(work, plan[i], which[i], cut);
+  return strips_of<StripPass>(work, [&](std::size_t, const auto&... of_strip) {
+    return std::make_unique<StripPass>(work, of_strip...);
   });
-  return strips;
 }
 
 namespace {
@@ -161,15 +152,7 @@ private:
 
 SectorParts strips_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,
                         Counts& counts, StageSeconds& seconds) {
-  Stopwatch watch;
-  StripsPass pass(work, lay_out);
-  watch.mark(seconds.facing);
-  pass.run(show, counts);
-  pass.add_to(counts, seconds);
-  watch = {};
-  SectorParts out = pass.found();
-  watch.mark(seconds.layout);
-  return out;
+  return run_pass<StripsPass>(work, lay_out, show, counts, seconds);
 }
 
 } // namespace orograph

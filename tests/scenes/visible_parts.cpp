@@ -11,7 +11,7 @@
 namespace orograph {
 namespace {
 
-// Ends that differ by less are the same place; DESIGN's 1e-9 mm.
+// Ends that differ by less are the same place.
 constexpr double kSame_mm = 1e-9;
 
 void add(SeenOfLine& line, double begin, double end) {

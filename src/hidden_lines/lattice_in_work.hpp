@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sector of a grid on a map plane, and the order of its lattice.
+#pragma once
+
+#include "hidden_lines/line_pictures.hpp"
+#include "hidden_lines/sector_in_work.hpp"
+#include "profiles/lattice_order.hpp"
+
+#include <cstdint>
+
+namespace orograph {
+
+/// A lattice's strips of cells, and the cells of a strip, as coordinates of the profile frame: at
+/// (u, v) a strip's number and the share of it, `at_origin + per_u * u + per_v * v`.
+struct AcrossLattice {
+  double at_origin, per_u, per_v;
+  double at(double u, double v) const { return at_origin + per_u * u + per_v * v; }
+};
+
+/// The lattice of a sector in work.
+struct LatticeInWork {
+  const SectorInWork& work;
+  const Grid& grid;
+  LatticeOrder order;
+  AcrossLattice strip, cell; ///< by the order's strips
+  double rounding;           ///< of both
+
+  /// REQUIRES a grid on a map plane, and that `work` outlives this.
+  explicit LatticeInWork(const SectorInWork& work);
+
+  /// Of a line of the sector.
+  LatticeOrder::Turn turn_of(const LinePictures& pictures, std::uint32_t line) const;
+  /// The places that hold something of the profile at a depth, and perhaps some beside them.
+  LatticeOrder::Places places_of(double depth_m) const;
+};
+
+} // namespace orograph
