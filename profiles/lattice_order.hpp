@@ -57,8 +57,6 @@ public:
   };
   std::uint32_t place_count() const { return strips_.place_count(); }
   Place place(std::uint32_t number) const;
-  /// Of the strip.
-  std::uint32_t place_of_strip(int strip) const { return strips_.place_of_cell(strip); }
   /// From the first to the last place that holds something of the strips and lines between two
   /// rows, or columns.
   struct Places {

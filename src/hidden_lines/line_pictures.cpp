@@ -45,7 +45,6 @@ double margin(const View& view, double x, double from_m, double rounding_m) {
 
 } // namespace
 
-// Whether a height is below all blocks of the horizon between two abscissae.
 bool is_below_blocks(const BlockedHorizon& horizon, double x_begin, double x_end, double height) {
   const auto& blocks = horizon.blocks();
   for (std::size_t i = horizon.block_at(x_begin); i < blocks.size() && blocks[i].x_begin <= x_end;
@@ -71,7 +70,7 @@ ProfileLine LinePictures::whole(std::uint32_t i) const {
 }
 
 bool LinePictures::is_moved(std::uint32_t i) const {
-  return sector_.keeps_strip && lies_between(ends_(lines_[i].edge), sector_);
+  return lies_between(ends_(lines_[i].edge), sector_);
 }
 
 ProfilePoint LinePictures::point(std::uint32_t line, double t) const {

@@ -193,7 +193,6 @@ TEST_CASE("places of the order hold what has its turn there") {
           const auto turn =
               rows ? order.turn(0, strip, Half::lower) : order.turn(strip, 0, Half::upper);
           CHECK(LatticeOrder::place_of(turn) == i);
-          CHECK(order.place_of_strip(strip) == i);
           CHECK(!LatticeOrder::is_on_line(turn));
         }
       }
