@@ -57,6 +57,8 @@ public:
   };
   std::uint32_t place_count() const { return strips_.place_count(); }
   Place place(std::uint32_t number) const;
+  /// Whether strips are taken with rising numbers there.
+  bool strips_rise(std::uint32_t place) const { return place < strips_.minus_place(); }
   /// From the first to the last place that holds something of the strips and lines between two
   /// rows, or columns.
   struct Places {
@@ -71,6 +73,8 @@ public:
   /// Within a strip cells are taken from `first_outwards` on with rising numbers, then those before
   /// it with falling ones.
   int first_outwards() const { return cells_.first_plus; }
+  /// Whether the line between a cell and the one before it is taken with rising numbers.
+  bool is_outwards(int line) const { return line > cells_.eye; }
   bool goes_back(Turn turn) const {
     return static_cast<std::uint32_t>(turn >> 2U & kCellMask) >= cells_.minus_place();
   }

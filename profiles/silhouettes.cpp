@@ -46,10 +46,9 @@ void for_each_marked(const std::vector<std::uint8_t>& marks, int begin, int past
   }
 }
 
-// Of the rows of cells from `first` to `end`, in order.
-template <class RowFacing>
-void find(const Grid& grid, const SeenGround& ground, RowFacing& facing, int first, int end,
-          std::vector<SurfaceEdge>& edges) {
+// Calls take(from, to) with the edges of the rows of cells from `first` to `end`, in order.
+template <class RowFacing, class Take>
+void find(const SeenGround& ground, RowFacing& facing, int first, int end, const Take& take) {
   std::vector<std::uint8_t>&lower = facing.lower, &upper = facing.upper;
   const std::size_t cells = lower.size();
   // Cells that aren't looked at have no bits, and their edges are no silhouettes.
@@ -68,9 +67,7 @@ void find(const Grid& grid, const SeenGround& ground, RowFacing& facing, int fir
   };
   const auto add_if = [&](std::uint8_t a, std::uint8_t b, CellVertex from, CellVertex to,
                           CellVertex left, CellVertex right) {
-    if (!are_seen_and_turned(a, b) || !facing.may_be_ridge(from, to, left, right)) return;
-    edges.push_back({static_cast<std::uint32_t>(grid.index(from.column, from.row)),
-                     static_cast<std::uint32_t>(grid.index(to.column, to.row))});
+    if (are_seen_and_turned(a, b) && facing.may_be_ridge(from, to, left, right)) take(from, to);
   };
   if (first > 0) {
     reckon(first - 1);
@@ -93,17 +90,46 @@ void find(const Grid& grid, const SeenGround& ground, RowFacing& facing, int fir
   }
 }
 
-template <class MakeFacing>
-std::vector<SurfaceEdge> find_on_all_cores(const Grid& grid, const SeenGround& ground,
-                                           const MakeFacing& make_facing) {
-  constexpr int kRowsOfTask = 64; // of which one is reckoned twice
+constexpr int kRowsOfTask = 64; // of which one is reckoned twice
+
+// Calls take_of(task) on all cores, and what that returns with the task's edges, in order.
+template <class TakeOf>
+void find_on_all_cores(const Grid& grid, const View& view, const SeenGround* ground,
+                       const TakeOf& take_of) {
+  if (!ground) {
+    const SeenGround all(grid);
+    return find_on_all_cores(grid, view, &all, take_of);
+  }
   const int rows = grid.rows - 1;
+  on_all_cores(static_cast<std::size_t>((rows + kRowsOfTask - 1) / kRowsOfTask),
+               [&](std::size_t task) {
+                 const int first = static_cast<int>(task) * kRowsOfTask,
+                           end = std::min(first + kRowsOfTask, rows);
+                 std::visit(
+                     [&](const auto& heights) {
+                       if (grid.is_on_earth()) {
+                         EarthRowFacing facing(grid, heights, view);
+                         find(*ground, facing, first, end, take_of(task));
+                       } else {
+                         PlaneRowFacing facing(grid, heights, view);
+                         find(*ground, facing, first, end, take_of(task));
+                       }
+                     },
+                     grid.heights_m);
+               });
+}
+
+} // namespace
+
+std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view,
+                                          const SeenGround* ground) {
   std::vector<std::vector<SurfaceEdge>> of_tasks(
-      static_cast<std::size_t>((rows + kRowsOfTask - 1) / kRowsOfTask));
-  on_all_cores(of_tasks.size(), [&](std::size_t task) {
-    const int first = static_cast<int>(task) * kRowsOfTask;
-    auto facing = make_facing();
-    find(grid, ground, facing, first, std::min(first + kRowsOfTask, rows), of_tasks[task]);
+      static_cast<std::size_t>((grid.rows - 1 + kRowsOfTask - 1) / kRowsOfTask));
+  find_on_all_cores(grid, view, ground, [&](std::size_t task) {
+    return [&grid, &edges = of_tasks[task]](CellVertex from, CellVertex to) {
+      edges.push_back({static_cast<std::uint32_t>(grid.index(from.column, from.row)),
+                       static_cast<std::uint32_t>(grid.index(to.column, to.row))});
+    };
   });
   std::size_t count = 0;
   for (const auto& some : of_tasks) count += some.size();
@@ -116,23 +142,26 @@ std::vector<SurfaceEdge> find_on_all_cores(const Grid& grid, const SeenGround& g
   return edges;
 }
 
-} // namespace
-
-std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view,
-                                          const SeenGround* ground) {
-  if (!ground) {
-    const SeenGround all(grid);
-    return silhouette_edges(grid, view, &all);
-  }
-  return std::visit(
-      [&](const auto& heights) {
-        return grid.is_on_earth()
-                   ? find_on_all_cores(grid, *ground,
-                                       [&] { return EarthRowFacing(grid, heights, view); })
-                   : find_on_all_cores(grid, *ground,
-                                       [&] { return PlaneRowFacing(grid, heights, view); });
-      },
-      grid.heights_m);
+SilhouetteMarks silhouette_marks(const Grid& grid, const View& view, bool rows_are_strips,
+                                 const SeenGround* ground) {
+  SilhouetteMarks out{rows_are_strips,
+                      static_cast<std::size_t>(rows_are_strips ? grid.columns : grid.rows) - 1,
+                      {}};
+  out.marks.resize(static_cast<std::size_t>(grid.columns - 1) *
+                   static_cast<std::size_t>(grid.rows - 1));
+  find_on_all_cores(grid, view, ground, [&](std::size_t) {
+    return [&out](CellVertex from, CellVertex to) {
+      const bool rows = out.rows_are_strips;
+      const auto strip = static_cast<std::size_t>(rows ? from.row : from.column),
+                 cell = static_cast<std::size_t>(rows ? from.column : from.row);
+      const bool along = rows ? to.row == from.row : to.column == from.column,
+                 upright = rows ? to.column == from.column : to.row == from.row;
+      out.marks[strip * out.cells + cell] |= along     ? SilhouetteMarks::kAlong
+                                             : upright ? SilhouetteMarks::kUpright
+                                                       : SilhouetteMarks::kDiagonal;
+    };
+  });
+  return out;
 }
 
 std::vector<SurfaceEdge> silhouette_edges(const Tin& tin, const View& view) {

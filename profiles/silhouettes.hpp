@@ -7,6 +7,9 @@
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace orograph {
@@ -23,5 +26,24 @@ std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view,
 std::vector<SurfaceEdge> silhouette_edges(const Tin& tin, const View& view);
 std::vector<SurfaceEdge> silhouette_edges(const Surface& surface, const View& view,
                                           const SeenGround* ground = nullptr);
+
+/// The same edges as marks, a byte for each cell, by strips of cells: rows, or columns. A cell's
+/// edges are those at its north-western vertex.
+struct SilhouetteMarks {
+  /// To the next vertex along the strip, to the one in the next strip, and to that behind it.
+  static constexpr std::uint8_t kAlong = 1, kUpright = 2, kDiagonal = 4;
+
+  bool rows_are_strips;
+  std::size_t cells; ///< in a strip
+  std::vector<std::uint8_t> marks; ///< strip after strip
+
+  std::span<const std::uint8_t> of_strip(int strip) const {
+    return {&marks[static_cast<std::size_t>(strip) * cells], cells};
+  }
+};
+
+/// Cost: as of `silhouette_edges`.
+SilhouetteMarks silhouette_marks(const Grid& grid, const View& view, bool rows_are_strips,
+                                 const SeenGround* ground = nullptr);
 
 } // namespace orograph

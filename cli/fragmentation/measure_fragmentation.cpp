@@ -115,7 +115,7 @@ private:
 struct MeasuredScene {
   const TerrainData& terrain;
   const PlacedView& scene;
-  const std::vector<EdgeLine>& lines;
+  const LinesOfView& lines;
   const Style& style;
 };
 
@@ -160,7 +160,7 @@ void measure_row(FragmentationRow& row, const FragmentationSettings& settings,
                  const TerrainData& terrain) {
   const RenderSettings render = settings_of(row, settings.render);
   const PlacedView scene = placed_view(terrain, render.map);
-  const std::vector<EdgeLine> lines = lines_of(terrain, scene, render.map.style);
+  const LinesOfView lines{lines_of(terrain, scene, render.map.style), std::nullopt};
   const MeasuredScene measured{terrain, scene, lines, render.map.style};
   const bool surface = row.occluder == Occluder::surface;
 

@@ -49,27 +49,27 @@ StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) {
 
 } // namespace
 
+// That w >= 0 follows from back and front.
+PlaneValues plane_values(const Box2& frame_mm, const std::optional<VolumeDepth>& depth,
+                         const Vec3& page, ProfilePoint scene) {
+  const auto& [x, y, w] = page;
+  const auto& [low, high] = frame_mm;
+  const double at = depth ? depth->per_u * scene.u + depth->per_v * scene.v +
+                                depth->per_z * scene.z + depth->at_origin
+                          : -0.5 * w;
+  const double slack = kInPlane * w;
+  return {x - low.x * w,  high.x * w - x, y - low.y * w,
+          high.y * w - y, w + at + slack, slack - at};
+}
+
 void StrokeBuilder::begin(std::int32_t profile, double depth_m) {
   stroke_.profile = profile;
   stroke_.depth_m = depth_m;
   last_.reset();
 }
 
-// That w >= 0 follows from back and front.
-PlaneValues StrokeBuilder::plane_values(const StrokePoint& point, const Vec3& page) const {
-  const auto& [x, y, w] = page;
-  const auto& [low, high] = settings_.frame_mm;
-  double depth = -0.5 * w;
-  if (const auto& d = settings_.depth)
-    depth = d->per_u * point.scene.u + d->per_v * point.scene.v + d->per_z * point.scene.z +
-            d->at_origin;
-  const double slack = kInPlane * w;
-  return {x - low.x * w,  high.x * w - x,    y - low.y * w,
-          high.y * w - y, w + depth + slack, slack - depth};
-}
-
 void StrokeBuilder::add_clipped(const StrokePoint& point, const Vec3& page) {
-  const PlaneValues values = plane_values(point, page);
+  const PlaneValues values = values_of(point, page);
   const bool inside = is_in_frame(page) && values[4] >= 0 && values[5] >= 0;
   if (!last_) {
     if (inside) append(point, page);
@@ -77,7 +77,7 @@ void StrokeBuilder::add_clipped(const StrokePoint& point, const Vec3& page) {
     append(point, page);
   } else {
     const PlaneValues last_values =
-        plane_values(last_->point, settings_.to_page.of(last_->point.plane));
+        values_of(last_->point, settings_.to_page.of(last_->point.plane));
     const auto shares = clip_by_planes(last_values, values);
     if (shares && shares->begin < shares->end) {
       if (!last_->inside) append(between(last_->point, point, shares->begin));

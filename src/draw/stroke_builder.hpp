@@ -41,6 +41,16 @@ struct VolumeDepth {
   double per_u, per_v, per_z, at_origin;
 };
 
+/// Rounding puts a point of a plane on either side of it: a picture that fills the frame touches its
+/// sides (in mm), and along the front and back plane, where they cut the terrain, lines lie in them.
+constexpr double kInPlane = 1e-9;
+
+/// For each plane of the view volume (left, right, above, below, back, front) how far inside a point
+/// is, in some measure: its place on the page, in homogeneous coordinates, and in the scene. Without
+/// `depth` there is no back and no front.
+PlaneValues plane_values(const Box2& frame_mm, const std::optional<VolumeDepth>& depth,
+                         const Vec3& page, ProfilePoint scene);
+
 struct StrokeSettings {
   Homography to_page;               ///< visibility plane to page
   Box2 frame_mm;                    ///< strokes end here
@@ -78,11 +88,6 @@ public:
   double left_out_mm() const { return left_out_mm_; }
 
 private:
-  // Rounding puts a point of a plane on either side of it: a picture that fills the frame touches
-  // its sides (in mm), and along the front and back plane, where they cut the terrain, lines lie in
-  // them.
-  static constexpr double kInPlane = 1e-9;
-
   struct Last {
     StrokePoint point;
     bool inside; ///< in the view volume
@@ -95,8 +100,9 @@ private:
     return w > 0 && x - low.x * w >= -slack && high.x * w - x >= -slack &&
            y - low.y * w >= -slack && high.y * w - y >= -slack;
   }
-  // Values of the view volume's planes: left, right, above, below, back, front.
-  PlaneValues plane_values(const StrokePoint& point, const Vec3& page) const;
+  PlaneValues values_of(const StrokePoint& point, const Vec3& page) const {
+    return plane_values(settings_.frame_mm, settings_.depth, page, point.scene);
+  }
   void add_clipped(const StrokePoint& point, const Vec3& page);
   void append(const StrokePoint& point) { append(point, settings_.to_page.of(point.plane)); }
   void append(const StrokePoint& point, const Vec3& page) {

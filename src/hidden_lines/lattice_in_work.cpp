@@ -23,23 +23,23 @@ AcrossLattice across(const Grid& grid, const View& view, bool columns) {
 
 } // namespace
 
-LatticeInWork::LatticeInWork(const SectorInWork& in_work)
-    : work(in_work), grid(std::get<Grid>(in_work.terrain.surface)),
-      order(grid, in_work.sector.view),
-      strip(across(grid, in_work.sector.view, !order.rows_are_strips())),
-      cell(across(grid, in_work.sector.view, order.rows_are_strips())) {
+SectorLattice::SectorLattice(const Grid& of_grid, const View& of_view)
+    : grid(of_grid), view(of_view), order(grid, view),
+      strip(across(grid, view, !order.rows_are_strips())),
+      cell(across(grid, view, order.rows_are_strips())) {
   const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
-  const double reach =
-      reach_m(in_work.terrain.surface) + length(in_work.sector.view.depth_origin_m);
+  const double reach = reach_m(grid) + length(view.depth_origin_m);
   const double area = std::abs(cross(column_step_m, row_step_m));
   rounding = 64 * std::numeric_limits<double>::epsilon() * reach *
              (length(column_step_m) + length(row_step_m)) / area;
 }
 
-LatticeOrder::Turn LatticeInWork::turn_of(const LinePictures& pictures, std::uint32_t line) const {
-  const SurfaceEdge edge = pictures.line(line).edge;
+LatticeInWork::LatticeInWork(const SectorInWork& in_work)
+    : SectorLattice(std::get<Grid>(in_work.terrain.surface), in_work.sector.view), work(in_work) {}
+
+LatticeOrder::Turn LatticeInWork::turn_of(const LinePictures& pictures, SurfaceEdge edge) const {
   const LatticeOrder::Turn turn = order.turn(edge);
-  if (!LatticeOrder::is_on_line(turn) || !pictures.is_moved(line)) return turn;
+  if (!LatticeOrder::is_on_line(turn) || !pictures.is_moved(edge)) return turn;
   // The lattice's line runs under the eye, across the view. Moved ahead of the near plane its edges
   // are in the strip of cells ahead, where what hides them begins at their nearer ends.
   const auto columns = static_cast<std::uint32_t>(grid.columns);
@@ -51,8 +51,7 @@ LatticeOrder::Turn LatticeInWork::turn_of(const LinePictures& pictures, std::uin
   return ahead >= 0 && ahead < strips ? order.turn_of_nearer(ahead, rows ? column : row) : turn;
 }
 
-LatticeOrder::Places LatticeInWork::places_of(double depth_m) const {
-  const View& view = work.sector.view;
+LatticeOrder::Places SectorLattice::places_of(double depth_m, const URange& shown) const {
   const auto frame = [&](int column, int row) {
     const Vec2 at = grid.plane().position_m(column, row) - view.depth_origin_m;
     return Vec2{dot(at, view.right), dot(at, view.forward)};
@@ -60,7 +59,6 @@ LatticeOrder::Places LatticeInWork::places_of(double depth_m) const {
   const std::array<Vec2, 4> corners{frame(0, 0), frame(grid.columns - 1, 0),
                                     frame(grid.columns - 1, grid.rows - 1),
                                     frame(0, grid.rows - 1)};
-  const URange shown = work.whole_profiles ? URange{} : u_range(view, depth_m, work.range);
   URange cut{shown.high_m, shown.low_m};
   bool any = false;
   for (std::size_t i = 0; i < 4; ++i) {

@@ -17,21 +17,31 @@ struct AcrossLattice {
   double at(double u, double v) const { return at_origin + per_u * u + per_v * v; }
 };
 
-/// The lattice of a sector in work.
-struct LatticeInWork {
-  const SectorInWork& work;
+/// The lattice of a grid on a map plane as a sector's view sees it.
+struct SectorLattice {
   const Grid& grid;
+  const View& view;
   LatticeOrder order;
   AcrossLattice strip, cell; ///< by the order's strips
   double rounding;           ///< of both
 
-  /// REQUIRES a grid on a map plane, and that `work` outlives this.
-  explicit LatticeInWork(const SectorInWork& work);
+  /// REQUIRES that both outlive this.
+  SectorLattice(const Grid& grid, const View& view);
+
+  /// The places that hold something of the profile at a depth, as far as it is shown, and perhaps
+  /// some beside them.
+  LatticeOrder::Places places_of(double depth_m, const URange& shown) const;
+};
+
+/// The same of a sector in work.
+struct LatticeInWork : SectorLattice {
+  const SectorInWork& work;
+
+  /// REQUIRES that `work` outlives this.
+  explicit LatticeInWork(const SectorInWork& in_work);
 
   /// Of a line of the sector.
-  LatticeOrder::Turn turn_of(const LinePictures& pictures, std::uint32_t line) const;
-  /// The places that hold something of the profile at a depth, and perhaps some beside them.
-  LatticeOrder::Places places_of(double depth_m) const;
+  LatticeOrder::Turn turn_of(const LinePictures& pictures, SurfaceEdge edge) const;
 };
 
 } // namespace orograph

@@ -4,8 +4,10 @@
 #include "geometry/on_all_cores.hpp"
 #include "hidden_lines/instruments.hpp"
 #include "hidden_lines/lattice_strip.hpp"
+#include "hidden_lines/parts_by_edge.hpp"
 #include "hidden_lines/profile_stages.hpp"
 #include "hidden_lines/strips.hpp"
+#include "placing/sector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +44,10 @@ public:
     const auto& profiles = work.sector.profiles;
     waiting_.reserve(profiles.size());
     for (std::size_t i = 0; i < profiles.size(); ++i) {
-      const auto [first, last] = lattice_.places_of(profiles[i].depth_m);
+      const auto [first, last] = lattice_.places_of(profiles[i].depth_m,
+                             work.whole_profiles
+                                 ? URange{}
+                                 : u_range(work.sector.view, profiles[i].depth_m, work.range));
       waiting_.push_back({i, first / band_, last / band_});
     }
     std::stable_sort(waiting_.begin(), waiting_.end(), [](const Waiting& a, const Waiting& b) {
@@ -74,9 +79,14 @@ public:
       for (const std::size_t index : laying_) laid_out_[index] = true;
       show_finished(show, counts);
     }
+    on_all_cores(strips_.size(), [&](std::size_t i) {
+      Stopwatch watch;
+      strips_[i]->finish();
+      watch.mark(seconds_[i]);
+    });
   }
 
-  SectorParts found() const { return parts_of(strips_); }
+  SectorParts found() const { return parts_by_edge(strips_, lattice_.work.lines.size()); }
 
   void add_to(Counts& counts, StageSeconds& seconds) const {
     add_counts(strips_, counts);
@@ -148,15 +158,17 @@ private:
 
 } // namespace
 
-bool pays_in_order(const SectorInWork& work) {
-  const LatticeInWork lattice(work);
+bool pays_in_order(const Grid& grid, const Sector& sector) {
+  const SectorLattice lattice(grid, sector.view);
+  const XRange range = page_range(sector);
   double pieces = 0;
-  for (const PlannedProfile& profile : work.sector.profiles) {
-    const auto [first, last] = lattice.places_of(profile.depth_m);
+  for (const PlannedProfile& profile : sector.profiles) {
+    const auto [first, last] =
+        lattice.places_of(profile.depth_m, u_range(sector.view, profile.depth_m, range));
     pieces += last - first;
   }
   constexpr double kCellsAPiece = 8;
-  return pieces * kCellsAPiece <= static_cast<double>(lattice.grid.size());
+  return pieces * kCellsAPiece <= static_cast<double>(grid.size());
 }
 
 SectorParts lattice_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,

@@ -12,7 +12,7 @@ namespace orograph {
 /// lines of the lattice are taken one by one; where there are about as many as cells (a profile a
 /// row, aslant of the rows), slabs between profiles, which are taken whole, cost less: rough 2000²
 /// from 213/25 0.9 s beside 1.5 s. REQUIRES a grid on a map plane.
-bool pays_in_order(const SectorInWork& work);
+bool pays_in_order(const Grid& grid, const Sector& sector);
 
 /// As `strips_pass`, of a surface that hides and is a grid on a map plane.
 SectorParts lattice_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,

@@ -4,7 +4,6 @@
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,42 +11,6 @@ namespace orograph {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// A corner of the part of a place that a strip of X shows.
-struct Corner {
-  double u, v;
-};
-
-// A convex polygon of few corners, cut by half-planes.
-class Shown {
-public:
-  void add(Corner corner) { corners_[count_++] = corner; }
-  // Leaves what `inside` is not negative of; it is linear.
-  template <class Inside>
-  void cut(const Inside& inside) {
-    Shown left;
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Corner a = corners_[i], b = corners_[(i + 1) % count_];
-      const double at_a = inside(a), at_b = inside(b);
-      if (at_a >= 0) left.add(a);
-      if ((at_a >= 0) == (at_b >= 0)) continue;
-      const double share = at_a / (at_a - at_b);
-      left.add({a.u + share * (b.u - a.u), a.v + share * (b.v - a.v)});
-    }
-    *this = left;
-  }
-  bool empty() const { return count_ == 0; }
-  std::pair<double, double> depths_m() const {
-    std::pair<double, double> out{kInfinity, -kInfinity};
-    for (std::size_t i = 0; i < count_; ++i)
-      out = {std::min(out.first, corners_[i].v), std::max(out.second, corners_[i].v)};
-    return out;
-  }
-
-private:
-  std::array<Corner, 12> corners_; // four, and at most one more for each cut
-  std::size_t count_ = 0;
-};
 
 } // namespace
 
@@ -61,75 +24,136 @@ LatticeStrip::LatticeStrip(const LatticeInWork& lattice, const Strip& strip,
                pictures_.looked_at().end),
       uprights_(lattice.grid, lattice.work.sector.view, lattice.work.from_m),
       cursors_(lattice.work.sector.profiles.size(), 0) {
+  if (lattice.work.silhouettes) {
+    silhouettes_.emplace(lattice, *lattice.work.silhouettes, pictures_);
+    if (lattice.work.folds) {
+      const bool whole = lattice.work.placed.extent.valid == lattice.grid.size();
+      ridges_.emplace(*lattice.work.folds, pictures_, whole);
+    }
+  }
   order_lines(which);
   for (const Segment& s : near_cut)
     if (s.x0 <= range_.end && s.x1 >= range_.begin) horizon_.raise({s.x0, s.x1, s, false});
 }
 
-// Into the order of their turns: parted by place first, which is cheaper than a sort of all.
+// Into the order of their turns.
 void LatticeStrip::order_lines(std::span<const LineAtDepth> which) {
-  std::vector<LineAtTurn> unordered;
-  unordered.reserve(which.size());
-  std::vector<std::uint32_t> end(lattice_.order.place_count() + 2, 0);
-  for (const LineAtDepth& line : which) {
-    throw_if_stopped(unordered.size());
-    unordered.push_back({lattice_.turn_of(pictures_, line.line), line.line});
-    ++end[LatticeOrder::place_of(unordered.back().turn) + 1];
+  const auto add = [&](std::uint32_t line) {
+    throw_if_stopped(lines_.size());
+    lines_.push_back({lattice_.turn_of(pictures_, pictures_.line(line).edge), line});
+  };
+  for (const LineAtDepth& line : which) add(line.line);
+  if (silhouettes_ && lattice_.work.sector.keeps_strip) {
+    // What was moved ahead isn't found at its line's place. It lies on the line under the eye.
+    const int strips =
+        (lattice_.order.rows_are_strips() ? lattice_.grid.rows : lattice_.grid.columns) - 1;
+    const double under_eye = lattice_.strip.at_origin;
+    for (const double line : {std::floor(under_eye), std::floor(under_eye) + 1})
+      if (line > 0 && line < strips)
+        for (const SurfaceEdge& edge : silhouettes_->moved(static_cast<int>(line)))
+          add(pictures_.add_found({edge, LineKind::silhouette, true,
+                                   lattice_.work.draws_silhouettes, false}));
   }
-  for (std::size_t i = 1; i < end.size(); ++i) end[i] += end[i - 1];
-  lines_.resize(unordered.size());
-  for (const LineAtTurn& line : unordered) lines_[end[LatticeOrder::place_of(line.turn)]++] = line;
-  const auto at = [&](std::uint32_t i) { return lines_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::uint32_t begin = 0;
-  for (const std::uint32_t past : end) {
-    throw_if_stopped(begin);
-    std::sort(at(begin), at(past), [](const LineAtTurn& a, const LineAtTurn& b) {
-      return a.turn != b.turn ? a.turn < b.turn : a.line < b.line;
-    });
-    begin = past;
-  }
+  std::size_t steps = 0;
+  const auto before = [&](const LineAtTurn& a, const LineAtTurn& b) {
+    throw_if_stopped(++steps);
+    if (a.turn != b.turn) return a.turn < b.turn;
+    const auto kind = [&](const LineAtTurn& at) { return pictures_.line(at.line).kind; };
+    return kind(a) != kind(b) ? kind(a) < kind(b) : a.line < b.line;
+  };
+  std::sort(lines_.begin(), lines_.end(), before);
 }
 
 void LatticeStrip::take(std::uint32_t number, std::span<ProfileInWork* const> profiles) {
   throw_if_stopped();
+  place_ = number;
   const LatticeOrder::Place place = lattice_.order.place(number);
-  find_profiles(place, profiles);
-  for (Group group = next_group(number, true); !group.empty(); group = next_group(number, true))
-    if (look_at(group)) take_looked_at();
-  for (const bool back : {false, true}) take_side(number, back);
+  const ShownOfPlace shown = shown_of(lattice_, place, pictures_.looked_at());
+  if (silhouettes_) silhouettes_->find(place, shown, horizon_);
+  find_profiles(place, shown, profiles);
+  if (silhouettes_) found_ = silhouettes_->of(PlacePart::line);
+  while (look_at_next(PlacePart::line)) take_looked_at();
+  for (const PlacePart side : {PlacePart::outwards, PlacePart::backwards}) take_side(side);
+  if (ridges_ && place.strip != LatticeOrder::Place::kNone) judge_folds(place);
 }
 
-// The lines of the next edge, if it is at the place, on its line or not.
-LatticeStrip::Group LatticeStrip::next_group(std::uint32_t place, bool on_line) {
-  const std::size_t first = next_line_;
-  if (first == lines_.size()) return {};
-  const LatticeOrder::Turn turn = lines_[first].turn;
-  if (LatticeOrder::place_of(turn) != place || LatticeOrder::is_on_line(turn) != on_line) return {};
-  while (next_line_ < lines_.size() && lines_[next_line_].turn == turn) ++next_line_;
-  return {&lines_[first], next_line_ - first};
+void LatticeStrip::judge_folds(const LatticeOrder::Place& place) {
+  const View& view = lattice_.view;
+  const auto& [at_origin, per_u, per_v] = lattice_.strip;
+  // Strips on this side of the eye are taken with rising numbers, or with falling ones.
+  const bool rises = lattice_.order.strips_rise(place_);
+  const double line = rises ? place.strip + 1 : place.strip;
+  ridges_->judge_early(horizon_, [&](double x) {
+    const double ahead = view.is_perspective() ? line - at_origin : line - at_origin - per_u * x,
+                 per_depth = view.is_perspective() ? per_u * x + per_v : per_v - per_u * view.x_per_v;
+    // A ray that runs to the other side isn't told about.
+    return (per_depth > 0) == rises && per_depth != 0 ? ahead / per_depth : kInfinity;
+  });
 }
 
-// Whether any of the lines may be seen, or hide anything.
-bool LatticeStrip::look_at(Group group) {
-  looked_at_.clear();
-  for (const LineAtTurn& at : group) {
-    const LinePicture picture = pictures_.picture(at.line, pictures_.whole(at.line));
-    if (std::max(picture.left.v, picture.right.v) <= pictures_.from_m()) continue;
-    SurfaceLine line = pictures_.surface_line(at.line, picture);
-    if (!pictures_.cut_to_range(line)) continue;
-    if (line.upright() ? !line.drawn || pictures_.is_hidden(picture, horizon_)
-                       : is_below_blocks(horizon_, line.begin, line.end,
-                                         std::max(height_at(line.source, line.begin),
-                                                  height_at(line.source, line.end))))
-      continue;
-    looked_at_.push_back({line, picture, at.line});
+void LatticeStrip::finish() {
+  if (!ridges_) return;
+  ridges_->judge(horizon_);
+  const std::vector<LinePart> rest = ridges_->unjudged();
+  parts_.insert(parts_.end(), rest.begin(), rest.end());
+}
+
+// Of the lines on the next edge in this part of the place, those that may be seen or hide anything.
+// Tells the edge's turn; none if nothing is left.
+std::optional<LatticeOrder::Turn> LatticeStrip::look_at_next(PlacePart part) {
+  constexpr LatticeOrder::Turn kNone = std::numeric_limits<LatticeOrder::Turn>::max();
+  const auto is_here = [&](LatticeOrder::Turn turn) {
+    return LatticeOrder::place_of(turn) == place_ && part_of(lattice_.order, turn) == part;
+  };
+  const auto listed_turn = [&] {
+    return next_line_ < lines_.size() && is_here(lines_[next_line_].turn) ? lines_[next_line_].turn
+                                                                          : kNone;
+  };
+  while (true) {
+    const LatticeOrder::Turn listed = listed_turn(),
+                             found = found_.empty() ? kNone : found_.front().turn;
+    const LatticeOrder::Turn turn = std::min(listed, found);
+    if (turn == kNone) return std::nullopt;
+    looked_at_.clear();
+    bool silhouette_drawn = false;
+    if (found == turn) {
+      const auto& [same, edge, picture] = found_.front();
+      found_ = found_.subspan(1);
+      silhouette_drawn = lattice_.work.draws_silhouettes;
+      const std::uint32_t number =
+          pictures_.add_found({edge, LineKind::silhouette, true, silhouette_drawn, false});
+      look_at(number, picture);
+      if (looked_at_.empty()) pictures_.drop_last_found();
+    }
+    for (; listed == turn && listed_turn() == turn; ++next_line_) {
+      const std::uint32_t number = lines_[next_line_].line;
+      const EdgeLine& line = pictures_.line(number);
+      // An edge of several kinds is drawn as the first.
+      if (silhouette_drawn && !line.hides) continue;
+      silhouette_drawn = silhouette_drawn || (line.kind == LineKind::silhouette && line.drawn);
+      look_at(number, pictures_.picture(number, pictures_.whole(number)));
+    }
+    if (!looked_at_.empty()) return turn;
   }
-  return !looked_at_.empty();
+}
+
+void LatticeStrip::look_at(std::uint32_t number, const LinePicture& picture) {
+  if (std::max(picture.left.v, picture.right.v) <= pictures_.from_m()) return;
+  SurfaceLine line = pictures_.surface_line(number, picture);
+  line.source.id = source_id(number);
+  if (!pictures_.cut_to_range(line)) return;
+  if (line.upright() ? !line.drawn || pictures_.is_hidden(picture, horizon_)
+                     : is_below_blocks(horizon_, line.begin, line.end,
+                                       std::max(height_at(line.source, line.begin),
+                                                height_at(line.source, line.end))))
+    return;
+  looked_at_.push_back({line, picture, number, raises(line)});
 }
 
 // All lines of an edge are compared before any of them hides.
 void LatticeStrip::take_looked_at() {
-  for (const auto& [line, picture, number] : looked_at_) {
+  bool changes = false;
+  for (auto& [line, picture, number, may_rise] : looked_at_) {
     if (!line.drawn) continue;
     visible_.clear();
     if (line.upright())
@@ -137,50 +161,39 @@ void LatticeStrip::take_looked_at() {
           line, number,
           uprights_.in_front(pictures_.line(number).edge, picture.t_left < picture.t_right),
           visible_);
-    else
-      add_above_horizon(line, number, horizon_, lattice_.work.tolerance, visible_);
-    for (const auto& [same, t_begin, t_end] : visible_)
-      pictures_.add_part(number, picture, t_begin, t_end, parts_);
+    else if (!add_above_horizon(line, number, horizon_, lattice_.work.tolerance, visible_))
+      may_rise = false;
+    if (visible_.empty()) continue;
+    changes = true;
+    add_visible(line, picture, number);
   }
   for (const LookedAt& at : looked_at_)
-    if (raises(at.line)) horizon_.raise(occluder_of(at.line));
+    if (at.may_rise && horizon_.raise(occluder_of(at.line))) changes = true;
+  const std::uint32_t first = looked_at_.front().number;
+  if (!changes && is_found(first) && first + 1 == pictures_.size()) pictures_.drop_last_found();
 }
 
-void LatticeStrip::find_profiles(const LatticeOrder::Place& place,
+void LatticeStrip::add_visible(const SurfaceLine& line, const LinePicture& picture,
+                               std::uint32_t number) {
+  const std::size_t before = parts_.size();
+  for (const auto& [same, t_begin, t_end] : visible_)
+    pictures_.add_part(number, picture, t_begin, t_end, parts_);
+  // What goes on beside the strip is judged as a whole.
+  if (!ridges_ || !is_found(number) || line.begin <= range_.begin || line.end >= range_.end ||
+      (line.upright() && (line.source.x0 <= range_.begin || line.source.x0 >= range_.end)))
+    return;
+  ridges_->take(picture, visible_, parts_, before);
+}
+
+void LatticeStrip::find_profiles(const LatticeOrder::Place& place, const ShownOfPlace& shown,
                                  std::span<ProfileInWork* const> profiles) {
   outwards_.clear();
   backwards_.clear();
-  if (profiles.empty()) return;
-  const auto [line, strip] = place;
-  constexpr int kNone = LatticeOrder::Place::kNone;
-  const int first = line != kNone && (strip == kNone || line < strip) ? line : strip,
-            last = strip == kNone ? line : std::max(line, strip + 1);
-  if (first == kNone) return;
-  const bool rows = lattice_.order.rows_are_strips();
-  const int cells = rows ? lattice_.grid.columns - 1 : lattice_.grid.rows - 1;
-  const View& view = lattice_.work.sector.view;
-  Shown shown;
-  for (const auto& [at_strip, at_cell] :
-       {std::pair{first, 0}, {last, 0}, {last, cells}, {first, cells}}) {
-    const Vec2 at =
-        lattice_.grid.plane().position_m(rows ? at_cell : at_strip, rows ? at_strip : at_cell) -
-        view.depth_origin_m;
-    shown.add({dot(at, view.right), dot(at, view.forward)});
-  }
-  const double slack_m = 1e-6 * lattice_.work.placed.cell_m;
-  if (view.is_perspective()) shown.cut([&](Corner p) { return p.v - view.near_m; });
-  const auto beside = [&](Corner p, double x) {
-    return view.is_perspective() ? p.u - x * p.v : p.u + p.v * view.x_per_v - x;
-  };
-  if (!std::isinf(range_.begin))
-    shown.cut([&](Corner p) { return beside(p, range_.begin) + slack_m; });
-  if (!std::isinf(range_.end)) shown.cut([&](Corner p) { return slack_m - beside(p, range_.end); });
   if (shown.empty()) return;
-  const auto [nearest_m, farthest_m] = shown.depths_m();
   auto at = std::partition_point(profiles.begin(), profiles.end(), [&](const ProfileInWork* p) {
-    return p->planned.depth_m < nearest_m - slack_m;
+    return p->planned.depth_m < shown.nearest_m;
   });
-  for (; at != profiles.end() && (*at)->planned.depth_m <= farthest_m + slack_m; ++at)
+  for (; at != profiles.end() && (*at)->planned.depth_m <= shown.farthest_m; ++at)
     add_profile(place, **at);
 }
 
@@ -299,30 +312,27 @@ bool LatticeStrip::is_hidden(const ProfileInWork& profile, std::uint32_t first,
 }
 
 // The lines of a strip on one side of the eye's cell, between them the profiles.
-void LatticeStrip::take_side(std::uint32_t place, bool back) {
+void LatticeStrip::take_side(PlacePart part) {
+  const bool back = part == PlacePart::backwards;
   side_ = back ? &backwards_ : &outwards_;
   begun_ = done_ = 0;
-  const auto first_cell = [](const ProfilePart& part) { return part.cell(part.next); };
+  const auto first_cell = [](const ProfilePart& p) { return p.cell(p.next); };
   if (!std::is_sorted(side_->begin(), side_->end(),
                       [&](const auto& a, const auto& b) { return first_cell(a) < first_cell(b); }))
     std::stable_sort(side_->begin(), side_->end(),
                      [&](const auto& a, const auto& b) { return first_cell(a) < first_cell(b); });
   const auto columns = static_cast<std::uint32_t>(lattice_.grid.columns);
-  while (next_line_ < lines_.size() && lattice_.order.goes_back(lines_[next_line_].turn) == back) {
-    const Group group = next_group(place, false);
-    if (group.empty()) break;
-    if (!look_at(group)) continue;
-    const LatticeOrder::Turn turn = group.front().turn;
-    const std::uint32_t from = pictures_.line(group.front().line).edge.from;
+  if (silhouettes_) found_ = silhouettes_->of(part);
+  while (const auto turn = look_at_next(part)) {
+    const std::uint32_t from = pictures_.line(looked_at_.front().number).edge.from;
     const auto column = static_cast<int>(from % columns), row = static_cast<int>(from / columns);
     const int cell = lattice_.order.rows_are_strips() ? column : row;
-    const bool diagonal = LatticeOrder::is_diagonal(turn);
     // What lies on the edge itself is taken before that hides.
-    take_up_to((!back                            ? cell
-                : LatticeOrder::is_upright(turn) ? -cell
-                                                 : -(cell + 1)) +
+    take_up_to((!back                             ? cell
+                : LatticeOrder::is_upright(*turn) ? -cell
+                                                  : -(cell + 1)) +
                lattice_.rounding);
-    if (diagonal)
+    if (LatticeOrder::is_diagonal(*turn))
       take_diagonal(column, row, back);
     else
       take_looked_at();

@@ -4,6 +4,8 @@
 
 #include "hidden_lines/lattice_in_work.hpp"
 #include "hidden_lines/line_pictures.hpp"
+#include "hidden_lines/place_silhouettes.hpp"
+#include "hidden_lines/ridges.hpp"
 #include "hidden_lines/sector_in_work.hpp"
 #include "hidden_lines/strips.hpp"
 #include "hidden_lines/upright_heights.hpp"
@@ -12,6 +14,7 @@
 #include "profiles/lattice_order.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,7 +36,12 @@ public:
   /// of. REQUIRES that places are taken in order.
   void take(std::uint32_t place, std::span<ProfileInWork* const> profiles);
 
+  /// Once everything was taken.
+  void finish();
+
+  /// What was visible of lines, less what is told apart by `ridges`.
   const std::vector<LinePart>& visible_parts() const { return parts_; }
+  const Ridges* ridges() const { return ridges_ ? &*ridges_ : nullptr; }
   const LinePictures& pictures() const { return pictures_; }
   const BlockedHorizon& horizon() const { return horizon_; }
   const ProfileClipCounts& counts() const { return counts_; }
@@ -43,7 +51,6 @@ private:
     LatticeOrder::Turn turn;
     std::uint32_t line;
   };
-  using Group = std::span<const LineAtTurn>; // on one edge
   // What of a profile is in the present strip of cells, from span `next` up to `end`, outwards from
   // the eye. Cells are counted outwards as well: backwards on one side.
   struct ProfilePart {
@@ -60,13 +67,17 @@ private:
   };
 
   void order_lines(std::span<const LineAtDepth> which);
-  Group next_group(std::uint32_t place, bool on_line);
-  bool look_at(Group group);
+  std::optional<LatticeOrder::Turn> look_at_next(PlacePart part);
+  void look_at(std::uint32_t line, const LinePicture& picture);
   void take_looked_at();
-  void find_profiles(const LatticeOrder::Place& place, std::span<ProfileInWork* const> profiles);
+  void add_visible(const SurfaceLine& line, const LinePicture& picture, std::uint32_t number);
+  void judge_folds(const LatticeOrder::Place& place);
+  bool is_found(std::uint32_t line) const { return line >= lattice_.work.lines.size(); }
+  void find_profiles(const LatticeOrder::Place& place, const ShownOfPlace& shown,
+                     std::span<ProfileInWork* const> profiles);
   void add_profile(const LatticeOrder::Place& place, ProfileInWork& profile);
   bool is_hidden(const ProfileInWork& profile, std::uint32_t first, std::uint32_t last) const;
-  void take_side(std::uint32_t place, bool back);
+  void take_side(PlacePart part);
   void take_diagonal(int column, int row, bool back);
   void take_up_to(double cell);
   void clip(ProfileInWork& profile, std::ptrdiff_t first, std::ptrdiff_t last);
@@ -78,16 +89,21 @@ private:
   BlockedHorizon horizon_;
   UprightHeights uprights_;
   ProfileClipCounts counts_;
-  std::vector<LineAtTurn> lines_; ///< by turn
+  std::vector<LineAtTurn> lines_; ///< of the list, by turn
   std::size_t next_line_ = 0;
+  std::optional<PlaceSilhouettes> silhouettes_;
+  std::span<const PlaceSilhouettes::Found> found_; ///< of the present part of a place, left to take
+  std::uint32_t place_ = 0;                        ///< the present one
   struct LookedAt {
     SurfaceLine line;
     LinePicture picture;
     std::uint32_t number;
+    bool may_rise;
   };
   std::vector<LookedAt> looked_at_;
   std::vector<VisibleLinePart> visible_;
   std::vector<LinePart> parts_;
+  std::optional<Ridges> ridges_;
   std::vector<ProfilePart> outwards_, backwards_;
   std::vector<ProfilePart>* side_ = nullptr;
   std::size_t begun_ = 0, done_ = 0; ///< of the side's

@@ -7,6 +7,34 @@
 #include <algorithm>
 
 namespace orograph {
+namespace {
+
+// Parts that are in order, from number `first` on.
+template <class Gap>
+void join_in_order(std::vector<LinePart>& parts, std::size_t first, const Gap& gap) {
+  std::size_t count = first;
+  for (std::size_t i = first; i < parts.size(); ++i) {
+    throw_if_stopped(i);
+    const LinePart part = parts[i];
+    if (count > first && parts[count - 1].line == part.line &&
+        parts[count - 1].t_end >= part.t_begin - gap(part.line))
+      parts[count - 1].t_end = std::max(parts[count - 1].t_end, part.t_end);
+    else
+      parts[count++] = part;
+  }
+  parts.resize(count);
+  const auto begin = parts.begin() + static_cast<std::ptrdiff_t>(first);
+  parts.erase(std::remove_if(begin, parts.end(),
+                             [](const LinePart& p) { return p.t_end - p.t_begin <= kSameShare; }),
+              parts.end());
+}
+
+double no_gap(std::uint32_t) {
+  return kSameShare;
+}
+
+} // namespace
+
 void join(std::vector<LinePart>& parts, const std::function<double(std::uint32_t)>& gap) {
   sort_by_number(parts, [](const LinePart& part) { return part.line; });
   std::size_t step = 0;
@@ -19,17 +47,16 @@ void join(std::vector<LinePart>& parts, const std::function<double(std::uint32_t
                 [](const LinePart& a, const LinePart& b) { return a.t_begin < b.t_begin; });
     first = end;
   }
-  std::size_t count = 0;
-  for (const LinePart& part : parts) {
-    throw_if_stopped(step++);
-    if (count > 0 && parts[count - 1].line == part.line &&
-        parts[count - 1].t_end >= part.t_begin - (gap ? gap(part.line) : kSameShare))
-      parts[count - 1].t_end = std::max(parts[count - 1].t_end, part.t_end);
-    else
-      parts[count++] = part;
-  }
-  parts.resize(count);
-  std::erase_if(parts, [](const LinePart& p) { return p.t_end - p.t_begin <= kSameShare; });
+  if (gap)
+    join_in_order(parts, 0, gap);
+  else
+    join_in_order(parts, 0, no_gap);
+}
+
+void join_of_line(std::vector<LinePart>& parts, std::size_t first) {
+  std::sort(parts.begin() + static_cast<std::ptrdiff_t>(first), parts.end(),
+            [](const LinePart& a, const LinePart& b) { return a.t_begin < b.t_begin; });
+  join_in_order(parts, first, no_gap);
 }
 
 std::vector<LinePart> without(const std::vector<LinePart>& parts,

@@ -27,6 +27,10 @@ constexpr double kSameShare = 1e-12;
 /// rounding leaves where two occluders meet are dropped.
 void join(std::vector<LinePart>& parts, const std::function<double(std::uint32_t)>& gap = {});
 
+/// The same of the parts from number `first` on, all of one line. Cost: little, of the few that a
+/// line has.
+void join_of_line(std::vector<LinePart>& parts, std::size_t first);
+
 /// What is left of `parts` without `taken`; both by line.
 std::vector<LinePart> without(const std::vector<LinePart>& parts,
                               const std::vector<LinePart>& taken);

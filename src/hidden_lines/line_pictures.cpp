@@ -57,6 +57,10 @@ std::uint32_t line_number(const Segment& source) {
   return static_cast<std::uint32_t>(source.id & ~kLineBit);
 }
 
+std::uint64_t source_id(std::uint32_t line) {
+  return kLineBit | line;
+}
+
 LinePictures::LinePictures(const Surface& surface, const Sector& sector,
                            const std::vector<EdgeLine>& lines, XRange range, double from_m)
     : ends_(surface, sector.view), sector_(sector), view_(sector.view), lines_(lines),
@@ -65,12 +69,17 @@ LinePictures::LinePictures(const Surface& surface, const Sector& sector,
                    range.end + margin(view_, range.end, from_m, rounding_m_)};
 }
 
-ProfileLine LinePictures::whole(std::uint32_t i) const {
-  return line_in(ends_, sector_, lines_[i].edge);
+std::uint32_t LinePictures::add_found(const EdgeLine& line) {
+  found_.push_back(line);
+  return static_cast<std::uint32_t>(size() - 1);
 }
 
-bool LinePictures::is_moved(std::uint32_t i) const {
-  return lies_between(ends_(lines_[i].edge), sector_);
+ProfileLine LinePictures::whole(SurfaceEdge edge) const {
+  return line_in(ends_, sector_, edge);
+}
+
+bool LinePictures::is_moved(SurfaceEdge edge) const {
+  return sector_.keeps_strip && lies_between(ends_(edge), sector_);
 }
 
 ProfilePoint LinePictures::point(std::uint32_t line, double t) const {
@@ -108,7 +117,7 @@ LinePicture LinePictures::picture(std::uint32_t line, const ProfileLine& whole) 
     std::swap(left, right);
   }
   if (upright) right.x = left.x;
-  out.source = {left.x, left.y, right.x, right.y, kLineBit | line};
+  out.source = {left.x, left.y, right.x, right.y, source_id(line)};
   return out;
 }
 
@@ -135,7 +144,7 @@ double LinePictures::along_edge(const LinePicture& p, double share) const {
 }
 
 SurfaceLine LinePictures::surface_line(std::uint32_t line, const LinePicture& p) const {
-  const EdgeLine& taken = lines_[line];
+  const EdgeLine& taken = this->line(line);
   const bool upright = p.is_upright();
   return {p.source,
           p.nearness_left,
@@ -172,7 +181,7 @@ std::vector<LinePart> LinePictures::skyline(const Horizon& horizon) const {
     throw_if_stopped(static_cast<std::size_t>(&piece - horizon.data()));
     if (is_sky(piece) || !(piece.source.id & kLineBit)) continue;
     const std::uint32_t number = line_number(piece.source);
-    if (lines_[number].kind != LineKind::silhouette || !lines_[number].drawn) continue;
+    if (line(number).kind != LineKind::silhouette || !line(number).drawn) continue;
     const LinePicture p = picture(number, whole(number));
     const auto [begin, end] = std::minmax({along_edge(p, parameter_at(p.source, piece.x_begin)),
                                            along_edge(p, parameter_at(p.source, piece.x_end))});

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -37,23 +38,36 @@ struct LinePicture {
   bool is_upright() const { return source.x0 == source.x1; }
 };
 
-/// The lines of a sector within a range of X. REQUIRES that surface, sector and lines outlive it.
+/// The lines of a sector within a range of X: those of a list, and behind them in number those that
+/// were found on the way. REQUIRES that surface, sector and list outlive it.
 class LinePictures {
 public:
   /// `from_m`: depth from which on terrain is looked at.
   LinePictures(const Surface& surface, const Sector& sector, const std::vector<EdgeLine>& lines,
                XRange range, double from_m);
 
-  const EdgeLine& line(std::uint32_t i) const { return lines_[i]; }
-  std::size_t size() const { return lines_.size(); }
+  const EdgeLine& line(std::uint32_t i) const {
+    return i < lines_.size() ? lines_[i] : found_[i - lines_.size()];
+  }
+  std::size_t size() const { return lines_.size() + found_.size(); }
   const Sector& sector() const { return sector_; }
-  ProfileLine whole(std::uint32_t i) const;
+  /// Adds a line and tells its number.
+  std::uint32_t add_found(const EdgeLine& line);
+  /// Forgets the line that was added last.
+  void drop_last_found() { found_.pop_back(); }
+  const std::vector<EdgeLine>& found() const { return found_; }
+  void set_found(std::vector<EdgeLine> lines) { found_ = std::move(lines); }
+
+  ProfileLine whole(SurfaceEdge edge) const;
+  ProfileLine whole(std::uint32_t i) const { return whole(line(i).edge); }
   /// Whether a line lies between the sectors, so that it was moved ahead of the near plane.
-  bool is_moved(std::uint32_t i) const;
+  bool is_moved(SurfaceEdge edge) const;
   /// The point at a place along a line.
   ProfilePoint point(std::uint32_t line, double t) const;
 
   LinePicture picture(std::uint32_t line, const ProfileLine& whole) const;
+  /// The same of a line that has no number yet.
+  LinePicture picture(const ProfileLine& whole) const { return picture(0, whole); }
   /// As a line of a slab that holds all of it.
   SurfaceLine surface_line(std::uint32_t line, const LinePicture& picture) const;
   /// Leaves what is in the range; tells whether any of it is.
@@ -81,6 +95,7 @@ private:
   const Sector& sector_;
   const View& view_;
   const std::vector<EdgeLine>& lines_;
+  std::vector<EdgeLine> found_;
   XRange range_, beside_range_; ///< the second with what is beside the first by rounding
   double from_m_;
   double rounding_m_;
@@ -89,8 +104,9 @@ private:
 /// Whether a height is below all blocks of the horizon between two abscissae.
 bool is_below_blocks(const BlockedHorizon& horizon, double x_begin, double x_end, double height);
 
-/// The number of the line that a source is of.
+/// The number of the line that a source is of; and the source's id, of a number.
 std::uint32_t line_number(const Segment& source);
+std::uint64_t source_id(std::uint32_t line);
 
 /// Whether a line hides anything, and as what: it has an extent in X.
 inline bool raises(const SurfaceLine& line) {

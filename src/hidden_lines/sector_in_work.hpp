@@ -7,6 +7,7 @@
 #include "draw/drawing.hpp"
 #include "geometry/segment.hpp"
 #include "hidden_lines/counts.hpp"
+#include "hidden_lines/folds.hpp"
 #include "hidden_lines/line_pictures.hpp"
 #include "horizon/clip.hpp"
 #include "horizon/clip_profile.hpp"
@@ -14,6 +15,7 @@
 #include "profiles/cut_surface.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/seen_ground.hpp"
+#include "profiles/silhouettes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,11 +63,19 @@ struct SectorInWork {
   bool whole_profiles;      ///< whether profiles are cut beyond it as well, for those who watch
   const SeenGround* ground; ///< what is looked at, where that isn't all
   double vertices_a_strip;
+  /// The silhouettes, where they aren't among the lines: then the pass finds them itself, and
+  /// leaves folds out.
+  const SilhouetteMarks* silhouettes = nullptr;
+  const Folds* folds = nullptr;
+  bool draws_silhouettes = false;
 };
 
 struct SectorParts {
+  std::vector<EdgeLine> found;   ///< lines behind those of the list, in order of their edges
   std::vector<LinePart> visible; ///< joined, by line
   std::vector<LinePart> skyline; ///< what of that the horizon behind everything is made of
+  std::vector<LinePart> ridges;  ///< visible as well; known to be neither skyline nor fold
+  double folded_mm = 0;          ///< length of folds that were left out
 };
 
 /// Lays one profile's visible runs out in its own layer; called from several threads.

@@ -3,6 +3,8 @@
 
 #include "draw/round_drawing.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
+#include "hidden_lines/folds.hpp"
 #include "hidden_lines/instruments.hpp"
 #include "hidden_lines/lattice_pass.hpp"
 #include "hidden_lines/profile_strokes.hpp"
@@ -14,9 +16,11 @@
 #include "placing/sector.hpp"
 #include "profiles/cut_surface.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -110,7 +114,9 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
   counts.ties += workspace.ties;
   counts.pieces_before_collapse += workspace.pieces_uncollapsed;
   counts.pieces_after_collapse += workspace.pieces_collapsed;
-  SectorParts out{lines.visible_parts(), pictures.skyline(horizon)};
+  SectorParts out;
+  out.visible = lines.visible_parts();
+  out.skyline = pictures.skyline(horizon);
   join(out.visible);
   out.skyline = shared(out.skyline, out.visible);
   watch.mark(seconds.layout);
@@ -126,9 +132,40 @@ SectorLines solids_alone(const PlacedView& placed, const Sector& sector) {
   return out;
 }
 
+namespace {
+
+// The grid, if its sectors may be taken in the lattice's order.
+const Grid* grid_in_order(const TerrainData& terrain, const Style& style,
+                          const Instruments& instruments) {
+  const Grid* grid = std::get_if<Grid>(&terrain.surface);
+  const bool has_order = grid && !grid->is_on_earth() && style.occluder == Occluder::surface &&
+                         !instruments.needs_list();
+  return has_order ? grid : nullptr;
+}
+
+bool goes_in_order(const Grid& grid, const Sector& sector, const Instruments& instruments) {
+  return instruments.order_always || pays_in_order(grid, sector);
+}
+
+} // namespace
+
+LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
+                          const Instruments& instruments, const SeenGround* ground) {
+  const Grid* grid = grid_in_order(terrain, style, instruments);
+  // Who watches is shown all lines, hidden ones too, and solids are hidden by all that hide.
+  if (!grid || !instruments.observers.empty() || !placed.solids.empty() ||
+      !std::all_of(placed.sectors.begin(), placed.sectors.end(), [&](const Sector& sector) {
+        return goes_in_order(*grid, sector, instruments);
+      }))
+    return {lines_of(terrain, placed, style, ground), std::nullopt};
+  const LatticeOrder order(*grid, placed.sectors.front().view);
+  return {lines_but_silhouettes(terrain, placed, style),
+          silhouette_marks(*grid, placed.view, order.rows_are_strips(), ground)};
+}
+
 SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, const Sector& sector,
-                        const std::vector<EdgeLine>& lines, const SeenGround* ground,
-                        const Style& style, const Instruments& instruments, ProfileLayer* profiles,
+                        const LinesOfView& lines, const SeenGround* ground, const Style& style,
+                        const Instruments& instruments, ProfileLayer* profiles,
                         const PassCounts& found, const std::function<void()>& profile_done) {
   auto& [counts, seconds] = found;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -139,10 +176,11 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   const TieTolerance tolerance = tie_tolerance(sector, style.visibility_tolerance_mm);
   const bool in_list = !surface || instruments.needs_list();
   const bool watched = !instruments.observers.empty();
+  const Folds folds(terrain.surface, placed, sector, style.silhouette_jump);
   const SectorInWork work{terrain,
                           placed,
                           sector,
-                          lines,
+                          lines.listed,
                           cutter,
                           tolerance,
                           view.is_perspective() ? view.near_m : -kInfinity,
@@ -150,7 +188,10 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
                                                              : page_range(sector),
                           watched,
                           watched ? nullptr : ground,
-                          instruments.vertices_a_strip};
+                          instruments.vertices_a_strip,
+                          lines.silhouettes ? &*lines.silhouettes : nullptr,
+                          &folds,
+                          draws_silhouettes(style)};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   const LayOut lay_out = [&](ProfileInWork& profile) {
@@ -185,31 +226,35 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     profile_done();
   };
   watch.mark(seconds.facing);
-  const Grid* grid = std::get_if<Grid>(&terrain.surface);
-  const bool has_order =
-      grid && !grid->is_on_earth() && (instruments.order_always || pays_in_order(work));
-  const SectorParts found_parts =
-      in_list     ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)
-      : has_order ? lattice_pass(work, lay_out, show, counts, seconds)
-                  : strips_pass(work, lay_out, show, counts, seconds);
+  const Grid* grid = grid_in_order(terrain, style, instruments);
+  const bool in_order = grid && goes_in_order(*grid, sector, instruments);
+  SectorParts found_parts =
+      in_list    ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)
+      : in_order ? lattice_pass(work, lay_out, show, counts, seconds)
+                 : strips_pass(work, lay_out, show, counts, seconds);
 
   watch = {};
-  const LinePictures every_line(terrain.surface, sector, lines, work.range, work.from_m);
+  LinePictures every_line(terrain.surface, sector, lines.listed, work.range, work.from_m);
+  every_line.set_found(found_parts.found);
   SectorLines out;
+  out.found = std::move(found_parts.found);
   out.skyline = found_parts.skyline;
   out.visible = without(found_parts.visible, out.skyline);
-  out.folded = folds(every_line, out.visible, terrain.surface, style.silhouette_jump,
-                     sector.farthest_m - sector.nearest_m);
-  out.visible = without(out.visible, out.folded);
+  std::vector<LinePart> folded = folds.among(every_line, out.visible);
+  out.visible = without(out.visible, folded);
+  out.visible.insert(out.visible.end(), found_parts.ridges.begin(), found_parts.ridges.end());
+  sort_by_number(out.visible, [](const LinePart& part) { return part.line; });
   watch.mark(seconds.layout);
   if (solids) {
-    for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &out.folded})
+    for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &folded})
       *parts = not_behind(*solids, every_line, *parts);
     const std::vector<Segment> cut = near_cut(work);
-    const HidingGround hiding{terrain, placed, sector, lines, found_parts.visible, cut};
+    const HidingGround hiding{terrain, placed, sector, lines.listed, found_parts.visible, cut};
     out.solids = seen_edges(*solids, &hiding);
     watch.mark(seconds.clip);
   }
+  out.folded_mm = found_parts.folded_mm;
+  for (const LinePart& part : folded) out.folded_mm += folds.length_mm(every_line.whole(part.line), part);
   for (LineObserver* observer : instruments.observers)
     observer->see(SeenLines{sector, work.range, every_line, found_parts.visible});
   watch.mark(seconds.check);

@@ -11,6 +11,7 @@
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/seen_ground.hpp"
+#include "profiles/silhouettes.hpp"
 
 #include <functional>
 #include <optional>
@@ -20,10 +21,11 @@ namespace orograph {
 
 /// Parts of lines other than profiles, by line.
 struct SectorLines {
-  std::vector<LinePart> visible; ///< all that is visible, less the following
+  std::vector<EdgeLine> found;   ///< lines that the pass has found, behind those of the list
+  std::vector<LinePart> visible; ///< all that is visible, less skyline and folds
   std::vector<LinePart> skyline; ///< visible silhouettes that the last horizon is made of
-  std::vector<LinePart> folded;  ///< visible silhouettes left out by `Style::silhouette_jump`
-  SolidParts solids;             ///< of edges of solids
+  double folded_mm = 0; ///< length of visible silhouettes left out by `Style::silhouette_jump`
+  SolidParts solids;    ///< of edges of solids
 };
 
 /// What a pass adds to.
@@ -40,12 +42,21 @@ struct ProfileLayer {
   std::size_t dropped_strokes = 0; ///< without length when rounded
 };
 
-/// `lines` are those of the placed view (`lines_of`), for all of its sectors; `ground` is what the
-/// sector looks at, where that isn't all. The visible parts of profiles go to `profiles`, if there
-/// is one. `profile_done` is called after each profile.
+/// The lines of a view, for all of its sectors.
+struct LinesOfView {
+  std::vector<EdgeLine> listed;
+  /// The silhouettes, where they aren't listed; each sector finds those that it looks at.
+  std::optional<SilhouetteMarks> silhouettes;
+};
+/// `ground`: what any sector looks at, where that isn't all.
+LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
+                          const Instruments& instruments, const SeenGround* ground);
+
+/// `ground` is what the sector looks at, where that isn't all. The visible parts of profiles go to
+/// `profiles`, if there is one. `profile_done` is called after each profile.
 SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, const Sector& sector,
-                        const std::vector<EdgeLine>& lines, const SeenGround* ground,
-                        const Style& style, const Instruments& instruments, ProfileLayer* profiles,
+                        const LinesOfView& lines, const SeenGround* ground, const Style& style,
+                        const Instruments& instruments, ProfileLayer* profiles,
                         const PassCounts& counts, const std::function<void()>& profile_done);
 
 /// The same where there are solids and no ground.

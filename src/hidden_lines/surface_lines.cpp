@@ -2,7 +2,6 @@
 #include "hidden_lines/surface_lines.hpp"
 
 #include "geometry/on_all_cores.hpp"
-#include "profiles/ground_behind.hpp"
 #include "profiles/outline.hpp"
 #include "profiles/silhouettes.hpp"
 #include "profiles/surface_edges.hpp"
@@ -34,11 +33,17 @@ private:
 
 } // namespace
 
-std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& placed,
-                               const Style& style, const SeenGround* ground) {
+bool draws_silhouettes(const Style& style) {
+  return style.asks_for("silhouettes") || style.asks_for("skyline");
+}
+
+namespace {
+
+// Silhouettes are in order.
+std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes, const TerrainData& terrain,
+                                 const PlacedView& placed, const Style& style) {
   // With the seed's occluders only what is drawn of the profiles hides.
   const bool surface = style.occluder == Occluder::surface;
-  const bool silhouettes = style.asks_for("silhouettes") || style.asks_for("skyline");
   const bool border = style.asks_for("border"), voids = style.asks_for("voids");
   std::vector<EdgeLine> lines;
   std::vector<SurfaceEdge> drawn; // in order: an edge of several kinds is drawn as the first
@@ -77,13 +82,12 @@ std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& pla
     if (is_drawn && draws_more) drawn.push_back(edge);
   };
   drawn = behind_walls; // not to be drawn at all
-  if (surface || silhouettes) {
-    const std::vector<SurfaceEdge> edges = silhouette_edges(terrain.surface, placed.view, ground);
-    lines.reserve(edges.size() + placed.border.size());
+  lines.reserve(silhouettes.size() + placed.border.size());
+  {
     EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
     const std::size_t middle = drawn.size();
-    for (const SurfaceEdge& edge : edges)
-      add_hiding(edge, LineKind::silhouette, silhouettes, walls, brinks_on);
+    for (const SurfaceEdge& edge : silhouettes)
+      add_hiding(edge, LineKind::silhouette, draws_silhouettes(style), walls, brinks_on);
     merge_drawn(middle);
   }
   if (surface || border || voids) {
@@ -109,29 +113,19 @@ std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& pla
   return lines;
 }
 
-std::vector<LinePart> folds(const LinePictures& lines, const std::vector<LinePart>& parts,
-                            const Surface& surface, double share, double parallel_depth_m) {
-  std::vector<LinePart> out;
-  if (share <= 0) return out;
-  const View& view = lines.sector().view;
-  const GroundBehind ground(surface, view);
-  const auto is_fold = [&](const LinePart& part) {
-    if (lines.line(part.line).kind != LineKind::silhouette) return false;
-    const ProfilePoint middle = lines.point(part.line, 0.5 * (part.t_begin + part.t_end));
-    const double depth = view.is_perspective() ? middle.v : parallel_depth_m;
-    return ground.rises_within(lines.line(part.line).edge, middle, share * depth);
-  };
-  constexpr std::size_t kPartsOfTask = 1024;
-  std::vector<std::uint8_t> folds(parts.size());
-  on_all_cores((parts.size() + kPartsOfTask - 1) / kPartsOfTask, [&](std::size_t task) {
-    const std::size_t end = std::min(parts.size(), (task + 1) * kPartsOfTask);
-    for (std::size_t i = task * kPartsOfTask; i < end; ++i) folds[i] = is_fold(parts[i]) ? 1 : 0;
-  });
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    throw_if_stopped(i);
-    if (folds[i] != 0) out.push_back(parts[i]);
-  }
-  return out;
+} // namespace
+
+std::vector<EdgeLine> lines_but_silhouettes(const TerrainData& terrain, const PlacedView& placed,
+                                            const Style& style) {
+  return lines_with({}, terrain, placed, style);
+}
+
+std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& placed,
+                               const Style& style, const SeenGround* ground) {
+  std::vector<SurfaceEdge> silhouettes;
+  if (style.occluder == Occluder::surface || draws_silhouettes(style))
+    silhouettes = silhouette_edges(terrain.surface, placed.view, ground);
+  return lines_with(silhouettes, terrain, placed, style);
 }
 
 } // namespace orograph

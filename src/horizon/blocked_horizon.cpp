@@ -45,10 +45,20 @@ std::size_t BlockedHorizon::block_at(double x) const {
   return block;
 }
 
-void BlockedHorizon::raise(const HorizonPiece& occluder) {
+bool BlockedHorizon::raise(const HorizonPiece& occluder) {
+  bool rises = false;
   for (std::size_t i = block_at(occluder.x_begin);
        i < blocks_.size() && blocks_[i].x_begin < occluder.x_end; ++i)
-    raise_block(i, occluder);
+    if (raise_block(i, occluder)) rises = true;
+  return rises;
+}
+
+bool BlockedHorizon::shows(std::uint64_t source_id, double x_begin, double x_end) const {
+  for (std::size_t i = block_at(x_begin); i < blocks_.size() && blocks_[i].x_begin <= x_end; ++i)
+    for (const HorizonPiece& piece : blocks_[i].pieces)
+      if (piece.source.id == source_id && piece.x_begin <= x_end && piece.x_end >= x_begin)
+        return true;
+  return false;
 }
 
 // Of the collapsed pieces, those of a block and of its ends.
@@ -61,15 +71,15 @@ std::size_t BlockedHorizon::size_at(std::size_t number) const {
   return 2 + pieces.size() - ends;
 }
 
-void BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occluder) {
+bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occluder) {
   HorizonBlock& block = blocks_[number];
   const Segment& source = occluder.source;
   const double begin = std::max(occluder.x_begin, block.x_begin);
   const double end = std::min(occluder.x_end, block.x_end);
-  if (!(begin < end)) return;
+  if (!(begin < end)) return false;
   const double at_begin = height_at(source, begin), at_end = height_at(source, end);
   const double highest = std::max(at_begin, at_end);
-  if (highest < block.low) return;
+  if (highest < block.low) return false;
   Horizon& pieces = block.pieces;
   // Pieces i to k - 1 meet the occluder; one more on either side may collapse with what is new.
   std::size_t i = 0;
@@ -98,7 +108,7 @@ void BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
     }
     write(piece, to, piece.x_end);
   }
-  if (!rises) return;
+  if (!rises) return false;
   if (k < pieces.size()) append(next_, pieces[k++], true);
   if (i > 0) --i;
   pieces_collapsed_ += next_.size();
@@ -114,6 +124,7 @@ void BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
   size_ += size_at(number) - before;
   block.high = std::max(block.high, highest);
   block.low = lowest(pieces);
+  return true;
 }
 
 void BlockedHorizon::ink(std::size_t block, std::size_t at, double begin, double end) {

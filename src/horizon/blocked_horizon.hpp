@@ -33,9 +33,11 @@ public:
   /// The block that holds x, or is nearest to it; where two meet, the right one.
   std::size_t block_at(double x) const;
 
-  /// Raises it by one occluder, exactly. Cost: the pieces of the blocks that it rises above
-  /// somewhere; O(1) for blocks that are above it.
-  void raise(const HorizonPiece& occluder);
+  /// Raises it by one occluder, exactly, and tells whether that changes it. Cost: the pieces of the
+  /// blocks that it rises above somewhere; O(1) for blocks that are above it.
+  bool raise(const HorizonPiece& occluder);
+  /// Whether a source stands anywhere between two abscissae.
+  bool shows(std::uint64_t source_id, double x_begin, double x_end) const;
   /// Marks a part of a block's piece number `at` as inked.
   void ink(std::size_t block, std::size_t at, double begin, double end);
 
@@ -47,7 +49,7 @@ public:
   std::size_t pieces_collapsed() const { return pieces_collapsed_; }     ///< as kept, in all
 
 private:
-  void raise_block(std::size_t number, const HorizonPiece& occluder);
+  bool raise_block(std::size_t number, const HorizonPiece& occluder);
   std::size_t size_at(std::size_t number) const;
 
   double x_begin_, blocks_per_x_;

@@ -49,9 +49,10 @@ struct VisibleLinePart {
   double t_begin, t_end;
 };
 
-/// Appends to `parts`, left to right, what of a line that isn't upright is above `horizon`.
+/// Appends to `parts`, left to right, what of a line that isn't upright is above `horizon`. Tells
+/// whether it isn't wholly below: otherwise it can't raise the horizon, either.
 template <class AnyHorizon> // Horizon or BlockedHorizon
-void add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
+bool add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
                        const TieTolerance& tolerance, std::vector<VisibleLinePart>& parts);
 /// The same of a line straight away from the eye that has `height` in front of it. Of one that
 /// doesn't rise nothing is: its own nearer end hides it.

@@ -23,17 +23,6 @@ namespace {
 
 constexpr double kDash_mm = 0.8, kDashGap_mm = 0.5;
 
-double length_mm(const Layer& layer) {
-  double sum = 0;
-  std::size_t step = 0;
-  for (const Stroke& stroke : layer.strokes) {
-    throw_if_stopped(step++);
-    const auto points = layer.points(stroke);
-    for (std::size_t i = 1; i < points.size(); ++i) sum += length(points[i] - points[i - 1]);
-  }
-  return sum;
-}
-
 // A layer on its way to the page: what is still to be drawn in it, and what was left out.
 struct LineLayer {
   Layer layer;
@@ -73,11 +62,18 @@ StrokeSettings stroke_settings(const TerrainData& terrain, const PlacedView& pla
 // Parts found sector by sector, of one kind at a time as parts of the whole view.
 class FoundParts {
 public:
-  FoundParts(const TerrainData& terrain, const PlacedView& placed,
-             const std::vector<EdgeLine>& lines)
-      : terrain_(terrain), placed_(placed), lines_(lines) {}
+  FoundParts(const TerrainData& terrain, const PlacedView& placed, std::vector<EdgeLine> listed)
+      : terrain_(terrain), placed_(placed), listed_(listed.size()), lines_(std::move(listed)) {}
 
-  void add(SectorLines sector) { sectors_.push_back(std::move(sector)); }
+  void add(SectorLines sector) {
+    folded_mm_ += sector.folded_mm;
+    number_anew(sector);
+    sectors_.push_back(std::move(sector));
+  }
+
+  /// Those of the list, and those found.
+  const std::vector<EdgeLine>& lines() const { return lines_; }
+  double folded_mm() const { return folded_mm_; }
 
   std::vector<LinePart> of(std::vector<LinePart> SectorLines::*kind) const {
     std::vector<LinePart> all;
@@ -96,19 +92,43 @@ public:
   }
 
 private:
+  // Lines that a sector has found have numbers of its own. Those of the first sector stay; a line
+  // that both have found has one number.
+  void number_anew(SectorLines& sector) {
+    const auto before = static_cast<std::ptrdiff_t>(lines_.size());
+    std::vector<std::uint32_t> numbers;
+    auto same = lines_.begin() + static_cast<std::ptrdiff_t>(listed_);
+    std::vector<EdgeLine> more;
+    for (const EdgeLine& line : sector.found) {
+      const auto end = lines_.begin() + before;
+      while (same != end && same->edge < line.edge) ++same;
+      const bool is_there = same != end && same->edge == line.edge;
+      numbers.push_back(static_cast<std::uint32_t>(
+          is_there ? same - lines_.begin() : before + static_cast<std::ptrdiff_t>(more.size())));
+      if (!is_there) more.push_back(line);
+    }
+    lines_.insert(lines_.end(), more.begin(), more.end());
+    if (sectors_.empty()) return;
+    for (std::vector<LinePart>* parts : {&sector.visible, &sector.skyline})
+      for (LinePart& part : *parts)
+        if (part.line >= listed_) part.line = numbers[part.line - listed_];
+  }
+
   static void append(const std::vector<LinePart>& parts, std::vector<LinePart>& all) {
     all.insert(all.end(), parts.begin(), parts.end());
   }
 
   const TerrainData& terrain_;
   const PlacedView& placed_;
-  const std::vector<EdgeLine>& lines_;
+  std::size_t listed_;
+  std::vector<EdgeLine> lines_;
   std::vector<SectorLines> sectors_;
+  double folded_mm_ = 0;
 };
 
 // All layers that are asked for, in drawing order; `profiles` is drawn already.
-std::vector<LineLayer> layers_of(const FoundParts& found, const std::vector<EdgeLine>& lines,
-                                 const PlacedView& placed, const Style& style, Layer profiles) {
+std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& placed,
+                                 const Style& style, Layer profiles) {
   const std::vector<LinePart> visible = found.of(&SectorLines::visible);
   const auto solids = [&](std::vector<LinePart> SolidParts::*kind,
                           const std::vector<LinePart>& beneath) {
@@ -131,7 +151,7 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const std::vector<Edge
       added.is_rounded = true;
       break;
     case LineSource::edges:
-      added.parts = of_kind(lines, visible, row.kind);
+      added.parts = of_kind(found.lines(), visible, row.kind);
       break;
     case LineSource::skyline:
       added.parts = found.of(&SectorLines::skyline);
@@ -175,8 +195,10 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   if (profiles) profile_layer.emplace(strokes, *profiles);
   const std::vector<SeenGround> ground = ground_of_sectors(terrain, placed, style, instruments);
   const std::optional<SeenGround> all_ground = looked_at_by_any(ground);
-  std::vector<EdgeLine> lines;
-  if (on_ground) lines = lines_of(terrain, placed, style, all_ground ? &*all_ground : nullptr);
+  LinesOfView lines;
+  if (on_ground)
+    lines =
+        lines_of_view(terrain, placed, style, instruments, all_ground ? &*all_ground : nullptr);
   if (all_ground) counts.looked_at = all_ground->share();
   watch.mark(seconds.facing);
 
@@ -184,7 +206,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   const auto profile_done = [&] {
     if (progress) progress(++profiles_done / static_cast<double>(placed.depths_m.size()));
   };
-  FoundParts found(terrain, placed, lines);
+  FoundParts found(terrain, placed, lines.listed);
   for (std::size_t i = 0; i < placed.sectors.size(); ++i)
     found.add(!on_ground ? solids_alone(placed, placed.sectors[i])
                          : sector_pass(terrain, placed, placed.sectors[i], lines,
@@ -195,28 +217,26 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
 
   watch = {};
   std::vector<LineLayer> layers =
-      layers_of(found, lines, placed, style, profiles ? std::move(*profiles) : Layer{});
-  LineLayer folded{.layer = {}, .parts = found.of(&SectorLines::folded)};
-  on_all_cores(layers.size() + 1, [&](std::size_t i) {
-    LineLayer& task = i < layers.size() ? layers[i] : folded;
+      layers_of(found, placed, style, profiles ? std::move(*profiles) : Layer{});
+  on_all_cores(layers.size(), [&](std::size_t i) {
+    LineLayer& task = layers[i];
     StrokeBuilder builder(strokes, task.layer);
     if (task.of_solids)
       draw_edges(placed.solids, placed.view, task.parts, builder);
     else
-      draw_parts(terrain.surface, placed.view, lines, task.parts, builder);
+      draw_parts(terrain.surface, placed.view, found.lines(), task.parts, builder);
     if (task.layer.is_hidden && !spec.ground_points)
       task.layer = dashed(task.layer, kDash_mm, kDashGap_mm);
     task.left_out_mm = builder.left_out_mm();
-    if (&task != &folded)
-      task.dropped =
-          task.is_rounded ? drop_repeated_strokes(task.layer) : round_to_page_step(task.layer);
+    task.dropped =
+        task.is_rounded ? drop_repeated_strokes(task.layer) : round_to_page_step(task.layer);
   });
 
   Drawing& drawing = map.drawing;
   drawing.page = placed.page;
   drawing.crs_wkt = terrain.map.crs_wkt;
   InkLeftOut& left_out = map.facts.left_out;
-  left_out.silhouette_jump_mm = length_mm(folded.layer);
+  left_out.silhouette_jump_mm = found.folded_mm();
   if (profile_layer) {
     left_out.min_stroke_mm = profile_layer->left_out_mm;
     counts.dropped_strokes += profile_layer->dropped_strokes;

@@ -33,7 +33,7 @@ struct DrawnSolids {
       first_edge.push_back(first_edge.back() +
                            static_cast<std::uint32_t>(standing.solid->edges.size()));
     // All ground is looked at: solids are asked of beside the page as well.
-    const std::vector<EdgeLine> lines = lines_of(made.terrain, scene, made.spec.style);
+    const LinesOfView lines{lines_of(made.terrain, scene, made.spec.style), std::nullopt};
     Counts counts;
     StageSeconds seconds;
     const SectorLines found =

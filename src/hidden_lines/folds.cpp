@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/folds.hpp"
+
+#include "draw/stroke_builder.hpp"
+#include "geometry/clip_by_planes.hpp"
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace orograph {
+
+Folds::Folds(const Surface& surface, const PlacedView& placed, const Sector& sector, double share)
+    : placed_(placed), sector_(sector), share_(share),
+      parallel_depth_m_(sector.farthest_m - sector.nearest_m) {
+  if (share > 0) ground_.emplace(surface, sector.view);
+}
+
+bool Folds::is_fold(const EdgeLine& line, const ProfileLine& whole, const LinePart& part) const {
+  if (!ground_ || line.kind != LineKind::silhouette) return false;
+  const ProfilePoint middle =
+      point_between(whole.from, whole.to, 0.5 * (part.t_begin + part.t_end));
+  return ground_->rises_within(line.edge, middle, reach_m(middle.v));
+}
+
+std::vector<LinePart> Folds::among(const LinePictures& lines,
+                                   const std::vector<LinePart>& parts) const {
+  std::vector<LinePart> out;
+  if (!ground_) return out;
+  constexpr std::size_t kPartsOfTask = 1024;
+  std::vector<std::uint8_t> folds(parts.size());
+  on_all_cores((parts.size() + kPartsOfTask - 1) / kPartsOfTask, [&](std::size_t task) {
+    const std::size_t end = std::min(parts.size(), (task + 1) * kPartsOfTask);
+    for (std::size_t i = task * kPartsOfTask; i < end; ++i)
+      folds[i] =
+          is_fold(lines.line(parts[i].line), lines.whole(parts[i].line), parts[i]) ? 1 : 0;
+  });
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    throw_if_stopped(i);
+    if (folds[i] != 0) out.push_back(parts[i]);
+  }
+  return out;
+}
+
+double Folds::length_mm(const ProfileLine& whole, const LinePart& part) const {
+  const double sign = sector_.behind ? -1 : 1; // from the sector's frame to the scene's
+  const ProfilePoint a = point_between(whole.from, whole.to, part.t_begin),
+                     b = point_between(whole.from, whole.to, part.t_end);
+  const auto page = [&](ProfilePoint p) {
+    return sector_.to_page.of(project_homogeneous(sector_.view, p));
+  };
+  const auto values = [&](ProfilePoint p) {
+    return plane_values(placed_.frame_mm, placed_.depth, page(p), {sign * p.u, sign * p.v, p.z});
+  };
+  const auto shares = clip_by_planes(values(a), values(b));
+  if (!shares) return 0;
+  const auto at = [&](double share) {
+    const Vec3 p = page(point_between(a, b, share));
+    return Vec2{p.x / p.z, p.y / p.z};
+  };
+  return plain_length(at(shares->end) - at(shares->begin));
+}
+
+double Folds::length_if_inside_mm(Vec2 a, Vec2 b) const {
+  const Homography& to_page = sector_.to_page;
+  const auto& [low, high] = placed_.frame_mm;
+  const auto inside = [&](Vec2 p) {
+    return p.x > low.x && p.x < high.x && p.y > low.y && p.y < high.y;
+  };
+  if (!placed_.depth && to_page.w(a) > 0 && to_page.w(b) > 0) {
+    const Vec2 from = to_page(a), to = to_page(b);
+    if (inside(from) && inside(to)) return plain_length(to - from);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace orograph

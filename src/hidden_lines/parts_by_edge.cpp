@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/parts_by_edge.hpp"
+
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace orograph {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+struct FoundLine {
+  EdgeLine line;
+  std::uint32_t strip, number; ///< the strip's
+};
+
+// Of a strip: its numbers of lines found, less `listed`, to those of all strips.
+using Numbers = std::vector<std::uint32_t>;
+
+// Lines of which something is visible.
+std::vector<FoundLine> visible_lines(const std::vector<std::unique_ptr<LatticeStrip>>& strips,
+                                     std::size_t listed) {
+  std::vector<FoundLine> out;
+  std::vector<bool> taken;
+  for (std::uint32_t i = 0; i < strips.size(); ++i) {
+    const LatticeStrip& strip = *strips[i];
+    const std::vector<EdgeLine>& found = strip.pictures().found();
+    taken.assign(found.size(), false);
+    const auto add = [&](const std::vector<LinePart>& parts) {
+      for (const LinePart& part : parts) {
+        throw_if_stopped(out.size());
+        if (part.line < listed || taken[part.line - listed]) continue;
+        taken[part.line - listed] = true;
+        out.push_back({found[part.line - listed], i, part.line});
+      }
+    };
+    add(strip.visible_parts());
+    if (strip.ridges()) add(strip.ridges()->ridges());
+  }
+  std::size_t steps = 0;
+  std::sort(out.begin(), out.end(), [&](const FoundLine& a, const FoundLine& b) {
+    throw_if_stopped(++steps);
+    return a.line.edge != b.line.edge ? a.line.edge < b.line.edge : a.strip < b.strip;
+  });
+  return out;
+}
+
+} // namespace
+
+SectorParts parts_by_edge(const std::vector<std::unique_ptr<LatticeStrip>>& strips,
+                          std::size_t listed) {
+  SectorParts out;
+  std::vector<Numbers> numbers;
+  for (const auto& strip : strips) numbers.emplace_back(strip->pictures().found().size(), kNone);
+  for (const auto& [line, strip, number] : visible_lines(strips, listed)) {
+    if (out.found.empty() || out.found.back().edge != line.edge) out.found.push_back(line);
+    numbers[strip][number - listed] = static_cast<std::uint32_t>(listed + out.found.size() - 1);
+  }
+  const auto add = [&](std::span<const LinePart> parts, std::size_t strip,
+                       std::vector<LinePart>& to) {
+    for (LinePart part : parts) {
+      throw_if_stopped(to.size());
+      if (part.line >= listed) part.line = numbers[strip][part.line - listed];
+      if (part.line != kNone) to.push_back(part);
+    }
+  };
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const LatticeStrip& strip = *strips[i];
+    add(strip.visible_parts(), i, out.visible);
+    add(strip.pictures().skyline(strip.horizon().joined()), i, out.skyline);
+    if (!strip.ridges()) continue;
+    add(strip.ridges()->ridges(), i, out.ridges);
+    out.folded_mm += strip.ridges()->folded_mm();
+  }
+  for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &out.ridges}) join(*parts);
+  out.skyline = shared(out.skyline, out.visible);
+  return out;
+}
+
+} // namespace orograph

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/place_silhouettes.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <ranges>
+
+namespace orograph {
+namespace {
+
+// The cells from `first` to `end` that have one of the marks, rising.
+void find_marked(std::span<const std::uint8_t> marks, int first, int end, std::uint8_t which,
+                 std::vector<int>& out) {
+  constexpr int kEight = 8; // bytes that are looked at in one
+  std::uint64_t every = 0;
+  std::memset(&every, which, sizeof every);
+  out.clear();
+  for (int c = first; c < end;) {
+    if (c + kEight <= end) {
+      std::uint64_t eight = 0;
+      std::memcpy(&eight, &marks[static_cast<std::size_t>(c)], sizeof eight);
+      if ((eight & every) == 0) {
+        c += kEight;
+        continue;
+      }
+    }
+    for (const int past = std::min(c + kEight, end); c < past; ++c)
+      if (marks[static_cast<std::size_t>(c)] & which) out.push_back(c);
+  }
+}
+
+} // namespace
+
+SurfaceEdge PlaceSilhouettes::edge_at(int strip, int cell, std::uint8_t mark) const {
+  const bool rows = lattice_.order.rows_are_strips();
+  const auto columns = static_cast<std::uint32_t>(lattice_.grid.columns);
+  const auto from = static_cast<std::uint32_t>(
+      rows ? lattice_.grid.index(cell, strip) : lattice_.grid.index(strip, cell));
+  const std::uint32_t along = rows ? 1 : columns, upright = rows ? columns : 1;
+  return {from, from + (mark == SilhouetteMarks::kAlong     ? along
+                        : mark == SilhouetteMarks::kUpright ? upright
+                                                            : along + upright)};
+}
+
+void PlaceSilhouettes::add(PlacePart part, SurfaceEdge edge, const BlockedHorizon& horizon) {
+  const LinePicture picture = pictures_.picture(pictures_.whole(edge));
+  const Segment& s = picture.source;
+  const XRange looked_at = pictures_.looked_at();
+  if (std::max(picture.left.v, picture.right.v) <= pictures_.from_m()) return;
+  if (s.x1 < looked_at.begin || s.x0 > looked_at.end) return;
+  if (picture.is_upright()
+          ? pictures_.is_hidden(picture, horizon)
+          : is_below_blocks(horizon, std::max(s.x0, looked_at.begin),
+                            std::min(s.x1, looked_at.end), std::max(s.y0, s.y1)))
+    return;
+  found_[static_cast<std::size_t>(part)].push_back({lattice_.order.turn(edge), edge, picture});
+}
+
+void PlaceSilhouettes::find(const LatticeOrder::Place& place, const ShownOfPlace& shown,
+                            const BlockedHorizon& horizon) {
+  for (auto& found : found_) found.clear();
+  if (shown.empty()) return;
+  const LatticeOrder& order = lattice_.order;
+  const int strips =
+      (order.rows_are_strips() ? lattice_.grid.rows : lattice_.grid.columns) - 1;
+  const int own = order.first_outwards(); // the eye's own cell, or the first behind it
+  const auto from_own = [&](auto&& take_rising, auto&& take_falling) {
+    for (const int cell : cells_)
+      if (cell >= own) take_rising(cell);
+    for (const int cell : std::views::reverse(cells_))
+      if (cell <= own) take_falling(cell);
+  };
+  // Neither the first nor the last line of a grid has any.
+  if (place.line > 0 && place.line < strips) {
+    find_marked(marks_.of_strip(place.line), shown.first_cell, shown.end_cell,
+                SilhouetteMarks::kAlong, cells_);
+    const auto add_along = [&](int cell) {
+      const SurfaceEdge edge = edge_at(place.line, cell, SilhouetteMarks::kAlong);
+      if (!pictures_.is_moved(edge)) add(PlacePart::line, edge, horizon);
+    };
+    from_own(add_along, [&](int cell) {
+      if (cell < own) add_along(cell);
+    });
+  }
+  if (place.strip == LatticeOrder::Place::kNone) return;
+  const std::span<const std::uint8_t> marks = marks_.of_strip(place.strip);
+  find_marked(marks, shown.first_cell, shown.end_cell,
+              SilhouetteMarks::kUpright | SilhouetteMarks::kDiagonal, cells_);
+  const auto add_if = [&](PlacePart part, int cell, std::uint8_t mark) {
+    if (marks[static_cast<std::size_t>(cell)] & mark)
+      add(part, edge_at(place.strip, cell, mark), horizon);
+  };
+  // An upright is at its cell's lower end. That of the eye's own cell is taken backwards, unless
+  // the eye is beside the grid.
+  from_own(
+      [&](int cell) {
+        if (cell > own || order.is_outwards(cell))
+          add_if(PlacePart::outwards, cell, SilhouetteMarks::kUpright);
+        add_if(PlacePart::outwards, cell, SilhouetteMarks::kDiagonal);
+      },
+      [&](int cell) {
+        if (cell < own) add_if(PlacePart::backwards, cell, SilhouetteMarks::kDiagonal);
+        if (cell < own || !order.is_outwards(cell))
+          add_if(PlacePart::backwards, cell, SilhouetteMarks::kUpright);
+      });
+}
+
+std::vector<SurfaceEdge> PlaceSilhouettes::moved(int line) const {
+  std::vector<SurfaceEdge> out;
+  const std::span<const std::uint8_t> marks = marks_.of_strip(line);
+  for (int cell = 0; cell < static_cast<int>(marks.size()); ++cell) {
+    if (!(marks[static_cast<std::size_t>(cell)] & SilhouetteMarks::kAlong)) continue;
+    const SurfaceEdge edge = edge_at(line, cell, SilhouetteMarks::kAlong);
+    if (pictures_.is_moved(edge)) out.push_back(edge);
+  }
+  return out;
+}
+
+} // namespace orograph

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/ridges.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace orograph {
+
+void Ridges::take(const LinePicture& picture, std::span<const VisibleLinePart> visible,
+                  std::vector<LinePart>& parts, std::size_t first) {
+  join_of_line(parts, first);
+  const Segment& s = picture.source;
+  for (std::size_t i = first; i < parts.size(); ++i) {
+    const LinePart& part = parts[i];
+    const double share = (0.5 * (part.t_begin + part.t_end) - picture.t_left) /
+                         (picture.t_right - picture.t_left);
+    const double middle_m = picture.left.v + share * (picture.right.v - picture.left.v);
+    // Nearly all lines have one part, whose ends in the picture are at hand.
+    double length_mm = std::numeric_limits<double>::quiet_NaN();
+    if (visible.size() == 1) {
+      const auto at = [&](double t) {
+        return Vec2{s.x0 + t * (s.x1 - s.x0), s.y0 + t * (s.y1 - s.y0)};
+      };
+      length_mm = folds_.length_if_inside_mm(at(visible.front().t_begin), at(visible.front().t_end));
+    }
+    newer_.push_back({part, s.x0, s.x1, middle_m + folds_.reach_m(middle_m), length_mm});
+  }
+  parts.resize(first);
+}
+
+
+bool Ridges::stands(const Unjudged& unjudged, const BlockedHorizon& horizon) const {
+  return horizon.shows(source_id(unjudged.part.line), unjudged.x_begin, unjudged.x_end);
+}
+
+void Ridges::leave_out(const Unjudged& fold) {
+  folded_mm_ += std::isnan(fold.length_mm)
+                    ? folds_.length_mm(pictures_.whole(fold.part.line), fold.part)
+                    : fold.length_mm;
+}
+
+void Ridges::judge_rest(const BlockedHorizon& horizon) {
+  std::erase_if(rest_, [&](const Unjudged& unjudged) {
+    if (stands(unjudged, horizon)) return false;
+    const LinePart& part = unjudged.part;
+    if (folds_.is_fold(pictures_.line(part.line), pictures_.whole(part.line), part))
+      leave_out(unjudged);
+    else
+      ridges_.push_back(part);
+    return true;
+  });
+  judge_at_ = std::max(judge_at_, 2 * rest_.size()); // so that few are asked about often
+}
+
+void Ridges::judge(const BlockedHorizon& horizon) {
+  for (std::vector<Unjudged>* some : {&older_, &newer_}) {
+    rest_.insert(rest_.end(), some->begin(), some->end());
+    some->clear();
+  }
+  judge_rest(horizon);
+}
+
+std::vector<LinePart> Ridges::unjudged() const {
+  std::vector<LinePart> out;
+  out.reserve(rest_.size());
+  for (const Unjudged& unjudged : rest_) out.push_back(unjudged.part);
+  return out;
+}
+
+} // namespace orograph

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The visible silhouettes of a strip of X on their way to the drawing.
+#pragma once
+
+#include "hidden_lines/folds.hpp"
+#include "hidden_lines/line_pictures.hpp"
+#include "horizon/blocked_horizon.hpp"
+#include "horizon/surface_line.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// Tells ridges from folds as soon as it can be told, so that folds, of which rough ground has
+/// millions, aren't kept. Of a line that is no longer part of the horizon nothing will be skyline;
+/// and where all ground that was taken so far is within a fold's reach, what hides the line's ray
+/// now is the ground that came up again.
+class Ridges {
+public:
+  /// `whole_ground`: no heights are missing. REQUIRES that both outlive it.
+  Ridges(const Folds& folds, const LinePictures& pictures, bool whole_ground)
+      : folds_(folds), pictures_(pictures), whole_ground_(whole_ground) {}
+
+  /// Takes the parts of a line, the last of `parts` from number `first` on; in `visible` they are
+  /// shares of its picture.
+  void take(const LinePicture& picture, std::span<const VisibleLinePart> visible,
+            std::vector<LinePart>& parts, std::size_t first);
+
+  /// Ground was taken in front to back order, up to the depth `taken_to_m(x)` along the ray at an
+  /// X. Judges what can be judged cheaply; it is to be called again and again.
+  template <class TakenTo>
+  void judge_early(const BlockedHorizon& horizon, const TakenTo& taken_to_m) {
+    // Most folds are hidden two to four strips of cells behind them.
+    constexpr int kCallsBetween = 2;
+    if (++calls_ % kCallsBetween != 0) return;
+    for (const Unjudged& unjudged : older_) {
+      const bool in_reach =
+          whole_ground_ && std::max(taken_to_m(unjudged.x_begin), taken_to_m(unjudged.x_end)) <=
+                               unjudged.reach_to_m;
+      if (in_reach && !stands(unjudged, horizon))
+        leave_out(unjudged);
+      else
+        rest_.push_back(unjudged);
+    }
+    older_.swap(newer_);
+    newer_.clear();
+    if (rest_.size() >= judge_at_) judge_rest(horizon);
+  }
+  /// Judges all that is no longer part of the horizon.
+  void judge(const BlockedHorizon& horizon);
+
+  const std::vector<LinePart>& ridges() const { return ridges_; }
+  double folded_mm() const { return folded_mm_; } ///< length of the folds
+  /// What isn't judged after `judge`.
+  std::vector<LinePart> unjudged() const;
+
+private:
+  struct Unjudged {
+    LinePart part;
+    double x_begin, x_end; ///< of the line's picture
+    double reach_to_m;     ///< depth up to which ground makes it a fold
+    double length_mm;      ///< NaN: not reckoned yet
+  };
+  bool stands(const Unjudged& unjudged, const BlockedHorizon& horizon) const;
+  void leave_out(const Unjudged& fold);
+  void judge_rest(const BlockedHorizon& horizon);
+
+  const Folds& folds_;
+  const LinePictures& pictures_;
+  bool whole_ground_;
+  int calls_ = 0;
+  std::vector<Unjudged> newer_, older_, rest_;
+  std::size_t judge_at_ = 4096; ///< how long the rest may get
+  std::vector<LinePart> ridges_;
+  double folded_mm_ = 0;
+};
+
+} // namespace orograph
