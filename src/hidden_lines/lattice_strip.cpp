@@ -147,30 +147,41 @@ void LatticeStrip::look_at(std::uint32_t number, const LinePicture& picture) {
                                        std::max(height_at(line.source, line.begin),
                                                 height_at(line.source, line.end))))
     return;
-  looked_at_.push_back({line, picture, number, raises(line)});
+  looked_at_.push_back({line, picture, number});
 }
 
 // All lines of an edge are compared before any of them hides.
 void LatticeStrip::take_looked_at() {
+  const LookedAt& first = looked_at_.front();
   bool changes = false;
-  for (auto& [line, picture, number, may_rise] : looked_at_) {
-    if (!line.drawn) continue;
+  if (looked_at_.size() == 1 && first.line.drawn && raises(first.line)) {
     visible_.clear();
-    if (line.upright())
-      add_above_height(
-          line, number,
-          uprights_.in_front(pictures_.line(number).edge, picture.t_left < picture.t_right),
-          visible_);
-    else if (!add_above_horizon(line, number, horizon_, lattice_.work.tolerance, visible_))
-      may_rise = false;
-    if (visible_.empty()) continue;
-    changes = true;
-    add_visible(line, picture, number);
+    changes = horizon_.raise(occluder_of(first.line), lattice_.work.tolerance, first.number,
+                             visible_);
+    if (!visible_.empty()) {
+      changes = true;
+      add_visible(first.line, first.picture, first.number);
+    }
+  } else {
+    for (const auto& [line, picture, number] : looked_at_) {
+      if (!line.drawn) continue;
+      visible_.clear();
+      if (line.upright())
+        add_above_height(
+            line, number,
+            uprights_.in_front(pictures_.line(number).edge, picture.t_left < picture.t_right),
+            visible_);
+      else
+        add_above_horizon(line, number, horizon_, lattice_.work.tolerance, visible_);
+      if (visible_.empty()) continue;
+      changes = true;
+      add_visible(line, picture, number);
+    }
+    for (const LookedAt& at : looked_at_)
+      if (raises(at.line) && horizon_.raise(occluder_of(at.line))) changes = true;
   }
-  for (const LookedAt& at : looked_at_)
-    if (at.may_rise && horizon_.raise(occluder_of(at.line))) changes = true;
-  const std::uint32_t first = looked_at_.front().number;
-  if (!changes && is_found(first) && first + 1 == pictures_.size()) pictures_.drop_last_found();
+  if (!changes && is_found(first.number) && first.number + 1 == pictures_.size())
+    pictures_.drop_last_found();
 }
 
 void LatticeStrip::add_visible(const SurfaceLine& line, const LinePicture& picture,

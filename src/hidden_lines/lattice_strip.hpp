@@ -98,7 +98,6 @@ private:
     SurfaceLine line;
     LinePicture picture;
     std::uint32_t number;
-    bool may_rise;
   };
   std::vector<LookedAt> looked_at_;
   std::vector<VisibleLinePart> visible_;

@@ -33,8 +33,8 @@ public:
   /// X. Judges what can be judged cheaply; it is to be called again and again.
   template <class TakenTo>
   void judge_early(const BlockedHorizon& horizon, const TakenTo& taken_to_m) {
-    // Most folds are hidden two to four strips of cells behind them.
-    constexpr int kCallsBetween = 2;
+    // Most folds are hidden four to eight strips of cells behind them.
+    constexpr int kCallsBetween = 4;
     if (++calls_ % kCallsBetween != 0) return;
     for (const Unjudged& unjudged : older_) {
       const bool in_reach =

@@ -22,7 +22,25 @@ double lowest(const Horizon& pieces) {
   return low;
 }
 
+// Makes pieces `first` to `past` - 1 so many.
+void make_room(Horizon& pieces, std::size_t first, std::size_t past, std::size_t count) {
+  const auto behind = pieces.begin() + static_cast<std::ptrdiff_t>(past);
+  const std::size_t old = past - first;
+  if (count > old)
+    pieces.insert(behind, count - old, HorizonPiece{});
+  else
+    pieces.erase(behind - static_cast<std::ptrdiff_t>(old - count), behind);
+}
+
 } // namespace
+
+void append(std::vector<VisibleLinePart>& parts, std::uint32_t line, double begin, double end) {
+  if (!(begin < end)) return;
+  if (!parts.empty() && parts.back().line == line && parts.back().t_end == begin)
+    parts.back().t_end = end;
+  else
+    parts.push_back({line, begin, end});
+}
 
 BlockedHorizon::BlockedHorizon(double x_begin, double x_end, std::size_t count, double first,
                                double last)
@@ -45,12 +63,48 @@ std::size_t BlockedHorizon::block_at(double x) const {
   return block;
 }
 
-bool BlockedHorizon::raise(const HorizonPiece& occluder) {
+// `stand` tells how the occluder stands to a piece's source between two abscissae, exactly.
+template <class Stand>
+bool BlockedHorizon::raise_blocks(const HorizonPiece& occluder, double slack_y,
+                                  const Stand& stand) {
   bool rises = false;
   for (std::size_t i = block_at(occluder.x_begin);
        i < blocks_.size() && blocks_[i].x_begin < occluder.x_end; ++i)
-    if (raise_block(i, occluder)) rises = true;
+    if (raise_block(i, occluder, slack_y, stand)) rises = true;
   return rises;
+}
+
+bool BlockedHorizon::raise(const HorizonPiece& occluder) {
+  return raise_blocks(occluder, 0, [&](const HorizonPiece& piece, double, double) {
+    return is_sky(piece) ? Standing{Standing::Kind::above}
+                         : compare(occluder.source, piece.source, {});
+  });
+}
+
+bool BlockedHorizon::raise(const HorizonPiece& occluder, const TieTolerance& tolerance,
+                           std::uint32_t line, std::vector<VisibleLinePart>& visible) {
+  using enum Standing::Kind;
+  const Segment& source = occluder.source;
+  const auto stand = [&](const HorizonPiece& piece, double x_begin, double x_end) {
+    const double begin = parameter_at(source, x_begin), end = parameter_at(source, x_end);
+    if (is_sky(piece)) {
+      append(visible, line, begin, end);
+      return Standing{above};
+    }
+    const Standing standing = compare(source, piece.source, tolerance);
+    const double t = std::clamp(standing.t, begin, end);
+    switch (standing.kind) {
+    case above: append(visible, line, begin, end); break;
+    case above_then_below: append(visible, line, begin, t); break;
+    case below_then_above: append(visible, line, t, end); break;
+    case below: break;
+    case tied:
+      if (!piece.inked) append(visible, line, begin, end);
+      return compare(source, piece.source, {});
+    }
+    return standing;
+  };
+  return raise_blocks(occluder, tolerance.greatest_y, stand);
 }
 
 bool BlockedHorizon::shows(std::uint64_t source_id, double x_begin, double x_end) const {
@@ -71,7 +125,9 @@ std::size_t BlockedHorizon::size_at(std::size_t number) const {
   return 2 + pieces.size() - ends;
 }
 
-bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occluder) {
+template <class Stand>
+bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occluder, double slack_y,
+                                 const Stand& stand) {
   HorizonBlock& block = blocks_[number];
   const Segment& source = occluder.source;
   const double begin = std::max(occluder.x_begin, block.x_begin);
@@ -79,48 +135,62 @@ bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
   if (!(begin < end)) return false;
   const double at_begin = height_at(source, begin), at_end = height_at(source, end);
   const double highest = std::max(at_begin, at_end);
-  if (highest < block.low) return false;
+  if (highest + slack_y < block.low) return false;
   Horizon& pieces = block.pieces;
-  // Pieces i to k - 1 meet the occluder; one more on either side may collapse with what is new.
-  std::size_t i = 0;
-  while (pieces[i].x_end <= begin) ++i;
-  std::size_t k = i;
-  bool rises = false;
-  next_.clear();
-  if (i > 0) next_.push_back(pieces[i - 1]);
-  const auto write = [&](const HorizonPiece& piece, double from, double to) {
-    if (!(from < to)) return;
-    ++pieces_uncollapsed_;
-    HorizonPiece part = piece;
-    part.x_begin = from;
-    part.x_end = to;
-    append(next_, part, true);
-  };
-  for (; k < pieces.size() && pieces[k].x_begin < end; ++k) {
-    const HorizonPiece& piece = pieces[k];
+  // Pieces first to past - 1 meet the occluder.
+  std::size_t first = 0;
+  while (pieces[first].x_end <= begin) ++first;
+  std::size_t past = first;
+  bool rises = false, all_rises = true;
+  stretches_.clear();
+  for (; past < pieces.size() && pieces[past].x_begin < end; ++past) {
+    const HorizonPiece& piece = pieces[past];
     const double from = std::max(piece.x_begin, begin), to = std::min(piece.x_end, end);
-    write(piece, piece.x_begin, from);
-    const Step step = resolve(source, piece, from, to, true, {});
+    const Step step = step_of(stand(piece, from, to), from, to, false);
     for (int n = 0; n < step.count; ++n) {
-      const Stretch& s = step.stretches[static_cast<std::size_t>(n)];
-      rises = rises || s.above;
-      write(s.above ? occluder : piece, s.x_begin, s.x_end);
+      const auto& [x_begin, x_end, above, b, e] = step.stretches[static_cast<std::size_t>(n)];
+      rises = rises || above;
+      all_rises = all_rises && above;
+      stretches_.push_back({past, x_begin, x_end, above});
     }
-    write(piece, to, piece.x_end);
   }
   if (!rises) return false;
-  if (k < pieces.size()) append(next_, pieces[k++], true);
-  if (i > 0) --i;
-  pieces_collapsed_ += next_.size();
   const std::size_t before = size_at(number);
-  const auto place = pieces.begin() + static_cast<std::ptrdiff_t>(i);
-  const std::size_t old = k - i, kept = std::min(old, next_.size());
-  std::copy_n(next_.begin(), kept, place);
-  const auto behind = place + static_cast<std::ptrdiff_t>(kept);
-  if (next_.size() > old)
-    pieces.insert(behind, next_.begin() + static_cast<std::ptrdiff_t>(kept), next_.end());
-  else
-    pieces.erase(behind, behind + static_cast<std::ptrdiff_t>(old - kept));
+  const HorizonPiece left = pieces[first], right = pieces[past - 1];
+  if (all_rises) {
+    // Its place, and what is left of the pieces at its ends.
+    const std::size_t head = left.x_begin < begin ? 1 : 0, tail = end < right.x_end ? 1 : 0;
+    make_room(pieces, first, past, head + 1 + tail);
+    HorizonPiece* at = &pieces[first];
+    if (head) (*at++ = left).x_end = begin;
+    (*at = occluder).x_begin = begin;
+    (*at++).x_end = end;
+    if (tail) (*at = right).x_begin = end;
+    pieces_uncollapsed_ += head + (past - first) + tail;
+    pieces_collapsed_ += head + 1 + tail + (first > 0 ? 1 : 0) +
+                         (first + head + 1 + tail < pieces.size() ? 1 : 0);
+  } else {
+    // One more on either side may collapse with what is new.
+    next_.clear();
+    if (first > 0) next_.push_back(pieces[first - 1]);
+    const auto write = [&](const HorizonPiece& piece, double from, double to) {
+      if (!(from < to)) return;
+      ++pieces_uncollapsed_;
+      HorizonPiece part = piece;
+      part.x_begin = from;
+      part.x_end = to;
+      append(next_, part, true);
+    };
+    write(left, left.x_begin, begin);
+    for (const auto& [piece, x_begin, x_end, above] : stretches_)
+      write(above ? occluder : pieces[piece], x_begin, x_end);
+    write(right, end, right.x_end);
+    if (past < pieces.size()) append(next_, pieces[past++], true);
+    if (first > 0) --first;
+    pieces_collapsed_ += next_.size();
+    make_room(pieces, first, past, next_.size());
+    std::copy(next_.begin(), next_.end(), pieces.begin() + static_cast<std::ptrdiff_t>(first));
+  }
   size_ += size_at(number) - before;
   block.high = std::max(block.high, highest);
   block.low = lowest(pieces);

@@ -3,13 +3,24 @@
 // decided at once, and what raises it is copied in its block alone.
 #pragma once
 
+#include "horizon/compare.hpp"
 #include "horizon/horizon.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace orograph {
+
+/// A part of line number `line`; along its source, 0 at the left end and 1 at the right.
+struct VisibleLinePart {
+  std::uint32_t line;
+  double t_begin, t_end;
+};
+
+/// Appends a part, unless it is empty; what goes on where the last one ended becomes one with it.
+void append(std::vector<VisibleLinePart>& parts, std::uint32_t line, double begin, double end);
 
 /// Pieces that tile the block's X; heights between `low` and `high` (-infinity: the sky).
 struct HorizonBlock {
@@ -36,6 +47,10 @@ public:
   /// Raises it by one occluder, exactly, and tells whether that changes it. Cost: the pieces of the
   /// blocks that it rises above somewhere; O(1) for blocks that are above it.
   bool raise(const HorizonPiece& occluder);
+  /// The same, and appends to `visible` what of the occluder is above the horizon as it was, as a
+  /// line number `line` that is drawn: of a tie that which no line is drawn along already.
+  bool raise(const HorizonPiece& occluder, const TieTolerance& tolerance, std::uint32_t line,
+             std::vector<VisibleLinePart>& visible);
   /// Whether a source stands anywhere between two abscissae.
   bool shows(std::uint64_t source_id, double x_begin, double x_end) const;
   /// Marks a part of a block's piece number `at` as inked.
@@ -49,12 +64,22 @@ public:
   std::size_t pieces_collapsed() const { return pieces_collapsed_; }     ///< as kept, in all
 
 private:
-  bool raise_block(std::size_t number, const HorizonPiece& occluder);
+  template <class Stand>
+  bool raise_blocks(const HorizonPiece& occluder, double slack_y, const Stand& stand);
+  template <class Stand>
+  bool raise_block(std::size_t number, const HorizonPiece& occluder, double slack_y,
+                   const Stand& stand);
   std::size_t size_at(std::size_t number) const;
 
   double x_begin_, blocks_per_x_;
   std::vector<HorizonBlock> blocks_;
-  Horizon next_;
+  struct PieceStretch {
+    std::size_t piece;
+    double x_begin, x_end;
+    bool above;
+  };
+  std::vector<PieceStretch> stretches_; ///< scratch
+  Horizon next_;                        ///< scratch
   std::size_t size_ = 1;
   std::size_t pieces_uncollapsed_ = 0, pieces_collapsed_ = 0;
 };

@@ -28,17 +28,12 @@ struct Step {
   double t = 0; ///< of the crossing
 };
 
-/// What [a, b] of p is against the piece; `exact` knows no ties but those of equal lines. Where p
-/// is tied to the piece, `above` is whether to draw p there.
-inline Step resolve(const Segment& p, const HorizonPiece& piece, double a, double b, bool exact,
-                    const TieTolerance& tolerance) {
+/// Parts [a, b] of p by how p stands to a source; a tie is above or not as `tied_above` says.
+inline Step step_of(const Standing& standing, double a, double b, bool tied_above) {
   using enum Standing::Kind;
   const auto whole = [&](bool above) { return Step{1, {Stretch{a, b, above}}}; };
-  if (is_sky(piece)) return whole(true);
-  static constexpr TieTolerance kNone{};
-  const Standing standing = compare(p, piece.source, exact ? kNone : tolerance);
   if (standing.kind == tied) {
-    Step step = whole(!exact && !piece.inked);
+    Step step = whole(tied_above);
     step.tied = true;
     return step;
   }
@@ -55,6 +50,16 @@ inline Step resolve(const Segment& p, const HorizonPiece& piece, double a, doubl
            Stretch{standing.x, b, !first_above, true, false}},
           false,
           standing.t};
+}
+
+/// What [a, b] of p is against the piece; `exact` knows no ties but those of equal lines. Where p
+/// is tied to the piece, `above` is whether to draw p there.
+inline Step resolve(const Segment& p, const HorizonPiece& piece, double a, double b, bool exact,
+                    const TieTolerance& tolerance) {
+  if (is_sky(piece)) return Step{1, {Stretch{a, b, true}}};
+  static constexpr TieTolerance kNone{};
+  return step_of(compare(p, piece.source, exact ? kNone : tolerance), a, b,
+                 !exact && !piece.inked);
 }
 
 /// Where a stretch begins and ends along p.

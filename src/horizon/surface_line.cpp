@@ -87,30 +87,25 @@ bool is_below(const SurfaceLine& line, const AnyHorizon& horizon) {
   return true;
 }
 
-// Whether any of the line is not below.
 template <class AnyHorizon, class Take>
-bool above_horizon(const SurfaceLine& line, const AnyHorizon& horizon,
+void above_horizon(const SurfaceLine& line, const AnyHorizon& horizon,
                    const TieTolerance& tolerance, const Take& take) {
   using enum Standing::Kind;
   const Segment& source = line.source;
-  bool meets = false;
   for (auto piece = pieces_from(horizon, line.begin); piece && piece->x_begin < line.end; ++piece) {
     const Stretch part{parameter_at(source, std::max(line.begin, piece->x_begin)),
                        parameter_at(source, std::min(line.end, piece->x_end))};
     if (part.empty()) continue;
     if (is_sky(*piece)) {
       take(part);
-      meets = true;
       continue;
     }
     const Standing standing = compare(source, piece->source, tolerance);
-    meets = meets || standing.kind != below;
     const double t = std::clamp(standing.t, part.begin, part.end);
     if (standing.kind == above || (standing.kind == tied && !piece->inked)) take(part);
     if (standing.kind == above_then_below) take({part.begin, t});
     if (standing.kind == below_then_above) take({t, part.end});
   }
-  return meets;
 }
 
 // A line straight away from the eye shows where it rises above all in front of it. Where it doesn't
@@ -120,14 +115,6 @@ Stretch upright_above(const SurfaceLine& line, double height) {
   if (!(y1 > y0)) return {0, 0};
   if (height == -std::numeric_limits<double>::infinity()) return {line.begin, line.end};
   return intersection({line.begin, line.end}, positive(y0 - height, y1 - height));
-}
-
-void append(std::vector<VisibleLinePart>& parts, std::uint32_t line, double begin, double end) {
-  if (!(begin < end)) return;
-  if (!parts.empty() && parts.back().line == line && parts.back().t_end == begin)
-    parts.back().t_end = end;
-  else
-    parts.push_back({line, begin, end});
 }
 
 double first_x(const SurfaceLine& line) {
@@ -140,12 +127,12 @@ double last_x(const SurfaceLine& line) {
 } // namespace
 
 template <class AnyHorizon>
-bool add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
+void add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
                        const TieTolerance& tolerance, std::vector<VisibleLinePart>& parts) {
-  return above_horizon(line, horizon, tolerance,
-                       [&](Stretch seen) { append(parts, number, seen.begin, seen.end); });
+  above_horizon(line, horizon, tolerance,
+                [&](Stretch seen) { append(parts, number, seen.begin, seen.end); });
 }
-template bool add_above_horizon(const SurfaceLine&, std::uint32_t, const BlockedHorizon&,
+template void add_above_horizon(const SurfaceLine&, std::uint32_t, const BlockedHorizon&,
                                 const TieTolerance&, std::vector<VisibleLinePart>&);
 
 void add_above_height(const SurfaceLine& line, std::uint32_t number, double height,

@@ -43,16 +43,9 @@ struct SurfaceLine {
   bool vertical() const { return upright() && nearness0 == nearness1; }
 };
 
-/// A part of line number `line` of a slab; along its source, 0 at the left end and 1 at the right.
-struct VisibleLinePart {
-  std::uint32_t line;
-  double t_begin, t_end;
-};
-
-/// Appends to `parts`, left to right, what of a line that isn't upright is above `horizon`. Tells
-/// whether it isn't wholly below: otherwise it can't raise the horizon, either.
+/// Appends to `parts`, left to right, what of a line that isn't upright is above `horizon`.
 template <class AnyHorizon> // Horizon or BlockedHorizon
-bool add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
+void add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
                        const TieTolerance& tolerance, std::vector<VisibleLinePart>& parts);
 /// The same of a line straight away from the eye that has `height` in front of it. Of one that
 /// doesn't rise nothing is: its own nearer end hides it.
