@@ -23,7 +23,9 @@ void Ridges::take(const LinePicture& picture, std::span<const VisibleLinePart> v
       };
       length_mm = folds_.length_if_inside_mm(at(visible.front().t_begin), at(visible.front().t_end));
     }
-    newer_.push_back({part, s.x0, s.x1, middle_m + folds_.reach_m(middle_m), length_mm});
+    const double reach_m = folds_.reach_m(middle_m);
+    if (newer_.empty()) newer_to_m_ = middle_m + 0.45 * reach_m;
+    newer_.push_back({part, s.x0, s.x1, middle_m + reach_m, length_mm});
   }
   parts.resize(first);
 }

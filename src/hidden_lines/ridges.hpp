@@ -33,9 +33,8 @@ public:
   /// X. Judges what can be judged cheaply; it is to be called again and again.
   template <class TakenTo>
   void judge_early(const BlockedHorizon& horizon, const TakenTo& taken_to_m) {
-    // Most folds are hidden four to eight strips of cells behind them.
-    constexpr int kCallsBetween = 4;
-    if (++calls_ % kCallsBetween != 0) return;
+    // Asked about between a half and all of its reach behind it, most are told.
+    if (newer_.empty() || taken_to_m(newer_.front().x_begin) < newer_to_m_) return;
     for (const Unjudged& unjudged : older_) {
       const bool in_reach =
           whole_ground_ && std::max(taken_to_m(unjudged.x_begin), taken_to_m(unjudged.x_end)) <=
@@ -71,8 +70,8 @@ private:
   const Folds& folds_;
   const LinePictures& pictures_;
   bool whole_ground_;
-  int calls_ = 0;
   std::vector<Unjudged> newer_, older_, rest_;
+  double newer_to_m_ = 0; ///< depth at which the newer ones become the older ones
   std::size_t judge_at_ = 4096; ///< how long the rest may get
   std::vector<LinePart> ridges_;
   double folded_mm_ = 0;

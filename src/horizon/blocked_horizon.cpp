@@ -5,6 +5,7 @@
 #include "horizon/horizon.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace orograph {
@@ -12,14 +13,19 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double lowest(const Horizon& pieces) {
-  double low = kInfinity;
-  for (const HorizonPiece& piece : pieces) {
-    if (is_sky(piece)) return -kInfinity;
-    low = std::min(
-        {low, height_at(piece.source, piece.x_begin), height_at(piece.source, piece.x_end)});
-  }
+float lowest(const Horizon& pieces) {
+  float low = std::numeric_limits<float>::infinity();
+  for (const HorizonPiece& piece : pieces) low = std::min(low, piece.low);
   return low;
+}
+
+// Below all heights of a piece, whatever float rounds off.
+float low_of(const HorizonPiece& piece) {
+  if (is_sky(piece)) return -std::numeric_limits<float>::infinity();
+  constexpr double kMost = std::numeric_limits<float>::max();
+  const double low =
+      std::min(height_at(piece.source, piece.x_begin), height_at(piece.source, piece.x_end));
+  return static_cast<float>(std::clamp(low - 2e-7 * std::abs(low) - 1e-40, -kMost, kMost));
 }
 
 // Makes pieces `first` to `past` - 1 so many.
@@ -162,10 +168,16 @@ bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
     const std::size_t head = left.x_begin < begin ? 1 : 0, tail = end < right.x_end ? 1 : 0;
     make_room(pieces, first, past, head + 1 + tail);
     HorizonPiece* at = &pieces[first];
-    if (head) (*at++ = left).x_end = begin;
-    (*at = occluder).x_begin = begin;
-    (*at++).x_end = end;
-    if (tail) (*at = right).x_begin = end;
+    const auto put = [&](const HorizonPiece& piece, double from, double to) {
+      *at = piece;
+      at->x_begin = from;
+      at->x_end = to;
+      at->low = low_of(*at);
+      ++at;
+    };
+    if (head) put(left, left.x_begin, begin);
+    put(occluder, begin, end);
+    if (tail) put(right, end, right.x_end);
     pieces_uncollapsed_ += head + (past - first) + tail;
     pieces_collapsed_ += head + 1 + tail + (first > 0 ? 1 : 0) +
                          (first + head + 1 + tail < pieces.size() ? 1 : 0);
@@ -179,6 +191,7 @@ bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
       HorizonPiece part = piece;
       part.x_begin = from;
       part.x_end = to;
+      part.low = low_of(part);
       append(next_, part, true);
     };
     write(left, left.x_begin, begin);

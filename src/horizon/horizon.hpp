@@ -16,6 +16,8 @@ struct HorizonPiece {
   double x_begin, x_end;
   Segment source; ///< its line is the height; for the sky see `is_sky`
   bool inked;     ///< a line is drawn along it
+  /// No height of it is lower, where that is kept (BlockedHorizon).
+  float low = -std::numeric_limits<float>::infinity();
 };
 
 /// Source id of the horizon before anything stands: height -infinity.
@@ -45,10 +47,12 @@ inline bool is_raised_before(const HorizonPiece& a, const HorizonPiece& b) {
 }
 
 inline void append(Horizon& pieces, const HorizonPiece& piece, bool collapse) {
-  if (collapse && !pieces.empty() && continues(pieces.back(), piece))
+  if (collapse && !pieces.empty() && continues(pieces.back(), piece)) {
     pieces.back().x_end = piece.x_end;
-  else
+    pieces.back().low = std::min(pieces.back().low, piece.low);
+  } else {
     pieces.push_back(piece);
+  }
 }
 
 /// Marks a part of pieces[at] as inked; what is collapsed stays collapsed.
