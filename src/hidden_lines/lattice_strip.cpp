@@ -98,43 +98,65 @@ void LatticeStrip::finish() {
   parts_.insert(parts_.end(), rest.begin(), rest.end());
 }
 
-// Of the lines on the next edge in this part of the place, those that may be seen or hide anything.
-// Tells the edge's turn; none if nothing is left.
-std::optional<LatticeOrder::Turn> LatticeStrip::look_at_next(PlacePart part) {
+// Of the lines on the next edge in this part of the place, those that may be seen or hide anything;
+// none if nothing is left.
+std::optional<LatticeStrip::EdgeAtTurn> LatticeStrip::look_at_next(PlacePart part) {
   constexpr LatticeOrder::Turn kNone = std::numeric_limits<LatticeOrder::Turn>::max();
-  const auto is_here = [&](LatticeOrder::Turn turn) {
-    return LatticeOrder::place_of(turn) == place_ && part_of(lattice_.order, turn) == part;
-  };
   const auto listed_turn = [&] {
-    return next_line_ < lines_.size() && is_here(lines_[next_line_].turn) ? lines_[next_line_].turn
-                                                                          : kNone;
+    if (next_line_ == lines_.size()) return kNone;
+    const LatticeOrder::Turn turn = lines_[next_line_].turn;
+    const bool is_here =
+        LatticeOrder::place_of(turn) == place_ && part_of(lattice_.order, turn) == part;
+    return is_here ? turn : kNone;
   };
-  while (true) {
-    const LatticeOrder::Turn listed = listed_turn(),
-                             found = found_.empty() ? kNone : found_.front().turn;
-    const LatticeOrder::Turn turn = std::min(listed, found);
-    if (turn == kNone) return std::nullopt;
-    looked_at_.clear();
-    bool silhouette_drawn = false;
-    if (found == turn) {
-      const auto& [same, edge, picture] = found_.front();
-      found_ = found_.subspan(1);
-      silhouette_drawn = lattice_.work.draws_silhouettes;
-      const std::uint32_t number =
-          pictures_.add_found({edge, LineKind::silhouette, true, silhouette_drawn, false});
-      look_at(number, picture);
-      if (looked_at_.empty()) pictures_.drop_last_found();
-    }
-    for (; listed == turn && listed_turn() == turn; ++next_line_) {
-      const std::uint32_t number = lines_[next_line_].line;
-      const EdgeLine& line = pictures_.line(number);
-      // An edge of several kinds is drawn as the first.
-      if (silhouette_drawn && !line.hides) continue;
-      silhouette_drawn = silhouette_drawn || (line.kind == LineKind::silhouette && line.drawn);
-      look_at(number, pictures_.picture(number, pictures_.whole(number)));
-    }
-    if (!looked_at_.empty()) return turn;
+  const LatticeOrder::Turn no_sooner = listed_turn();
+  looked_at_.clear();
+  alone_ = nullptr;
+  // Nearly always there is nothing but silhouettes.
+  for (; !found_.empty() && found_.front().turn < no_sooner; found_ = found_.subspan(1)) {
+    const PlaceSilhouettes::Found& found = found_.front();
+    if (!look_at_alone(found)) continue;
+    found_ = found_.subspan(1);
+    return EdgeAtTurn{found.turn, found.edge};
   }
+  if (no_sooner == kNone) return std::nullopt;
+  const EdgeAtTurn at{no_sooner, pictures_.line(lines_[next_line_].line).edge};
+  bool silhouette_drawn = false;
+  if (!found_.empty() && found_.front().turn == at.turn) {
+    silhouette_drawn = lattice_.work.draws_silhouettes;
+    look_at(pictures_.add_found({at.edge, LineKind::silhouette, true, silhouette_drawn, false}),
+            found_.front().picture);
+    found_ = found_.subspan(1);
+  }
+  for (; listed_turn() == at.turn; ++next_line_) {
+    const std::uint32_t number = lines_[next_line_].line;
+    const EdgeLine& line = pictures_.line(number);
+    // An edge of several kinds is drawn as the first.
+    if (silhouette_drawn && !line.hides) continue;
+    silhouette_drawn = silhouette_drawn || (line.kind == LineKind::silhouette && line.drawn);
+    look_at(number, pictures_.picture(number, pictures_.whole(number)));
+  }
+  return at;
+}
+
+bool LatticeStrip::look_at_alone(const PlaceSilhouettes::Found& found) {
+  const LinePicture& picture = found.picture;
+  const Segment& s = picture.source;
+  if (picture.is_upright()) {
+    look_at(pictures_.add_found({found.edge, LineKind::silhouette, true,
+                                 lattice_.work.draws_silhouettes, false}),
+            picture);
+    if (looked_at_.empty()) pictures_.drop_last_found();
+    return !looked_at_.empty();
+  }
+  const XRange looked_at = pictures_.looked_at();
+  alone_shown_ = {std::max(s.x0, looked_at.begin), std::min(s.x1, looked_at.end)};
+  const auto [begin, end] = alone_shown_;
+  if (!(begin < end) ||
+      is_below_blocks(horizon_, begin, end, std::max(height_at(s, begin), height_at(s, end))))
+    return false;
+  alone_ = &found;
+  return true;
 }
 
 void LatticeStrip::look_at(std::uint32_t number, const LinePicture& picture) {
@@ -150,50 +172,58 @@ void LatticeStrip::look_at(std::uint32_t number, const LinePicture& picture) {
   looked_at_.push_back({line, picture, number});
 }
 
-// All lines of an edge are compared before any of them hides.
 void LatticeStrip::take_looked_at() {
-  const LookedAt& first = looked_at_.front();
-  bool changes = false;
-  if (looked_at_.size() == 1 && first.line.drawn && raises(first.line)) {
-    visible_.clear();
-    changes = horizon_.raise(occluder_of(first.line), lattice_.work.tolerance, first.number,
-                             visible_);
-    if (!visible_.empty()) {
-      changes = true;
-      add_visible(first.line, first.picture, first.number);
-    }
-  } else {
-    for (const auto& [line, picture, number] : looked_at_) {
-      if (!line.drawn) continue;
-      visible_.clear();
-      if (line.upright())
-        add_above_height(
-            line, number,
-            uprights_.in_front(pictures_.line(number).edge, picture.t_left < picture.t_right),
-            visible_);
-      else
-        add_above_horizon(line, number, horizon_, lattice_.work.tolerance, visible_);
-      if (visible_.empty()) continue;
-      changes = true;
-      add_visible(line, picture, number);
-    }
-    for (const LookedAt& at : looked_at_)
-      if (raises(at.line) && horizon_.raise(occluder_of(at.line))) changes = true;
-  }
-  if (!changes && is_found(first.number) && first.number + 1 == pictures_.size())
-    pictures_.drop_last_found();
+  if (alone_)
+    take_alone();
+  else
+    take_group();
 }
 
-void LatticeStrip::add_visible(const SurfaceLine& line, const LinePicture& picture,
-                               std::uint32_t number) {
+// It gets its number only if it is part of the picture.
+void LatticeStrip::take_alone() {
+  const auto& [turn, edge, picture] = *alone_;
+  const bool drawn = lattice_.work.draws_silhouettes;
+  const auto number = static_cast<std::uint32_t>(pictures_.size());
+  HorizonPiece occluder{alone_shown_.begin, alone_shown_.end, picture.source, drawn};
+  occluder.source.id = source_id(number);
+  visible_.clear();
+  const bool rises = drawn
+                         ? horizon_.raise(occluder, lattice_.work.tolerance, number, visible_)
+                         : horizon_.raise(occluder);
+  if (!rises && visible_.empty()) return;
+  pictures_.add_found({edge, LineKind::silhouette, true, drawn, false});
+  if (!visible_.empty()) add_visible(number, picture, alone_shown_);
+}
+
+// All lines of an edge are compared before any of them hides.
+void LatticeStrip::take_group() {
+  for (const auto& [line, picture, number] : looked_at_) {
+    if (!line.drawn) continue;
+    visible_.clear();
+    if (line.upright())
+      add_above_height(
+          line, number,
+          uprights_.in_front(pictures_.line(number).edge, picture.t_left < picture.t_right),
+          visible_);
+    else
+      add_above_horizon(line, number, horizon_, lattice_.work.tolerance, visible_);
+    if (!visible_.empty())
+      add_visible(number, picture,
+                  line.upright() ? XRange{line.source.x0, line.source.x1}
+                                 : XRange{line.begin, line.end});
+  }
+  for (const LookedAt& at : looked_at_)
+    if (raises(at.line)) horizon_.raise(occluder_of(at.line));
+}
+
+// Of line number `number` what is in `visible_`; the line is shown in a range of X.
+void LatticeStrip::add_visible(std::uint32_t number, const LinePicture& picture, XRange shown) {
   const std::size_t before = parts_.size();
   for (const auto& [same, t_begin, t_end] : visible_)
     pictures_.add_part(number, picture, t_begin, t_end, parts_);
   // What goes on beside the strip is judged as a whole.
-  if (!ridges_ || !is_found(number) || line.begin <= range_.begin || line.end >= range_.end ||
-      (line.upright() && (line.source.x0 <= range_.begin || line.source.x0 >= range_.end)))
-    return;
-  ridges_->take(picture, visible_, parts_, before);
+  if (ridges_ && is_found(number) && shown.begin > range_.begin && shown.end < range_.end)
+    ridges_->take(picture, visible_, parts_, before);
 }
 
 void LatticeStrip::find_profiles(const LatticeOrder::Place& place, const ShownOfPlace& shown,
@@ -334,16 +364,16 @@ void LatticeStrip::take_side(PlacePart part) {
                      [&](const auto& a, const auto& b) { return first_cell(a) < first_cell(b); });
   const auto columns = static_cast<std::uint32_t>(lattice_.grid.columns);
   if (silhouettes_) found_ = silhouettes_->of(part);
-  while (const auto turn = look_at_next(part)) {
-    const std::uint32_t from = pictures_.line(looked_at_.front().number).edge.from;
+  while (const auto next = look_at_next(part)) {
+    const std::uint32_t from = next->edge.from;
     const auto column = static_cast<int>(from % columns), row = static_cast<int>(from / columns);
     const int cell = lattice_.order.rows_are_strips() ? column : row;
     // What lies on the edge itself is taken before that hides.
     take_up_to((!back                             ? cell
-                : LatticeOrder::is_upright(*turn) ? -cell
+                : LatticeOrder::is_upright(next->turn) ? -cell
                                                   : -(cell + 1)) +
                lattice_.rounding);
-    if (LatticeOrder::is_diagonal(*turn))
+    if (LatticeOrder::is_diagonal(next->turn))
       take_diagonal(column, row, back);
     else
       take_looked_at();

@@ -67,10 +67,17 @@ private:
   };
 
   void order_lines(std::span<const LineAtDepth> which);
-  std::optional<LatticeOrder::Turn> look_at_next(PlacePart part);
+  struct EdgeAtTurn {
+    LatticeOrder::Turn turn;
+    SurfaceEdge edge;
+  };
+  std::optional<EdgeAtTurn> look_at_next(PlacePart part);
+  bool look_at_alone(const PlaceSilhouettes::Found& found);
   void look_at(std::uint32_t line, const LinePicture& picture);
   void take_looked_at();
-  void add_visible(const SurfaceLine& line, const LinePicture& picture, std::uint32_t number);
+  void take_alone();
+  void take_group();
+  void add_visible(std::uint32_t number, const LinePicture& picture, XRange shown);
   void judge_folds(const LatticeOrder::Place& place);
   bool is_found(std::uint32_t line) const { return line >= lattice_.work.lines.size(); }
   void find_profiles(const LatticeOrder::Place& place, const ShownOfPlace& shown,
@@ -99,7 +106,9 @@ private:
     LinePicture picture;
     std::uint32_t number;
   };
-  std::vector<LookedAt> looked_at_;
+  std::vector<LookedAt> looked_at_; ///< the lines on an edge
+  const PlaceSilhouettes::Found* alone_ = nullptr; ///< or the one that is alone there
+  XRange alone_shown_{};
   std::vector<VisibleLinePart> visible_;
   std::vector<LinePart> parts_;
   std::optional<Ridges> ridges_;
