@@ -17,13 +17,16 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 LatticeStrip::LatticeStrip(const LatticeInWork& lattice, const Strip& strip,
                            std::span<const LineAtDepth> which, std::span<const Segment> near_cut,
                            std::size_t number)
-    : lattice_(lattice), range_(strip.range), number_(number),
+    : lattice_(lattice), range_(strip.range), inner_range_(range_), number_(number),
       pictures_(lattice.work.terrain.surface, lattice.work.sector, lattice.work.lines, strip.range,
                 lattice.work.from_m),
       horizon_(strip.core.begin, strip.core.end, strip.blocks, pictures_.looked_at().begin,
                pictures_.looked_at().end),
       uprights_(lattice.grid, lattice.work.sector.view, lattice.work.from_m),
       cursors_(lattice.work.sector.profiles.size(), 0) {
+  const XRange looked_at = pictures_.looked_at();
+  if (!std::isinf(range_.begin)) inner_range_.begin += range_.begin - looked_at.begin;
+  if (!std::isinf(range_.end)) inner_range_.end -= looked_at.end - range_.end;
   if (lattice.work.silhouettes) {
     silhouettes_.emplace(lattice, *lattice.work.silhouettes, pictures_);
     if (lattice.work.folds) {
@@ -111,7 +114,7 @@ std::optional<LatticeStrip::EdgeAtTurn> LatticeStrip::look_at_next(PlacePart par
   };
   const LatticeOrder::Turn no_sooner = listed_turn();
   looked_at_.clear();
-  alone_ = nullptr;
+  found_alone_ = nullptr;
   // Nearly always there is nothing but silhouettes.
   for (; !found_.empty() && found_.front().turn < no_sooner; found_ = found_.subspan(1)) {
     const PlaceSilhouettes::Found& found = found_.front();
@@ -150,12 +153,12 @@ bool LatticeStrip::look_at_alone(const PlaceSilhouettes::Found& found) {
     return !looked_at_.empty();
   }
   const XRange looked_at = pictures_.looked_at();
-  alone_shown_ = {std::max(s.x0, looked_at.begin), std::min(s.x1, looked_at.end)};
-  const auto [begin, end] = alone_shown_;
+  found_shown_ = {std::max(s.x0, looked_at.begin), std::min(s.x1, looked_at.end)};
+  const auto [begin, end] = found_shown_;
   if (!(begin < end) ||
       is_below_blocks(horizon_, begin, end, std::max(height_at(s, begin), height_at(s, end))))
     return false;
-  alone_ = &found;
+  found_alone_ = &found;
   return true;
 }
 
@@ -173,7 +176,7 @@ void LatticeStrip::look_at(std::uint32_t number, const LinePicture& picture) {
 }
 
 void LatticeStrip::take_looked_at() {
-  if (alone_)
+  if (found_alone_)
     take_alone();
   else
     take_group();
@@ -181,10 +184,10 @@ void LatticeStrip::take_looked_at() {
 
 // It gets its number only if it is part of the picture.
 void LatticeStrip::take_alone() {
-  const auto& [turn, edge, picture] = *alone_;
+  const auto& [turn, edge, picture] = *found_alone_;
   const bool drawn = lattice_.work.draws_silhouettes;
   const auto number = static_cast<std::uint32_t>(pictures_.size());
-  HorizonPiece occluder{alone_shown_.begin, alone_shown_.end, picture.source, drawn};
+  HorizonPiece occluder{found_shown_.begin, found_shown_.end, picture.source, drawn};
   occluder.source.id = source_id(number);
   visible_.clear();
   const bool rises = drawn
@@ -192,7 +195,7 @@ void LatticeStrip::take_alone() {
                          : horizon_.raise(occluder);
   if (!rises && visible_.empty()) return;
   pictures_.add_found({edge, LineKind::silhouette, true, drawn, false});
-  if (!visible_.empty()) add_visible(number, picture, alone_shown_);
+  if (!visible_.empty()) add_visible(number, picture, found_shown_);
 }
 
 // All lines of an edge are compared before any of them hides.
@@ -221,8 +224,8 @@ void LatticeStrip::add_visible(std::uint32_t number, const LinePicture& picture,
   const std::size_t before = parts_.size();
   for (const auto& [same, t_begin, t_end] : visible_)
     pictures_.add_part(number, picture, t_begin, t_end, parts_);
-  // What goes on beside the strip is judged as a whole.
-  if (ridges_ && is_found(number) && shown.begin > range_.begin && shown.end < range_.end)
+  // What the strips beside this one look at as well is judged as a whole.
+  if (ridges_ && is_found(number) && shown.begin > inner_range_.begin && shown.end < inner_range_.end)
     ridges_->take(picture, visible_, parts_, before);
 }
 

@@ -91,6 +91,7 @@ private:
 
   const LatticeInWork& lattice_;
   XRange range_;
+  XRange inner_range_; ///< what of it no other strip looks at
   std::size_t number_;
   LinePictures pictures_;
   BlockedHorizon horizon_;
@@ -107,8 +108,8 @@ private:
     std::uint32_t number;
   };
   std::vector<LookedAt> looked_at_; ///< the lines on an edge
-  const PlaceSilhouettes::Found* alone_ = nullptr; ///< or the one that is alone there
-  XRange alone_shown_{};
+  const PlaceSilhouettes::Found* found_alone_ = nullptr; ///< or the one that is alone there
+  XRange found_shown_{};
   std::vector<VisibleLinePart> visible_;
   std::vector<LinePart> parts_;
   std::optional<Ridges> ridges_;
