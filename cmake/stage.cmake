@@ -1,9 +1,15 @@
-# orograph_stage(NAME [TOGETHER] SOURCES a.cpp b.cpp [DEPENDS stage…] [PRIVATE library…])
+# How code is compiled that takes no time when it runs.
+set(OROGRAPH_QUICKLY $<$<CONFIG:Release>:-O1>)
+if(OROGRAPH_SANITIZE)
+  set(OROGRAPH_QUICKLY -O0)
+endif()
+
+# orograph_stage(NAME [TOGETHER] [QUICKLY] SOURCES a.cpp b.cpp [DEPENDS stage…] [PRIVATE library…])
 # One library for each folder. Stages link only downhill (DEPENDS); foreign libraries are PRIVATE,
 # behind the one source file that includes them. TOGETHER: several files are compiled at a time,
-# compile_once.cmake.
+# compile_once.cmake. QUICKLY: nothing in it takes time.
 function(orograph_stage name)
-  cmake_parse_arguments(STAGE "TOGETHER" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(STAGE "TOGETHER;QUICKLY" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   add_library(orograph_${name} STATIC ${STAGE_SOURCES})
   # Into the shared library, which shows nothing but what OROGRAPH_API marks.
   set_target_properties(orograph_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON
@@ -17,6 +23,9 @@ function(orograph_stage name)
   endif()
   if("CGAL::CGAL" IN_LIST STAGE_PRIVATE) # which brings -frounding-math
     orograph_precompile(orograph_${name} rounding)
+  elseif(STAGE_QUICKLY)
+    target_compile_options(orograph_${name} PRIVATE ${OROGRAPH_QUICKLY})
+    orograph_precompile(orograph_${name} quick)
   else()
     orograph_precompile(orograph_${name} plain)
   endif()

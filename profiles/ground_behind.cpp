@@ -73,85 +73,74 @@ bool rises(const Mesh& mesh, const Beyond& beyond, const ProfileLine& line, Surf
 }
 
 // The same on a map plane, where the lattice is alike everywhere: of two triangles at an edge the
-// apexes are, added up, where its two ends are. A third of the time.
+// apexes are, added up, where its two ends are; so is all that is linear. A quarter of the time.
 template <class Height>
 bool rises_on_plane(const Grid& grid, const Heights<Height>& heights, const View& view,
                     SurfaceEdge edge, ProfilePoint from, double reach_m) {
+  struct Vertex {
+    int column, row;
+    double side;      // how far to the right of the ray it is, in some measure
+    double u, v;      // from the ray's begin
+    double above = 0; // the ray, by more than rounding
+    double z = 0;
+  };
   const PlaneLattice& lattice = grid.plane();
   const auto columns = static_cast<std::uint32_t>(grid.columns);
+  const Height* const height = heights.data();
+  const double z_per_m = z_along_ray(view, from);
+  const Vec2 along_ray = view.is_perspective() ? Vec2{from.u, from.v} : Vec2{-view.x_per_v, 1};
+  const bool sinks = view.drop.any();
+  // False where there is no ground.
+  const auto stand = [&](Vertex& p) {
+    if (p.column < 0 || p.row < 0 || p.column >= grid.columns || p.row >= grid.rows) return false;
+    p.z = height[grid.index(p.column, p.row)] * view.exaggeration;
+    if (sinks) p.z -= view.drop.at(from.u + p.u, from.v + p.v);
+    const double fall = p.v * z_per_m;
+    // Rounding is a few ulp.
+    p.above = p.z - from.z - fall + 1e-12 * (std::abs(p.z) + std::abs(from.z) + std::abs(fall));
+    return !std::isnan(p.z);
+  };
+  const auto place = [&](int column, int row) {
+    const Vec2 at = lattice.position_m(column, row) - view.depth_origin_m;
+    const Vec2 away{dot(at, view.right) - from.u, dot(at, view.forward) - from.v};
+    return Vertex{column, row, cross(away, along_ray), away.x, away.y};
+  };
+
   const auto column = static_cast<int>(edge.from % columns),
              row = static_cast<int>(edge.from / columns);
-  const auto in_frame = [&](Vec2 step) {
-    return Vec2{dot(step, view.right), dot(step, view.forward)};
-  };
-  const Vec2 column_step = in_frame(lattice.column_step_m), row_step = in_frame(lattice.row_step_m),
-             first = in_frame(lattice.position_m(column, row) - view.depth_origin_m);
-  const Vec2 along_ray =
-      view.is_perspective() ? Vec2{from.u, from.v} : Vec2{-view.x_per_v, 1};
-  const double z_per_m = z_along_ray(view, from);
-  struct Vertex {
-    int column, row;   // from the edge's first
-    double side;       // how far to the right of the ray it is, in some measure
-    double v, z, fall; // that of the ray up to there
-  };
-  const auto place = [&](int c, int r) {
-    const double u = first.x + (c * column_step.x + r * row_step.x),
-                 v = first.y + (c * column_step.y + r * row_step.y);
-    return Vertex{c, r, cross({u - from.u, v - from.v}, along_ray), v, 0, 0};
-  };
-  // False where there is no ground.
-  const auto stand = [&](Vertex& vertex) {
-    const int c = column + vertex.column, r = row + vertex.row;
-    if (c < 0 || r < 0 || c >= grid.columns || r >= grid.rows) return false;
-    const double height = heights[grid.index(c, r)];
-    vertex.z = height * view.exaggeration;
-    if (view.drop.any())
-      vertex.z -= view.drop.at(
-          first.x + (vertex.column * column_step.x + vertex.row * row_step.x), vertex.v);
-    vertex.fall = (vertex.v - from.v) * z_per_m;
-    return !std::isnan(height);
-  };
-  // By more than rounding, which is a few ulp.
-  const auto is_below_ray = [&](const Vertex& p) {
-    return p.z - from.z - p.fall <
-           -1e-12 * (std::abs(p.z) + std::abs(from.z) + std::abs(p.fall));
-  };
   const std::uint32_t step = edge.to - edge.from;
-  const CellVertex to{step == columns ? 0 : 1, step == 1 ? 0 : 1};
-  // On the edge's left, with columns to the east and rows to the south, and on its right.
-  const CellVertex left_apex = step == 1         ? CellVertex{0, -1}
-                               : step == columns ? CellVertex{1, 1}
-                                                 : CellVertex{1, 0};
-  const CellVertex right_apex{to.column - left_apex.column, to.row - left_apex.row};
-  Vertex left = place(0, 0), right = place(to.column, to.row);
+  const int to_column = column + (step == columns ? 0 : 1), to_row = row + (step == 1 ? 0 : 1);
+  Vertex left = place(column, row), right = place(to_column, to_row);
   if (!stand(left) || !stand(right)) return false;
   const bool turned = left.side > right.side;
   if (turned) std::swap(left, right);
-  CellVertex behind = turned == lattice.is_mirrored() ? right_apex : left_apex;
+  // The apex on the edge's left, with columns to the east and rows to the south; and its right.
+  const int left_column = column + (step == 1 ? 0 : 1), left_row = row + (step == 1         ? -1
+                                                                          : step == columns ? 1
+                                                                                            : 0);
+  Vertex behind = turned == lattice.is_mirrored()
+                      ? place(column + to_column - left_column, row + to_row - left_row)
+                      : place(left_column, left_row);
   // No line passes more triangles, but one whose numbers have overflowed.
   const int most = 2 * (grid.columns + grid.rows);
   for (int passes = 0; passes < most; ++passes) {
-    Vertex ahead = place(left.column + right.column - behind.column,
-                         left.row + right.row - behind.row);
+    Vertex ahead{left.column + right.column - behind.column, left.row + right.row - behind.row,
+                 left.side + right.side - behind.side, left.u + right.u - behind.u,
+                 left.v + right.v - behind.v};
     if (!stand(ahead)) return false;
     // Of three corners one or two are on the right.
     Vertex& passed = ahead.side > 0 ? right : left;
-    behind = {passed.column, passed.row};
+    behind = passed;
     passed = ahead;
     // Nothing of an edge that is below comes up to the ray, as nearly everywhere.
-    if (is_below_ray(left) && is_below_ray(right) && std::max(left.v, right.v) - from.v <= reach_m)
-      continue;
+    if (left.above < 0 && right.above < 0 && std::max(left.v, right.v) <= reach_m) continue;
     const double share =
-        left.side == right.side ? 0.5
-                                : std::clamp(left.side / (left.side - right.side), 0.0, 1.0);
-    const double distance = left.v + share * (right.v - left.v) - from.v;
+        left.side == right.side ? 0.5 : std::clamp(left.side / (left.side - right.side), 0.0, 1.0);
+    const double distance = left.v + share * (right.v - left.v);
     if (distance > reach_m) return false;
     // The silhouette's own edge is in reach of rounding: a thousandth of an edge is not behind it.
-    const Vec2 across = (right.column - left.column) * column_step +
-                        (right.row - left.row) * row_step;
-    const double least_m = 1e-3 * std::max(std::abs(across.x), std::abs(across.y));
-    if (distance > least_m &&
-        left.z + share * (right.z - left.z) >= from.z + distance * z_per_m)
+    const double least_m = 1e-3 * std::max(std::abs(right.u - left.u), std::abs(right.v - left.v));
+    if (distance > least_m && left.z + share * (right.z - left.z) >= from.z + distance * z_per_m)
       return true;
   }
   return false;

@@ -34,7 +34,7 @@ struct SilhouetteMarks {
   static constexpr std::uint8_t kAlong = 1, kUpright = 2, kDiagonal = 4;
 
   bool rows_are_strips;
-  std::size_t cells; ///< in a strip
+  std::size_t cells;               ///< in a strip
   std::vector<std::uint8_t> marks; ///< strip after strip
 
   std::span<const std::uint8_t> of_strip(int strip) const {

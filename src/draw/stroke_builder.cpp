@@ -58,8 +58,7 @@ PlaneValues plane_values(const Box2& frame_mm, const std::optional<VolumeDepth>&
                                 depth->per_z * scene.z + depth->at_origin
                           : -0.5 * w;
   const double slack = kInPlane * w;
-  return {x - low.x * w,  high.x * w - x, y - low.y * w,
-          high.y * w - y, w + at + slack, slack - at};
+  return {x - low.x * w, high.x * w - x, y - low.y * w, high.y * w - y, w + at + slack, slack - at};
 }
 
 void StrokeBuilder::begin(std::int32_t profile, double depth_m) {

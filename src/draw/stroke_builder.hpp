@@ -41,13 +41,14 @@ struct VolumeDepth {
   double per_u, per_v, per_z, at_origin;
 };
 
-/// Rounding puts a point of a plane on either side of it: a picture that fills the frame touches its
-/// sides (in mm), and along the front and back plane, where they cut the terrain, lines lie in them.
+/// Rounding puts a point of a plane on either side of it: a picture that fills the frame touches
+/// its sides (in mm), and along the front and back plane, where they cut the terrain, lines lie in
+/// them.
 constexpr double kInPlane = 1e-9;
 
-/// For each plane of the view volume (left, right, above, below, back, front) how far inside a point
-/// is, in some measure: its place on the page, in homogeneous coordinates, and in the scene. Without
-/// `depth` there is no back and no front.
+/// For each plane of the view volume (left, right, above, below, back, front) how far inside a
+/// point is, in some measure: its place on the page, in homogeneous coordinates, and in the scene.
+/// Without `depth` there is no back and no front.
 PlaneValues plane_values(const Box2& frame_mm, const std::optional<VolumeDepth>& depth,
                          const Vec3& page, ProfilePoint scene);
 

@@ -33,8 +33,7 @@ std::vector<LinePart> Folds::among(const LinePictures& lines,
   on_all_cores((parts.size() + kPartsOfTask - 1) / kPartsOfTask, [&](std::size_t task) {
     const std::size_t end = std::min(parts.size(), (task + 1) * kPartsOfTask);
     for (std::size_t i = task * kPartsOfTask; i < end; ++i)
-      folds[i] =
-          is_fold(lines.line(parts[i].line), lines.whole(parts[i].line), parts[i]) ? 1 : 0;
+      folds[i] = is_fold(lines.line(parts[i].line), lines.whole(parts[i].line), parts[i]) ? 1 : 0;
   });
   for (std::size_t i = 0; i < parts.size(); ++i) {
     throw_if_stopped(i);

@@ -12,8 +12,8 @@
 namespace orograph {
 
 /// A part of a silhouette is a fold if the ground behind its middle comes up again within a share
-/// of the depth (`Style::silhouette_jump`). In a parallel view, which has no eye to be far from, the
-/// share is of the sector's own extent in depth.
+/// of the depth (`Style::silhouette_jump`). In a parallel view, which has no eye to be far from,
+/// the share is of the sector's own extent in depth.
 class Folds {
 public:
   /// Nothing is a fold with a share of 0. REQUIRES that all outlive this.
@@ -29,6 +29,7 @@ public:
     return share_ * (sector_.view.is_perspective() ? depth_m : parallel_depth_m_);
   }
 
+  double drawn_from_m() const { return sector_.view.drawn_from_m; }
   /// Length of a part of a line in the frame.
   double length_mm(const ProfileLine& whole, const LinePart& part) const;
   /// The same between two points of the visibility plane, if both are well inside: otherwise NaN.

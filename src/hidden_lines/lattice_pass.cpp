@@ -44,10 +44,10 @@ public:
     const auto& profiles = work.sector.profiles;
     waiting_.reserve(profiles.size());
     for (std::size_t i = 0; i < profiles.size(); ++i) {
-      const auto [first, last] = lattice_.places_of(profiles[i].depth_m,
-                             work.whole_profiles
-                                 ? URange{}
-                                 : u_range(work.sector.view, profiles[i].depth_m, work.range));
+      const auto [first, last] = lattice_.places_of(
+          profiles[i].depth_m, work.whole_profiles
+                                   ? URange{}
+                                   : u_range(work.sector.view, profiles[i].depth_m, work.range));
       waiting_.push_back({i, first / band_, last / band_});
     }
     std::stable_sort(waiting_.begin(), waiting_.end(), [](const Waiting& a, const Waiting& b) {

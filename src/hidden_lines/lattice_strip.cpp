@@ -54,8 +54,8 @@ void LatticeStrip::order_lines(std::span<const LineAtDepth> which) {
     for (const double line : {std::floor(under_eye), std::floor(under_eye) + 1})
       if (line > 0 && line < strips)
         for (const SurfaceEdge& edge : silhouettes_->moved(static_cast<int>(line)))
-          add(pictures_.add_found({edge, LineKind::silhouette, true,
-                                   lattice_.work.draws_silhouettes, false}));
+          add(pictures_.add_found(
+              {edge, LineKind::silhouette, true, lattice_.work.draws_silhouettes, false}));
   }
   std::size_t steps = 0;
   const auto before = [&](const LineAtTurn& a, const LineAtTurn& b) {
@@ -88,7 +88,8 @@ void LatticeStrip::judge_folds(const LatticeOrder::Place& place) {
   const double line = rises ? place.strip + 1 : place.strip;
   ridges_->judge_early(horizon_, [&](double x) {
     const double ahead = view.is_perspective() ? line - at_origin : line - at_origin - per_u * x,
-                 per_depth = view.is_perspective() ? per_u * x + per_v : per_v - per_u * view.x_per_v;
+                 per_depth =
+                     view.is_perspective() ? per_u * x + per_v : per_v - per_u * view.x_per_v;
     // A ray that runs to the other side isn't told about.
     return (per_depth > 0) == rises && per_depth != 0 ? ahead / per_depth : kInfinity;
   });
@@ -146,8 +147,8 @@ bool LatticeStrip::look_at_alone(const PlaceSilhouettes::Found& found) {
   const LinePicture& picture = found.picture;
   const Segment& s = picture.source;
   if (picture.is_upright()) {
-    look_at(pictures_.add_found({found.edge, LineKind::silhouette, true,
-                                 lattice_.work.draws_silhouettes, false}),
+    look_at(pictures_.add_found(
+                {found.edge, LineKind::silhouette, true, lattice_.work.draws_silhouettes, false}),
             picture);
     if (looked_at_.empty()) pictures_.drop_last_found();
     return !looked_at_.empty();
@@ -190,9 +191,8 @@ void LatticeStrip::take_alone() {
   HorizonPiece occluder{found_shown_.begin, found_shown_.end, picture.source, drawn};
   occluder.source.id = source_id(number);
   visible_.clear();
-  const bool rises = drawn
-                         ? horizon_.raise(occluder, lattice_.work.tolerance, number, visible_)
-                         : horizon_.raise(occluder);
+  const bool rises = drawn ? horizon_.raise(occluder, lattice_.work.tolerance, number, visible_)
+                           : horizon_.raise(occluder);
   if (!rises && visible_.empty()) return;
   pictures_.add_found({edge, LineKind::silhouette, true, drawn, false});
   if (!visible_.empty()) add_visible(number, picture, found_shown_);
@@ -225,7 +225,8 @@ void LatticeStrip::add_visible(std::uint32_t number, const LinePicture& picture,
   for (const auto& [same, t_begin, t_end] : visible_)
     pictures_.add_part(number, picture, t_begin, t_end, parts_);
   // What the strips beside this one look at as well is judged as a whole.
-  if (ridges_ && is_found(number) && shown.begin > inner_range_.begin && shown.end < inner_range_.end)
+  if (ridges_ && is_found(number) && shown.begin > inner_range_.begin &&
+      shown.end < inner_range_.end)
     ridges_->take(picture, visible_, parts_, before);
 }
 
@@ -372,9 +373,9 @@ void LatticeStrip::take_side(PlacePart part) {
     const auto column = static_cast<int>(from % columns), row = static_cast<int>(from / columns);
     const int cell = lattice_.order.rows_are_strips() ? column : row;
     // What lies on the edge itself is taken before that hides.
-    take_up_to((!back                             ? cell
+    take_up_to((!back                                  ? cell
                 : LatticeOrder::is_upright(next->turn) ? -cell
-                                                  : -(cell + 1)) +
+                                                       : -(cell + 1)) +
                lattice_.rounding);
     if (LatticeOrder::is_diagonal(next->turn))
       take_diagonal(column, row, back);

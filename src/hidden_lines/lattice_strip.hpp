@@ -107,7 +107,7 @@ private:
     LinePicture picture;
     std::uint32_t number;
   };
-  std::vector<LookedAt> looked_at_; ///< the lines on an edge
+  std::vector<LookedAt> looked_at_;                      ///< the lines on an edge
   const PlaceSilhouettes::Found* found_alone_ = nullptr; ///< or the one that is alone there
   XRange found_shown_{};
   std::vector<VisibleLinePart> visible_;

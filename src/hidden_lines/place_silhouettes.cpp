@@ -35,8 +35,8 @@ void find_marked(std::span<const std::uint8_t> marks, int first, int end, std::u
 SurfaceEdge PlaceSilhouettes::edge_at(int strip, int cell, std::uint8_t mark) const {
   const bool rows = lattice_.order.rows_are_strips();
   const auto columns = static_cast<std::uint32_t>(lattice_.grid.columns);
-  const auto from = static_cast<std::uint32_t>(
-      rows ? lattice_.grid.index(cell, strip) : lattice_.grid.index(strip, cell));
+  const auto from = static_cast<std::uint32_t>(rows ? lattice_.grid.index(cell, strip)
+                                                    : lattice_.grid.index(strip, cell));
   const std::uint32_t along = rows ? 1 : columns, upright = rows ? columns : 1;
   return {from, from + (mark == SilhouetteMarks::kAlong     ? along
                         : mark == SilhouetteMarks::kUpright ? upright
@@ -44,15 +44,15 @@ SurfaceEdge PlaceSilhouettes::edge_at(int strip, int cell, std::uint8_t mark) co
 }
 
 void PlaceSilhouettes::add(PlacePart part, SurfaceEdge edge, const BlockedHorizon& horizon) {
-  const LinePicture picture = pictures_.picture(pictures_.whole(edge));
+  const ProfileLine whole = pictures_.whole(edge);
+  if (std::max(whole.from.v, whole.to.v) <= pictures_.from_m()) return;
+  const LinePicture picture = pictures_.picture(whole);
   const Segment& s = picture.source;
   const XRange looked_at = pictures_.looked_at();
-  if (std::max(picture.left.v, picture.right.v) <= pictures_.from_m()) return;
   if (s.x1 < looked_at.begin || s.x0 > looked_at.end) return;
-  if (picture.is_upright()
-          ? pictures_.is_hidden(picture, horizon)
-          : is_below_blocks(horizon, std::max(s.x0, looked_at.begin),
-                            std::min(s.x1, looked_at.end), std::max(s.y0, s.y1)))
+  if (picture.is_upright() ? pictures_.is_hidden(picture, horizon)
+                           : is_below_blocks(horizon, std::max(s.x0, looked_at.begin),
+                                             std::min(s.x1, looked_at.end), std::max(s.y0, s.y1)))
     return;
   found_[static_cast<std::size_t>(part)].push_back({lattice_.order.turn(edge), edge, picture});
 }
@@ -62,8 +62,7 @@ void PlaceSilhouettes::find(const LatticeOrder::Place& place, const ShownOfPlace
   for (auto& found : found_) found.clear();
   if (shown.empty()) return;
   const LatticeOrder& order = lattice_.order;
-  const int strips =
-      (order.rows_are_strips() ? lattice_.grid.rows : lattice_.grid.columns) - 1;
+  const int strips = (order.rows_are_strips() ? lattice_.grid.rows : lattice_.grid.columns) - 1;
   const int own = order.first_outwards(); // the eye's own cell, or the first behind it
   const auto from_own = [&](auto&& take_rising, auto&& take_falling) {
     for (const int cell : cells_)

@@ -38,9 +38,7 @@ public:
   void find(const LatticeOrder::Place& place, const ShownOfPlace& shown,
             const BlockedHorizon& horizon);
   /// By turn.
-  std::span<const Found> of(PlacePart part) const {
-    return found_[static_cast<std::size_t>(part)];
-  }
+  std::span<const Found> of(PlacePart part) const { return found_[static_cast<std::size_t>(part)]; }
 
   /// Those on a line of the lattice that `LinePictures` moves.
   std::vector<SurfaceEdge> moved(int line) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hidden_lines/ridges.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,24 +13,26 @@ void Ridges::take(const LinePicture& picture, std::span<const VisibleLinePart> v
   const Segment& s = picture.source;
   for (std::size_t i = first; i < parts.size(); ++i) {
     const LinePart& part = parts[i];
-    const double share = (0.5 * (part.t_begin + part.t_end) - picture.t_left) /
-                         (picture.t_right - picture.t_left);
+    const double share =
+        (0.5 * (part.t_begin + part.t_end) - picture.t_left) / (picture.t_right - picture.t_left);
     const double middle_m = picture.left.v + share * (picture.right.v - picture.left.v);
     // Nearly all lines have one part, whose ends in the picture are at hand.
     double length_mm = std::numeric_limits<double>::quiet_NaN();
-    if (visible.size() == 1) {
+    if (visible.size() == 1 && std::min(picture.left.v, picture.right.v) >= folds_.drawn_from_m()) {
       const auto at = [&](double t) {
         return Vec2{s.x0 + t * (s.x1 - s.x0), s.y0 + t * (s.y1 - s.y0)};
       };
-      length_mm = folds_.length_if_inside_mm(at(visible.front().t_begin), at(visible.front().t_end));
+      length_mm =
+          folds_.length_if_inside_mm(at(visible.front().t_begin), at(visible.front().t_end));
     }
     const double reach_m = folds_.reach_m(middle_m);
-    if (newer_.empty()) newer_to_m_ = middle_m + 0.45 * reach_m;
-    newer_.push_back({part, s.x0, s.x1, middle_m + reach_m, length_mm});
+    // Asked sooner, more of them still stand; later, the last strip of cells is out of reach.
+    constexpr double kAskAt = 0.6;
+    waiting_.push_back(
+        {part, s.x0, s.x1, middle_m + reach_m, middle_m + kAskAt * reach_m, length_mm});
   }
   parts.resize(first);
 }
-
 
 bool Ridges::stands(const Unjudged& unjudged, const BlockedHorizon& horizon) const {
   return horizon.shows(source_id(unjudged.part.line), unjudged.x_begin, unjudged.x_end);
@@ -55,10 +58,9 @@ void Ridges::judge_rest(const BlockedHorizon& horizon) {
 }
 
 void Ridges::judge(const BlockedHorizon& horizon) {
-  for (std::vector<Unjudged>* some : {&older_, &newer_}) {
-    rest_.insert(rest_.end(), some->begin(), some->end());
-    some->clear();
-  }
+  rest_.insert(rest_.end(), waiting_.begin() + static_cast<std::ptrdiff_t>(next_), waiting_.end());
+  waiting_.clear();
+  next_ = 0;
   judge_rest(horizon);
 }
 

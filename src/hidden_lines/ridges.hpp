@@ -33,19 +33,19 @@ public:
   /// X. Judges what can be judged cheaply; it is to be called again and again.
   template <class TakenTo>
   void judge_early(const BlockedHorizon& horizon, const TakenTo& taken_to_m) {
-    // Asked about between a half and all of its reach behind it, most are told.
-    if (newer_.empty() || taken_to_m(newer_.front().x_begin) < newer_to_m_) return;
-    for (const Unjudged& unjudged : older_) {
-      const bool in_reach =
-          whole_ground_ && std::max(taken_to_m(unjudged.x_begin), taken_to_m(unjudged.x_end)) <=
-                               unjudged.reach_to_m;
-      if (in_reach && !stands(unjudged, horizon))
+    for (; next_ < waiting_.size(); ++next_) {
+      const Unjudged& unjudged = waiting_[next_];
+      const double to_m = std::max(taken_to_m(unjudged.x_begin), taken_to_m(unjudged.x_end));
+      if (to_m < unjudged.ask_at_m) break;
+      if (whole_ground_ && to_m <= unjudged.reach_to_m && !stands(unjudged, horizon))
         leave_out(unjudged);
       else
         rest_.push_back(unjudged);
     }
-    older_.swap(newer_);
-    newer_.clear();
+    if (2 * next_ > waiting_.size()) {
+      waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(next_));
+      next_ = 0;
+    }
     if (rest_.size() >= judge_at_) judge_rest(horizon);
   }
   /// Judges all that is no longer part of the horizon.
@@ -61,6 +61,7 @@ private:
     LinePart part;
     double x_begin, x_end; ///< of the line's picture
     double reach_to_m;     ///< depth up to which ground makes it a fold
+    double ask_at_m;       ///< and from which on most folds are hidden
     double length_mm;      ///< NaN: not reckoned yet
   };
   bool stands(const Unjudged& unjudged, const BlockedHorizon& horizon) const;
@@ -70,9 +71,10 @@ private:
   const Folds& folds_;
   const LinePictures& pictures_;
   bool whole_ground_;
-  std::vector<Unjudged> newer_, older_, rest_;
-  double newer_to_m_ = 0; ///< depth at which the newer ones become the older ones
-  std::size_t judge_at_ = 4096; ///< how long the rest may get
+  std::vector<Unjudged> waiting_; ///< to be asked about early, about front to back
+  std::size_t next_ = 0;          ///< of them
+  std::vector<Unjudged> rest_;    ///< those of which that didn't tell
+  std::size_t judge_at_ = 4096;   ///< how long the rest may get
   std::vector<LinePart> ridges_;
   double folded_mm_ = 0;
 };

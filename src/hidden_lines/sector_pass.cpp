@@ -154,9 +154,8 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
   const Grid* grid = grid_in_order(terrain, style, instruments);
   // Who watches is shown all lines, hidden ones too, and solids are hidden by all that hide.
   if (!grid || !instruments.observers.empty() || !placed.solids.empty() ||
-      !std::all_of(placed.sectors.begin(), placed.sectors.end(), [&](const Sector& sector) {
-        return goes_in_order(*grid, sector, instruments);
-      }))
+      !std::all_of(placed.sectors.begin(), placed.sectors.end(),
+                   [&](const Sector& sector) { return goes_in_order(*grid, sector, instruments); }))
     return {lines_of(terrain, placed, style, ground), std::nullopt};
   const LatticeOrder order(*grid, placed.sectors.front().view);
   return {lines_but_silhouettes(terrain, placed, style),
@@ -254,7 +253,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     watch.mark(seconds.clip);
   }
   out.folded_mm = found_parts.folded_mm;
-  for (const LinePart& part : folded) out.folded_mm += folds.length_mm(every_line.whole(part.line), part);
+  for (const LinePart& part : folded)
+    out.folded_mm += folds.length_mm(every_line.whole(part.line), part);
   for (LineObserver* observer : instruments.observers)
     observer->see(SeenLines{sector, work.range, every_line, found_parts.visible});
   watch.mark(seconds.check);

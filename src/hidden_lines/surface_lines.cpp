@@ -40,8 +40,9 @@ bool draws_silhouettes(const Style& style) {
 namespace {
 
 // Silhouettes are in order.
-std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes, const TerrainData& terrain,
-                                 const PlacedView& placed, const Style& style) {
+std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
+                                 const TerrainData& terrain, const PlacedView& placed,
+                                 const Style& style) {
   // With the seed's occluders only what is drawn of the profiles hides.
   const bool surface = style.occluder == Occluder::surface;
   const bool border = style.asks_for("border"), voids = style.asks_for("voids");

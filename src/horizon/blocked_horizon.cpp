@@ -100,10 +100,17 @@ bool BlockedHorizon::raise(const HorizonPiece& occluder, const TieTolerance& tol
     const Standing standing = compare(source, piece.source, tolerance);
     const double t = std::clamp(standing.t, begin, end);
     switch (standing.kind) {
-    case above: append(visible, line, begin, end); break;
-    case above_then_below: append(visible, line, begin, t); break;
-    case below_then_above: append(visible, line, t, end); break;
-    case below: break;
+    case above:
+      append(visible, line, begin, end);
+      break;
+    case above_then_below:
+      append(visible, line, begin, t);
+      break;
+    case below_then_above:
+      append(visible, line, t, end);
+      break;
+    case below:
+      break;
     case tied:
       if (!piece.inked) append(visible, line, begin, end);
       return compare(source, piece.source, {});
@@ -179,8 +186,8 @@ bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
     put(occluder, begin, end);
     if (tail) put(right, end, right.x_end);
     pieces_uncollapsed_ += head + (past - first) + tail;
-    pieces_collapsed_ += head + 1 + tail + (first > 0 ? 1 : 0) +
-                         (first + head + 1 + tail < pieces.size() ? 1 : 0);
+    pieces_collapsed_ +=
+        head + 1 + tail + (first > 0 ? 1 : 0) + (first + head + 1 + tail < pieces.size() ? 1 : 0);
   } else {
     // One more on either side may collapse with what is new.
     next_.clear();

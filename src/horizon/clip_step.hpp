@@ -58,8 +58,7 @@ inline Step resolve(const Segment& p, const HorizonPiece& piece, double a, doubl
                     const TieTolerance& tolerance) {
   if (is_sky(piece)) return Step{1, {Stretch{a, b, true}}};
   static constexpr TieTolerance kNone{};
-  return step_of(compare(p, piece.source, exact ? kNone : tolerance), a, b,
-                 !exact && !piece.inked);
+  return step_of(compare(p, piece.source, exact ? kNone : tolerance), a, b, !exact && !piece.inked);
 }
 
 /// Where a stretch begins and ends along p.

@@ -15,6 +15,7 @@
 #include "map/layer_table.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -62,19 +63,17 @@ StrokeSettings stroke_settings(const TerrainData& terrain, const PlacedView& pla
 // Parts found sector by sector, of one kind at a time as parts of the whole view.
 class FoundParts {
 public:
-  FoundParts(const TerrainData& terrain, const PlacedView& placed, std::vector<EdgeLine> listed)
-      : terrain_(terrain), placed_(placed), listed_(listed.size()), lines_(std::move(listed)) {}
-
-  void add(SectorLines sector) {
-    folded_mm_ += sector.folded_mm;
-    number_anew(sector);
-    sectors_.push_back(std::move(sector));
+  FoundParts(const TerrainData& terrain, const PlacedView& placed, std::vector<EdgeLine> listed,
+             std::vector<SectorLines> sectors)
+      : terrain_(terrain), placed_(placed), lines_(std::move(listed)),
+        sectors_(std::move(sectors)) {
+    number_as_one();
+    for (const SectorLines& sector : sectors_) folded_mm_ += sector.folded_mm;
   }
 
-  /// Those of the list, and those found.
+  /// Those of the list, and those found, in order of their edges.
   const std::vector<EdgeLine>& lines() const { return lines_; }
   double folded_mm() const { return folded_mm_; }
-
   std::vector<LinePart> of(std::vector<LinePart> SectorLines::*kind) const {
     std::vector<LinePart> all;
     for (const SectorLines& sector : sectors_) append(sector.*kind, all);
@@ -92,26 +91,32 @@ public:
   }
 
 private:
-  // Lines that a sector has found have numbers of its own. Those of the first sector stay; a line
-  // that both have found has one number.
-  void number_anew(SectorLines& sector) {
-    const auto before = static_cast<std::ptrdiff_t>(lines_.size());
-    std::vector<std::uint32_t> numbers;
-    auto same = lines_.begin() + static_cast<std::ptrdiff_t>(listed_);
-    std::vector<EdgeLine> more;
-    for (const EdgeLine& line : sector.found) {
-      const auto end = lines_.begin() + before;
-      while (same != end && same->edge < line.edge) ++same;
-      const bool is_there = same != end && same->edge == line.edge;
-      numbers.push_back(static_cast<std::uint32_t>(
-          is_there ? same - lines_.begin() : before + static_cast<std::ptrdiff_t>(more.size())));
-      if (!is_there) more.push_back(line);
+  // Lines that a sector has found have numbers of its own behind those of the list; a line that
+  // two have found is one.
+  void number_as_one() {
+    const std::size_t listed = lines_.size();
+    const auto by_edge = [](const EdgeLine& a, const EdgeLine& b) { return a.edge < b.edge; };
+    std::vector<EdgeLine> all;
+    for (const SectorLines& sector : sectors_) {
+      std::vector<EdgeLine> merged;
+      std::set_union(all.begin(), all.end(), sector.found.begin(), sector.found.end(),
+                     std::back_inserter(merged), by_edge);
+      all = std::move(merged);
     }
-    lines_.insert(lines_.end(), more.begin(), more.end());
-    if (sectors_.empty()) return;
-    for (std::vector<LinePart>* parts : {&sector.visible, &sector.skyline})
-      for (LinePart& part : *parts)
-        if (part.line >= listed_) part.line = numbers[part.line - listed_];
+    lines_.insert(lines_.end(), all.begin(), all.end());
+    for (SectorLines& sector : sectors_) {
+      throw_if_stopped();
+      std::vector<std::uint32_t> numbers;
+      auto at = all.begin();
+      for (const EdgeLine& line : sector.found) {
+        at = std::lower_bound(at, all.end(), line, by_edge);
+        numbers.push_back(static_cast<std::uint32_t>(listed) +
+                          static_cast<std::uint32_t>(at - all.begin()));
+      }
+      for (std::vector<LinePart>* parts : {&sector.visible, &sector.skyline})
+        for (LinePart& part : *parts)
+          if (part.line >= listed) part.line = numbers[part.line - listed];
+    }
   }
 
   static void append(const std::vector<LinePart>& parts, std::vector<LinePart>& all) {
@@ -120,7 +125,6 @@ private:
 
   const TerrainData& terrain_;
   const PlacedView& placed_;
-  std::size_t listed_;
   std::vector<EdgeLine> lines_;
   std::vector<SectorLines> sectors_;
   double folded_mm_ = 0;
@@ -197,8 +201,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   const std::optional<SeenGround> all_ground = looked_at_by_any(ground);
   LinesOfView lines;
   if (on_ground)
-    lines =
-        lines_of_view(terrain, placed, style, instruments, all_ground ? &*all_ground : nullptr);
+    lines = lines_of_view(terrain, placed, style, instruments, all_ground ? &*all_ground : nullptr);
   if (all_ground) counts.looked_at = all_ground->share();
   watch.mark(seconds.facing);
 
@@ -206,16 +209,18 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   const auto profile_done = [&] {
     if (progress) progress(++profiles_done / static_cast<double>(placed.depths_m.size()));
   };
-  FoundParts found(terrain, placed, lines.listed);
+  std::vector<SectorLines> sectors;
   for (std::size_t i = 0; i < placed.sectors.size(); ++i)
-    found.add(!on_ground ? solids_alone(placed, placed.sectors[i])
-                         : sector_pass(terrain, placed, placed.sectors[i], lines,
-                                       ground.empty() ? nullptr : &ground[i], style, instruments,
-                                       profile_layer ? &*profile_layer : nullptr, {counts, seconds},
-                                       profile_done));
+    sectors.push_back(!on_ground
+                          ? solids_alone(placed, placed.sectors[i])
+                          : sector_pass(terrain, placed, placed.sectors[i], lines,
+                                        ground.empty() ? nullptr : &ground[i], style, instruments,
+                                        profile_layer ? &*profile_layer : nullptr,
+                                        {counts, seconds}, profile_done));
   if (check) map.facts.check = check->counts();
 
   watch = {};
+  const FoundParts found(terrain, placed, std::move(lines.listed), std::move(sectors));
   std::vector<LineLayer> layers =
       layers_of(found, placed, style, profiles ? std::move(*profiles) : Layer{});
   on_all_cores(layers.size(), [&](std::size_t i) {

@@ -89,7 +89,7 @@ void check_no_null(const Json& numbers) {
 
 } // namespace
 
-TEST_CASE("solids are drawn the same by one core, by several, and every time") {
+TEST_CASE("solids are drawn the same by one core, by several, and every time", "[slow]") {
   const MadeFolder folder;
   make_inputs(folder);
   for (const std::string input : {"hill.asc", "alps.asc", "many.toml"})

@@ -37,7 +37,7 @@ std::string fault_in(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("ranges hold what counting in whole numbers holds") {
+TEST_CASE("ranges hold what counting in whole numbers holds", "[slow]") {
   Random random(1);
   for (int i = 0; i < 4000; ++i) {
     const int decimals = random.whole(0, 4);

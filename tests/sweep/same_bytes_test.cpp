@@ -99,7 +99,7 @@ TEST_CASE("distances, fields of view, exaggerations, profiles; crossed and toget
   check_same(folder, {"hill.asc"}, "pdf", kSmall, {}, {{"view", {}}});
 }
 
-TEST_CASE("eyes along a path") {
+TEST_CASE("eyes along a path", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);
   folder.write("high.geojson", line_text("[400,100,350],[410,100,400]"));
@@ -125,7 +125,7 @@ TEST_CASE("eyes along a path") {
              {{"eye-0", words("--eye 400,100,350")}, {"eye-1", words("--eye 410,100,400")}});
 }
 
-TEST_CASE("each eye has its own frame on the earth") {
+TEST_CASE("each eye has its own frame on the earth", "[slow]") {
   const MadeFolder folder;
   folder.write("sail.csv", "id,WKT\n1,\"LINESTRING(2.2 0.3,2.5 0.3,2.7 0.6)\"\n");
   const Words whole{kData + "archipelago.tif"};
@@ -145,7 +145,7 @@ TEST_CASE("each eye has its own frame on the earth") {
       {{"azimuth-045", words("--view-from 45/25")}, {"azimuth-300", words("--view-from 300/25")}});
 }
 
-TEST_CASE("whole views of a list, and what they cut away") {
+TEST_CASE("whole views of a list, and what they cut away", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);
   const std::string common = "projection = 'parallel'\nvrp = [120, 120, 100]\nvpn = [0, -1, 1]\n"
