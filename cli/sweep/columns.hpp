@@ -36,6 +36,7 @@ public:
   explicit GroundMeter(const PlacedView& scene) : scene_(scene) {}
 
   void see(const SeenProfile& profile) override;
+  bool asks_lines() const override { return false; }
   void see(const SeenLines&) override {}
 
   /// Length on the page of what is visible of the profiles, before any of it is simplified.

@@ -35,6 +35,8 @@ class LineObserver {
 public:
   virtual ~LineObserver() = default;
   virtual void see(const SeenProfile& profile) = 0;
+  /// Whether it wants to see lines, which have to be listed for it, hidden ones too.
+  virtual bool asks_lines() const { return true; }
   virtual void see(const SeenLines& lines) = 0;
   /// The horizon behind the profile that was seen last; only where it is kept in one list.
   virtual void see_horizon(const Sector&, const Horizon&) {}

@@ -143,6 +143,11 @@ const Grid* grid_in_order(const TerrainData& terrain, const Style& style,
   return has_order ? grid : nullptr;
 }
 
+bool asks_lines(const Instruments& instruments) {
+  return std::any_of(instruments.observers.begin(), instruments.observers.end(),
+                     [](const LineObserver* observer) { return observer->asks_lines(); });
+}
+
 bool goes_in_order(const Grid& grid, const Sector& sector, const Instruments& instruments) {
   return instruments.order_always || pays_in_order(grid, sector);
 }
@@ -152,8 +157,8 @@ bool goes_in_order(const Grid& grid, const Sector& sector, const Instruments& in
 LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
                           const Instruments& instruments, const SeenGround* ground) {
   const Grid* grid = grid_in_order(terrain, style, instruments);
-  // Who watches is shown all lines, hidden ones too, and solids are hidden by all that hide.
-  if (!grid || !instruments.observers.empty() || !placed.solids.empty() ||
+  // Solids are hidden by all lines that hide.
+  if (!grid || asks_lines(instruments) || !placed.solids.empty() ||
       !std::all_of(placed.sectors.begin(), placed.sectors.end(),
                    [&](const Sector& sector) { return goes_in_order(*grid, sector, instruments); }))
     return {lines_of(terrain, placed, style, ground), std::nullopt};
@@ -256,7 +261,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   for (const LinePart& part : folded)
     out.folded_mm += folds.length_mm(every_line.whole(part.line), part);
   for (LineObserver* observer : instruments.observers)
-    observer->see(SeenLines{sector, work.range, every_line, found_parts.visible});
+    if (observer->asks_lines())
+      observer->see(SeenLines{sector, work.range, every_line, found_parts.visible});
   watch.mark(seconds.check);
   return out;
 }
