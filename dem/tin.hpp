@@ -31,6 +31,11 @@ struct Tin {
   bool operator==(const Tin&) const = default;
 };
 
+/// Where a vertex is, seen from above.
+inline Vec2 plan_m(const Tin& tin, std::uint32_t vertex) {
+  return {tin.vertices_m[vertex].x, tin.vertices_m[vertex].y};
+}
+
 /// The area of a triangle as seen from above.
 inline double plan_area_m2(const Tin& tin, std::size_t triangle) {
   const auto& [a, b, c] = tin.triangles[triangle];

@@ -8,12 +8,11 @@
 namespace orograph {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // In a parallel view the eye is infinitely far off, on the side that its direction tells. Rays
 // along the lines between cells meet none of them, and any side will do.
 double far_off(double direction) {
-  return direction > 0 ? kInfinity : -kInfinity;
+  constexpr double kFarOff = std::numeric_limits<double>::infinity();
+  return direction > 0 ? kFarOff : -kFarOff;
 }
 
 bool crosses_rows_more_steeply(const Grid& grid, const View& view) {

@@ -16,7 +16,7 @@ namespace {
 // neighbour of the next. A run is a stretch of level ones; runs of neighbouring rows are joined
 // where a lower triangle meets the upper one south of it, by union-find.
 
-struct Run {
+struct LevelRun {
   std::int32_t row, begin, end; ///< triangles [begin, end) of the row
 };
 
@@ -46,7 +46,7 @@ bool may_be_level(const Height* north, const Height* south, int first, int end) 
 
 template <class Height>
 void append_runs(const Grid& grid, const Heights<Height>& heights, int row,
-                 std::vector<Run>& runs) {
+                 std::vector<LevelRun>& runs) {
   const Height* north = &heights[grid.index(0, row)];
   const Height* south = &heights[grid.index(0, row + 1)];
   std::int32_t begin = -1;
@@ -76,20 +76,20 @@ void append_runs(const Grid& grid, const Heights<Height>& heights, int row,
 
 // Of all rows, in order; found on all cores.
 template <class Height>
-std::vector<Run> runs_of(const Grid& grid, const Heights<Height>& heights) {
+std::vector<LevelRun> runs_of(const Grid& grid, const Heights<Height>& heights) {
   constexpr std::size_t kCellsOfTask = 1 << 14;
   const int rows = std::max(grid.rows - 1, 0);
   const int rows_of_task =
       static_cast<int>(kCellsOfTask / static_cast<std::size_t>(std::max(grid.columns, 1))) + 1;
-  std::vector<std::vector<Run>> of_tasks(
+  std::vector<std::vector<LevelRun>> of_tasks(
       static_cast<std::size_t>((rows + rows_of_task - 1) / rows_of_task));
   on_all_cores(of_tasks.size(), [&](std::size_t task) {
     const int first = static_cast<int>(task) * rows_of_task;
     for (int row = first; row < std::min(first + rows_of_task, rows); ++row)
       append_runs(grid, heights, row, of_tasks[task]);
   });
-  std::vector<Run> runs;
-  for (const std::vector<Run>& some : of_tasks) {
+  std::vector<LevelRun> runs;
+  for (const std::vector<LevelRun>& some : of_tasks) {
     throw_if_stopped();
     runs.insert(runs.end(), some.begin(), some.end());
   }
@@ -101,8 +101,8 @@ std::int32_t column_from(std::int32_t triangle, Half half) {
   return half == Half::lower ? (triangle + 1) / 2 : triangle / 2;
 }
 
-void join_rows(const std::vector<Run>& runs, std::size_t north, std::size_t south, std::size_t end,
-               Sets& sets) {
+void join_rows(const std::vector<LevelRun>& runs, std::size_t north, std::size_t south,
+               std::size_t end, Sets& sets) {
   for (std::size_t i = north, k = south; i < south && k < end;) {
     const std::int32_t north_from = column_from(runs[i].begin, Half::lower);
     const std::int32_t north_to = column_from(runs[i].end, Half::lower);
@@ -124,7 +124,7 @@ SurfaceEdge edge(const Grid& grid, int c0, int r0, int c1, int r1) {
 
 template <class Height>
 LevelGround find(const Grid& grid, const Heights<Height>& heights, std::size_t smallest) {
-  const std::vector<Run> runs = runs_of(grid, heights);
+  const std::vector<LevelRun> runs = runs_of(grid, heights);
   Sets sets(runs.size());
   for (std::size_t north = 0, end = 0; end < runs.size();) {
     throw_if_stopped();

@@ -242,7 +242,7 @@ std::vector<std::vector<Vec2>> edge_lines(const Tin& tin, std::span<const PlanEd
   return lines;
 }
 
-bool before(Vec2 a, Vec2 b) {
+bool is_before(Vec2 a, Vec2 b) {
   return a.x != b.x ? a.x < b.x : a.y < b.y;
 }
 
@@ -251,7 +251,7 @@ std::vector<Vec2> vertices_of(const Tin& tin, std::span<const PlanEdge> edges) {
   std::vector<Vec2> vertices;
   for (const PlanEdge& edge : edges)
     for (const std::uint32_t v : edge) vertices.push_back(plan(tin.vertices_m[v]));
-  std::sort(vertices.begin(), vertices.end(), before);
+  std::sort(vertices.begin(), vertices.end(), is_before);
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
 }
@@ -261,7 +261,7 @@ std::vector<Vec2> those_on(std::span<const std::vector<Vec2>> lines,
   std::vector<Vec2> there;
   for (const auto& line : lines)
     for (const Vec2 p : line)
-      if (std::binary_search(vertices.begin(), vertices.end(), p, before)) there.push_back(p);
+      if (std::binary_search(vertices.begin(), vertices.end(), p, is_before)) there.push_back(p);
   return there;
 }
 

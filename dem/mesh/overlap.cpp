@@ -63,14 +63,10 @@ struct Corner {
 };
 using Polygon = std::vector<Corner>;
 
-Vec2 plan(const Tin& tin, std::uint32_t vertex) {
-  return {tin.vertices_m[vertex].x, tin.vertices_m[vertex].y};
-}
-
 Polygon polygon_of(const Tin& tin, std::uint32_t triangle) {
   Polygon polygon;
   for (std::uint32_t k = 0; k < 3; ++k)
-    polygon.push_back({plan(tin, ends_of(tin.triangles[triangle], k)[0]), {triangle, k}});
+    polygon.push_back({plan_m(tin, ends_of(tin.triangles[triangle], k)[0]), {triangle, k}});
   return polygon;
 }
 
@@ -84,7 +80,7 @@ double area_of(const Polygon& polygon) {
 // What is left of the polygon to the left of `side`.
 Polygon cut_down(const Polygon& polygon, const Tin& tin, TriangleSide side) {
   const auto ends = ends_of(tin.triangles[side.triangle], side.side);
-  const Vec2 p = plan(tin, ends[0]), q = plan(tin, ends[1]);
+  const Vec2 p = plan_m(tin, ends[0]), q = plan_m(tin, ends[1]);
   const auto inner = [&](Vec2 at) { return orientation(p, q, at); };
   Polygon left;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -106,11 +102,11 @@ std::optional<PiercedEdge> pierced_edge(const Tin& tin, TriangleSide side, std::
   auto ends = ends_of(tin.triangles[side.triangle], side.side);
   if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
   const auto above = [&](std::uint32_t v) {
-    return tin.vertices_m[v].z - height_on(tin, plane, plan(tin, v));
+    return tin.vertices_m[v].z - height_on(tin, plane, plan_m(tin, v));
   };
   const double low = above(ends[0]), high = above(ends[1]);
   if (!((low < 0 && high > 0) || (low > 0 && high < 0))) return std::nullopt;
-  const Vec2 from = plan(tin, ends[0]), to = plan(tin, ends[1]);
+  const Vec2 from = plan_m(tin, ends[0]), to = plan_m(tin, ends[1]);
   return PiercedEdge{ends, from + low / (low - high) * (to - from)};
 }
 

@@ -13,11 +13,8 @@
 namespace orograph {
 namespace {
 
-Vec2 plan(const Tin& tin, std::uint32_t vertex) {
-  return {tin.vertices_m[vertex].x, tin.vertices_m[vertex].y};
-}
 bool is_upright(const Tin& tin, const PlanEdge& edge) {
-  return plan(tin, edge[0]) == plan(tin, edge[1]);
+  return plan_m(tin, edge[0]) == plan_m(tin, edge[1]);
 }
 
 // Reckoned from the edge's lower vertex.
@@ -99,10 +96,10 @@ WallStack stack_of(const Tin& tin, std::uint32_t wall) {
   }
   std::sort(stack.edges.begin(), stack.edges.end());
   stack.edges.erase(std::unique(stack.edges.begin(), stack.edges.end()), stack.edges.end());
-  const Vec2 by = plan(tin, stack.edges[0][1]) - plan(tin, stack.edges[0][0]);
+  const Vec2 by = plan_m(tin, stack.edges[0][1]) - plan_m(tin, stack.edges[0][0]);
   stack.along_x = std::abs(by.x) >= std::abs(by.y);
   for (const PlanEdge& edge : stack.edges)
-    for (const std::uint32_t v : edge) stack.columns[stack.along(tin, v)] = plan(tin, v);
+    for (const std::uint32_t v : edge) stack.columns[stack.along(tin, v)] = plan_m(tin, v);
   return stack;
 }
 
@@ -130,11 +127,11 @@ void WallStack::round_to_ground(const Tin& tin) {
     bool left = false, right = false; // of the line the way it grows
     Vec2 from, to;
     for (const BesideWall& ground : grounds) {
-      Vec2 first = plan(tin, ground.edge[0]), last = plan(tin, ground.edge[1]);
+      Vec2 first = plan_m(tin, ground.edge[0]), last = plan_m(tin, ground.edge[1]);
       double begin = along(tin, ground.edge[0]), end = along(tin, ground.edge[1]);
       if (begin > end) std::swap(first, last), std::swap(begin, end);
       if (column <= begin || column >= end) continue;
-      (orientation(first, last, plan(tin, ground.apex)) > 0 ? left : right) = true;
+      (orientation(first, last, plan_m(tin, ground.apex)) > 0 ? left : right) = true;
       from = first, to = last;
     }
     if (left && !right) place = to_inner_side(from, to, place);
@@ -216,7 +213,7 @@ private:
     Vec3 at = point_on(tin_, edge, share);
     if (tin_.neighbours[t][k] == kNoTriangle && !is_upright(tin_, edge)) {
       const auto [from, to] = ends_of(tin_.triangles[t], k);
-      const Vec2 inner = to_inner_side(plan(tin_, from), plan(tin_, to), {at.x, at.y});
+      const Vec2 inner = to_inner_side(plan_m(tin_, from), plan_m(tin_, to), {at.x, at.y});
       at.x = inner.x, at.y = inner.y;
     }
     add(edge, share, at, 0);
@@ -273,14 +270,14 @@ private:
 } // namespace
 
 double plan_length_m(const Tin& tin, const PlanEdge& edge) {
-  const Vec2 by = plan(tin, edge[1]) - plan(tin, edge[0]);
+  const Vec2 by = plan_m(tin, edge[1]) - plan_m(tin, edge[0]);
   return std::max(std::abs(by.x), std::abs(by.y));
 }
 
 double rounding_reach_m(const Tin& tin, const PlanEdge& edge) {
   double greatest_m = 0;
   for (const std::uint32_t v : edge)
-    greatest_m = std::max({greatest_m, std::abs(plan(tin, v).x), std::abs(plan(tin, v).y)});
+    greatest_m = std::max({greatest_m, std::abs(plan_m(tin, v).x), std::abs(plan_m(tin, v).y)});
   return kRoundingsOnPlane * std::numeric_limits<double>::epsilon() * greatest_m;
 }
 

@@ -120,7 +120,7 @@ Vec3 point_of(const pugi::xml_node& p, const std::string& path) {
 // Points by what they are called.
 using Ids = std::unordered_map<std::string_view, std::uint32_t>;
 
-Ids read_points(const pugi::xml_node& definition, MapShapes& shapes) {
+Ids points_in(const pugi::xml_node& definition, MapShapes& shapes) {
   Ids ids;
   for (const pugi::xml_node& points : definition.children()) {
     if (!is(points, "Pnts")) continue;
@@ -244,7 +244,7 @@ MapShapes read_landxml(const std::string& path, const std::string& surface) {
     throw Error(definition ? fmt::format("{}: the surface is of type '{}'", path, type)
                            : fmt::format("{}: the surface has no triangles", path),
                 "export it as a TIN (Definition surfType=\"TIN\")");
-  const Ids ids = read_points(definition, shapes);
+  const Ids ids = points_in(definition, shapes);
   read_faces(definition, ids, shapes);
   set_landxml_frame(place_of(root), shapes);
   return shapes;

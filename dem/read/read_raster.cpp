@@ -218,7 +218,7 @@ void note_filled(const FilledVoids& voids, double cells, std::vector<std::string
                   voids.filled, cells, voids.left));
 }
 
-TerrainData read(const std::vector<std::string>& paths, const ReadOptions& options) {
+TerrainData read_listening(const std::vector<std::string>& paths, const ReadOptions& options) {
   const GdalMessages unheard; // where nobody else listens, until all files are closed
   std::vector<RasterSource> sources;
   EarlyHeights early;
@@ -272,7 +272,7 @@ TerrainData read_rasters(const std::vector<std::string>& paths, const ReadOption
                  "use `overview` or `bbox`");
   };
   try {
-    return read(paths, options);
+    return read_listening(paths, options);
   } catch (const std::bad_alloc&) {
     throw too_large();
   } catch (const std::length_error&) {

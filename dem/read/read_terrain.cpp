@@ -111,7 +111,7 @@ Kind kind_of(const std::string& path, const ReadOptions& options) {
   return is_vector ? Kind::vector : Kind::raster;
 }
 
-TerrainData read(const std::string& path, const ReadOptions& options) {
+TerrainData read_one(const std::string& path, const ReadOptions& options) {
   switch (kind_of(path, options)) {
   case Kind::mesh:
     return from_triangles(read_mesh(path, *mesh_format(path, first_bytes(path))), options);
@@ -127,7 +127,7 @@ TerrainData read(const std::string& path, const ReadOptions& options) {
   return from_rasters({path}, options);
 }
 
-TerrainData read(const std::vector<std::string>& paths, const ReadOptions& options) {
+TerrainData read_several(const std::vector<std::string>& paths, const ReadOptions& options) {
   for (const std::string& path : paths)
     if (kind_of(path, options) != Kind::raster)
       throw Error(fmt::format("{} isn't a raster, and of several files all must be", path),
@@ -143,7 +143,8 @@ TerrainData read_terrain(const std::vector<std::string>& paths, const ReadOption
                  "cut it into parts first");
   };
   try {
-    TerrainData terrain = paths.size() == 1 ? read(paths.front(), options) : read(paths, options);
+    TerrainData terrain =
+        paths.size() == 1 ? read_one(paths.front(), options) : read_several(paths, options);
     terrain.paths = paths;
     return terrain;
   } catch (const std::bad_alloc&) {

@@ -3,18 +3,15 @@
 #pragma once
 
 #include "hidden_lines/lattice_in_work.hpp"
+#include "hidden_lines/lattice_lines.hpp"
 #include "hidden_lines/line_pictures.hpp"
-#include "hidden_lines/place_silhouettes.hpp"
-#include "hidden_lines/ridges.hpp"
 #include "hidden_lines/sector_in_work.hpp"
 #include "hidden_lines/strips.hpp"
-#include "hidden_lines/upright_heights.hpp"
 #include "horizon/blocked_horizon.hpp"
 #include "horizon/clip_profile.hpp"
 #include "profiles/lattice_order.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,20 +34,14 @@ public:
   void take(std::uint32_t place, std::span<ProfileInWork* const> profiles);
 
   /// Once everything was taken.
-  void finish();
+  void finish() { lines_.finish(); }
 
-  /// What was visible of lines, less what is told apart by `ridges`.
-  const std::vector<LinePart>& visible_parts() const { return parts_; }
-  const Ridges* ridges() const { return ridges_ ? &*ridges_ : nullptr; }
+  const LatticeLines& lines() const { return lines_; }
   const LinePictures& pictures() const { return pictures_; }
   const BlockedHorizon& horizon() const { return horizon_; }
   const ProfileClipCounts& counts() const { return counts_; }
 
 private:
-  struct LineAtTurn {
-    LatticeOrder::Turn turn;
-    std::uint32_t line;
-  };
   // What of a profile is in the present strip of cells, from span `next` up to `end`, outwards from
   // the eye. Cells are counted outwards as well: backwards on one side.
   struct ProfilePart {
@@ -66,20 +57,6 @@ private:
     double cell(std::ptrdiff_t span) const { return first_cell + cell_per_u * middle(span); }
   };
 
-  void order_lines(std::span<const LineAtDepth> which);
-  struct EdgeAtTurn {
-    LatticeOrder::Turn turn;
-    SurfaceEdge edge;
-  };
-  std::optional<EdgeAtTurn> look_at_next(PlacePart part);
-  bool look_at_alone(const PlaceSilhouettes::Found& found);
-  void look_at(std::uint32_t line, const LinePicture& picture);
-  void take_looked_at();
-  void take_alone();
-  void take_group();
-  void add_visible(std::uint32_t number, const LinePicture& picture, XRange shown);
-  void judge_folds(const LatticeOrder::Place& place);
-  bool is_found(std::uint32_t line) const { return line >= lattice_.work.lines.size(); }
   void find_profiles(const LatticeOrder::Place& place, const ShownOfPlace& shown,
                      std::span<ProfileInWork* const> profiles);
   void add_profile(const LatticeOrder::Place& place, ProfileInWork& profile);
@@ -91,28 +68,11 @@ private:
 
   const LatticeInWork& lattice_;
   XRange range_;
-  XRange inner_range_; ///< what of it no other strip looks at
   std::size_t number_;
   LinePictures pictures_;
   BlockedHorizon horizon_;
-  UprightHeights uprights_;
+  LatticeLines lines_;
   ProfileClipCounts counts_;
-  std::vector<LineAtTurn> lines_; ///< of the list, by turn
-  std::size_t next_line_ = 0;
-  std::optional<PlaceSilhouettes> silhouettes_;
-  std::span<const PlaceSilhouettes::Found> found_; ///< of the present part of a place, left to take
-  std::uint32_t place_ = 0;                        ///< the present one
-  struct LookedAt {
-    SurfaceLine line;
-    LinePicture picture;
-    std::uint32_t number;
-  };
-  std::vector<LookedAt> looked_at_;                      ///< the lines on an edge
-  const PlaceSilhouettes::Found* found_alone_ = nullptr; ///< or the one that is alone there
-  XRange found_shown_{};
-  std::vector<VisibleLinePart> visible_;
-  std::vector<LinePart> parts_;
-  std::optional<Ridges> ridges_;
   std::vector<ProfilePart> outwards_, backwards_;
   std::vector<ProfilePart>* side_ = nullptr;
   std::size_t begun_ = 0, done_ = 0; ///< of the side's

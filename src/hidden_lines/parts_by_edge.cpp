@@ -39,8 +39,8 @@ std::vector<FoundLine> visible_lines(const std::vector<std::unique_ptr<LatticeSt
         out.push_back({found[part.line - listed], i, part.line});
       }
     };
-    add(strip.visible_parts());
-    if (strip.ridges()) add(strip.ridges()->ridges());
+    add(strip.lines().visible_parts());
+    if (const Ridges* ridges = strip.lines().ridges()) add(ridges->ridges());
   }
   std::size_t steps = 0;
   std::sort(out.begin(), out.end(), [&](const FoundLine& a, const FoundLine& b) {
@@ -71,11 +71,12 @@ SectorParts parts_by_edge(const std::vector<std::unique_ptr<LatticeStrip>>& stri
   };
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const LatticeStrip& strip = *strips[i];
-    add(strip.visible_parts(), i, out.visible);
+    add(strip.lines().visible_parts(), i, out.visible);
     add(strip.pictures().skyline(strip.horizon().joined()), i, out.skyline);
-    if (!strip.ridges()) continue;
-    add(strip.ridges()->ridges(), i, out.ridges);
-    out.folded_mm += strip.ridges()->folded_mm();
+    if (const Ridges* ridges = strip.lines().ridges()) {
+      add(ridges->ridges(), i, out.ridges);
+      out.folded_mm += ridges->folded_mm();
+    }
   }
   for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &out.ridges}) join(*parts);
   out.skyline = shared(out.skyline, out.visible);

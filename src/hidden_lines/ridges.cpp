@@ -38,20 +38,23 @@ bool Ridges::stands(const Unjudged& unjudged, const BlockedHorizon& horizon) con
   return horizon.shows(source_id(unjudged.part.line), unjudged.x_begin, unjudged.x_end);
 }
 
-void Ridges::leave_out(const Unjudged& fold) {
-  folded_mm_ += std::isnan(fold.length_mm)
-                    ? folds_.length_mm(pictures_.whole(fold.part.line), fold.part)
-                    : fold.length_mm;
+bool Ridges::is_fold(const LinePart& part) const {
+  return folds_.is_fold(pictures_.line(part.line), pictures_.whole(part.line), part);
+}
+
+void Ridges::tell(const Unjudged& judged, bool is_fold) {
+  const LinePart& part = judged.part;
+  if (!is_fold)
+    ridges_.push_back(part);
+  else
+    folded_mm_ += std::isnan(judged.length_mm) ? folds_.length_mm(pictures_.whole(part.line), part)
+                                               : judged.length_mm;
 }
 
 void Ridges::judge_rest(const BlockedHorizon& horizon) {
   std::erase_if(rest_, [&](const Unjudged& unjudged) {
     if (stands(unjudged, horizon)) return false;
-    const LinePart& part = unjudged.part;
-    if (folds_.is_fold(pictures_.line(part.line), pictures_.whole(part.line), part))
-      leave_out(unjudged);
-    else
-      ridges_.push_back(part);
+    tell(unjudged, unjudged.is_fold ? *unjudged.is_fold : is_fold(unjudged.part));
     return true;
   });
   judge_at_ = std::max(judge_at_, 2 * rest_.size()); // so that few are asked about often

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,13 +35,17 @@ public:
   template <class TakenTo>
   void judge_early(const BlockedHorizon& horizon, const TakenTo& taken_to_m) {
     for (; next_ < waiting_.size(); ++next_) {
-      const Unjudged& unjudged = waiting_[next_];
+      Unjudged& unjudged = waiting_[next_];
       const double to_m = std::max(taken_to_m(unjudged.x_begin), taken_to_m(unjudged.x_end));
       if (to_m < unjudged.ask_at_m) break;
-      if (whole_ground_ && to_m <= unjudged.reach_to_m && !stands(unjudged, horizon))
-        leave_out(unjudged);
-      else
+      const bool stands = this->stands(unjudged, horizon);
+      // The ground in reach was taken a moment ago, and is at hand.
+      unjudged.is_fold =
+          (!stands && whole_ground_ && to_m <= unjudged.reach_to_m) || is_fold(unjudged.part);
+      if (stands)
         rest_.push_back(unjudged);
+      else
+        tell(unjudged, *unjudged.is_fold);
     }
     if (2 * next_ > waiting_.size()) {
       waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(next_));
@@ -59,13 +64,15 @@ public:
 private:
   struct Unjudged {
     LinePart part;
-    double x_begin, x_end; ///< of the line's picture
-    double reach_to_m;     ///< depth up to which ground makes it a fold
-    double ask_at_m;       ///< and from which on most folds are hidden
-    double length_mm;      ///< NaN: not reckoned yet
+    double x_begin, x_end;                      ///< of the line's picture
+    double reach_to_m;                          ///< depth up to which ground makes it a fold
+    double ask_at_m;                            ///< and from which on most folds are hidden
+    double length_mm;                           ///< NaN: not reckoned yet
+    std::optional<bool> is_fold = std::nullopt; ///< once it was asked
   };
   bool stands(const Unjudged& unjudged, const BlockedHorizon& horizon) const;
-  void leave_out(const Unjudged& fold);
+  bool is_fold(const LinePart& part) const;
+  void tell(const Unjudged& judged, bool is_fold);
   void judge_rest(const BlockedHorizon& horizon);
 
   const Folds& folds_;
@@ -73,7 +80,7 @@ private:
   bool whole_ground_;
   std::vector<Unjudged> waiting_; ///< to be asked about early, about front to back
   std::size_t next_ = 0;          ///< of them
-  std::vector<Unjudged> rest_;    ///< those of which that didn't tell
+  std::vector<Unjudged> rest_;    ///< those that still stood
   std::size_t judge_at_ = 4096;   ///< how long the rest may get
   std::vector<LinePart> ridges_;
   double folded_mm_ = 0;

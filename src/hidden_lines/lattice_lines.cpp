@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/lattice_lines.hpp"
+
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orograph {
+
+LatticeLines::LatticeLines(const LatticeInWork& lattice, XRange range,
+                           std::span<const LineAtDepth> which, LinePictures& pictures,
+                           BlockedHorizon& horizon)
+    : lattice_(lattice), inner_range_(range), pictures_(pictures), horizon_(horizon),
+      uprights_(lattice.grid, lattice.view, lattice.work.from_m) {
+  const XRange looked_at = pictures_.looked_at();
+  if (!std::isinf(range.begin)) inner_range_.begin += range.begin - looked_at.begin;
+  if (!std::isinf(range.end)) inner_range_.end -= looked_at.end - range.end;
+  if (lattice.work.silhouettes) {
+    silhouettes_.emplace(lattice, *lattice.work.silhouettes, pictures_);
+    if (lattice.work.folds) {
+      const bool whole = lattice.work.placed.extent.valid == lattice.grid.size();
+      ridges_.emplace(*lattice.work.folds, pictures_, whole);
+    }
+  }
+  order_lines(which);
+}
+
+// Into the order of their turns.
+void LatticeLines::order_lines(std::span<const LineAtDepth> which) {
+  const auto add = [&](std::uint32_t line) {
+    throw_if_stopped(lines_.size());
+    lines_.push_back({lattice_.turn_of(pictures_, pictures_.line(line).edge), line});
+  };
+  for (const LineAtDepth& line : which) add(line.line);
+  if (silhouettes_ && lattice_.work.sector.keeps_strip) {
+    // What was moved ahead isn't found at its line's place. It lies on the line under the eye.
+    const int strips =
+        (lattice_.order.rows_are_strips() ? lattice_.grid.rows : lattice_.grid.columns) - 1;
+    const double under_eye = lattice_.strip.at_origin;
+    for (const double line : {std::floor(under_eye), std::floor(under_eye) + 1})
+      if (line > 0 && line < strips)
+        for (const SurfaceEdge& edge : silhouettes_->moved(static_cast<int>(line)))
+          add(pictures_.add_found(
+              {edge, LineKind::silhouette, true, lattice_.work.draws_silhouettes, false}));
+  }
+  std::size_t steps = 0;
+  const auto before = [&](const LineAtTurn& a, const LineAtTurn& b) {
+    throw_if_stopped(++steps);
+    if (a.turn != b.turn) return a.turn < b.turn;
+    const auto kind = [&](const LineAtTurn& at) { return pictures_.line(at.line).kind; };
+    return kind(a) != kind(b) ? kind(a) < kind(b) : a.line < b.line;
+  };
+  std::sort(lines_.begin(), lines_.end(), before);
+}
+
+void LatticeLines::begin_place(std::uint32_t place, const ShownOfPlace& shown) {
+  place_ = place;
+  if (silhouettes_) silhouettes_->find(lattice_.order.place(place), shown, horizon_);
+}
+
+void LatticeLines::begin_part(PlacePart part) {
+  part_ = part;
+  if (silhouettes_) found_ = silhouettes_->of(part);
+}
+
+void LatticeLines::end_place() {
+  const LatticeOrder::Place place = lattice_.order.place(place_);
+  if (!ridges_ || place.strip == LatticeOrder::Place::kNone) return;
+  const View& view = lattice_.view;
+  const auto& [at_origin, per_u, per_v] = lattice_.strip;
+  // Strips on this side of the eye are taken with rising numbers, or with falling ones.
+  const bool rises = lattice_.order.strips_rise(place_);
+  const double line = rises ? place.strip + 1 : place.strip;
+  ridges_->judge_early(horizon_, [&](double x) {
+    const double ahead = view.is_perspective() ? line - at_origin : line - at_origin - per_u * x,
+                 per_depth =
+                     view.is_perspective() ? per_u * x + per_v : per_v - per_u * view.x_per_v;
+    // A ray that runs to the other side isn't told about.
+    return (per_depth > 0) == rises && per_depth != 0 ? ahead / per_depth
+                                                      : std::numeric_limits<double>::infinity();
+  });
+}
+
+void LatticeLines::finish() {
+  if (!ridges_) return;
+  ridges_->judge(horizon_);
+  const std::vector<LinePart> rest = ridges_->unjudged();
+  parts_.insert(parts_.end(), rest.begin(), rest.end());
+}
+
+// Of the lines on the next edge in this part of the place, those that may be seen or hide anything;
+// none if nothing is left.
+std::optional<LatticeLines::EdgeAtTurn> LatticeLines::next() {
+  constexpr LatticeOrder::Turn kNone = std::numeric_limits<LatticeOrder::Turn>::max();
+  const auto listed_turn = [&] {
+    if (next_line_ == lines_.size()) return kNone;
+    const LatticeOrder::Turn turn = lines_[next_line_].turn;
+    const bool is_here =
+        LatticeOrder::place_of(turn) == place_ && part_of(lattice_.order, turn) == part_;
+    return is_here ? turn : kNone;
+  };
+  const LatticeOrder::Turn no_sooner = listed_turn();
+  looked_at_.clear();
+  found_alone_ = nullptr;
+  // Nearly always there is nothing but silhouettes.
+  for (; !found_.empty() && found_.front().turn < no_sooner; found_ = found_.subspan(1)) {
+    const PlaceSilhouettes::Found& found = found_.front();
+    if (!look_at_alone(found)) continue;
+    found_ = found_.subspan(1);
+    return EdgeAtTurn{found.turn, found.edge};
+  }
+  if (no_sooner == kNone) return std::nullopt;
+  const EdgeAtTurn at{no_sooner, pictures_.line(lines_[next_line_].line).edge};
+  bool silhouette_drawn = false;
+  if (!found_.empty() && found_.front().turn == at.turn) {
+    silhouette_drawn = lattice_.work.draws_silhouettes;
+    look_at(pictures_.add_found({at.edge, LineKind::silhouette, true, silhouette_drawn, false}),
+            found_.front().picture);
+    found_ = found_.subspan(1);
+  }
+  for (; listed_turn() == at.turn; ++next_line_) {
+    const std::uint32_t number = lines_[next_line_].line;
+    const EdgeLine& line = pictures_.line(number);
+    // An edge of several kinds is drawn as the first.
+    if (silhouette_drawn && !line.hides) continue;
+    silhouette_drawn = silhouette_drawn || (line.kind == LineKind::silhouette && line.drawn);
+    look_at(number, pictures_.picture(number, pictures_.whole(number)));
+  }
+  return at;
+}
+
+bool LatticeLines::look_at_alone(const PlaceSilhouettes::Found& found) {
+  const LinePicture& picture = found.picture;
+  const Segment& s = picture.source;
+  if (picture.is_upright()) {
+    look_at(pictures_.add_found(
+                {found.edge, LineKind::silhouette, true, lattice_.work.draws_silhouettes, false}),
+            picture);
+    if (looked_at_.empty()) pictures_.drop_last_found();
+    return !looked_at_.empty();
+  }
+  const XRange looked_at = pictures_.looked_at();
+  found_shown_ = {std::max(s.x0, looked_at.begin), std::min(s.x1, looked_at.end)};
+  const auto [begin, end] = found_shown_;
+  if (!(begin < end) ||
+      is_below_blocks(horizon_, begin, end, std::max(height_at(s, begin), height_at(s, end))))
+    return false;
+  found_alone_ = &found;
+  return true;
+}
+
+void LatticeLines::look_at(std::uint32_t number, const LinePicture& picture) {
+  if (std::max(picture.left.v, picture.right.v) <= pictures_.from_m()) return;
+  SurfaceLine line = pictures_.surface_line(number, picture);
+  line.source.id = source_id(number);
+  if (!pictures_.cut_to_range(line)) return;
+  if (line.upright() ? !line.drawn || pictures_.is_hidden(picture, horizon_)
+                     : is_below_blocks(horizon_, line.begin, line.end,
+                                       std::max(height_at(line.source, line.begin),
+                                                height_at(line.source, line.end))))
+    return;
+  looked_at_.push_back({line, picture, number});
+}
+
+void LatticeLines::take() {
+  if (found_alone_)
+    take_alone();
+  else
+    take_group();
+}
+
+// It gets its number only if it is part of the picture.
+void LatticeLines::take_alone() {
+  const auto& [turn, edge, picture] = *found_alone_;
+  const bool drawn = lattice_.work.draws_silhouettes;
+  const auto number = static_cast<std::uint32_t>(pictures_.size());
+  HorizonPiece occluder{found_shown_.begin, found_shown_.end, picture.source, drawn};
+  occluder.source.id = source_id(number);
+  visible_.clear();
+  const bool rises = drawn ? horizon_.raise(occluder, lattice_.work.tolerance, number, visible_)
+                           : horizon_.raise(occluder);
+  if (!rises && visible_.empty()) return;
+  pictures_.add_found({edge, LineKind::silhouette, true, drawn, false});
+  if (!visible_.empty()) add_visible(number, picture, found_shown_);
+}
+
+// All lines of an edge are compared before any of them hides.
+void LatticeLines::take_group() {
+  for (const auto& [line, picture, number] : looked_at_) {
+    if (!line.drawn) continue;
+    visible_.clear();
+    if (line.upright())
+      add_above_height(
+          line, number,
+          uprights_.in_front(pictures_.line(number).edge, picture.t_left < picture.t_right),
+          visible_);
+    else
+      add_above_horizon(line, number, horizon_, lattice_.work.tolerance, visible_);
+    if (!visible_.empty())
+      add_visible(number, picture,
+                  line.upright() ? XRange{line.source.x0, line.source.x1}
+                                 : XRange{line.begin, line.end});
+  }
+  for (const LookedAt& at : looked_at_)
+    if (raises(at.line)) horizon_.raise(occluder_of(at.line));
+}
+
+// Of line number `number` what is in `visible_`; the line is shown in a range of X.
+void LatticeLines::add_visible(std::uint32_t number, const LinePicture& picture, XRange shown) {
+  const std::size_t before = parts_.size();
+  for (const auto& [same, t_begin, t_end] : visible_)
+    pictures_.add_part(number, picture, t_begin, t_end, parts_);
+  // What the strips beside this one look at as well is judged as a whole.
+  if (ridges_ && is_found(number) && shown.begin > inner_range_.begin &&
+      shown.end < inner_range_.end)
+    ridges_->take(picture, visible_, parts_, before);
+}
+
+} // namespace orograph
