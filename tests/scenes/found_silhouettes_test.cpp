@@ -88,7 +88,7 @@ TEST_CASE("silhouettes found on the way are drawn as those of a list") {
   CHECK(slivers <= kScenes / 500);
   CHECK(refused < kScenes / 4);
   CHECK(two_sectors > kScenes / 20);
-  CHECK(strokes > 50 * kScenes);
+  CHECK(strokes > 30 * kScenes);
   CHECK(folded_mm > 10.0 * static_cast<double>(kScenes));
 }
 
