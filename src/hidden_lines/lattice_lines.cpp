@@ -135,10 +135,10 @@ bool LatticeLines::look_at_alone(const PlaceSilhouettes::Found& found) {
   const LinePicture& picture = found.picture;
   const Segment& s = picture.source;
   if (picture.is_upright()) {
-    look_at(pictures_.add_found(
-                {found.edge, LineKind::silhouette, true, lattice_.work.draws_silhouettes, false}),
-            picture);
-    if (looked_at_.empty()) pictures_.drop_last_found();
+    const std::uint32_t number = pictures_.add_found(
+        {found.edge, LineKind::silhouette, true, lattice_.work.draws_silhouettes, false});
+    look_at(number, picture);
+    if (looked_at_.empty()) pictures_.drop_found(number);
     return !looked_at_.empty();
   }
   const XRange looked_at = pictures_.looked_at();
@@ -175,7 +175,7 @@ void LatticeLines::take() {
 void LatticeLines::take_alone() {
   const auto& [turn, edge, picture] = *found_alone_;
   const bool drawn = lattice_.work.draws_silhouettes;
-  const auto number = static_cast<std::uint32_t>(pictures_.size());
+  const std::uint32_t number = pictures_.next_found();
   HorizonPiece occluder{found_shown_.begin, found_shown_.end, picture.source, drawn};
   occluder.source.id = source_id(number);
   visible_.clear();

@@ -70,8 +70,14 @@ LinePictures::LinePictures(const Surface& surface, const Sector& sector,
 }
 
 std::uint32_t LinePictures::add_found(const EdgeLine& line) {
-  found_.push_back(line);
-  return static_cast<std::uint32_t>(size() - 1);
+  const std::uint32_t number = next_found();
+  if (dropped_.empty()) {
+    found_.push_back(line);
+  } else {
+    dropped_.pop_back();
+    found_[number - lines_.size()] = line;
+  }
+  return number;
 }
 
 ProfileLine LinePictures::whole(SurfaceEdge edge) const {

@@ -51,10 +51,14 @@ public:
   }
   std::size_t size() const { return lines_.size() + found_.size(); }
   const Sector& sector() const { return sector_; }
-  /// Adds a line and tells its number.
+  /// Adds a line and tells its number: that of a line dropped, if there is one.
   std::uint32_t add_found(const EdgeLine& line);
-  /// Forgets the line that was added last.
-  void drop_last_found() { found_.pop_back(); }
+  /// The number that the next line will get.
+  std::uint32_t next_found() const {
+    return dropped_.empty() ? static_cast<std::uint32_t>(size()) : dropped_.back();
+  }
+  /// Forgets a line that was found. REQUIRES that its number stands nowhere any more.
+  void drop_found(std::uint32_t number) { dropped_.push_back(number); }
   const std::vector<EdgeLine>& found() const { return found_; }
   void set_found(std::vector<EdgeLine> lines) { found_ = std::move(lines); }
 
@@ -96,7 +100,8 @@ private:
   const View& view_;
   const std::vector<EdgeLine>& lines_;
   std::vector<EdgeLine> found_;
-  XRange range_, beside_range_; ///< the second with what is beside the first by rounding
+  std::vector<std::uint32_t> dropped_; ///< numbers of those found that are free
+  XRange range_, beside_range_;        ///< the second with what is beside the first by rounding
   double from_m_;
   double rounding_m_;
 };

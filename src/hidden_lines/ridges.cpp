@@ -28,8 +28,8 @@ void Ridges::take(const LinePicture& picture, std::span<const VisibleLinePart> v
     const double reach_m = folds_.reach_m(middle_m);
     // Asked sooner, more of them still stand; later, the last strip of cells is out of reach.
     constexpr double kAskAt = 0.6;
-    waiting_.push_back(
-        {part, s.x0, s.x1, middle_m + reach_m, middle_m + kAskAt * reach_m, length_mm});
+    waiting_.push_back({part, s.x0, s.x1, middle_m + reach_m, middle_m + kAskAt * reach_m,
+                        length_mm, parts.size() == first + 1});
   }
   parts.resize(first);
 }
@@ -44,11 +44,13 @@ bool Ridges::is_fold(const LinePart& part) const {
 
 void Ridges::tell(const Unjudged& judged, bool is_fold) {
   const LinePart& part = judged.part;
-  if (!is_fold)
+  if (!is_fold) {
     ridges_.push_back(part);
-  else
-    folded_mm_ += std::isnan(judged.length_mm) ? folds_.length_mm(pictures_.whole(part.line), part)
-                                               : judged.length_mm;
+    return;
+  }
+  folded_mm_ += std::isnan(judged.length_mm) ? folds_.length_mm(pictures_.whole(part.line), part)
+                                             : judged.length_mm;
+  if (judged.is_all) pictures_.drop_found(part.line);
 }
 
 void Ridges::judge_rest(const BlockedHorizon& horizon) {

@@ -18,11 +18,11 @@ namespace orograph {
 /// Tells ridges from folds as soon as it can be told, so that folds, of which rough ground has
 /// millions, aren't kept. Of a line that is no longer part of the horizon nothing will be skyline;
 /// and where all ground that was taken so far is within a fold's reach, what hides the line's ray
-/// now is the ground that came up again.
+/// now is the ground that came up again. A fold's line is forgotten with it.
 class Ridges {
 public:
   /// `whole_ground`: no heights are missing. REQUIRES that both outlive it.
-  Ridges(const Folds& folds, const LinePictures& pictures, bool whole_ground)
+  Ridges(const Folds& folds, LinePictures& pictures, bool whole_ground)
       : folds_(folds), pictures_(pictures), whole_ground_(whole_ground) {}
 
   /// Takes the parts of a line, the last of `parts` from number `first` on; in `visible` they are
@@ -68,6 +68,7 @@ private:
     double reach_to_m;                          ///< depth up to which ground makes it a fold
     double ask_at_m;                            ///< and from which on most folds are hidden
     double length_mm;                           ///< NaN: not reckoned yet
+    bool is_all;                                ///< that is visible of its line
     std::optional<bool> is_fold = std::nullopt; ///< once it was asked
   };
   bool stands(const Unjudged& unjudged, const BlockedHorizon& horizon) const;
@@ -76,7 +77,7 @@ private:
   void judge_rest(const BlockedHorizon& horizon);
 
   const Folds& folds_;
-  const LinePictures& pictures_;
+  LinePictures& pictures_;
   bool whole_ground_;
   std::vector<Unjudged> waiting_; ///< to be asked about early, about front to back
   std::size_t next_ = 0;          ///< of them
