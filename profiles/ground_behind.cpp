@@ -73,7 +73,7 @@ bool rises(const Mesh& mesh, const Beyond& beyond, const ProfileLine& line, Surf
 }
 
 // The same on a map plane, where the lattice is alike everywhere: of two triangles at an edge the
-// apexes are, added up, where its two ends are; so is all that is linear. A quarter of the time.
+// apexes are, added up, where its two ends are; so is all that is linear, and needn't be reckoned.
 template <class Height>
 bool rises_on_plane(const Grid& grid, const Heights<Height>& heights, const View& view,
                     SurfaceEdge edge, ProfilePoint from, double reach_m) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/silhouettes.hpp"
 
+#include "geometry/for_each_marked.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "profiles/facing.hpp"
 #include "profiles/row_facing.hpp"
@@ -8,15 +9,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <utility>
 
 namespace orograph {
 namespace {
 
 using CellRange = std::pair<int, int>; // columns of cells
-
-constexpr std::size_t kEight = 8; // bytes that are looked at in one
 
 // Cells where not all that meet at the north-western vertex face one way; elsewhere, as nearly
 // everywhere, there is no silhouette. A loop without branches, for the vector units.
@@ -32,20 +30,6 @@ void mark_mixed(const std::uint8_t* __restrict lower, const std::uint8_t* __rest
   }
 }
 
-// Calls take(c) with each marked cell of a range, in order. REQUIRES `kEight` bytes behind it.
-template <class Take>
-void for_each_marked(const std::vector<std::uint8_t>& marks, int begin, int past,
-                     const Take& take) {
-  for (int c = begin; c < past; c += static_cast<int>(kEight)) {
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, &marks[static_cast<std::size_t>(c)], kEight);
-    if (eight == 0) continue;
-    const int end = std::min(past, c + static_cast<int>(kEight));
-    for (int at = c; at < end; ++at)
-      if (marks[static_cast<std::size_t>(at)] != 0) take(at);
-  }
-}
-
 // Calls take(from, to) with the edges of the rows of cells from `first` to `end`, in order.
 template <class RowFacing, class Take>
 void find(const SeenGround& ground, RowFacing& facing, int first, int end, const Take& take) {
@@ -53,7 +37,7 @@ void find(const SeenGround& ground, RowFacing& facing, int first, int end, const
   const std::size_t cells = lower.size();
   // Cells that aren't looked at have no bits, and their edges are no silhouettes.
   std::vector<std::uint8_t> north_lower(cells, 0);
-  std::vector<std::uint8_t> mixed(cells + kEight, 0);
+  std::vector<std::uint8_t> mixed(cells, 0);
   std::vector<CellRange> ranges;
   int ranges_of = -1; // row of blocks
   const auto reckon = [&](int row) {
@@ -77,7 +61,7 @@ void find(const SeenGround& ground, RowFacing& facing, int first, int end, const
     reckon(row);
     for (const auto& [begin, past] : ranges) {
       mark_mixed(&lower[0], &upper[0], &north_lower[0], begin, past, &mixed[0]);
-      for_each_marked(mixed, begin, past, [&](int c) {
+      for_each_marked(mixed, begin, past, 1, [&](int c) {
         const auto i = static_cast<std::size_t>(c);
         const int r = row;
         const std::uint8_t west_upper = c > begin ? upper[i - 1] : 0;

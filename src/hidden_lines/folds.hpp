@@ -29,7 +29,6 @@ public:
     return share_ * (sector_.view.is_perspective() ? depth_m : parallel_depth_m_);
   }
 
-  double drawn_from_m() const { return sector_.view.drawn_from_m; }
   /// Length of a part of a line in the frame.
   double length_mm(const ProfileLine& whole, const LinePart& part) const;
   /// The same between two points of the visibility plane, if both are well inside: otherwise NaN.

@@ -179,11 +179,14 @@ void LatticeLines::take_alone() {
   HorizonPiece occluder{found_shown_.begin, found_shown_.end, picture.source, drawn};
   occluder.source.id = source_id(number);
   visible_.clear();
-  const bool rises = drawn ? horizon_.raise(occluder, lattice_.work.tolerance, number, visible_)
-                           : horizon_.raise(occluder);
-  if (!rises && visible_.empty()) return;
+  BlockedHorizon::Raised raised;
+  if (drawn)
+    raised = horizon_.raise(occluder, lattice_.work.tolerance, number, visible_);
+  else
+    raised.rises = horizon_.raise(occluder);
+  if (!raised.rises && visible_.empty()) return;
   pictures_.add_found({edge, LineKind::silhouette, true, drawn, false});
-  if (!visible_.empty()) add_visible(number, picture, found_shown_);
+  if (!visible_.empty()) add_visible(number, picture, found_shown_, !raised.is_tied);
 }
 
 // All lines of an edge are compared before any of them hides.
@@ -201,21 +204,24 @@ void LatticeLines::take_group() {
     if (!visible_.empty())
       add_visible(number, picture,
                   line.upright() ? XRange{line.source.x0, line.source.x1}
-                                 : XRange{line.begin, line.end});
+                                 : XRange{line.begin, line.end},
+                  false);
   }
   for (const LookedAt& at : looked_at_)
     if (raises(at.line)) horizon_.raise(occluder_of(at.line));
 }
 
-// Of line number `number` what is in `visible_`; the line is shown in a range of X.
-void LatticeLines::add_visible(std::uint32_t number, const LinePicture& picture, XRange shown) {
+// Of line number `number` what is in `visible_`; the line is shown in a range of X. `stands`: all
+// of that is part of the horizon.
+void LatticeLines::add_visible(std::uint32_t number, const LinePicture& picture, XRange shown,
+                               bool stands) {
   const std::size_t before = parts_.size();
   for (const auto& [same, t_begin, t_end] : visible_)
     pictures_.add_part(number, picture, t_begin, t_end, parts_);
   // What the strips beside this one look at as well is judged as a whole.
   if (ridges_ && is_found(number) && shown.begin > inner_range_.begin &&
       shown.end < inner_range_.end)
-    ridges_->take(picture, visible_, parts_, before);
+    ridges_->take(picture, visible_, stands, parts_, before);
 }
 
 } // namespace orograph

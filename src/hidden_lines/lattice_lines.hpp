@@ -66,7 +66,7 @@ private:
   void look_at(std::uint32_t line, const LinePicture& picture);
   void take_alone();
   void take_group();
-  void add_visible(std::uint32_t number, const LinePicture& picture, XRange shown);
+  void add_visible(std::uint32_t number, const LinePicture& picture, XRange shown, bool stands);
   bool is_found(std::uint32_t line) const { return line >= lattice_.work.lines.size(); }
 
   const LatticeInWork& lattice_;

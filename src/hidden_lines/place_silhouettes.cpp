@@ -1,37 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hidden_lines/place_silhouettes.hpp"
 
+#include "geometry/for_each_marked.hpp"
+
 #include <algorithm>
-#include <cstring>
-#include <limits>
 #include <ranges>
 
 namespace orograph {
-namespace {
-
-// The cells from `first` to `end` that have one of the marks, rising.
-void find_marked(std::span<const std::uint8_t> marks, int first, int end, std::uint8_t which,
-                 std::vector<int>& out) {
-  constexpr int kEight = 8; // bytes that are looked at in one
-  std::uint64_t every = 0;
-  std::memset(&every, which, sizeof every);
-  out.clear();
-  for (int c = first; c < end;) {
-    if (c + kEight <= end) {
-      std::uint64_t eight = 0;
-      std::memcpy(&eight, &marks[static_cast<std::size_t>(c)], sizeof eight);
-      if ((eight & every) == 0) {
-        c += kEight;
-        continue;
-      }
-    }
-    for (const int past = std::min(c + kEight, end); c < past; ++c)
-      if (marks[static_cast<std::size_t>(c)] & which) out.push_back(c);
-  }
-}
-
-} // namespace
-
 SurfaceEdge PlaceSilhouettes::edge_at(int strip, int cell, std::uint8_t mark) const {
   const bool rows = lattice_.order.rows_are_strips();
   const auto columns = static_cast<std::uint32_t>(lattice_.grid.columns);
@@ -57,6 +32,13 @@ void PlaceSilhouettes::add(PlacePart part, SurfaceEdge edge, const BlockedHorizo
   found_[static_cast<std::size_t>(part)].push_back({lattice_.order.turn(edge), edge, picture});
 }
 
+void PlaceSilhouettes::find_marked(std::span<const std::uint8_t> marks, const ShownOfPlace& shown,
+                                   std::uint8_t which) {
+  cells_.clear();
+  for_each_marked(marks, shown.first_cell, shown.end_cell, which,
+                  [&](int cell) { cells_.push_back(cell); });
+}
+
 void PlaceSilhouettes::find(const LatticeOrder::Place& place, const ShownOfPlace& shown,
                             const BlockedHorizon& horizon) {
   for (auto& found : found_) found.clear();
@@ -72,8 +54,7 @@ void PlaceSilhouettes::find(const LatticeOrder::Place& place, const ShownOfPlace
   };
   // Neither the first nor the last line of a grid has any.
   if (place.line > 0 && place.line < strips) {
-    find_marked(marks_.of_strip(place.line), shown.first_cell, shown.end_cell,
-                SilhouetteMarks::kAlong, cells_);
+    find_marked(marks_.of_strip(place.line), shown, SilhouetteMarks::kAlong);
     const auto add_along = [&](int cell) {
       const SurfaceEdge edge = edge_at(place.line, cell, SilhouetteMarks::kAlong);
       if (!pictures_.is_moved(edge)) add(PlacePart::line, edge, horizon);
@@ -84,8 +65,7 @@ void PlaceSilhouettes::find(const LatticeOrder::Place& place, const ShownOfPlace
   }
   if (place.strip == LatticeOrder::Place::kNone) return;
   const std::span<const std::uint8_t> marks = marks_.of_strip(place.strip);
-  find_marked(marks, shown.first_cell, shown.end_cell,
-              SilhouetteMarks::kUpright | SilhouetteMarks::kDiagonal, cells_);
+  find_marked(marks, shown, SilhouetteMarks::kUpright | SilhouetteMarks::kDiagonal);
   const auto add_if = [&](PlacePart part, int cell, std::uint8_t mark) {
     if (marks[static_cast<std::size_t>(cell)] & mark)
       add(part, edge_at(place.strip, cell, mark), horizon);

@@ -23,7 +23,7 @@ inline PlacePart part_of(const LatticeOrder& order, LatticeOrder::Turn turn) {
 
 class PlaceSilhouettes {
 public:
-  /// REQUIRES that all outlive it.
+  /// REQUIRES marks by the strips of the lattice's order, and that all outlive it.
   PlaceSilhouettes(const LatticeInWork& lattice, const SilhouetteMarks& marks,
                    const LinePictures& pictures)
       : lattice_(lattice), marks_(marks), pictures_(pictures) {}
@@ -44,6 +44,8 @@ public:
   std::vector<SurfaceEdge> moved(int line) const;
 
 private:
+  void find_marked(std::span<const std::uint8_t> marks, const ShownOfPlace& shown,
+                   std::uint8_t which);
   SurfaceEdge edge_at(int strip, int cell, std::uint8_t mark) const;
   void add(PlacePart part, SurfaceEdge edge, const BlockedHorizon& horizon);
 

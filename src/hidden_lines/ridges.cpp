@@ -7,7 +7,7 @@
 
 namespace orograph {
 
-void Ridges::take(const LinePicture& picture, std::span<const VisibleLinePart> visible,
+void Ridges::take(const LinePicture& picture, std::span<const VisibleLinePart> visible, bool stands,
                   std::vector<LinePart>& parts, std::size_t first) {
   join_of_line(parts, first);
   const Segment& s = picture.source;
@@ -18,7 +18,8 @@ void Ridges::take(const LinePicture& picture, std::span<const VisibleLinePart> v
     const double middle_m = picture.left.v + share * (picture.right.v - picture.left.v);
     // Nearly all lines have one part, whose ends in the picture are at hand.
     double length_mm = std::numeric_limits<double>::quiet_NaN();
-    if (visible.size() == 1 && std::min(picture.left.v, picture.right.v) >= folds_.drawn_from_m()) {
+    if (visible.size() == 1 &&
+        std::min(picture.left.v, picture.right.v) >= pictures_.sector().view.drawn_from_m) {
       const auto at = [&](double t) {
         return Vec2{s.x0 + t * (s.x1 - s.x0), s.y0 + t * (s.y1 - s.y0)};
       };
@@ -29,7 +30,7 @@ void Ridges::take(const LinePicture& picture, std::span<const VisibleLinePart> v
     // Asked sooner, more of them still stand; later, the last strip of cells is out of reach.
     constexpr double kAskAt = 0.6;
     waiting_.push_back({part, s.x0, s.x1, middle_m + reach_m, middle_m + kAskAt * reach_m,
-                        length_mm, parts.size() == first + 1});
+                        length_mm, parts.size() == first + 1, stands});
   }
   parts.resize(first);
 }

@@ -26,8 +26,8 @@ public:
       : folds_(folds), pictures_(pictures), whole_ground_(whole_ground) {}
 
   /// Takes the parts of a line, the last of `parts` from number `first` on; in `visible` they are
-  /// shares of its picture.
-  void take(const LinePicture& picture, std::span<const VisibleLinePart> visible,
+  /// shares of its picture. `stands`: all of them are part of the horizon.
+  void take(const LinePicture& picture, std::span<const VisibleLinePart> visible, bool stands,
             std::vector<LinePart>& parts, std::size_t first);
 
   /// Ground was taken in front to back order, up to the depth `taken_to_m(x)` along the ray at an
@@ -69,6 +69,7 @@ private:
     double ask_at_m;                            ///< and from which on most folds are hidden
     double length_mm;                           ///< NaN: not reckoned yet
     bool is_all;                                ///< that is visible of its line
+    bool stood;                                 ///< all of it, when it was taken
     std::optional<bool> is_fold = std::nullopt; ///< once it was asked
   };
   bool stands(const Unjudged& unjudged, const BlockedHorizon& horizon) const;

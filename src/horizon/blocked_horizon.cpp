@@ -3,6 +3,7 @@
 
 #include "horizon/clip_step.hpp"
 #include "horizon/horizon.hpp"
+#include "horizon/take_above.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,37 +88,20 @@ bool BlockedHorizon::raise(const HorizonPiece& occluder) {
   });
 }
 
-bool BlockedHorizon::raise(const HorizonPiece& occluder, const TieTolerance& tolerance,
-                           std::uint32_t line, std::vector<VisibleLinePart>& visible) {
-  using enum Standing::Kind;
-  const Segment& source = occluder.source;
+BlockedHorizon::Raised BlockedHorizon::raise(const HorizonPiece& occluder,
+                                             const TieTolerance& tolerance, std::uint32_t line,
+                                             std::vector<VisibleLinePart>& visible) {
+  Raised out;
   const auto stand = [&](const HorizonPiece& piece, double x_begin, double x_end) {
-    const double begin = parameter_at(source, x_begin), end = parameter_at(source, x_end);
-    if (is_sky(piece)) {
-      append(visible, line, begin, end);
-      return Standing{above};
-    }
-    const Standing standing = compare(source, piece.source, tolerance);
-    const double t = std::clamp(standing.t, begin, end);
-    switch (standing.kind) {
-    case above:
-      append(visible, line, begin, end);
-      break;
-    case above_then_below:
-      append(visible, line, begin, t);
-      break;
-    case below_then_above:
-      append(visible, line, t, end);
-      break;
-    case below:
-      break;
-    case tied:
-      if (!piece.inked) append(visible, line, begin, end);
-      return compare(source, piece.source, {});
-    }
-    return standing;
+    const Standing standing =
+        take_above(occluder.source, piece, x_begin, x_end, tolerance,
+                   [&](double begin, double end) { append(visible, line, begin, end); });
+    if (standing.kind != Standing::Kind::tied) return standing;
+    out.is_tied = true;
+    return compare(occluder.source, piece.source, {});
   };
-  return raise_blocks(occluder, tolerance.greatest_y, stand);
+  out.rises = raise_blocks(occluder, tolerance.greatest_y, stand);
+  return out;
 }
 
 bool BlockedHorizon::shows(std::uint64_t source_id, double x_begin, double x_end) const {

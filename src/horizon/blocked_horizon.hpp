@@ -49,8 +49,12 @@ public:
   bool raise(const HorizonPiece& occluder);
   /// The same, and appends to `visible` what of the occluder is above the horizon as it was, as a
   /// line number `line` that is drawn: of a tie that which no line is drawn along already.
-  bool raise(const HorizonPiece& occluder, const TieTolerance& tolerance, std::uint32_t line,
-             std::vector<VisibleLinePart>& visible);
+  struct Raised {
+    bool rises = false;
+    bool is_tied = false; ///< with some of what stands
+  };
+  Raised raise(const HorizonPiece& occluder, const TieTolerance& tolerance, std::uint32_t line,
+               std::vector<VisibleLinePart>& visible);
   /// Whether a source stands anywhere between two abscissae.
   bool shows(std::uint64_t source_id, double x_begin, double x_end) const;
   /// Marks a part of a block's piece number `at` as inked.

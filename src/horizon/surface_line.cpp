@@ -4,6 +4,7 @@
 
 #include "horizon/compare.hpp"
 #include "horizon/horizon.hpp"
+#include "horizon/take_above.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -90,21 +91,13 @@ bool is_below(const SurfaceLine& line, const AnyHorizon& horizon) {
 template <class AnyHorizon, class Take>
 void above_horizon(const SurfaceLine& line, const AnyHorizon& horizon,
                    const TieTolerance& tolerance, const Take& take) {
-  using enum Standing::Kind;
-  const Segment& source = line.source;
   for (auto piece = pieces_from(horizon, line.begin); piece && piece->x_begin < line.end; ++piece) {
-    const Stretch part{parameter_at(source, std::max(line.begin, piece->x_begin)),
-                       parameter_at(source, std::min(line.end, piece->x_end))};
-    if (part.empty()) continue;
-    if (is_sky(*piece)) {
-      take(part);
-      continue;
-    }
-    const Standing standing = compare(source, piece->source, tolerance);
-    const double t = std::clamp(standing.t, part.begin, part.end);
-    if (standing.kind == above || (standing.kind == tied && !piece->inked)) take(part);
-    if (standing.kind == above_then_below) take({part.begin, t});
-    if (standing.kind == below_then_above) take({t, part.end});
+    const double begin = std::max(line.begin, piece->x_begin),
+                 end = std::min(line.end, piece->x_end);
+    if (begin < end)
+      take_above(line.source, *piece, begin, end, tolerance, [&](double t_begin, double t_end) {
+        take(Stretch{t_begin, t_end});
+      });
   }
 }
 
