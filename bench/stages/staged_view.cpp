@@ -16,10 +16,17 @@ TerrainData terrain_of(Surface surface) {
   return terrain;
 }
 
+// Stages are timed with whole profiles.
+MapSpec without_tone(MapSpec spec) {
+  spec.style.spread = Spread::planes;
+  spec.style.light.reset();
+  return spec;
+}
+
 } // namespace
 
 StagedView::StagedView(Surface surface, MapSpec s)
-    : terrain(terrain_of(std::move(surface))), spec(std::move(s)),
+    : terrain(terrain_of(std::move(surface))), spec(without_tone(std::move(s))),
       scene(placed_view(terrain, spec)),
       cutter(terrain.surface, sector().view, scene.level.triangles, scene.border),
       tolerance(tie_tolerance(sector(), spec.style.visibility_tolerance_mm)) {
@@ -27,7 +34,7 @@ StagedView::StagedView(Surface surface, MapSpec s)
   strokes.frame_mm = scene.frame_mm;
   strokes.depth = scene.depth;
   strokes.simplify_mm = spec.style.simplify_mm;
-  strokes.min_stroke_mm = spec.style.min_stroke_mm;
+  strokes.min_stroke_mm = spec.style.min_stroke_mm.value_or(kCrumb_mm);
 }
 
 SectorInWork StagedView::work_with(const std::vector<EdgeLine>& lines) const {

@@ -168,7 +168,7 @@ Layer laid_out(const StagedView& view, const StrokeSettings& spec,
     StrokeBuilder builder(spec, profile.strokes);
     ProfileStrokes(view.scene.view, view.sector(), view.spec.style.flat == FlatGround::draw,
                    builder)
-        .add(profile.profile, profile.planned.number, profile.visible);
+        .add(profile.profile, profile.planned, profile.visible);
     append(layer, profile.strokes);
   }
   return layer;

@@ -57,6 +57,72 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                                 "ground",
                      .by_default = "four pen widths on the page",
                      .take = stored(parse_spacing, s.map.style.plan)});
+  options.push_back(with_choice<Spread>(
+      {.group = kGroup,
+       .name = "--spread",
+       .help = "Profiles: as close as --spacing says wherever the ground is on the page, or planes "
+               "drawn as a whole",
+       .by_default = "even"},
+      {{"even", Spread::even}, {"planes", Spread::planes}}, s.map.style.spread));
+  options.push_back({.group = kGroup,
+                     .name = "--light",
+                     .value = "AZ/ALT|off",
+                     .help = "Where light falls from on the ground, as lines' width shows: azimuth "
+                             "clockwise from north and altitude; from the picture's left; or off",
+                     .allowed = "degrees, ALT from 0 to 90, or picture, or off",
+                     .by_default = "picture",
+                     .take = [&s](const std::string& text) {
+                       std::optional<LightSpec>& light = s.map.style.light;
+                       if (text == "off") {
+                         light.reset();
+                         return true;
+                       }
+                       const auto given = parse_light(text);
+                       if (!given) return false;
+                       if (!light) light.emplace();
+                       light->of_picture = given->of_picture;
+                       light->azimuth = given->azimuth;
+                       light->altitude = given->altitude;
+                       return true;
+                     }});
+  const auto change_light = [&s](auto LightSpec::*member) {
+    return [&s, member](auto value) {
+      if (s.map.style.light) (*s.map.style.light).*member = value;
+    };
+  };
+  options.push_back(
+      with_number({.group = kGroup,
+                   .name = "--light-contrast",
+                   .value = "FACTOR",
+                   .help = "How much darker and lighter slopes are than level ground; 0 "
+                           "makes all alike",
+                   .by_default = fmt::format("{}", LightSpec{}.contrast)},
+                  {.low = 0, .high = 10}, change_light(&LightSpec::contrast)));
+  options.push_back(
+      with_number({.group = kGroup,
+                   .name = "--light-smooth",
+                   .value = "MM",
+                   .help = "Light falls on the ground's mean over about this, on the page",
+                   .by_default = fmt::format("{}", LightSpec{}.smooth_mm)},
+                  {.unit = "mm", .low = 0, .high = 100}, change_light(&LightSpec::smooth_mm)));
+  options.push_back({.group = kGroup,
+                     .name = "--light-by",
+                     .help = "How lines show light: by their width, or, for pens of one width, by "
+                             "density, how close they are",
+                     .allowed = "width or density",
+                     .by_default = "width",
+                     .take = [&s](const std::string& text) {
+                       if (s.map.style.light) s.map.style.light->by_density = text == "density";
+                       return text == "width" || text == "density";
+                     }});
+  options.push_back(
+      with_number({.group = kGroup,
+                   .name = "--haze",
+                   .value = "SHARE",
+                   .help = "How much of their darkness the farthest lines lose, where "
+                           "there is light",
+                   .by_default = "0.3 in perspective, else 0"},
+                  {.low = 0, .high = 1}, [&s](double share) { s.map.style.haze = share; }));
   options.push_back(with_choice<Occluder>(
       {.group = kGroup,
        .name = "--occluder",
@@ -90,18 +156,33 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
        .by_default = fmt::format("{}", s.map.style.silhouette_jump)},
       {.low = 0, .high = 10}, [&s](double share) { s.map.style.silhouette_jump = share; }));
   options.push_back(with_number({.group = kGroup,
-                                 .name = "--min-stroke",
+                                 .name = "--join",
                                  .value = "MM",
-                                 .help = "Leave out visible strokes shorter than this",
-                                 .by_default = fmt::format("{}", s.map.style.min_stroke_mm)},
-                                {.unit = "mm", .low = 0, .high = 1000},
-                                [&s](double mm) { s.map.style.min_stroke_mm = mm; }));
+                                 .help = "Draw ridges, shores and borders as one line across gaps "
+                                         "up to this; 0 bridges none",
+                                 .by_default = fmt::format("{}", s.map.style.join_mm)},
+                                {.unit = "mm", .low = 0, .high = 10},
+                                [&s](double mm) { s.map.style.join_mm = mm; }));
+  options.push_back(with_number(
+      {.group = kGroup,
+       .name = "--min-stroke",
+       .value = "MM",
+       .help = "Leave out visible strokes shorter than this, those that "
+               "are joined as a whole; the skyline stays",
+       .by_default = fmt::format("{} on paper, 0 in map formats", kCrumb_mm)},
+      {.unit = "mm", .low = 0, .high = 1000}, [&s](double mm) { s.map.style.min_stroke_mm = mm; }));
   options.push_back(with_choice<FlatGround>(
       {.group = kGroup,
        .name = "--flat",
        .help = "Level ground such as sea and lakes: only its shores, or its profiles too",
        .by_default = "shore"},
       {{"shore", FlatGround::shore}, {"draw", FlatGround::draw}}, s.map.style.flat));
+  options.push_back(with_choice<Outline>(
+      {.group = kGroup,
+       .name = "--outline",
+       .help = "Where terrain ends at the horizon: one skyline all along, or border by-layer",
+       .by_default = "one"},
+      {{"one", Outline::one}, {"by-layer", Outline::by_layer}}, s.map.style.outline));
   options.push_back({.group = kGroup,
                      .name = "--void-edges",
                      .help = "Draw the outlines of voids, gaps that terrain encloses, as well; the "

@@ -74,6 +74,25 @@ std::optional<ViewFrom> parse_view_from(std::string_view text) {
   return ViewFrom{Angle::degrees((*n)[0]), Angle::degrees((*n)[1])};
 }
 
+std::optional<LineWidths> parse_pen_width(std::string_view text) {
+  const auto is_width = [](double mm) { return mm >= 0.01 && mm <= 10; };
+  if (const auto one = parse_number(text); one && is_width(*one)) return LineWidths{*one, *one};
+  const auto n = parse_numbers(text, ':', 2);
+  if (!n || !is_width((*n)[0]) || !is_width((*n)[1]) || !((*n)[0] < (*n)[1])) return std::nullopt;
+  return LineWidths{(*n)[0], (*n)[1]};
+}
+
+std::optional<LightSpec> parse_light(std::string_view text) {
+  LightSpec light;
+  if (text == "picture") return light;
+  const auto from = parse_view_from(text);
+  if (!from) return std::nullopt;
+  light.of_picture = false;
+  light.azimuth = from->azimuth;
+  light.altitude = from->elevation;
+  return light;
+}
+
 std::optional<Oblique> parse_oblique(std::string_view text) {
   if (text == "cavalier") return kCavalier;
   if (text == "cabinet") return kCabinet;

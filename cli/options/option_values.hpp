@@ -45,6 +45,12 @@ std::optional<ViewFrom> axonometric_view(std::string_view text);
 /// "0.6mm" on the page or "100m" on the ground, above 0.
 std::optional<PlanRequest> parse_spacing(std::string_view text);
 
+/// "0.15", or "0.1:0.3", each from 0.01 to 10.
+std::optional<LineWidths> parse_pen_width(std::string_view text);
+
+/// "AZ/ALT" in degrees, clockwise from north and above the horizontal, ALT 0 to 90; or "picture".
+std::optional<LightSpec> parse_light(std::string_view text);
+
 /// "2m", from 0 on.
 std::optional<double> parse_metres(std::string_view text);
 

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 namespace orograph {
 namespace {
 
@@ -50,13 +52,25 @@ void add_page_options(std::vector<Option>& options, RenderSettings& s) {
                                  .by_default = fmt::format("{}", s.map.page.margin_mm)},
                                 {.unit = "mm", .low = 0},
                                 [&s](double mm) { s.map.page.margin_mm = mm; }));
-  options.push_back(with_number({.group = kPage,
-                                 .name = "--pen-width",
-                                 .value = "MM",
-                                 .help = "Width of the pen that draws the profiles",
-                                 .by_default = fmt::format("{}", s.map.style.pen_width_mm)},
-                                {.unit = "mm", .low = 0.01, .high = 10},
-                                [&s](double mm) { s.map.style.pen_width_mm = mm; }));
+  options.push_back(
+      {.group = kPage,
+       .name = "--pen-width",
+       .value = "MM|MIN:MAX",
+       .help =
+           "Width of the pen that draws the profiles; with light they are from MIN to MAX wide, "
+           "or from half to double",
+       .allowed = "mm, 0.01 to 10, MIN below MAX",
+       .by_default = fmt::format("{}", s.map.style.pen_width_mm),
+       .take = [&s](const std::string& text) {
+         const auto widths = parse_pen_width(text);
+         if (!widths) return false;
+         s.map.style.light_widths = std::nullopt;
+         s.map.style.pen_width_mm = widths->least_mm;
+         if (widths->least_mm == widths->greatest_mm) return true;
+         s.map.style.light_widths = widths;
+         s.map.style.pen_width_mm = std::sqrt(widths->least_mm * widths->greatest_mm);
+         return true;
+       }});
   options.push_back({.group = kPage,
                      .name = "--title",
                      .value = "TEXT",

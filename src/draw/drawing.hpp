@@ -30,6 +30,7 @@ struct Stroke {
   std::uint32_t first_point = 0, point_count = 0;
   std::int32_t profile = -1; ///< number, front to back, from 0; -1 for other lines
   double depth_m = std::numeric_limits<double>::quiet_NaN(); ///< NaN where it has no single one
+  double width_mm = 0;                                       ///< 0: its layer's pen
 };
 
 /// Page points are x to the right and y down from the page's upper left corner, rounded to

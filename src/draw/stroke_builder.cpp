@@ -64,6 +64,7 @@ PlaneValues plane_values(const Box2& frame_mm, const std::optional<VolumeDepth>&
 void StrokeBuilder::begin(std::int32_t profile, double depth_m) {
   stroke_.profile = profile;
   stroke_.depth_m = depth_m;
+  stroke_.width_mm = width_mm_ = 0;
   last_.reset();
 }
 
@@ -135,19 +136,63 @@ bool StrokeBuilder::is_long_enough() {
   return false;
 }
 
+void StrokeBuilder::widen(double width_mm) {
+  if (page_mm_.size() <= 1)
+    stroke_.width_mm = width_mm;
+  else if (width_mm != width_mm_)
+    widenings_.push_back({page_mm_.size() - 1, width_mm});
+  width_mm_ = width_mm;
+}
+
+// Those so near the end; of those so near one another, or the begin, the last stays.
+void StrokeBuilder::drop_short_widenings() {
+  if (widenings_.empty()) return;
+  constexpr double kShort_mm = 1;
+  std::vector<double> way_mm(page_mm_.size(), 0);
+  for (std::size_t i = 1; i < page_mm_.size(); ++i)
+    way_mm[i] = way_mm[i - 1] + plain_length(page_mm_[i] - page_mm_[i - 1]);
+  std::size_t kept = 0;
+  double last_mm = 0;
+  for (const Widening& widening : widenings_) {
+    const double here_mm = way_mm[widening.point];
+    if (way_mm.back() - here_mm < kShort_mm) break;
+    if (here_mm - last_mm >= kShort_mm) {
+      widenings_[kept++] = widening;
+      last_mm = here_mm;
+    } else {
+      (kept > 0 ? widenings_[kept - 1].width_mm : stroke_.width_mm) = widening.width_mm;
+    }
+  }
+  widenings_.resize(kept);
+}
+
+void StrokeBuilder::append_stroke(std::size_t first, std::size_t last) {
+  const auto points = std::span(page_mm_).subspan(first, last + 1 - first);
+  simplify(points, settings_.simplify_mm, kept_);
+  stroke_.first_point = static_cast<std::uint32_t>(layer_.page_mm.size());
+  stroke_.point_count = static_cast<std::uint32_t>(kept_.size());
+  for (const std::uint32_t i : kept_) {
+    layer_.page_mm.push_back(points[i]);
+    if (settings_.to_map) layer_.map.push_back(settings_.to_map(scene_[first + i]));
+  }
+  layer_.strokes.push_back(stroke_);
+}
+
 void StrokeBuilder::flush() {
   if (is_long_enough()) {
-    simplify(page_mm_, settings_.simplify_mm, kept_);
-    stroke_.first_point = static_cast<std::uint32_t>(layer_.page_mm.size());
-    stroke_.point_count = static_cast<std::uint32_t>(kept_.size());
-    for (const std::uint32_t i : kept_) {
-      layer_.page_mm.push_back(page_mm_[i]);
-      if (settings_.to_map) layer_.map.push_back(settings_.to_map(scene_[i]));
+    drop_short_widenings();
+    std::size_t first = 0;
+    for (const auto& [point, width_mm] : widenings_) {
+      append_stroke(first, point);
+      stroke_.width_mm = width_mm;
+      first = point;
     }
-    layer_.strokes.push_back(stroke_);
+    append_stroke(first, page_mm_.size() - 1);
   }
+  stroke_.width_mm = width_mm_;
   page_mm_.clear();
   scene_.clear();
+  widenings_.clear();
 }
 
 } // namespace orograph

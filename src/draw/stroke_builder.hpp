@@ -71,6 +71,10 @@ public:
 
   /// A new polyline begins; `profile` and `depth_m` as in Stroke.
   void begin(std::int32_t profile, double depth_m);
+  /// From the last point on the polyline is this wide: another stroke, which begins where the one
+  /// before it ends. What comes out of the frame less than a millimetre before its end, or ends so
+  /// soon, keeps its width. 0: the layer's pen.
+  void widen(double width_mm);
   void add(const StrokePoint& point) {
     // From inside to inside, as nearly always: there is nothing to clip.
     const Vec3 page = settings_.to_page.of(point.plane);
@@ -117,6 +121,8 @@ private:
   bool append_inside(const PointsAtDepth& depth, std::span<const double> u_m,
                      std::span<const double> z_m);
   bool is_long_enough();
+  void drop_short_widenings();
+  void append_stroke(std::size_t first, std::size_t last);
   void flush();
 
   const StrokeSettings& settings_;
@@ -126,6 +132,12 @@ private:
   std::vector<Vec2> page_mm_;
   std::vector<ProfilePoint> scene_;
   std::vector<std::uint32_t> kept_;
+  struct Widening {
+    std::size_t point; ///< of page_mm_, where it begins
+    double width_mm;
+  };
+  double width_mm_ = 0;             ///< at the last point
+  std::vector<Widening> widenings_; ///< behind the first point
   double left_out_mm_ = 0;
 };
 

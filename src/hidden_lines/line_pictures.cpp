@@ -187,7 +187,8 @@ std::vector<LinePart> LinePictures::skyline(const Horizon& horizon) const {
     throw_if_stopped(static_cast<std::size_t>(&piece - horizon.data()));
     if (is_sky(piece) || !(piece.source.id & kLineBit)) continue;
     const std::uint32_t number = line_number(piece.source);
-    if (line(number).kind != LineKind::silhouette || !line(number).drawn) continue;
+    const auto& [edge, kind, hides, drawn, covers] = line(number);
+    if (!drawn || (kind != LineKind::silhouette && kind != LineKind::border)) continue;
     const LinePicture p = picture(number, whole(number));
     const auto [begin, end] = std::minmax({along_edge(p, parameter_at(p.source, piece.x_begin)),
                                            along_edge(p, parameter_at(p.source, piece.x_end))});

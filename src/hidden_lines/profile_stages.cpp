@@ -19,6 +19,26 @@ ProfileStages::ProfileStages(const SectorInWork& work, const LayOut& lay_out, st
   if (work.ground) over_blocks_.emplace(std::get<Grid>(work.terrain.surface), work.sector.view);
 }
 
+// What of rising parts has lines. Those that would be too near one another for a cutter are one.
+std::vector<URange> parts_in_runs(const std::vector<URange>& parts, const PlannedProfile& planned,
+                                  const View& view, double cell_m) {
+  constexpr double kCellsApart = 16;
+  std::vector<URange> out;
+  auto part = parts.begin();
+  for (const ToneRun& run : *planned.runs) {
+    const URange range = u_range(view, planned.depth_m, {run.x_begin, run.x_end});
+    while (part != parts.end() && part->high_m <= range.low_m) ++part;
+    for (auto next = part; next != parts.end() && next->low_m < range.high_m; ++next) {
+      const URange both{std::max(next->low_m, range.low_m), std::min(next->high_m, range.high_m)};
+      if (!out.empty() && both.low_m - out.back().high_m <= kCellsApart * cell_m)
+        out.back().high_m = std::max(out.back().high_m, both.high_m);
+      else
+        out.push_back(both);
+    }
+  }
+  return out;
+}
+
 void ProfileStages::cut(TimedProfile& timed, std::size_t index) const {
   Stopwatch watch;
   ProfileInWork& profile = timed.profile;
@@ -34,6 +54,8 @@ void ProfileStages::cut(TimedProfile& timed, std::size_t index) const {
     over_blocks_->seen_parts(depth_m, asked, *work_.ground, timed.parts);
   else
     timed.parts.assign(1, asked);
+  if (profile.planned.runs && !work_.whole_profiles)
+    timed.parts = parts_in_runs(timed.parts, profile.planned, view, work_.placed.cell_m);
   work_.cutter.cut(depth_m, timed.parts, profile.profile);
   watch.mark(timed.cut_s);
   project_profile(profile.profile, static_cast<std::uint32_t>(profile.planned.number), view,

@@ -13,15 +13,17 @@
 namespace orograph {
 
 /// Feeds the visible runs of one profile after another to a builder: runs that meet are one stroke,
-/// and level ground is left out where its shores are drawn instead.
+/// level ground is left out where its shores are drawn instead, and where lines have places and
+/// widths of their own, they are drawn there and as wide.
 class ProfileStrokes {
 public:
   /// Of profiles of a sector of `view`. REQUIRES that all outlive this.
   ProfileStrokes(const View& view, const Sector& sector, bool draws_level, StrokeBuilder& builder)
       : view_(view), sector_(sector), draws_level_(draws_level), builder_(builder) {}
 
-  /// `visible` in order along the profile.
-  void add(const Profile& profile, std::int32_t number, std::span<const VisibleRun> visible);
+  /// What is drawn of the planned profile's visible runs, which are in order along it.
+  void add(const Profile& profile, const PlannedProfile& planned,
+           std::span<const VisibleRun> visible);
 
 private:
   const View& view_;

@@ -206,9 +206,9 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     if (solids) {
       std::vector<VisibleRun> runs = profile.visible; // which those who watch want as they are
       leave_out_behind(*solids, profile.profile, runs);
-      strokes.add(profile.profile, profile.planned.number, runs);
+      strokes.add(profile.profile, profile.planned, runs);
     } else {
-      strokes.add(profile.profile, profile.planned.number, profile.visible);
+      strokes.add(profile.profile, profile.planned, profile.visible);
     }
     profile.left_out_mm = builder.left_out_mm();
     profile.dropped_strokes = round_strokes(profile.strokes).empty_strokes;
@@ -242,12 +242,17 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   every_line.set_found(found_parts.found);
   SectorLines out;
   out.found = std::move(found_parts.found);
-  out.skyline = found_parts.skyline;
-  out.visible = without(found_parts.visible, out.skyline);
+  out.visible = without(found_parts.visible, found_parts.skyline); // which is no fold
   std::vector<LinePart> folded = folds.among(every_line, out.visible);
   out.visible = without(out.visible, folded);
   out.visible.insert(out.visible.end(), found_parts.ridges.begin(), found_parts.ridges.end());
-  sort_by_number(out.visible, [](const LinePart& part) { return part.line; });
+  for (const LinePart& part : found_parts.skyline) {
+    const bool as_skyline =
+        style.asks_for("skyline") &&
+        (style.outline == Outline::one || every_line.line(part.line).kind == LineKind::silhouette);
+    (as_skyline ? out.skyline : out.visible).push_back(part);
+  }
+  join(out.visible);
   watch.mark(seconds.layout);
   if (solids) {
     for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &folded})

@@ -109,8 +109,20 @@ void check_style(const Style& style, bool has_solids) {
   check_range("visibility_tolerance_mm", style.visibility_tolerance_mm, 0, 10);
   check_range("simplify_mm", style.simplify_mm, 0, 10);
   check_range("silhouette_jump", style.silhouette_jump, 0, 10);
-  check_range("min_stroke_mm", style.min_stroke_mm, 0, 1000);
+  check_range("join_mm", style.join_mm, 0, 10);
+  check_range("min_stroke_mm", style.min_stroke_mm.value_or(0), 0, 1000);
   check_range("pen_width_mm", style.pen_width_mm, 0.01, 10);
+  if (style.light_widths) {
+    check_range("light_widths.greatest_mm", style.light_widths->greatest_mm, 0.01, 10);
+    check_range("light_widths.least_mm", style.light_widths->least_mm, 0.01,
+                style.light_widths->greatest_mm);
+  }
+  if (style.light) {
+    check_range("light.altitude", style.light->altitude.in_degrees(), 0, 90);
+    check_range("light.contrast", style.light->contrast, 0, 10);
+    check_range("light.smooth_mm", style.light->smooth_mm, 0, 100);
+  }
+  check_range("haze", style.haze.value_or(0), 0, 1);
   check_layers(style.layers);
   if (has_solids && style.occluder == Occluder::profiles)
     throw UsageError("solids stand in front of the surface and behind it, not of profiles",

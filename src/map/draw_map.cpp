@@ -2,6 +2,7 @@
 #include "map/draw_map.hpp"
 
 #include "draw/drawing.hpp"
+#include "draw/join_strokes.hpp"
 #include "draw/round_drawing.hpp"
 #include "draw/stroke_builder.hpp"
 #include "geometry/on_all_cores.hpp"
@@ -30,6 +31,8 @@ struct LineLayer {
   std::vector<LinePart> parts;
   bool of_solids = false;  ///< the parts
   bool is_rounded = false; ///< stroke by stroke
+  bool is_joined = false;  ///< across small gaps
+  bool is_skyline = false; ///< which is drawn whole
   double left_out_mm = 0;
   RoundingCounts dropped = {};
 };
@@ -45,6 +48,15 @@ std::vector<LinePart> of_kind(const std::vector<EdgeLine>& lines,
   return out;
 }
 
+// In an order that doesn't depend on whether a line was listed or found.
+std::vector<LinePart> by_edge(const std::vector<EdgeLine>& lines, std::vector<LinePart> parts) {
+  std::sort(parts.begin(), parts.end(), [&](const LinePart& a, const LinePart& b) {
+    const SurfaceEdge &of_a = lines[a.line].edge, &of_b = lines[b.line].edge;
+    return of_a != of_b ? of_a < of_b : a.t_begin < b.t_begin;
+  });
+  return parts;
+}
+
 StrokeSettings stroke_settings(const TerrainData& terrain, const PlacedView& placed,
                                const MapSpec& spec) {
   StrokeSettings strokes;
@@ -52,7 +64,7 @@ StrokeSettings stroke_settings(const TerrainData& terrain, const PlacedView& pla
   strokes.frame_mm = placed.frame_mm;
   strokes.depth = placed.depth;
   strokes.simplify_mm = spec.style.simplify_mm;
-  strokes.min_stroke_mm = spec.style.min_stroke_mm;
+  strokes.min_stroke_mm = spec.style.min_stroke_mm.value_or(spec.ground_points ? 0 : kCrumb_mm);
   if (spec.ground_points)
     strokes.to_map = [&map = terrain.map, &view = placed.view](ProfilePoint p) {
       return map.to_map(to_ground_m(view, p));
@@ -156,9 +168,11 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       break;
     case LineSource::edges:
       added.parts = of_kind(found.lines(), visible, row.kind);
+      added.is_joined = row.kind != LineKind::edge;
       break;
     case LineSource::skyline:
-      added.parts = found.of(&SectorLines::skyline);
+      added.parts = by_edge(found.lines(), found.of(&SectorLines::skyline));
+      added.is_joined = added.is_skyline = true;
       break;
     case LineSource::solids:
       added.parts = solids(&SolidParts::visible, {});
@@ -225,14 +239,22 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
       layers_of(found, placed, style, profiles ? std::move(*profiles) : Layer{});
   on_all_cores(layers.size(), [&](std::size_t i) {
     LineLayer& task = layers[i];
-    StrokeBuilder builder(strokes, task.layer);
+    // What is joined is simplified and judged afterwards.
+    StrokeSettings own = strokes;
+    if (task.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
+    StrokeBuilder builder(own, task.layer);
     if (task.of_solids)
       draw_edges(placed.solids, placed.view, task.parts, builder);
     else
       draw_parts(terrain.surface, placed.view, found.lines(), task.parts, builder);
+    if (task.is_joined) {
+      const double least_mm = task.is_skyline ? 0 : strokes.min_stroke_mm;
+      task.layer =
+          joined(task.layer, {style.join_mm, least_mm, strokes.simplify_mm}, task.left_out_mm);
+    }
     if (task.layer.is_hidden && !spec.ground_points)
       task.layer = dashed(task.layer, kDash_mm, kDashGap_mm);
-    task.left_out_mm = builder.left_out_mm();
+    task.left_out_mm += builder.left_out_mm();
     task.dropped =
         task.is_rounded ? drop_repeated_strokes(task.layer) : round_to_page_step(task.layer);
   });

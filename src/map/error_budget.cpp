@@ -87,6 +87,7 @@ ErrorBudget error_budget(const TerrainData& terrain, const PlacedView& placed,
   budget.level_of_detail_mm = level_of_detail_mm(terrain, placed);
   if (terrain.is_overview) budget.level_of_detail_mm.reset();
   budget.simplification_mm = spec.style.simplify_mm;
+  budget.joining_mm = spec.ground_points ? 0 : 0.5 * spec.style.join_mm; // no gap is bridged there
   budget.visibility_tolerance_mm = spec.style.visibility_tolerance_mm;
   budget.arithmetic_mm = kArithmetic_mm;
   budget.geodesy_mm = geodesy_mm(terrain, placed, spec);

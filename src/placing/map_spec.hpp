@@ -71,20 +71,58 @@ struct LayerSpec {
   LayerSpec(std::string layer) : name(std::move(layer)) {}
 };
 
+/// Pen widths between profiles that read well on real terrain (docs/how-it-works.md).
+constexpr double kPenWidthsApart = 4;
+
+/// Shorter ink is a crumb.
+constexpr double kCrumb_mm = 0.5;
+
 enum class Occluder { surface, profiles };
 enum class FlatGround { shore, draw };
+/// Whether lines are as far apart on the page as the plan says, wherever the ground is, or planes
+/// are on level ground.
+enum class Spread { even, planes };
+/// Whether terrain's border, where it is the horizon, is drawn as skyline, or as border as
+/// elsewhere.
+enum class Outline { one, by_layer };
+
+/// Where light falls from on the ground.
+struct LightSpec {
+  bool of_picture =
+      true; ///< its azimuth turns with the picture: 0 is away from the viewer, 270 left
+  Angle azimuth = Angle::degrees(285), altitude = Angle::degrees(40);
+  double contrast = 1;     ///< 0: all ground is as dark as level ground
+  double smooth_mm = 1;    ///< light falls on the ground's mean over about this, on the page
+  bool by_density = false; ///< darkness by how close lines are, with pens of one width
+};
+
+/// Of lines that carry light.
+struct LineWidths {
+  double least_mm, greatest_mm;
+};
 
 /// Which lines are drawn, and how exactly.
 struct Style {
   std::optional<PlanRequest> plan; ///< none: four pen widths on the page
+  Spread spread = Spread::even;    ///< of a plan in millimetres
   Occluder occluder = Occluder::surface;
   double visibility_tolerance_mm = 1e-4;
   double simplify_mm = 0.02;
   double silhouette_jump = 0.003; ///< share of the depth by which the ground behind is farther
-  double min_stroke_mm = 0;
+  /// Widest gap between two ends of a ridge, a shore or the like that are drawn as one line, and
+  /// then judged as one by `min_stroke_mm`.
+  double join_mm = 0.15;
+  /// None: what the eye takes for a crumb, where lines go on paper; 0 where they keep their places
+  /// on the ground.
+  std::optional<double> min_stroke_mm;
   FlatGround flat = FlatGround::shore;
+  Outline outline = Outline::one;
   std::vector<LayerSpec> layers{"profiles", "shores", "border", "silhouettes", "skyline", "solids"};
   double pen_width_mm = 0.15;
+  std::optional<LineWidths> light_widths; ///< none: half and double the pen's
+  std::optional<LightSpec> light = LightSpec{};
+  std::optional<double> haze; ///< share of their darkness that the farthest lines lose; none: 0.3
+                              ///< in perspective
 
   /// What is asked of a layer; null where it isn't to be drawn.
   const LayerSpec* layer(std::string_view name) const {

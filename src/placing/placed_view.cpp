@@ -6,6 +6,7 @@
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "placing/geodesy.hpp"
+#include "placing/give_tone.hpp"
 #include "placing/placed_solids.hpp"
 #include "placing/places.hpp"
 #include "placing/view_in_frame.hpp"
@@ -26,9 +27,6 @@
 
 namespace orograph {
 namespace {
-
-// Pen widths between profiles that read well on real terrain (docs/how-it-works.md).
-constexpr double kPenWidthsApart = 4;
 
 ViewRequest view_request(const MapSpec& spec, const TerrainData& terrain, double exaggeration) {
   ViewRequest request;
@@ -279,6 +277,7 @@ PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& 
     ground.row_depths_m = row_depths(*grid, placed.view);
   placed.depths_m = plan_depths(placed.plan, ground, placed.view, placed.to_page);
   placed.sectors = sectors_of(placed);
+  give_tone(placed, surface, spec); // which may need more profiles
   return placed;
 }
 

@@ -8,7 +8,10 @@
 #include "view/view.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
+
+#include "tone/tone.hpp"
 
 namespace orograph {
 
@@ -16,6 +19,7 @@ namespace orograph {
 struct PlannedProfile {
   double depth_m;
   std::int32_t number;
+  std::optional<std::vector<ToneRun>> runs = {}; ///< none: all of it is drawn, with the layer's pen
 };
 
 /// What is ahead of the eye, or, where the page shows any of that, behind it.

@@ -51,11 +51,14 @@ void draw(cairo_surface_t* surface, const Drawing& drawing, double scale,
   cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
   for (const Layer& layer : drawing.layers) {
     ink(pen, layer.grey);
-    cairo_set_line_width(pen, layer.pen_width_mm * scale);
+    double width_mm = 0;
     std::size_t points_in_path = 0;
     for (const Stroke& stroke : layer.strokes) {
-      if (points_in_path + stroke.point_count > kMostPointsInPath) {
+      const double own_mm = stroke.width_mm > 0 ? stroke.width_mm : layer.pen_width_mm;
+      if (own_mm != width_mm || points_in_path + stroke.point_count > kMostPointsInPath) {
         cairo_stroke(pen);
+        cairo_set_line_width(pen, own_mm * scale);
+        width_mm = own_mm;
         points_in_path = 0;
       }
       cairo_new_sub_path(pen);

@@ -60,7 +60,7 @@ std::span<const Stroke> strokes_of_text(const Layer& layer, std::size_t first) {
   return std::span(layer.strokes).subspan(first, end - first);
 }
 
-void append_path(std::string& text, std::span<const Vec2> points) {
+void append_path(std::string& text, std::span<const Vec2> points, double width_mm) {
   std::array<char, 4096> buffer;
   constexpr std::size_t kPointBytes = 2 * kPageNumberBytes + 2;
   char* at = buffer.data();
@@ -78,12 +78,19 @@ void append_path(std::string& text, std::span<const Vec2> points) {
     at = print_page_number(points[i].y, at);
   }
   text.append(buffer.data(), at);
-  text += "\"/>\n";
+  text += "\"";
+  if (width_mm > 0) { // else the layer's
+    char* const end = print_page_number(width_mm, buffer.data());
+    text += " class=\"toned\" stroke-width=\"";
+    text.append(buffer.data(), end);
+    text += "\"";
+  }
+  text += "/>\n";
 }
 
 std::string text_of(std::span<const Stroke> strokes, const Layer& layer) {
   std::string text;
-  for (const Stroke& stroke : strokes) append_path(text, layer.points(stroke));
+  for (const Stroke& stroke : strokes) append_path(text, layer.points(stroke), stroke.width_mm);
   return text;
 }
 

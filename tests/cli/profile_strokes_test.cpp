@@ -96,7 +96,7 @@ TEST_CASE("strokes are what is visible of a profile, joined at vertices") {
     const bool draws_level = random.chance(0.3);
     Layer layer;
     StrokeBuilder builder(settings, layer);
-    ProfileStrokes(view, sector, draws_level, builder).add(profile, 5, runs);
+    ProfileStrokes(view, sector, draws_level, builder).add(profile, {profile.depth_m, 5}, runs);
 
     const double sign = sector.behind ? -1 : 1;
     const auto expected = by_definition(profile, runs, draws_level, sign);

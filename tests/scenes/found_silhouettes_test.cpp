@@ -48,6 +48,8 @@ TEST_CASE("silhouettes found on the way are drawn as those of a list") {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_scene(seed);
     Random random(seed);
+    scene.spec.style.join_mm = 0; // each of the lines for itself
+    scene.spec.style.min_stroke_mm = 0;
     scene.spec.style.silhouette_jump = random.pick({0.0, 0.003, 0.02, 0.3});
     scene.spec.style.layers =
         random.pick({Layers{"profiles", "silhouettes", "skyline", "border", "shores"},

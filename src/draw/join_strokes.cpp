@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "draw/join_strokes.hpp"
+
+#include "draw/chain.hpp"
+#include "draw/simplify.hpp"
+#include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace orograph {
+namespace {
+
+// End number 2 * stroke is the stroke's first point, 2 * stroke + 1 its last.
+struct StrokeEnd {
+  Vec2 at_mm, onwards; ///< the place, and the direction in which the line would go on
+  std::uint64_t cell;
+  std::uint32_t end;
+};
+
+struct EndPair {
+  double cost_mm;
+  std::uint32_t a, b; ///< a < b
+};
+
+// The bend of a line near its end, of the size of a cell, says nothing about where it goes.
+constexpr double kDirectionOver_mm = 0.5;
+
+Vec2 direction_at(std::span<const Vec2> points, bool is_last) {
+  const auto at = [&](std::size_t i) {
+    return is_last ? points[points.size() - 1 - i] : points[i];
+  };
+  Vec2 away = at(0) - at(1);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    away = at(0) - at(i);
+    if (plain_length(away) >= kDirectionOver_mm) break;
+  }
+  const double size = plain_length(away);
+  return size > 0 ? (1 / size) * away : Vec2{0, 0};
+}
+
+double length_mm(std::span<const Vec2> points) {
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += plain_length(points[i] - points[i - 1]);
+  return sum;
+}
+
+// All ends, by square cells as large as the gap: numbers that rise along a row of them.
+class EndsByCell {
+public:
+  EndsByCell(const Layer& layer, double gap_mm) : layer_(layer), gap_mm_(gap_mm) {
+    for (const Stroke& stroke : layer.strokes)
+      for (const Vec2& p : {layer.points(stroke).front(), layer.points(stroke).back()})
+        low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+    ends_.reserve(2 * layer.strokes.size());
+    for (std::uint32_t i = 0; i < layer.strokes.size(); ++i) {
+      throw_if_stopped(i);
+      const std::span<const Vec2> points = layer.points(layer.strokes[i]);
+      for (const bool is_last : {false, true}) {
+        const Vec2 at = is_last ? points.back() : points.front();
+        ends_.push_back(
+            {at, direction_at(points, is_last), cell(at.x, at.y), 2 * i + (is_last ? 1U : 0U)});
+      }
+    }
+    sort_by_number(ends_, [](const StrokeEnd& end) { return end.cell; });
+  }
+
+  std::vector<EndPair> pairs() const {
+    std::vector<EndPair> out;
+    for (const StrokeEnd& end : ends_) {
+      throw_if_stopped(out.size());
+      for (const EndPair& pair : best_of(end))
+        if (pair.a != pair.b) out.push_back(pair);
+    }
+    const auto before = [](const EndPair& p, const EndPair& q) {
+      if (p.cost_mm != q.cost_mm) return p.cost_mm < q.cost_mm;
+      return p.a != q.a ? p.a < q.a : p.b < q.b;
+    };
+    std::sort(out.begin(), out.end(), before);
+    return out;
+  }
+
+private:
+  static constexpr std::size_t kNeighbours = 4;
+  static constexpr std::uint64_t kCellsARow = std::uint64_t{1} << 31U;
+
+  std::uint64_t cell(double x_mm, double y_mm) const {
+    const auto along = [&](double mm, double low) { // from 1 on, so that each has a neighbour
+      return 1 + static_cast<std::uint64_t>(std::max(0.0, std::floor((mm - low) / gap_mm_)));
+    };
+    return along(y_mm, low_.y) * kCellsARow + along(x_mm, low_.x);
+  }
+
+  std::array<EndPair, kNeighbours> best_of(const StrokeEnd& end) const {
+    std::array<EndPair, kNeighbours> best;
+    best.fill({std::numeric_limits<double>::infinity(), end.end, end.end});
+    for (const double row : {-1.0, 0.0, 1.0}) {
+      const std::uint64_t middle = cell(end.at_mm.x, end.at_mm.y) +
+                                   static_cast<std::uint64_t>(row + 1) * kCellsARow - kCellsARow;
+      auto other = std::partition_point(ends_.begin(), ends_.end(),
+                                        [&](const StrokeEnd& e) { return e.cell + 1 < middle; });
+      for (; other != ends_.end() && other->cell <= middle + 1; ++other) {
+        const double apart_mm = plain_length(other->at_mm - end.at_mm);
+        if (other->end == end.end || !(apart_mm <= gap_mm_) || closes_crumb(end, *other)) continue;
+        // Turning back costs as much as the widest gap, going straight on nothing.
+        const double turn = 0.5 * (1 + dot(end.onwards, other->onwards));
+        const EndPair pair{apart_mm + turn * gap_mm_, std::min(end.end, other->end),
+                           std::max(end.end, other->end)};
+        if (pair.cost_mm < best.back().cost_mm) {
+          best.back() = pair;
+          for (std::size_t i = kNeighbours - 1; i > 0 && best[i].cost_mm < best[i - 1].cost_mm; --i)
+            std::swap(best[i], best[i - 1]);
+        }
+      }
+    }
+    return best;
+  }
+
+  // Both ends of one stroke that is hardly longer than the gap.
+  bool closes_crumb(const StrokeEnd& a, const StrokeEnd& b) const {
+    constexpr double kGapsOfARing = 8;
+    return a.end / 2 == b.end / 2 &&
+           length_mm(layer_.points(layer_.strokes[a.end / 2])) < kGapsOfARing * gap_mm_;
+  }
+
+  const Layer& layer_;
+  double gap_mm_;
+  Vec2 low_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  std::vector<StrokeEnd> ends_;
+};
+
+// Appends points and, where there are any, their map points.
+void append(const Layer& layer, std::span<const std::uint32_t> which, const Stroke& like,
+            Layer& out) {
+  Stroke stroke = like;
+  stroke.first_point = static_cast<std::uint32_t>(out.page_mm.size());
+  stroke.point_count = static_cast<std::uint32_t>(which.size());
+  for (const std::uint32_t i : which) {
+    out.page_mm.push_back(layer.page_mm[i]);
+    if (!layer.map.empty()) out.map.push_back(layer.map[i]);
+  }
+  out.strokes.push_back(stroke);
+}
+
+// The joints at both ends of each stroke.
+std::vector<ChainLink> joints_of(const Layer& layer, double gap_mm) {
+  std::vector<ChainLink> links(layer.strokes.size(), {kLooseEnd, kLooseEnd});
+  if (!(gap_mm > 0)) return links;
+  std::uint64_t joints = 0;
+  const auto end = [&](std::uint32_t number) -> std::uint64_t& {
+    ChainLink& link = links[number / 2];
+    return number % 2 == 0 ? link.begin : link.end;
+  };
+  for (const EndPair& pair : EndsByCell(layer, gap_mm).pairs())
+    if (end(pair.a) == kLooseEnd && end(pair.b) == kLooseEnd) end(pair.a) = end(pair.b) = joints++;
+  return links;
+}
+
+} // namespace
+
+Layer joined(const Layer& layer, const JoinSettings& settings, double& left_out_mm) {
+  Layer out = layer;
+  out.clear();
+  const std::vector<ChainLink> joints = joints_of(layer, settings.gap_mm);
+  const Chains chains = chain(joints);
+  const bool bridges = layer.map.empty();
+  std::vector<std::uint32_t> places, kept; // of points, in the layer and then among the places
+  std::vector<Vec2> page_mm;
+  const auto draw = [&](const Stroke& like) {
+    page_mm.clear();
+    for (const std::uint32_t i : places) page_mm.push_back(layer.page_mm[i]);
+    simplify(page_mm, settings.simplify_mm, kept);
+    for (std::uint32_t& i : kept) i = places[i];
+    append(layer, kept, like, out);
+    places.clear();
+  };
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    throw_if_stopped(i);
+    double ink_mm = 0;
+    for (const ChainedPiece& piece : chains[i])
+      ink_mm += length_mm(layer.points(layer.strokes[piece.piece]));
+    if (ink_mm < settings.min_stroke_mm) {
+      left_out_mm += ink_mm;
+      continue;
+    }
+    for (const auto& [number, turned] : chains[i]) {
+      const Stroke& stroke = layer.strokes[number];
+      for (std::uint32_t p = 0; p < stroke.point_count; ++p)
+        places.push_back(stroke.first_point + (turned ? stroke.point_count - 1 - p : p));
+      if (!bridges) draw(stroke);
+    }
+    if (!bridges) continue;
+    const auto& [first, first_turned] = chains[i].front();
+    const auto& [last, last_turned] = chains[i].back();
+    const std::uint64_t entry = first_turned ? joints[first].end : joints[first].begin,
+                        exit = last_turned ? joints[last].begin : joints[last].end;
+    if (entry != kLooseEnd && entry == exit) places.push_back(places.front()); // a ring
+    draw(layer.strokes[first]);
+  }
+  return out;
+}
+
+} // namespace orograph

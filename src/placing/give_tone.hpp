@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Profiles even on the page, with light on them, of a view that has its place.
+#pragma once
+
+#include "placing/map_spec.hpp"
+#include "placing/placed_view.hpp"
+
+namespace orograph {
+
+/// Puts profiles where lines are to be, with their runs, where `spec` wants that: lines that are
+/// even on the page are those of a spacing in millimetres, light is on any. Profiles that hide, or
+/// that are tied to the ground, stay as they are, and so do those of a view with rays beside the
+/// eye, of which the page isn't columns of X.
+void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec);
+
+} // namespace orograph

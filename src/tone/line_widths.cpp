@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tone/line_widths.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace orograph {
+namespace {
+
+constexpr double kBridge_mm = 1.5, kLeastRun_mm = 2, kLeastWidthRun_mm = 1;
+// Steps of width; 1.25 would let the tone swing by 17 %.
+constexpr double kWidthRatio = 1.1;
+
+// Of an octave of distances, the share in which the lines that go get thinner, about its middle.
+constexpr double kFade = 0.7;
+
+// A line's width at one place, or 0 where it isn't drawn. `planned_mm` as in LinePlace.
+class WidthOfLine {
+public:
+  WidthOfLine(const LinePlace& line, const ToneRequest& request) : line_(line), request_(request) {}
+
+  double at(double planned_mm, double darkness) const {
+    const bool by_width = request_.light && !request_.light->by_density;
+    if (!request_.is_even)
+      return by_width ? within_pen(darkness * planned_mm) : request_.pen_width_mm;
+    const double asked_mm = request_.light && request_.light->by_density
+                                ? request_.pen_width_mm / darkness
+                                : request_.spacing_mm;
+    const double lambda = std::log2(asked_mm / planned_mm);
+    // Lines of level k go in this octave; finer ones have gone, and all others stay.
+    const double k =
+        std::max(std::ceil(lambda - 0.5 - 0.5 * kFade), static_cast<double>(-line_.halvings));
+    if (line_.level < k) return 0;
+    const double into_octave = lambda - k; // 0.5 is where lines go that don't fade
+    if (!by_width) return line_.level > k || into_octave <= 0.5 ? request_.pen_width_mm : 0;
+    const double full_mm = darkness * planned_mm * std::exp2(k); // of each line, if all are drawn
+    const double share = std::clamp((0.5 + 0.5 * kFade - into_octave) / kFade, 0.0, 1.0);
+    // It is drawn until it gets too thin, and at any rate where it wouldn't fade.
+    const double ends_at = std::min(0.5, request_.least_width_mm / full_mm);
+    const double going_mm =
+        share >= ends_at ? std::max(share * full_mm, request_.least_width_mm) : 0;
+    if (line_.level == k) return going_mm > 0 ? within_pen(going_mm) : 0;
+    return within_pen(2 * full_mm - going_mm);
+  }
+
+private:
+  double within_pen(double width_mm) const {
+    return std::clamp(width_mm, request_.least_width_mm, request_.greatest_width_mm);
+  }
+
+  const LinePlace& line_;
+  const ToneRequest& request_;
+};
+
+std::size_t columns_in(double mm, const PageColumns& columns) {
+  return static_cast<std::size_t>(std::ceil(mm / columns.mm));
+}
+
+// What isn't known is as at the nearest place where it is. False if nothing is known.
+bool fill(std::vector<double>& widths) {
+  const std::size_t count = widths.size();
+  std::size_t last = count; // known
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::isnan(widths[i])) continue;
+    if (last == count)
+      std::fill(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(i), widths[i]);
+    else
+      for (std::size_t k = last + 1; k < i; ++k) widths[k] = widths[k - last <= i - k ? last : i];
+    last = i;
+  }
+  if (last == count) return false;
+  std::fill(widths.begin() + static_cast<std::ptrdiff_t>(last), widths.end(), widths[last]);
+  return true;
+}
+
+// Calls `take(begin, end)` for each run of columns of which `is` or its contrary is true.
+template <class Is, class Take>
+void for_each_run(std::size_t count, const Is& is, bool value, const Take& take) {
+  for (std::size_t begin = 0; begin < count;) {
+    std::size_t end = begin + 1;
+    while (end < count && is(end) == is(begin)) ++end;
+    if (is(begin) == value) take(begin, end);
+    begin = end;
+  }
+}
+
+void bridge_and_drop(std::vector<double>& widths, const PageColumns& columns) {
+  const std::size_t count = widths.size(), bridge = columns_in(kBridge_mm, columns),
+                    least = columns_in(kLeastRun_mm, columns);
+  const auto is_drawn = [&](std::size_t i) { return widths[i] > 0; };
+  for_each_run(count, is_drawn, false, [&](std::size_t begin, std::size_t end) {
+    if (begin == 0 || end == count || end - begin >= bridge) return;
+    const double width = std::min(widths[begin - 1], widths[end]);
+    std::fill(widths.begin() + static_cast<std::ptrdiff_t>(begin),
+              widths.begin() + static_cast<std::ptrdiff_t>(end), width);
+  });
+  for_each_run(count, is_drawn, true, [&](std::size_t begin, std::size_t end) {
+    if (begin == 0 || end == count || end - begin >= least) return;
+    std::fill(widths.begin() + static_cast<std::ptrdiff_t>(begin),
+              widths.begin() + static_cast<std::ptrdiff_t>(end), 0);
+  });
+}
+
+} // namespace
+
+std::vector<ToneRun> runs_of_line(const LinePlace& line, const PageColumns& columns,
+                                  const ToneRequest& request) {
+  const std::size_t count = columns.count;
+  const WidthOfLine width_of(line, request);
+  std::vector<double> widths(count, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < count; ++i)
+    if (line.planned_mm[i] > 0)
+      widths[i] = width_of.at(line.planned_mm[i], line.darkness.empty() ? 0 : line.darkness[i]);
+  std::vector<ToneRun> runs;
+  if (!fill(widths)) { // what of it shows is narrower than a column
+    if (!request.is_even)
+      runs.push_back({columns.edge(0), columns.edge(count), request.pen_width_mm});
+    return runs;
+  }
+  bridge_and_drop(widths, columns);
+  // What is seen may begin a column before the first of which that is known, or end one behind.
+  const auto is_drawn = [&](std::size_t i) {
+    const auto is_seen = [&](std::size_t k) { return k < count && line.planned_mm[k] > 0; };
+    return widths[i] > 0 &&
+           (!request.is_even || is_seen(i) || is_seen(i + 1) || (i > 0 && is_seen(i - 1)));
+  };
+  const std::size_t least = columns_in(kLeastWidthRun_mm, columns);
+  const auto step_of = [&](std::size_t i) {
+    return std::log(widths[i] / request.least_width_mm) / std::log(kWidthRatio);
+  };
+  for_each_run(count, is_drawn, true, [&](std::size_t begin, std::size_t end) {
+    if (!request.light || request.light->by_density) {
+      runs.push_back({columns.edge(begin), columns.edge(end), request.pen_width_mm});
+      return;
+    }
+    std::size_t from = begin;
+    double step = std::round(step_of(begin));
+    const auto close = [&](std::size_t to) {
+      runs.push_back({columns.edge(from), columns.edge(to),
+                      request.least_width_mm * std::pow(kWidthRatio, step)});
+      from = to;
+    };
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      const double here = step_of(i);
+      if (std::abs(here - step) < 0.8 || i - from < least || end - i < least) continue;
+      close(i);
+      step = std::round(here);
+    }
+    close(end);
+  });
+  return runs;
+}
+
+} // namespace orograph

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tone/seen_profiles.hpp"
+
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace orograph {
+namespace {
+
+// What stands this share of its depth in front of ground is no part of it.
+constexpr double kFarInFront = 0.03;
+// The line's direction is that between columns so far to both sides.
+constexpr std::size_t kBeside = 2;
+
+// What a column shows so far.
+struct ColumnHorizon {
+  double y = -std::numeric_limits<double>::infinity();
+  double depth_m = 0;
+  std::size_t profile = 0; ///< that it is of
+  float x_mm = 0, y_mm = 0;
+};
+
+// How much of a step on the page lies across the line.
+float across_mm(const SampledProfile& profile, std::size_t column, float dx_mm, float dy_mm) {
+  const auto has = [&](std::size_t i) { return !std::isnan(profile.z_m[i]); };
+  std::size_t left = column, right = column;
+  for (std::size_t k = 0; k < kBeside && left > 0 && has(left - 1); ++k) --left;
+  for (std::size_t k = 0; k < kBeside && right + 1 < profile.z_m.size() && has(right + 1); ++k)
+    ++right;
+  const float tx = profile.x_mm[right] - profile.x_mm[left],
+              ty = profile.y_mm[right] - profile.y_mm[left];
+  const float length = std::sqrt(tx * tx + ty * ty);
+  return length > 0 ? std::abs(dx_mm * ty - dy_mm * tx) / length : std::abs(dy_mm);
+}
+
+} // namespace
+
+std::vector<SeenProfile> seen_profiles(std::span<const SampledProfile> profiles,
+                                       const PageColumns& columns, const View& view,
+                                       const Box2& frame_mm) {
+  std::vector<SeenProfile> seen(profiles.size());
+  for (SeenProfile& profile : seen) {
+    profile.sight.assign(columns.count, Sight::none);
+    profile.gap_mm.assign(columns.count, 0);
+  }
+  if (profiles.empty()) return seen;
+  const double far_m = kFarInFront * (profiles.back().depth_m - profiles.front().depth_m);
+  const auto take = [&](std::size_t j, std::size_t i, ColumnHorizon& horizon) {
+    const SampledProfile& profile = profiles[j];
+    const double y = view.is_perspective()
+                         ? (profile.z_m[i] - view.eye_z_m) / profile.depth_m
+                         : profile.z_m[i] * view.y_per_z + profile.depth_m * view.y_per_v;
+    if (!(y > horizon.y)) return; // nor does ground that isn't there
+    const Vec2 page{profile.x_mm[i], profile.y_mm[i]};
+    const bool is_on_page = page.x >= frame_mm.low.x && page.x <= frame_mm.high.x &&
+                            page.y >= frame_mm.low.y && page.y <= frame_mm.high.y;
+    if (is_on_page) {
+      const bool has_front = horizon.y > -std::numeric_limits<double>::infinity();
+      const double reach_m = view.is_perspective() ? kFarInFront * profile.depth_m : far_m;
+      const bool goes_on =
+          has_front && (j == horizon.profile + 1 || profile.depth_m - horizon.depth_m <= reach_m);
+      seen[j].sight[i] = goes_on ? Sight::next : Sight::first;
+      if (has_front)
+        seen[j].gap_mm[i] =
+            across_mm(profile, i, profile.x_mm[i] - horizon.x_mm, profile.y_mm[i] - horizon.y_mm);
+    }
+    horizon = {y, profile.depth_m, j, profile.x_mm[i], profile.y_mm[i]};
+  };
+  constexpr std::size_t kColumnsOfTask = 32;
+  on_all_cores((columns.count + kColumnsOfTask - 1) / kColumnsOfTask, [&](std::size_t task) {
+    const std::size_t first = task * kColumnsOfTask,
+                      count = std::min(kColumnsOfTask, columns.count - first);
+    std::array<ColumnHorizon, kColumnsOfTask> horizons;
+    for (std::size_t j = 0; j < profiles.size(); ++j)
+      for (std::size_t k = 0; k < count; ++k) take(j, first + k, horizons[k]);
+  });
+  return seen;
+}
+
+} // namespace orograph

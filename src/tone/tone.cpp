@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tone/tone.hpp"
+
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "tone/darkness.hpp"
+#include "tone/line_widths.hpp"
+#include "tone/mean_on_page.hpp"
+#include "tone/plan_on_page.hpp"
+
+namespace orograph {
+namespace {
+
+constexpr double kColumn_mm = 0.5;
+// Lines that are nearer than this agree on how far apart they are. Over twelve views 94 % of the
+// gaps are between 0.5 and 1.6 times what is asked for; at 1 mm 91 %, below it ends of lines get
+// ragged.
+constexpr double kGapReach_mm = 0.5;
+
+// On the page, the planned profiles' distance around each sample; NaN where nothing is seen. It is
+// a mean over the page, on which wide gaps take more room than narrow ones.
+std::vector<float> planned_gaps_mm(const PlanOnPage& plan, const PageColumns& columns) {
+  const auto sums = sums_on_page<2>(
+      plan.seen, columns, kGapReach_mm, [&](std::size_t j, std::size_t i) -> Sums<2> {
+        if (plan.seen[j].sight[i] != Sight::next) return {0, 0};
+        const float gap_mm = plan.seen[j].gap_mm[i];
+        return {std::ldexp(gap_mm * gap_mm, plan.profiles[j].halvings), gap_mm};
+      });
+  std::vector<float> gaps(sums.size());
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    gaps[k] = sums[k][1] > 0 ? sums[k][0] / sums[k][1] : std::numeric_limits<float>::quiet_NaN();
+  return gaps;
+}
+
+// How often the step is halved around a profile.
+int halvings_around(const PlanOnPage& plan, std::size_t j) {
+  const int behind = j + 1 < plan.profiles.size() ? plan.profiles[j + 1].halvings : 0;
+  return std::max(plan.profiles[j].halvings, behind);
+}
+
+} // namespace
+
+std::vector<TonedProfile> toned_profiles(const SurfaceCutter& cutter, const TonePage& page,
+                                         std::span<const double> depths_m, double nearest_m,
+                                         const ToneRequest& request) {
+  const PageColumns columns = page_columns(page.range, page.frame_mm, kColumn_mm);
+  const ProfileSampler sampler(cutter, page.view, page.to_page, columns);
+  const PlanOnPage plan = request.is_even
+                              ? plan_on_page(sampler, depths_m, nearest_m, columns, page.view,
+                                             page.frame_mm, request.spacing_mm, request.draws_level)
+                              : as_planned(sampler, depths_m, columns, page.view, page.frame_mm);
+  const std::vector<float> gaps = planned_gaps_mm(plan, columns);
+  const std::vector<float> darkness = darkness_of(plan, columns, page.view, request);
+  std::vector<TonedProfile> toned(plan.profiles.size());
+  on_all_cores(plan.profiles.size(), [&](std::size_t j) {
+    const std::size_t first = j * columns.count;
+    const LinePlace place{plan.profiles[j].level, halvings_around(plan, j),
+                          std::span(gaps).subspan(first, columns.count),
+                          darkness.empty() ? std::span<const float>()
+                                           : std::span(darkness).subspan(first, columns.count)};
+    toned[j] = {plan.profiles[j].depth_m, plan.profiles[j].level,
+                runs_of_line(place, columns, request)};
+  });
+  if (request.is_even)
+    std::erase_if(toned, [](const TonedProfile& profile) { return profile.runs.empty(); });
+  return toned;
+}
+
+} // namespace orograph
