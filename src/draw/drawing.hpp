@@ -31,6 +31,9 @@ struct Stroke {
   std::int32_t profile = -1; ///< number, front to back, from 0; -1 for other lines
   double depth_m = std::numeric_limits<double>::quiet_NaN(); ///< NaN where it has no single one
   double width_mm = 0;                                       ///< 0: its layer's pen
+  std::int32_t level = 0; ///< of a profile: how often the number of lines is halved before it goes
+  /// Share of black that light leaves the ground along it, where that is told instead of shown.
+  float darkness = std::numeric_limits<float>::quiet_NaN();
 };
 
 /// Page points are x to the right and y down from the page's upper left corner, rounded to
@@ -43,6 +46,7 @@ struct Layer {
   bool is_hidden = false; ///< lines that the eye doesn't see
   std::vector<Vec2> page_mm;
   std::vector<Vec3> map;
+  std::vector<float> depths_m; ///< one for one beside page points, while they are still asked for
   std::vector<Stroke> strokes;
 
   std::span<const Vec2> points(const Stroke& s) const {
@@ -52,6 +56,7 @@ struct Layer {
   void clear() {
     page_mm.clear();
     map.clear();
+    depths_m.clear();
     strokes.clear();
   }
 };

@@ -135,7 +135,7 @@ private:
   std::vector<StrokeEnd> ends_;
 };
 
-// Appends points and, where there are any, their map points.
+// Appends points and what stands beside them.
 void append(const Layer& layer, std::span<const std::uint32_t> which, const Stroke& like,
             Layer& out) {
   Stroke stroke = like;
@@ -144,6 +144,7 @@ void append(const Layer& layer, std::span<const std::uint32_t> which, const Stro
   for (const std::uint32_t i : which) {
     out.page_mm.push_back(layer.page_mm[i]);
     if (!layer.map.empty()) out.map.push_back(layer.map[i]);
+    if (!layer.depths_m.empty()) out.depths_m.push_back(layer.depths_m[i]);
   }
   out.strokes.push_back(stroke);
 }

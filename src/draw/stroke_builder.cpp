@@ -102,7 +102,7 @@ bool StrokeBuilder::append_inside(const PointsAtDepth& depth, std::span<const do
     page_mm_.resize(before);
     return false;
   }
-  if (settings_.to_map)
+  if (settings_.keeps_scene())
     for (std::size_t i = 0; i < u_m.size(); ++i) scene_.push_back(depth.at(u_m[i], z_m[i]).scene);
   last_->point = depth.at(u_m.back(), z_m.back());
   return true;
@@ -174,6 +174,7 @@ void StrokeBuilder::append_stroke(std::size_t first, std::size_t last) {
   for (const std::uint32_t i : kept_) {
     layer_.page_mm.push_back(points[i]);
     if (settings_.to_map) layer_.map.push_back(settings_.to_map(scene_[first + i]));
+    if (settings_.keeps_depths) layer_.depths_m.push_back(static_cast<float>(scene_[first + i].v));
   }
   layer_.strokes.push_back(stroke_);
 }

@@ -59,6 +59,9 @@ struct StrokeSettings {
   double simplify_mm = 0.02;
   double min_stroke_mm = 0;                 ///< shorter strokes are left out
   std::function<Vec3(ProfilePoint)> to_map; ///< empty where the output isn't tied to the ground
+  bool keeps_depths = false;                ///< `Layer::depths_m` is filled
+
+  bool keeps_scene() const { return to_map || keeps_depths; }
 };
 
 /// Takes one polyline after another, clips it to the frame and between the planes, simplifies what
@@ -116,7 +119,7 @@ private:
     const Box2& frame = settings_.frame_mm;
     page_mm_.push_back({std::clamp(page.x / page.z, frame.low.x, frame.high.x),
                         std::clamp(page.y / page.z, frame.low.y, frame.high.y)});
-    if (settings_.to_map) scene_.push_back(point.scene);
+    if (settings_.keeps_scene()) scene_.push_back(point.scene);
   }
   bool append_inside(const PointsAtDepth& depth, std::span<const double> u_m,
                      std::span<const double> z_m);

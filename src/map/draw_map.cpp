@@ -4,6 +4,7 @@
 #include "draw/drawing.hpp"
 #include "draw/join_strokes.hpp"
 #include "draw/round_drawing.hpp"
+#include "draw/shade_strokes.hpp"
 #include "draw/stroke_builder.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "hidden_lines/instruments.hpp"
@@ -14,6 +15,7 @@
 #include "map/describe_map.hpp"
 #include "map/draw_solids.hpp"
 #include "map/layer_table.hpp"
+#include "map/stroke_darkness.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -29,10 +31,11 @@ constexpr double kDash_mm = 0.8, kDashGap_mm = 0.5;
 struct LineLayer {
   Layer layer;
   std::vector<LinePart> parts;
-  bool of_solids = false;  ///< the parts
-  bool is_rounded = false; ///< stroke by stroke
-  bool is_joined = false;  ///< across small gaps
-  bool is_skyline = false; ///< which is drawn whole
+  bool of_solids = false;         ///< the parts
+  bool is_rounded = false;        ///< stroke by stroke
+  bool is_joined = false;         ///< across small gaps
+  bool is_skyline = false;        ///< which is drawn whole
+  std::optional<LineShade> shade; ///< light and haze on its lines
   double left_out_mm = 0;
   RoundingCounts dropped = {};
 };
@@ -142,6 +145,13 @@ private:
   double folded_mm_ = 0;
 };
 
+// Of lines that may have ground on either side.
+std::optional<LineShade> haze_alone(std::optional<LineShade> shade) {
+  if (!shade || shade->haze == 0) return std::nullopt;
+  shade->contrast = 0;
+  return shade;
+}
+
 // All layers that are asked for, in drawing order; `profiles` is drawn already.
 std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& placed,
                                  const Style& style, Layer profiles) {
@@ -165,14 +175,18 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     case LineSource::profiles:
       added.layer = std::move(profiles);
       added.is_rounded = true;
+      tell_darkness(added.layer, placed);
       break;
     case LineSource::edges:
       added.parts = of_kind(found.lines(), visible, row.kind);
       added.is_joined = row.kind != LineKind::edge;
+      if (row.kind == LineKind::silhouette) added.shade = placed.ridge_shade;
+      if (row.kind == LineKind::border) added.shade = haze_alone(placed.ridge_shade);
       break;
     case LineSource::skyline:
       added.parts = by_edge(found.lines(), found.of(&SectorLines::skyline));
       added.is_joined = added.is_skyline = true;
+      added.shade = placed.ridge_shade;
       break;
     case LineSource::solids:
       added.parts = solids(&SolidParts::visible, {});
@@ -242,6 +256,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     // What is joined is simplified and judged afterwards.
     StrokeSettings own = strokes;
     if (task.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
+    own.keeps_depths = task.shade.has_value();
     StrokeBuilder builder(own, task.layer);
     if (task.of_solids)
       draw_edges(placed.solids, placed.view, task.parts, builder);
@@ -252,6 +267,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
       task.layer =
           joined(task.layer, {style.join_mm, least_mm, strokes.simplify_mm}, task.left_out_mm);
     }
+    if (task.shade) task.layer = shaded(task.layer, *task.shade);
     if (task.layer.is_hidden && !spec.ground_points)
       task.layer = dashed(task.layer, kDash_mm, kDashGap_mm);
     task.left_out_mm += builder.left_out_mm();

@@ -17,8 +17,8 @@ constexpr double kHazeInPerspective = 0.3;
 
 bool may_have_tone(const PlacedView& placed, const MapSpec& spec) {
   return placed.sectors.size() == 1 && !shows_beside(placed.view) &&
-         spec.style.occluder == Occluder::surface && !spec.ground_points &&
-         spec.style.asks_for("profiles") && !placed.depths_m.empty();
+         spec.style.occluder == Occluder::surface && spec.style.asks_for("profiles") &&
+         !placed.depths_m.empty();
 }
 
 Vec3 towards_light(const LightSpec& light, const View& view) {
@@ -29,20 +29,56 @@ Vec3 towards_light(const LightSpec& light, const View& view) {
           sin(light.altitude)};
 }
 
+double haze_of(const Style& style, const View& view) {
+  return style.haze.value_or(view.is_perspective() ? kHazeInPerspective : 0);
+}
+
 // Level ground is as dark as ever, whatever the contrast.
 GroundLight ground_light(const LightSpec& light, const LineWidths& widths, double spacing_mm,
-                         const View& view) {
+                         const View& view, bool ground_points) {
   GroundLight out;
   out.towards = towards_light(light, view);
   out.least = widths.least_mm / spacing_mm;
   out.greatest = widths.greatest_mm / spacing_mm;
   out.contrast = light.contrast;
   out.smooth_mm = light.smooth_mm;
-  out.by_density = light.by_density;
+  out.shown_by = light.by_density ? LightShownBy::density
+                 : ground_points  ? LightShownBy::nothing
+                                  : LightShownBy::width;
   return out;
 }
 
 } // namespace
+
+std::optional<LineShade> ridge_shade(const PlacedView& placed, const MapSpec& spec) {
+  const Style& style = spec.style;
+  if (!style.light || style.light->by_density || spec.ground_points) return std::nullopt;
+  const Sector& sector = placed.sectors.front();
+  const auto direction = [](Vec2 way, Vec2 otherwise) {
+    const double size = plain_length(way);
+    return size > 0 ? (1 / size) * way : otherwise;
+  };
+  LineShade shade;
+  const Vec2 middle = placed.frame_mm.centre();
+  const Vec3 ray = inverse(sector.to_page).of({middle.x, middle.y, 1}),
+             step = sector.to_page.of({0, 1, 0}), image = sector.to_page.of(ray);
+  // What a step of Y is on the page: the derivative of the image over its last coordinate.
+  shade.up = direction({step.x - image.x / image.z * step.z, step.y - image.y / image.z * step.z},
+                       {0, -1});
+  if (ray.z < 0) shade.up = -1.0 * shade.up;
+  const Vec3 light = towards_light(*style.light, sector.view);
+  const double upwards =
+      light.z * cos(sector.view.elevation) + light.y * sin(sector.view.elevation);
+  const Vec2 right{-shade.up.y, shade.up.x};
+  shade.towards_light = direction(light.x * right + upwards * shade.up, shade.up);
+  shade.contrast = style.light->contrast;
+  if (placed.sectors.size() == 1) { // behind the eye there are depths below 0
+    shade.haze = haze_of(style, sector.view);
+    shade.nearest_m = std::max(placed.nearest_m, sector.view.near_m);
+    shade.farthest_m = placed.farthest_m;
+  }
+  return shade;
+}
 
 void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec) {
   const Style& style = spec.style;
@@ -59,8 +95,10 @@ void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec) 
       style.light_widths.value_or(LineWidths{0.5 * style.pen_width_mm, 2 * style.pen_width_mm});
   request.least_width_mm = widths.least_mm;
   request.greatest_width_mm = widths.greatest_mm;
-  if (style.light) request.light = ground_light(*style.light, widths, request.spacing_mm, view);
-  request.haze = style.haze.value_or(view.is_perspective() ? kHazeInPerspective : 0);
+  if (style.light)
+    request.light =
+        ground_light(*style.light, widths, request.spacing_mm, view, spec.ground_points);
+  request.haze = haze_of(style, view);
   request.draws_level = style.flat == FlatGround::draw;
   const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.border);
   const TonePage page{view, sector.to_page, page_range(sector), placed.frame_mm};
@@ -68,9 +106,16 @@ void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec) 
       cutter, page, placed.depths_m, std::max(sector.nearest_m, view.near_m), request);
   placed.depths_m.clear();
   sector.profiles.clear();
+  sector.columns = columns_of(page);
   for (TonedProfile& profile : toned) {
-    sector.profiles.push_back({profile.depth_m, static_cast<std::int32_t>(placed.depths_m.size()),
-                               std::move(profile.runs)});
+    PlannedProfile planned{profile.depth_m, static_cast<std::int32_t>(placed.depths_m.size())};
+    planned.level = profile.level;
+    planned.darkness = std::move(profile.darkness);
+    // Whole profiles need no runs for one pen.
+    if (is_even || request.is_shown_by(LightShownBy::width)) planned.runs = std::move(profile.runs);
+    if (planned.runs && !request.is_shown_by(LightShownBy::width))
+      for (ToneRun& run : *planned.runs) run.width_mm = 0;
+    sector.profiles.push_back(std::move(planned));
     placed.depths_m.push_back(profile.depth_m);
   }
 }

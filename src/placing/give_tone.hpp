@@ -13,4 +13,8 @@ namespace orograph {
 /// eye, of which the page isn't columns of X.
 void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec);
 
+/// How light and haze show on ridges; none where they don't, since there is no light, or one that
+/// doesn't show in widths, or lines keep their places on the ground.
+std::optional<LineShade> ridge_shade(const PlacedView& placed, const MapSpec& spec);
+
 } // namespace orograph

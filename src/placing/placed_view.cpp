@@ -278,6 +278,7 @@ PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& 
   placed.depths_m = plan_depths(placed.plan, ground, placed.view, placed.to_page);
   placed.sectors = sectors_of(placed);
   give_tone(placed, surface, spec); // which may need more profiles
+  placed.ridge_shade = ridge_shade(placed, spec);
   return placed;
 }
 

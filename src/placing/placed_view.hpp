@@ -4,6 +4,7 @@
 
 #include "dem/extent.hpp"
 #include "dem/terrain.hpp"
+#include "draw/shade_strokes.hpp"
 #include "draw/stroke_builder.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/sector.hpp"
@@ -46,7 +47,8 @@ struct PlacedView {
   std::vector<Sector> sectors;          ///< ahead, then behind; at least one
   double cell_m = 0;                    ///< the terrain's finest ground detail
   double exaggeration = 1; ///< of all heights; `view` still has to do it except on the ellipsoid
-  bool exaggeration_chosen = false; ///< by us, not by the user
+  bool exaggeration_chosen = false;     ///< by us, not by the user
+  std::optional<LineShade> ridge_shade; ///< none: light doesn't show in lines' widths
 };
 
 /// REQUIRES that the terrain, and the solids, outlive the placed view. Solids stand on `uncut`,

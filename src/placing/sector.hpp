@@ -20,6 +20,8 @@ struct PlannedProfile {
   double depth_m;
   std::int32_t number;
   std::optional<std::vector<ToneRun>> runs = {}; ///< none: all of it is drawn, with the layer's pen
+  int level = 0;                                 ///< as in TonedProfile
+  std::vector<float> darkness = {};              ///< as in TonedProfile, in the sector's columns
 };
 
 /// What is ahead of the eye, or, where the page shows any of that, behind it.
@@ -29,6 +31,7 @@ struct Sector {
   std::vector<PlannedProfile> profiles; ///< front to back
   double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
   bool behind = false;
+  PageColumns columns;      ///< of its profiles' darkness
   bool keeps_strip = false; ///< has a sector behind it, and what lies between the two
 };
 

@@ -23,10 +23,10 @@ public:
   WidthOfLine(const LinePlace& line, const ToneRequest& request) : line_(line), request_(request) {}
 
   double at(double planned_mm, double darkness) const {
-    const bool by_width = request_.light && !request_.light->by_density;
+    const bool by_width = request_.is_shown_by(LightShownBy::width);
     if (!request_.is_even)
       return by_width ? within_pen(darkness * planned_mm) : request_.pen_width_mm;
-    const double asked_mm = request_.light && request_.light->by_density
+    const double asked_mm = request_.is_shown_by(LightShownBy::density)
                                 ? request_.pen_width_mm / darkness
                                 : request_.spacing_mm;
     const double lambda = std::log2(asked_mm / planned_mm);
@@ -132,7 +132,7 @@ std::vector<ToneRun> runs_of_line(const LinePlace& line, const PageColumns& colu
     return std::log(widths[i] / request.least_width_mm) / std::log(kWidthRatio);
   };
   for_each_run(count, is_drawn, true, [&](std::size_t begin, std::size_t end) {
-    if (!request.light || request.light->by_density) {
+    if (!request.is_shown_by(LightShownBy::width)) {
       runs.push_back({columns.edge(begin), columns.edge(end), request.pen_width_mm});
       return;
     }

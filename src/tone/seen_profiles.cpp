@@ -22,6 +22,7 @@ struct ColumnHorizon {
   double depth_m = 0;
   std::size_t profile = 0; ///< that it is of
   float x_mm = 0, y_mm = 0;
+  bool before_void = false; ///< behind it there is no ground so far
 };
 
 // How much of a step on the page lies across the line.
@@ -54,7 +55,10 @@ std::vector<SeenProfile> seen_profiles(std::span<const SampledProfile> profiles,
     const double y = view.is_perspective()
                          ? (profile.z_m[i] - view.eye_z_m) / profile.depth_m
                          : profile.z_m[i] * view.y_per_z + profile.depth_m * view.y_per_v;
-    if (!(y > horizon.y)) return; // nor does ground that isn't there
+    if (!(y > horizon.y)) { // nor does ground that isn't there
+      horizon.before_void = std::isnan(profile.z_m[i]);
+      return;
+    }
     const Vec2 page{profile.x_mm[i], profile.y_mm[i]};
     const bool is_on_page = page.x >= frame_mm.low.x && page.x <= frame_mm.high.x &&
                             page.y >= frame_mm.low.y && page.y <= frame_mm.high.y;
@@ -62,13 +66,14 @@ std::vector<SeenProfile> seen_profiles(std::span<const SampledProfile> profiles,
       const bool has_front = horizon.y > -std::numeric_limits<double>::infinity();
       const double reach_m = view.is_perspective() ? kFarInFront * profile.depth_m : far_m;
       const bool goes_on =
-          has_front && (j == horizon.profile + 1 || profile.depth_m - horizon.depth_m <= reach_m);
+          has_front && !horizon.before_void &&
+          (j == horizon.profile + 1 || profile.depth_m - horizon.depth_m <= reach_m);
       seen[j].sight[i] = goes_on ? Sight::next : Sight::first;
-      if (has_front)
+      if (has_front && !horizon.before_void)
         seen[j].gap_mm[i] =
             across_mm(profile, i, profile.x_mm[i] - horizon.x_mm, profile.y_mm[i] - horizon.y_mm);
     }
-    horizon = {y, profile.depth_m, j, profile.x_mm[i], profile.y_mm[i]};
+    horizon = {y, profile.depth_m, j, profile.x_mm[i], profile.y_mm[i], false};
   };
   constexpr std::size_t kColumnsOfTask = 32;
   on_all_cores((columns.count + kColumnsOfTask - 1) / kColumnsOfTask, [&](std::size_t task) {

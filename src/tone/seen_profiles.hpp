@@ -15,7 +15,7 @@ namespace orograph {
 
 enum class Sight : std::uint8_t {
   none,  ///< hidden, beside the frame, or no ground
-  first, ///< nothing is in front of it, or something that stands far in front
+  first, ///< nothing is in front of it, or a void, or something that stands far in front
   next   ///< ground that goes on from what is seen in front
 };
 
@@ -23,7 +23,7 @@ enum class Sight : std::uint8_t {
 struct SeenProfile {
   std::vector<Sight> sight;
   /// Across the line, what of the page shows ground between the profile and the one in front of it;
-  /// 0 where nothing is seen.
+  /// 0 where nothing is seen, and behind a void.
   std::vector<float> gap_mm;
 };
 

@@ -45,10 +45,14 @@ int halvings_around(const PlanOnPage& plan, std::size_t j) {
 
 } // namespace
 
+PageColumns columns_of(const TonePage& page) {
+  return page_columns(page.range, page.frame_mm, kColumn_mm);
+}
+
 std::vector<TonedProfile> toned_profiles(const SurfaceCutter& cutter, const TonePage& page,
                                          std::span<const double> depths_m, double nearest_m,
                                          const ToneRequest& request) {
-  const PageColumns columns = page_columns(page.range, page.frame_mm, kColumn_mm);
+  const PageColumns columns = columns_of(page);
   const ProfileSampler sampler(cutter, page.view, page.to_page, columns);
   const PlanOnPage plan = request.is_even
                               ? plan_on_page(sampler, depths_m, nearest_m, columns, page.view,
@@ -63,8 +67,12 @@ std::vector<TonedProfile> toned_profiles(const SurfaceCutter& cutter, const Tone
                           std::span(gaps).subspan(first, columns.count),
                           darkness.empty() ? std::span<const float>()
                                            : std::span(darkness).subspan(first, columns.count)};
-    toned[j] = {plan.profiles[j].depth_m, plan.profiles[j].level,
-                runs_of_line(place, columns, request)};
+    toned[j] = {plan.profiles[j].depth_m,
+                plan.profiles[j].level,
+                runs_of_line(place, columns, request),
+                {}};
+    if (request.is_shown_by(LightShownBy::nothing))
+      toned[j].darkness.assign(place.darkness.begin(), place.darkness.end());
   });
   if (request.is_even)
     std::erase_if(toned, [](const TonedProfile& profile) { return profile.runs.empty(); });

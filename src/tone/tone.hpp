@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "tone/page_columns.hpp"
 #include "tone/tone_request.hpp"
 
 namespace orograph {
@@ -19,13 +20,16 @@ namespace orograph {
 /// Part of a profile that is drawn, where it is visible.
 struct ToneRun {
   double x_begin, x_end; ///< X, in the visibility plane
-  double width_mm;       ///< of its line
+  double width_mm;       ///< of its line; 0: the layer's pen
 };
 
 struct TonedProfile {
   double depth_m;
   int level; ///< how often the number of lines is halved before this one goes; below 0: added
   std::vector<ToneRun> runs; ///< left to right; those of one line touch
+  /// In the page's columns, how dark the ground should be: a share of black, haze taken off; NaN
+  /// where nothing is seen. Empty without light, and where lines show it.
+  std::vector<float> darkness;
 };
 
 /// The page in which lines are to be even.
@@ -36,9 +40,12 @@ struct TonePage {
   Box2 frame_mm;
 };
 
+/// The columns of a page in which its ground is looked at, half a millimetre wide.
+PageColumns columns_of(const TonePage& page);
+
 /// Profiles for those planned, front to back; those of which nothing would be drawn are left out.
 ///
-/// The ground is sampled in columns of the page, half a millimetre wide, under each planned profile
+/// The ground is sampled in `columns_of` the page, under each planned profile
 /// and under as many more as are needed (`plan_on_page`). With s the distance on the page, across
 /// the lines, of planned profiles on the ground around a place, and d the spacing that is asked
 /// for, a line of level L is drawn where L >= log2(d / s), rounded; so lines are between d /

@@ -8,15 +8,19 @@
 
 namespace orograph {
 
+/// How lines show what light falls on the ground: by their widths; by their distances, with a pen
+/// of one width; or not at all, so that it is only told.
+enum class LightShownBy { width, density, nothing };
+
 /// Light from one direction on ground that reflects it evenly. The darkness of ground with the unit
 /// normal n is least + (greatest - least) (1 - max(0, n . towards))^1.2, as a share of black, at a
 /// contrast of 1.
 struct GroundLight {
-  Vec3 towards;            ///< unit; in the profile frame: right, away from the viewer, up
-  double least, greatest;  ///< darkness where light falls squarely, and where none falls
-  double contrast = 1;     ///< factor of how far it is from that of level ground
-  double smooth_mm = 1;    ///< normals are means over about this, on the page
-  bool by_density = false; ///< darkness by lines' distances, with a pen of one width, not by width
+  Vec3 towards;           ///< unit; in the profile frame: right, away from the viewer, up
+  double least, greatest; ///< darkness where light falls squarely, and where none falls
+  double contrast = 1;    ///< factor of how far it is from that of level ground
+  double smooth_mm = 1;   ///< normals are means over about this, on the page
+  LightShownBy shown_by = LightShownBy::width;
 };
 
 struct ToneRequest {
@@ -27,6 +31,8 @@ struct ToneRequest {
   std::optional<GroundLight> light;
   double haze = 0;          ///< share of their darkness that the farthest lines lose
   bool draws_level = false; ///< whether level ground has lines
+
+  bool is_shown_by(LightShownBy way) const { return light && light->shown_by == way; }
 };
 
 } // namespace orograph

@@ -190,8 +190,10 @@ OGRLayer* add_layer(GDALDataset& dataset, const Drawing& drawing, CPLStringList 
   OGRLayer* const layer = dataset.CreateLayer(kLayerName, drawing.crs_wkt.empty() ? nullptr : &crs,
                                               wkbLineString25D, options.List());
   if (layer == nullptr) return nullptr;
-  for (const auto& [name, type] : {std::pair("layer", OFTString), std::pair("profile", OFTInteger),
-                                   std::pair("depth", OFTReal), std::pair("visible", OFTInteger)}) {
+  for (const auto& [name, type] :
+       {std::pair("layer", OFTString), std::pair("profile", OFTInteger),
+        std::pair("depth", OFTReal), std::pair("visible", OFTInteger),
+        std::pair("level", OFTInteger), std::pair("darkness", OFTReal)}) {
     OGRFieldDefn field(name, type);
     if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
   }
@@ -207,6 +209,14 @@ std::unique_ptr<OGRFeature> feature_of(const Stroke& stroke, const Layer& from, 
   else
     feature->SetField("depth", stroke.depth_m);
   feature->SetField("visible", from.is_hidden ? 0 : 1);
+  if (stroke.profile < 0)
+    feature->SetFieldNull(feature->GetFieldIndex("level"));
+  else
+    feature->SetField("level", stroke.level);
+  if (std::isnan(stroke.darkness))
+    feature->SetFieldNull(feature->GetFieldIndex("darkness"));
+  else
+    feature->SetField("darkness", std::round(1e4 * static_cast<double>(stroke.darkness)) / 1e4);
   auto line = std::make_unique<OGRLineString>();
   const auto count = static_cast<int>(stroke.point_count);
   line->setNumPoints(count, FALSE);

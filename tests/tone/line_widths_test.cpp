@@ -95,7 +95,7 @@ TEST_CASE("by density the darkness asked for comes of lines' distances, with one
   for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     ToneRequest request = made_request(random, true);
-    request.light->by_density = true;
+    request.light->shown_by = LightShownBy::density;
     const double darkness = random.between(0.1, 0.5);
     const double planned_mm = request.pen_width_mm / darkness * std::exp2(random.between(-6, 0.5));
     const EvenGround drawn = drawn_on(request, planned_mm, 0, darkness);

@@ -34,7 +34,9 @@ TEST_CASE("a sample is seen that is higher than all in front of it, on the page"
         ++(is_seen ? seen_count : hidden_count);
         // Across the line it is at most the way up the column.
         const float gap_mm = seen[j].gap_mm[i];
-        if (!is_seen || highest == -1e9) {
+        const bool behind_void = j > 0 && std::isnan(profiles[j - 1].z_m[i]);
+        if (is_seen && behind_void) all_right &= seen[j].sight[i] == Sight::first;
+        if (!is_seen || highest == -1e9 || behind_void) {
           all_right &= gap_mm == 0;
         } else {
           all_right &= gap_mm >= 0 && gap_mm <= static_cast<float>(z - highest) * 1.00001F;

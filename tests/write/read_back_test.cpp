@@ -45,6 +45,13 @@ void check_strokes(OGRLayer& read, const Drawing& drawing) {
       const int depth = feature->GetFieldIndex("depth");
       CHECK(feature->IsFieldSetAndNotNull(depth) == !std::isnan(stroke.depth_m));
       if (!std::isnan(stroke.depth_m)) CHECK(feature->GetFieldAsDouble(depth) == stroke.depth_m);
+      const int level = feature->GetFieldIndex("level"),
+                darkness = feature->GetFieldIndex("darkness");
+      CHECK(feature->IsFieldSetAndNotNull(level) == (stroke.profile >= 0));
+      CHECK(feature->IsFieldSetAndNotNull(darkness) == !std::isnan(stroke.darkness));
+      if (stroke.profile >= 0) CHECK(feature->GetFieldAsInteger(level) == stroke.level);
+      if (!std::isnan(stroke.darkness)) // to four decimals
+        CHECK(std::abs(feature->GetFieldAsDouble(darkness) - stroke.darkness) < 0.51e-4);
       REQUIRE(feature->GetGeometryRef()->getGeometryType() == wkbLineString25D);
       const OGRLineString& line = *feature->GetGeometryRef()->toLineString();
       REQUIRE(line.getNumPoints() == static_cast<int>(stroke.point_count));
@@ -58,6 +65,8 @@ void check_strokes(OGRLayer& read, const Drawing& drawing) {
 TEST_CASE("strokes tied to the ground read back bit for bit") {
   Drawing drawing = made_drawing();
   std::mt19937_64 random(11);
+  drawing.layers.front().strokes.front().darkness = 0.25371F;
+  drawing.layers.front().strokes.front().level = 3;
   for (Vec3& point : drawing.layers[1].map) { // degrees and metres with all their bits
     point = {std::uniform_real_distribution(-180.0, 180.0)(random),
              std::uniform_real_distribution(4e6, 9e6)(random),
@@ -72,7 +81,7 @@ TEST_CASE("strokes tied to the ground read back bit for bit") {
     REQUIRE(dataset->GetLayerCount() == 1);
     OGRLayer& layer = *dataset->GetLayer(0);
     CHECK(std::string(layer.GetName()) == "strokes");
-    CHECK(layer.GetLayerDefn()->GetFieldCount() == 4);
+    CHECK(layer.GetLayerDefn()->GetFieldCount() == 6);
     REQUIRE(layer.GetSpatialRef() != nullptr);
     CHECK(layer.GetSpatialRef()->GetAuthorityCode(nullptr) == std::string("32632"));
     check_strokes(layer, drawing);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ridges' lines as light and distance have them: heavier on the side in shadow, thinner far away.
+#pragma once
+
+#include "draw/drawing.hpp"
+
+namespace orograph {
+
+/// Which way light falls on a picture's outlines, and how they fade with depth.
+struct LineShade {
+  Vec2 up;                              ///< on the page, y down: where heights rise; unit
+  Vec2 towards_light;                   ///< on the page; unit
+  double contrast = 1;                  ///< 0: all outlines are as heavy as level ones
+  double haze = 0;                      ///< share of their width that lines at `farthest_m` lose
+  double nearest_m = 0, farthest_m = 0; ///< depths; at the first nothing is lost
+};
+
+/// The layer with its strokes as wide as they are to be, one after another where they differ. A
+/// line that bounds terrain from above, as ridges do, is level_width (1 + c/2 (l - n . t)) wide: n
+/// is its normal on the upper side, averaged over a millimetre and a half, t the direction to the
+/// light, l what n . t is of a level line, c the contrast; between half and twice the layer's pen;
+/// less by haze. Widths come in steps of a tenth and keep for a millimetre at least. REQUIRES a
+/// layer with depths; they are gone then.
+Layer shaded(const Layer& layer, const LineShade& shade);
+
+} // namespace orograph
