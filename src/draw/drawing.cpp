@@ -17,6 +17,7 @@ void append(Layer& layer, const Layer& other) {
   const auto offset = static_cast<std::uint32_t>(layer.page_mm.size());
   layer.page_mm.insert(layer.page_mm.end(), other.page_mm.begin(), other.page_mm.end());
   layer.map.insert(layer.map.end(), other.map.begin(), other.map.end());
+  layer.depths_m.insert(layer.depths_m.end(), other.depths_m.begin(), other.depths_m.end());
   for (Stroke stroke : other.strokes) {
     stroke.first_point += offset;
     layer.strokes.push_back(stroke);

@@ -188,7 +188,7 @@ std::vector<LinePart> LinePictures::skyline(const Horizon& horizon) const {
     if (is_sky(piece) || !(piece.source.id & kLineBit)) continue;
     const std::uint32_t number = line_number(piece.source);
     const auto& [edge, kind, hides, drawn, covers] = line(number);
-    if (!drawn || (kind != LineKind::silhouette && kind != LineKind::border)) continue;
+    if (!drawn || kind == LineKind::shore || kind == LineKind::edge) continue;
     const LinePicture p = picture(number, whole(number));
     const auto [begin, end] = std::minmax({along_edge(p, parameter_at(p.source, piece.x_begin)),
                                            along_edge(p, parameter_at(p.source, piece.x_end))});

@@ -84,8 +84,8 @@ public:
                 std::vector<LinePart>& parts) const;
   /// From such a share to one along the edge.
   double along_edge(const LinePicture& picture, double share) const;
-  /// The parts of drawn silhouettes that `horizon`, the one behind everything, is made of, visible
-  /// or not.
+  /// The parts of silhouettes and the border, voids' too, that `horizon`, the one behind
+  /// everything, is made of, where these lines are drawn; visible or not.
   std::vector<LinePart> skyline(const Horizon& horizon) const;
 
   /// X that is looked at: the range, and what is beside it by rounding.

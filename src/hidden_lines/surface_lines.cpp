@@ -46,6 +46,8 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
   // With the seed's occluders only what is drawn of the profiles hides.
   const bool surface = style.occluder == Occluder::surface;
   const bool border = style.asks_for("border"), voids = style.asks_for("voids");
+  // Where terrain ends at the horizon that is skyline, whatever else is drawn of its border.
+  const bool outlines = style.outline == Outline::one && style.asks_for("skyline");
   std::vector<EdgeLine> lines;
   std::vector<SurfaceEdge> drawn; // in order: an edge of several kinds is drawn as the first
   // What was added behind `middle` in order goes where it belongs.
@@ -73,14 +75,14 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
   const std::vector<SurfaceEdge> all_brinks = brinks(terrain.surface, placed.border, placed.view);
   const bool draws_more = style.asks_for("shores") || style.asks_for("edges");
   std::vector<bool> hides(all_brinks.size()); // of brinks: is there as another line, too
-  const auto add_hiding = [&](SurfaceEdge edge, LineKind kind, bool is_drawn, EdgesInOrder& walls,
-                              EdgesInOrder& brinks_on) {
+  const auto add_hiding = [&](SurfaceEdge edge, LineKind kind, bool is_asked, bool is_drawn,
+                              EdgesInOrder& walls, EdgesInOrder& brinks_on) {
     throw_if_stopped(lines.size());
     if (is_drawn && walls.find(edge)) is_drawn = false;
     const std::optional<std::size_t> brink = brinks_on.find(edge);
     if (brink) hides[*brink] = true;
     lines.push_back({edge, kind, surface, is_drawn, brink.has_value()});
-    if (is_drawn && draws_more) drawn.push_back(edge);
+    if (is_drawn && is_asked && draws_more) drawn.push_back(edge);
   };
   drawn = behind_walls; // not to be drawn at all
   lines.reserve(silhouettes.size() + placed.border.size());
@@ -88,17 +90,19 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
     EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
     const std::size_t middle = drawn.size();
     for (const SurfaceEdge& edge : silhouettes)
-      add_hiding(edge, LineKind::silhouette, draws_silhouettes(style), walls, brinks_on);
+      add_hiding(edge, LineKind::silhouette, true, draws_silhouettes(style), walls, brinks_on);
     merge_drawn(middle);
   }
-  if (surface || border || voids) {
-    const std::vector<bool> of_void = border || voids ? around_voids(terrain.surface, placed.border)
-                                                      : std::vector<bool>(placed.border.size());
+  if (surface || border || voids || outlines) {
+    const std::vector<bool> of_void = border || voids || outlines
+                                          ? around_voids(terrain.surface, placed.border)
+                                          : std::vector<bool>(placed.border.size());
     EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
     const std::size_t middle = drawn.size();
     for (std::size_t i = 0; i < placed.border.size(); ++i) {
       const LineKind kind = of_void[i] ? LineKind::void_edge : LineKind::border;
-      add_hiding(placed.border[i].edge, kind, of_void[i] ? voids : border, walls, brinks_on);
+      const bool is_asked = of_void[i] ? voids : border;
+      add_hiding(placed.border[i].edge, kind, is_asked, is_asked || outlines, walls, brinks_on);
     }
     merge_drawn(middle);
   }

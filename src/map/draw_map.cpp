@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map/draw_map.hpp"
 
+#include "draw/close_outline.hpp"
 #include "draw/drawing.hpp"
 #include "draw/join_strokes.hpp"
 #include "draw/round_drawing.hpp"
@@ -20,12 +21,16 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 namespace orograph {
 namespace {
 
 constexpr double kDash_mm = 0.8, kDashGap_mm = 0.5;
+
+// Where an outline turns back under itself, longer ways are no wrinkle of it any more.
+constexpr double kLongestWayBack_mm = 5;
 
 // A layer on its way to the page: what is still to be drawn in it, and what was left out.
 struct LineLayer {
@@ -152,6 +157,17 @@ std::optional<LineShade> haze_alone(std::optional<LineShade> shade) {
   return shade;
 }
 
+// With the skyline goes what leads from one of its ends to another.
+void close_outlines(std::vector<LineLayer>& layers) {
+  const auto skyline = std::ranges::find(layers, true, &LineLayer::is_skyline);
+  if (skyline == layers.end()) return;
+  for (const std::string_view name : {"border", "voids", "silhouettes"}) {
+    const auto other =
+        std::ranges::find(layers, name, [](const LineLayer& of) { return of.layer.name; });
+    if (other != layers.end()) close_outline(skyline->layer, other->layer, kLongestWayBack_mm);
+  }
+}
+
 // All layers that are asked for, in drawing order; `profiles` is drawn already.
 std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& placed,
                                  const Style& style, Layer profiles) {
@@ -181,7 +197,8 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       added.parts = of_kind(found.lines(), visible, row.kind);
       added.is_joined = row.kind != LineKind::edge;
       if (row.kind == LineKind::silhouette) added.shade = placed.ridge_shade;
-      if (row.kind == LineKind::border) added.shade = haze_alone(placed.ridge_shade);
+      if (row.kind == LineKind::border || row.kind == LineKind::void_edge)
+        added.shade = haze_alone(placed.ridge_shade);
       break;
     case LineSource::skyline:
       added.parts = by_edge(found.lines(), found.of(&SectorLines::skyline));
@@ -256,21 +273,28 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     // What is joined is simplified and judged afterwards.
     StrokeSettings own = strokes;
     if (task.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
-    own.keeps_depths = task.shade.has_value();
+    own.keeps_depths = task.is_joined && placed.ridge_shade;
     StrokeBuilder builder(own, task.layer);
     if (task.of_solids)
       draw_edges(placed.solids, placed.view, task.parts, builder);
     else
       draw_parts(terrain.surface, placed.view, found.lines(), task.parts, builder);
+    task.left_out_mm = builder.left_out_mm();
+  });
+  if (style.outline == Outline::one) close_outlines(layers);
+  on_all_cores(layers.size(), [&](std::size_t i) {
+    LineLayer& task = layers[i];
     if (task.is_joined) {
-      const double least_mm = task.is_skyline ? 0 : strokes.min_stroke_mm;
+      // Of the skyline nothing is a crumb but what leaves no gap that would be seen.
+      const double least_mm =
+          task.is_skyline ? std::min(style.join_mm, strokes.min_stroke_mm) : strokes.min_stroke_mm;
       task.layer =
           joined(task.layer, {style.join_mm, least_mm, strokes.simplify_mm}, task.left_out_mm);
     }
     if (task.shade) task.layer = shaded(task.layer, *task.shade);
+    task.layer.depths_m.clear();
     if (task.layer.is_hidden && !spec.ground_points)
       task.layer = dashed(task.layer, kDash_mm, kDashGap_mm);
-    task.left_out_mm += builder.left_out_mm();
     task.dropped =
         task.is_rounded ? drop_repeated_strokes(task.layer) : round_to_page_step(task.layer);
   });
