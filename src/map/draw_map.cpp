@@ -4,6 +4,7 @@
 #include "draw/drawing.hpp"
 #include "draw/join_strokes.hpp"
 #include "draw/round_drawing.hpp"
+#include "draw/smooth_strokes.hpp"
 #include "draw/stroke_builder.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "hidden_lines/instruments.hpp"
@@ -33,6 +34,7 @@ struct LineLayer {
   bool is_rounded = false; ///< stroke by stroke
   bool is_joined = false;  ///< across small gaps
   bool is_skyline = false; ///< which is drawn whole
+  bool is_shore = false;   ///< which is drawn smoothly, on paper
   double left_out_mm = 0;
   RoundingCounts dropped = {};
 };
@@ -169,6 +171,7 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     case LineSource::edges:
       added.parts = of_kind(found.lines(), visible, row.kind);
       added.is_joined = row.kind != LineKind::edge;
+      added.is_shore = row.kind == LineKind::shore;
       break;
     case LineSource::skyline:
       added.parts = by_edge(found.lines(), found.of(&SectorLines::skyline));
@@ -249,8 +252,12 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
       draw_parts(terrain.surface, placed.view, found.lines(), task.parts, builder);
     if (task.is_joined) {
       const double least_mm = task.is_skyline ? 0 : strokes.min_stroke_mm;
-      task.layer =
-          joined(task.layer, {style.join_mm, least_mm, strokes.simplify_mm}, task.left_out_mm);
+      const bool smooths = task.is_shore && !spec.ground_points && style.shore_smooth_mm > 0;
+      task.layer = joined(task.layer, {style.join_mm, least_mm, smooths ? 0 : strokes.simplify_mm},
+                          task.left_out_mm);
+      if (smooths)
+        task.layer =
+            smoothed(task.layer, {style.shore_smooth_mm, strokes.simplify_mm, strokes.frame_mm});
     }
     if (task.layer.is_hidden && !spec.ground_points)
       task.layer = dashed(task.layer, kDash_mm, kDashGap_mm);
