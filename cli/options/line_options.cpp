@@ -182,7 +182,8 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
   options.push_back(with_choice<FlatGround>(
       {.group = kGroup,
        .name = "--flat",
-       .help = "Level ground such as sea and lakes: only its shores, or its profiles too",
+       .help = "Level ground such as sea and lakes: only its shores, or its profiles and its "
+               "border too",
        .by_default = "shore"},
       {{"shore", FlatGround::shore}, {"draw", FlatGround::draw}}, s.map.style.flat));
   options.push_back(with_choice<Outline>(
