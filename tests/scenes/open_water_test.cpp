@@ -67,6 +67,7 @@ bool is_on_border(Vec3 p) {
 // steepest sight down to that, and how much it rises or falls with azimuth, in radians.
 struct Border {
   double land_m = 0, sea_m = 0, steepest = 0, greatest_rise = 0;
+  bool before_water = false; ///< somewhere the sea lies behind it, seen from the eye
 };
 
 Border border_of(const Map& map, Vec3 eye = {}) {
@@ -82,6 +83,10 @@ Border border_of(const Map& map, Vec3 eye = {}) {
         const bool is_sea = std::max(std::abs(a.z), std::abs(b.z)) < 1e-6;
         (is_sea ? found.sea_m : found.land_m) += along_m;
         if (!is_sea) continue;
+        const Vec3 middle = 0.5 * (a + b);
+        const Vec3 nearer = middle + (1 / length(eye - middle)) * (eye - middle);
+        found.before_water |=
+            std::min(nearer.x, nearer.y) < 0 || std::max(nearer.x, nearer.y) > kEnd_m;
         const auto drop = [&](Vec3 p) {
           return std::atan2(eye.z - p.z, std::hypot(p.x - eye.x, p.y - eye.y));
         };
@@ -137,12 +142,13 @@ TEST_CASE("to an eye in the landscape water ends at its horizon, or nowhere") {
     const TerrainData terrain = islands(random, seed % 2 == 0, seed % 3 == 0);
     MapSpec spec = on_the_ground();
     const Vec3 eye{random.between(-500, 2500), random.between(-500, 300),
-                   random.pick({20.0, 60.0, 300.0})};
+                   random.pick({5.0, 20.0, 60.0, 300.0})};
     spec.view.eye_map = eye;
     spec.view.look_at_map = Vec3{random.between(0, kEnd_m), kEnd_m, 0};
     spec.view.field_of_view = Angle::degrees(70);
     INFO("seed " << seed);
     const Border found = border_of(drawn(terrain, spec), eye);
+    CHECK_FALSE(found.before_water);
     CHECK(found.steepest <= 2.01 * std::numbers::pi / 180);
     CHECK(found.greatest_rise <= 0.12); // 0.1 over a cell, of which this may be a part
     horizon_m += found.sea_m;
