@@ -250,4 +250,53 @@ LevelGround find_water(const Tin& tin) {
   return find_level_ground(tin, kSmallestWater * plan_area_m2(tin));
 }
 
+namespace {
+
+// Seen from above, what is left of an edge that runs east is north of it, of one that runs south
+// east, of a diagonal north-east.
+std::size_t triangle_at(const Grid& grid, const BorderEdge& border) {
+  const auto columns = static_cast<std::uint32_t>(grid.columns);
+  const auto [from, to] = border.edge;
+  const auto column = static_cast<int>(from % columns), row = static_cast<int>(from / columns);
+  const bool left = border.left;
+  if (to == from + 1)
+    return left ? grid_triangle(grid, column, row - 1, Half::lower)
+                : grid_triangle(grid, column, row, Half::upper);
+  if (to == from + columns)
+    return left ? grid_triangle(grid, column, row, Half::lower)
+                : grid_triangle(grid, column - 1, row, Half::upper);
+  return grid_triangle(grid, column, row, left ? Half::upper : Half::lower);
+}
+
+std::vector<bool> borders_of(const Grid& grid, const std::vector<BorderEdge>& border,
+                             const TriangleSet& triangles) {
+  std::vector<bool> of_set(border.size());
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    throw_if_stopped(i);
+    of_set[i] = triangles.has(triangle_at(grid, border[i]));
+  }
+  return of_set;
+}
+
+std::vector<bool> borders_of(const Tin& tin, const std::vector<BorderEdge>& border,
+                             const TriangleSet& triangles) {
+  std::vector<bool> of_set(border.size());
+  for_each_edge(tin, [&](const TinEdge& e) {
+    if (e.left != kNoTriangle && e.right != kNoTriangle) return;
+    if (!triangles.has(e.left != kNoTriangle ? e.left : e.right)) return;
+    const auto at =
+        std::lower_bound(border.begin(), border.end(), e.edge,
+                         [](const BorderEdge& b, SurfaceEdge edge) { return b.edge < edge; });
+    of_set[static_cast<std::size_t>(at - border.begin())] = true;
+  });
+  return of_set;
+}
+
+} // namespace
+
+std::vector<bool> borders_of(const Surface& surface, const std::vector<BorderEdge>& border,
+                             const TriangleSet& triangles) {
+  return std::visit([&](const auto& s) { return borders_of(s, border, triangles); }, surface);
+}
+
 } // namespace orograph

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/surface.hpp"
+#include "profiles/outline.hpp"
 #include "profiles/triangles.hpp"
 
 #include <vector>
@@ -28,5 +29,10 @@ LevelGround find_level_ground(const Tin& tin, double smallest_m2);
 /// its ground.
 LevelGround find_water(const Grid& grid);
 LevelGround find_water(const Tin& tin);
+
+/// For each edge of the border whether its one triangle is of a set. `border` is `border_edges` of
+/// the surface. Cost: that of the border; of a TIN one pass over its triangles.
+std::vector<bool> borders_of(const Surface& surface, const std::vector<BorderEdge>& border,
+                             const TriangleSet& triangles);
 
 } // namespace orograph

@@ -10,7 +10,6 @@
 #include "placing/placed_view.hpp"
 #include "solids/read_scene.hpp"
 
-#include <array>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -80,15 +79,13 @@ struct Session::Kept {
   Solids solids;
   std::mutex mutex;
   std::condition_variable_any sought;
-  std::array<Facts, 2> facts; ///< by FlatGround
+  Facts kept;
 
   Kept(Terrain of, Solids on_it) : terrain(std::move(of)), solids(std::move(on_it)) {}
 
   // Facts of views in a frame of their own, on the earth, would be of no use to others.
-  const TerrainFacts* facts_for(const TerrainOfView& of_view, FlatGround flat,
-                                const std::stop_token& stop) {
+  const TerrainFacts* facts_for(const TerrainOfView& of_view, const std::stop_token& stop) {
     if (!of_view.is_whole()) return nullptr;
-    Facts& kept = facts[static_cast<std::size_t>(flat)];
     std::unique_lock lock(mutex);
     sought.wait(lock, stop, [&] { return kept.found || !kept.are_sought; });
     throw_if_stopped();
@@ -101,7 +98,7 @@ struct Session::Kept {
       sought.notify_all();
     };
     try {
-      end_search(facts_of(*of_view, flat));
+      end_search(facts_of(*of_view));
     } catch (...) {
       end_search(std::nullopt);
       throw;
@@ -119,9 +116,8 @@ Map Session::draw(const MapSpec& spec, const Control& control) const {
     check_spec(spec, kept_->solids.scene_ != nullptr);
     on_cores(control.jobs, control.stop, [&] {
       const TerrainOfView terrain(*kept_->terrain.data_, spec.view);
-      const PlacedView placed =
-          placed_view(terrain, spec, kept_->solids.scene_.get(),
-                      kept_->facts_for(terrain, spec.style.flat, control.stop));
+      const PlacedView placed = placed_view(terrain, spec, kept_->solids.scene_.get(),
+                                            kept_->facts_for(terrain, control.stop));
       map = draw_map(*terrain, placed, spec, control.progress);
       describe_map(map, *terrain, placed, spec);
     });

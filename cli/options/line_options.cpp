@@ -165,6 +165,14 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                                 [&s](double mm) { s.map.style.join_mm = mm; }));
   options.push_back(with_number(
       {.group = kGroup,
+       .name = "--shore-smooth",
+       .value = "MM",
+       .help = "Draw shores smoothly, nowhere farther than this from the edges of "
+               "cells that they follow; not in map formats; 0 follows cells",
+       .by_default = fmt::format("{}", s.map.style.shore_smooth_mm)},
+      {.unit = "mm", .low = 0, .high = 10}, [&s](double mm) { s.map.style.shore_smooth_mm = mm; }));
+  options.push_back(with_number(
+      {.group = kGroup,
        .name = "--min-stroke",
        .value = "MM",
        .help = "Leave out visible strokes shorter than this, those that "
@@ -174,7 +182,8 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
   options.push_back(with_choice<FlatGround>(
       {.group = kGroup,
        .name = "--flat",
-       .help = "Level ground such as sea and lakes: only its shores, or its profiles too",
+       .help = "Level ground such as sea and lakes: only its shores, or its profiles and its "
+               "border too",
        .by_default = "shore"},
       {{"shore", FlatGround::shore}, {"draw", FlatGround::draw}}, s.map.style.flat));
   options.push_back(with_choice<Outline>(

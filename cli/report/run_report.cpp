@@ -172,6 +172,7 @@ Json json_of(const ErrorBudget& budget) {
   return {{"level_of_detail", or_unknown(budget.level_of_detail_mm)},
           {"simplification", budget.simplification_mm},
           {"joining", budget.joining_mm},
+          {"shore_smoothing", budget.shore_smoothing_mm},
           {"visibility_tolerance", budget.visibility_tolerance_mm},
           {"arithmetic", budget.arithmetic_mm},
           {"geodesy", or_unknown(budget.geodesy_mm)},

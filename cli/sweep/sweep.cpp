@@ -133,7 +133,7 @@ struct Prepared {
       : terrain(read_ground(settings.render)), views(settings, terrain.map),
         columns(settings, views), plan(make_plan(settings, views, columns, terrain)) {
     // In degrees each view has a frame of its own.
-    if (!terrain.map.earth) facts = facts_of(terrain, settings.render.map.style.flat);
+    if (!terrain.map.earth) facts = facts_of(terrain);
   }
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;

@@ -70,6 +70,12 @@ Layer dashed(const Layer& layer, double dash_mm, double gap_mm) {
   return out;
 }
 
+double line_length_mm(std::span<const Vec2> points) {
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += plain_length(points[i] - points[i - 1]);
+  return sum;
+}
+
 PenTravel pen_travel(const Drawing& drawing) {
   PenTravel travel;
   Vec2 pen{0, 0};

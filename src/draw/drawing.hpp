@@ -77,6 +77,9 @@ struct Drawing {
   std::vector<Layer> layers; ///< in drawing order
 };
 
+/// Of a polyline.
+double line_length_mm(std::span<const Vec2> points);
+
 /// Adds another layer's strokes behind those of `layer`.
 OROGRAPH_API void append(Layer& layer, const Layer& other);
 

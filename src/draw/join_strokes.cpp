@@ -45,12 +45,6 @@ Vec2 direction_at(std::span<const Vec2> points, bool is_last) {
   return size > 0 ? (1 / size) * away : Vec2{0, 0};
 }
 
-double length_mm(std::span<const Vec2> points) {
-  double sum = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) sum += plain_length(points[i] - points[i - 1]);
-  return sum;
-}
-
 // All ends, by square cells as large as the gap: numbers that rise along a row of them.
 class EndsByCell {
 public:
@@ -126,7 +120,7 @@ private:
   bool closes_crumb(const StrokeEnd& a, const StrokeEnd& b) const {
     constexpr double kGapsOfARing = 8;
     return a.end / 2 == b.end / 2 &&
-           length_mm(layer_.points(layer_.strokes[a.end / 2])) < kGapsOfARing * gap_mm_;
+           line_length_mm(layer_.points(layer_.strokes[a.end / 2])) < kGapsOfARing * gap_mm_;
   }
 
   const Layer& layer_;
@@ -185,7 +179,7 @@ Layer joined(const Layer& layer, const JoinSettings& settings, double& left_out_
     throw_if_stopped(i);
     double ink_mm = 0;
     for (const ChainedPiece& piece : chains[i])
-      ink_mm += length_mm(layer.points(layer.strokes[piece.piece]));
+      ink_mm += line_length_mm(layer.points(layer.strokes[piece.piece]));
     if (ink_mm < settings.min_stroke_mm) {
       left_out_mm += ink_mm;
       continue;

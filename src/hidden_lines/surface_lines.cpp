@@ -2,11 +2,13 @@
 #include "hidden_lines/surface_lines.hpp"
 
 #include "geometry/on_all_cores.hpp"
+#include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
 #include "profiles/silhouettes.hpp"
 #include "profiles/surface_edges.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <optional>
@@ -38,6 +40,36 @@ bool draws_silhouettes(const Style& style) {
 }
 
 namespace {
+
+// Of the border whether it is that of water whose shores are drawn, where nothing in the landscape
+// ends: it isn't drawn. But to an eye in the landscape water that ends within 2 degrees below its
+// horizontal, and nearly level, ends at the sea's horizon, for all that a picture tells. Water
+// without shores is all that there is, and has its border.
+std::vector<bool> open_water(const TerrainData& terrain, const PlacedView& placed,
+                             const Style& style) {
+  if (style.flat != FlatGround::shore || style.outline != Outline::one ||
+      placed.level.shores.empty())
+    return std::vector<bool>(placed.border.size());
+  std::vector<bool> open = borders_of(terrain.surface, placed.border, placed.level.triangles);
+  const View& view = placed.view;
+  if (!view.is_perspective() || view.frames_terrain) return open;
+  constexpr double kLowestOfHorizon = 0.035, kRiseOfHorizon = 0.1;
+  const EdgeEnds ends(terrain.surface, view);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (!open[i]) continue;
+    throw_if_stopped(i);
+    const auto [from, to] = ends(placed.border[i].edge);
+    const double from_m = std::hypot(from.u, from.v), to_m = std::hypot(to.u, to.v);
+    const double from_drop = (view.eye_z_m - from.z) / from_m,
+                 to_drop = (view.eye_z_m - to.z) / to_m;
+    const double turn = (from.u * to.v - from.v * to.u) / (from_m * to_m); // to the left
+    const bool is_behind_water = (turn > 0) == placed.border[i].left;
+    if (is_behind_water && std::max(from_drop, to_drop) <= kLowestOfHorizon &&
+        std::abs(from_drop - to_drop) <= kRiseOfHorizon * std::abs(turn))
+      open[i] = false;
+  }
+  return open;
+}
 
 // Silhouettes are in order.
 std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
@@ -97,12 +129,15 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
     const std::vector<bool> of_void = border || voids || outlines
                                           ? around_voids(terrain.surface, placed.border)
                                           : std::vector<bool>(placed.border.size());
+    const std::vector<bool> open = open_water(terrain, placed, style);
     EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
     const std::size_t middle = drawn.size();
     for (std::size_t i = 0; i < placed.border.size(); ++i) {
       const LineKind kind = of_void[i] ? LineKind::void_edge : LineKind::border;
-      const bool is_asked = of_void[i] ? voids : border;
-      add_hiding(placed.border[i].edge, kind, is_asked, is_asked || outlines, walls, brinks_on);
+      const bool is_asked = of_void[i] ? voids : border && !open[i];
+      const bool may_be_outline = outlines && (of_void[i] || !open[i]);
+      add_hiding(placed.border[i].edge, kind, is_asked, is_asked || may_be_outline, walls,
+                 brinks_on);
     }
     merge_drawn(middle);
   }

@@ -110,6 +110,7 @@ void check_style(const Style& style, bool has_solids) {
   check_range("simplify_mm", style.simplify_mm, 0, 10);
   check_range("silhouette_jump", style.silhouette_jump, 0, 10);
   check_range("join_mm", style.join_mm, 0, 10);
+  check_range("shore_smooth_mm", style.shore_smooth_mm, 0, 10);
   check_range("min_stroke_mm", style.min_stroke_mm.value_or(0), 0, 1000);
   check_range("pen_width_mm", style.pen_width_mm, 0.01, 10);
   if (style.light_widths) {

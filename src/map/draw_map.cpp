@@ -6,6 +6,7 @@
 #include "draw/join_strokes.hpp"
 #include "draw/round_drawing.hpp"
 #include "draw/shade_strokes.hpp"
+#include "draw/smooth_strokes.hpp"
 #include "draw/stroke_builder.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "hidden_lines/instruments.hpp"
@@ -40,6 +41,7 @@ struct LineLayer {
   bool is_rounded = false;        ///< stroke by stroke
   bool is_joined = false;         ///< across small gaps
   bool is_skyline = false;        ///< which is drawn whole
+  bool is_shore = false;          ///< which is drawn smoothly, on paper
   std::optional<LineShade> shade; ///< light and haze on its lines
   double left_out_mm = 0;
   RoundingCounts dropped = {};
@@ -199,6 +201,7 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       if (row.kind == LineKind::silhouette) added.shade = placed.ridge_shade;
       if (row.kind == LineKind::border || row.kind == LineKind::void_edge)
         added.shade = haze_alone(placed.ridge_shade);
+      added.is_shore = row.kind == LineKind::shore;
       break;
     case LineSource::skyline:
       added.parts = by_edge(found.lines(), found.of(&SectorLines::skyline));
@@ -273,7 +276,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     // What is joined is simplified and judged afterwards.
     StrokeSettings own = strokes;
     if (task.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
-    own.keeps_depths = task.is_joined && placed.ridge_shade;
+    own.keeps_depths = task.is_joined && !task.is_shore && placed.ridge_shade;
     StrokeBuilder builder(own, task.layer);
     if (task.of_solids)
       draw_edges(placed.solids, placed.view, task.parts, builder);
@@ -288,8 +291,12 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
       // Of the skyline nothing is a crumb but what leaves no gap that would be seen.
       const double least_mm =
           task.is_skyline ? std::min(style.join_mm, strokes.min_stroke_mm) : strokes.min_stroke_mm;
-      task.layer =
-          joined(task.layer, {style.join_mm, least_mm, strokes.simplify_mm}, task.left_out_mm);
+      const bool smooths = task.is_shore && !spec.ground_points && style.shore_smooth_mm > 0;
+      task.layer = joined(task.layer, {style.join_mm, least_mm, smooths ? 0 : strokes.simplify_mm},
+                          task.left_out_mm);
+      if (smooths)
+        task.layer =
+            smoothed(task.layer, {style.shore_smooth_mm, strokes.simplify_mm, strokes.frame_mm});
     }
     if (task.shade) task.layer = shaded(task.layer, *task.shade);
     task.layer.depths_m.clear();

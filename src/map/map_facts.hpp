@@ -102,14 +102,14 @@ struct InkLeftOut {
 struct ErrorBudget {
   // None: "unknown", and so is the total.
   std::optional<double> level_of_detail_mm = 0, geodesy_mm = 0;
-  double simplification_mm = 0, joining_mm = 0, visibility_tolerance_mm = 0, arithmetic_mm = 0,
-         rounding_mm = 0;
+  double simplification_mm = 0, joining_mm = 0, shore_smoothing_mm = 0, visibility_tolerance_mm = 0,
+         arithmetic_mm = 0, rounding_mm = 0;
 
   /// None where a cause isn't known.
   std::optional<double> total_mm() const {
     if (!level_of_detail_mm || !geodesy_mm) return std::nullopt;
-    return simplification_mm + joining_mm + visibility_tolerance_mm + arithmetic_mm + *geodesy_mm +
-           rounding_mm + *level_of_detail_mm;
+    return simplification_mm + joining_mm + shore_smoothing_mm + visibility_tolerance_mm +
+           arithmetic_mm + *geodesy_mm + rounding_mm + *level_of_detail_mm;
   }
 };
 

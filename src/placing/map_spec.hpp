@@ -112,6 +112,9 @@ struct Style {
   /// Widest gap between two ends of a ridge, a shore or the like that are drawn as one line, and
   /// then judged as one by `min_stroke_mm`.
   double join_mm = 0.15;
+  /// Shores are drawn as smoothly as this far from their places allows, where lines go on paper;
+  /// 0: not at all.
+  double shore_smooth_mm = 0.3;
   /// None: what the eye takes for a crumb, where lines go on paper; 0 where they keep their places
   /// on the ground.
   std::optional<double> min_stroke_mm;

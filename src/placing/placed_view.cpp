@@ -286,7 +286,7 @@ PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& 
 
 PlacedView placed_view(const TerrainData& terrain, const MapSpec& spec, const SceneFile* solids,
                        const TerrainData* uncut) {
-  return place(terrain, facts_of(terrain, spec.style.flat), spec, solids, uncut ? *uncut : terrain);
+  return place(terrain, facts_of(terrain), spec, solids, uncut ? *uncut : terrain);
 }
 
 PlacedView placed_view(const TerrainOfView& terrain, const MapSpec& spec, const SceneFile* solids,

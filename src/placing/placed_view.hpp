@@ -34,7 +34,7 @@ struct PlacedView {
   SurfaceExtent extent;
   std::vector<BorderEdge> border;
   std::vector<StandingSolid> solids;
-  LevelGround level; ///< empty where level ground is drawn like any other
+  LevelGround level;
   View view;
   Page page;
   Homography to_page;               ///< visibility plane to page mm
@@ -58,8 +58,8 @@ struct PlacedView {
 PlacedView placed_view(const TerrainData& terrain, const MapSpec& spec,
                        const SceneFile* solids = nullptr, const TerrainData* uncut = nullptr);
 
-/// The same of a terrain as the view needs it. `of_whole`, the facts of the whole terrain for
-/// `spec.style.flat`, spares the work of finding them where the view needs no terrain of its own.
+/// The same of a terrain as the view needs it. `of_whole`, the facts of the whole terrain, spares
+/// the work of finding them where the view needs no terrain of its own.
 PlacedView placed_view(const TerrainOfView& terrain, const MapSpec& spec,
                        const SceneFile* solids = nullptr, const TerrainFacts* of_whole = nullptr);
 

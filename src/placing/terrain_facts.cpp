@@ -27,7 +27,7 @@ double exaggeration_of(const ViewSpec& view, const Box3& terrain) {
   return view.has_eye() || terrain.empty() ? 1 : chosen_exaggeration(terrain);
 }
 
-TerrainFacts facts_of(const TerrainData& terrain, FlatGround flat) {
+TerrainFacts facts_of(const TerrainData& terrain) {
   const Surface& surface = terrain.surface;
   TerrainFacts facts;
   if (!has_ground(surface)) return facts;
@@ -35,8 +35,7 @@ TerrainFacts facts_of(const TerrainData& terrain, FlatGround flat) {
   facts.cell_m = cell_size_m(surface);
   facts.border = std::visit([&](const auto& s) { return border_of(s, facts.extent); }, surface);
   facts.outline = std::visit([&](const auto& s) { return outline_of(s, facts.border); }, surface);
-  if (flat == FlatGround::shore)
-    facts.water = std::visit([](const auto& s) { return find_water(s); }, surface);
+  facts.water = std::visit([](const auto& s) { return find_water(s); }, surface);
   return facts;
 }
 

@@ -18,12 +18,12 @@ struct TerrainFacts {
   double cell_m = 0; ///< the terrain's finest ground detail
   std::vector<BorderEdge> border;
   std::vector<OutlineEdge> outline; ///< the border on the ground
-  LevelGround water;                ///< empty where it is drawn like any other ground
+  LevelGround water;                ///< empty where there is none
 };
 
 /// REQUIRES that the terrain outlives the facts, and stays where it is. Cost: two passes over the
 /// heights, a third where some are missing.
-TerrainFacts facts_of(const TerrainData& terrain, FlatGround flat);
+TerrainFacts facts_of(const TerrainData& terrain);
 
 /// 1, 1.5 or 2, so that most terrains read well from 25 degrees: by highest less lowest height over
 /// the longer side of the ground. Steep terrain, from 0.12 on, is left true; 0.06 is a high

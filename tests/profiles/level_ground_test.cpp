@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/approximate/tin_of_grid.hpp"
+#include "dem/tin.hpp"
 #include "profiles/level_ground.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_grid.hpp"
 #include "tests/support/random.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <set>
+#include <vector>
 
 namespace orograph::level_ground_test {
 namespace {
@@ -145,6 +150,54 @@ TEST_CASE("water has at least 500 triangles and a five-thousandth of the grid") 
   CHECK(regions(300, 250) == 1); // 500 triangles
   CHECK(regions(1500, 449) == 0);
   CHECK(regions(1500, 450) == 1); // 900 of 4,500,000
+}
+
+TEST_CASE("the border of a set of triangles is that of those who have it alone") {
+  std::size_t edges = 0, of_set = 0;
+  for (std::uint64_t seed = 1; seed <= last_seed(500); ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    GridHeights heights;
+    heights.missing = random.pick({0.0, 0.05, 0.3});
+    const Grid grid = made_grid(random, {random.whole(2, 9), random.whole(2, 9)}, heights);
+    const std::vector<GridTriangle> triangles = triangles_of(grid);
+    if (triangles.empty()) continue;
+    const Tin tin = tin_of(grid);
+    TriangleSet of_grid(grid_triangle_count(grid)), of_tin(tin.triangles.size());
+    std::set<std::set<std::uint32_t>> chosen, chosen_of_tin;
+    for (const auto& [vertices, column, row, half] : triangles) {
+      if (random.chance(0.5)) continue;
+      of_grid.add(grid_triangle(grid, column, row, half));
+      chosen.insert({vertices.begin(), vertices.end()});
+    }
+    for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+      if (random.chance(0.5)) continue;
+      of_tin.add(t);
+      chosen_of_tin.insert({tin.triangles[t].begin(), tin.triangles[t].end()});
+    }
+    const auto check = [&](const Surface& surface, const std::vector<BorderEdge>& border,
+                           const TriangleSet& set,
+                           const std::set<std::set<std::uint32_t>>& expected) {
+      const std::vector<bool> found = borders_of(surface, border, set);
+      REQUIRE(found.size() == border.size());
+      bool same = true;
+      for (std::size_t i = 0; i < border.size(); ++i) {
+        const auto& [from, to] = border[i].edge;
+        const bool is_of_set =
+            std::any_of(expected.begin(), expected.end(), [&](const auto& vertices) {
+              return vertices.contains(from) && vertices.contains(to);
+            });
+        same &= found[i] == is_of_set;
+        of_set += is_of_set ? 1U : 0U;
+      }
+      edges += border.size();
+      CHECK(same);
+    };
+    check(grid, border_edges(grid, false), of_grid, chosen);
+    check(tin, border_edges(tin), of_tin, chosen_of_tin);
+  }
+  CHECK(of_set > edges / 4);
+  CHECK(of_set < edges);
 }
 
 } // namespace orograph::level_ground_test

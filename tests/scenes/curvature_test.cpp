@@ -253,11 +253,13 @@ TEST_CASE("and of a grid and its TIN the same is seen there") {
     Random random(seed + 900000);
     shrink_the_earth(scene, random);
     scene.spec.style.flat = FlatGround::draw;
+    std::erase(scene.spec.style.layers, LayerSpec("shores"));
     TerrainData as_tin = scene.terrain;
     as_tin.surface = tin_of(grid_of(scene.terrain));
     const PlacedView placed = placed_view(scene.terrain, scene.spec);
     PlacedView of_tin = placed;
     of_tin.border = border_edges(std::get<Tin>(as_tin.surface));
+    of_tin.level = {}; // which has the numbers of the grid's triangles
     VisibleParts by_grid(placed), by_tin(of_tin);
     draw_map(scene.terrain, placed, scene.spec, [](double) {},
              {.observers = {&by_grid}, .beyond_page = true, .order_always = true});

@@ -212,6 +212,7 @@ TEST_CASE("a grid in degrees and the TIN of its triangles are one drawing, bit f
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_earth_scene(5000 + seed, static_cast<Stand>(seed % 4));
     scene.spec.style.flat = FlatGround::draw; // level ground is told by true heights, or by z
+    std::erase(scene.spec.style.layers, LayerSpec("shores"));
     if (seed % 2 == 0) scene.spec.style.layers.push_back("voids");
     if (seed % 3 == 0) scene.spec.style.layers.push_back("edges");
     if (seed % 7 == 0) scene.spec.style.occluder = Occluder::profiles;

@@ -43,8 +43,7 @@ void compare_in(const TerrainData& as_grid, const TerrainData& as_tin, const Map
   // The same view and plan; what belongs to the surface is the TIN's own.
   PlacedView by_tin = by_grid;
   by_tin.border = border_edges(tin);
-  if (spec.style.flat == FlatGround::shore)
-    by_tin.level = find_level_ground(tin, smallest_water_m2(grid));
+  by_tin.level = find_level_ground(tin, smallest_water_m2(grid));
   VisibleParts of_grid(by_grid), of_tin(by_tin);
   draw_map(as_grid, by_grid, spec, [](double) {},
            {.observers = {&of_grid}, .beyond_page = true, .order_always = true});

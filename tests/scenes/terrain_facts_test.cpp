@@ -24,7 +24,7 @@ void check_same(const PlacedView& a, const PlacedView& b) {
 }
 
 void check_views(const TerrainData& terrain, MapSpec spec) {
-  const TerrainFacts facts = facts_of(terrain, spec.style.flat);
+  const TerrainFacts facts = facts_of(terrain);
   for (const double azimuth_deg : {0.0, 110.0, 235.0}) {
     spec.view.from_azimuth = Angle::degrees(azimuth_deg);
     try {
