@@ -16,7 +16,7 @@ struct PageRequest {
   bool crop = false; ///< the paper ends where the picture and its margins do
   /// Of a parallel view: 25000 for 1:25000, metres in the picture plane for millimetres on the
   /// page. None: the picture is as large as fits.
-  std::optional<double> scale;
+  std::optional<double> scale = std::nullopt;
 
   bool ends_with_picture() const { return crop || !height_mm; }
 };

@@ -94,8 +94,8 @@ private:
   double z_m_ = 0, steepest_ = 0;
 };
 
-// By the differences to the neighbours that there are.
-double steepness(const CoarseGround& ground, int column, int row) {
+// Uphill, as long as the sine of the slope; by the differences to the neighbours that there are.
+Vec2 steepness(const CoarseGround& ground, int column, int row) {
   const auto slope = [&](int c0, int r0, int c1, int r1) {
     c0 = std::max(c0, 0), r0 = std::max(r0, 0);
     c1 = std::min(c1, ground.columns - 1), r1 = std::min(r1, ground.rows - 1);
@@ -103,49 +103,55 @@ double steepness(const CoarseGround& ground, int column, int row) {
     const double rise = steps == 0 ? 0 : (ground.at(c1, r1) - ground.at(c0, r0)) / steps;
     return std::isnan(rise) ? 0 : rise / ground.step_m;
   };
-  return std::hypot(slope(column - 1, row, column + 1, row),
-                    slope(column, row - 1, column, row + 1));
+  const Vec2 tangent{slope(column - 1, row, column + 1, row),
+                     slope(column, row - 1, column, row + 1)};
+  return (1 / std::hypot(1, length(tangent))) * tangent;
 }
 
-// What each place counts, their sum 1; 0 where there is no ground.
-std::vector<double> worths(const CoarseGround& ground) {
-  std::vector<double> out(ground.z_m.size());
-  double sum = 0;
+// Of each place; and what they make together.
+struct Relief {
+  std::vector<Vec2> steepness;
+  double mean = 0; ///< of its length, over places with ground
   std::size_t places = 0;
+};
+
+Relief relief_of(const CoarseGround& ground) {
+  Relief out;
+  double sum = 0;
   for (int row = 0; row < ground.rows; ++row)
     for (int column = 0; column < ground.columns; ++column) {
+      out.steepness.push_back(steepness(ground, column, row));
       if (std::isnan(ground.at(column, row))) continue;
-      const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(ground.columns) +
-                     static_cast<std::size_t>(column);
-      sum += out[i] = steepness(ground, column, row);
-      ++places;
+      sum += length(out.steepness.back());
+      ++out.places;
     }
-  if (places == 0) return out;
-  const double mean = sum / static_cast<double>(places), each = 1 / static_cast<double>(places);
-  for (std::size_t i = 0; i < out.size(); ++i)
-    if (!std::isnan(ground.z_m[i])) out[i] = mean > 0 ? 0.5 * each * (1 + out[i] / mean) : each;
+  if (out.places > 0) out.mean = sum / static_cast<double>(out.places);
   return out;
 }
 
-ChosenView best_from(const CoarseGround& ground, const std::vector<double>& worth, Angle azimuth) {
+// What a place counts if it is seen, times the number of places.
+double worth(Vec2 steepness, double mean, Vec2 towards_viewer) {
+  if (!(mean > 0)) return 1;
+  return 0.5 + 0.25 * (length(steepness) - dot(steepness, towards_viewer)) / mean;
+}
+
+ChosenView best_from(const CoarseGround& ground, const Relief& relief, Angle azimuth) {
   const std::vector<double> slopes = slopes_to_see(ground, azimuth);
   ChosenView best;
   best.score = -1;
+  const Vec2 towards = direction_of_azimuth(azimuth);
+  const double each = 1 / static_cast<double>(std::max<std::size_t>(relief.places, 1));
   for (const double elevation_deg : kTriedElevations_deg) {
     const Angle elevation = Angle::degrees(elevation_deg);
-    double seen = 0;
-    std::size_t places = 0, seen_places = 0;
+    double worth_seen = 0;
+    std::size_t places_seen = 0;
     for (std::size_t i = 0; i < slopes.size(); ++i) {
-      if (std::isnan(slopes[i])) continue;
-      ++places;
-      if (slopes[i] > tan(elevation)) continue;
-      seen += worth[i];
-      ++seen_places;
+      if (std::isnan(slopes[i]) || slopes[i] > tan(elevation)) continue;
+      worth_seen += worth(relief.steepness[i], relief.mean, towards);
+      ++places_seen;
     }
-    if (const double score = cos(elevation) * seen; score > best.score)
-      best = {azimuth, elevation, score,
-              static_cast<double>(seen_places) /
-                  static_cast<double>(std::max<std::size_t>(places, 1))};
+    if (const double score = cos(elevation) * each * worth_seen; score > best.score)
+      best = {azimuth, elevation, score, each * static_cast<double>(places_seen)};
   }
   return best;
 }
@@ -197,12 +203,12 @@ std::vector<double> slopes_to_see(const CoarseGround& ground, Angle azimuth) {
 }
 
 ChosenView choose_view(const CoarseGround& ground) {
-  const std::vector<double> worth = worths(ground);
+  const Relief relief = relief_of(ground);
   std::array<ChosenView, kAzimuths> best;
   on_all_cores(best.size(), [&](std::size_t i) {
     const double from_south = 180 + 360.0 / kAzimuths * static_cast<double>(i);
     best[i] =
-        best_from(ground, worth, Angle::degrees(from_south < 360 ? from_south : from_south - 360));
+        best_from(ground, relief, Angle::degrees(from_south < 360 ? from_south : from_south - 360));
   });
   return *std::ranges::max_element(best, {}, &ChosenView::score); // the first of equals
 }

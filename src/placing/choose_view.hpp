@@ -40,13 +40,14 @@ constexpr std::array<double, 8> kTriedElevations_deg{10, 15, 20, 25, 30, 35, 40,
 /// all that hides is.
 std::vector<double> slopes_to_see(const CoarseGround& ground, Angle azimuth);
 
-/// The view that shows most ground with most relief: the sum over all places seen of 1 and of their
-/// steepness beside the mean steepness, times the cosine of the elevation, by which heights are
-/// shown. Rays are parallel, whatever the projection. Of equals the first, from the south on
-/// clockwise, low before high.
+/// The view that shows most ground with most relief. Each place that is seen counts half by itself,
+/// and half by its steepness (sine of its slope, beside the mean), of which what faces the viewer
+/// counts whole, what lies aside by half and what is turned away not at all; and all that times the
+/// cosine of the elevation, by which heights are shown. Rays are parallel, whatever the projection.
+/// Of equals the first, from the south on clockwise, low before high.
 struct ChosenView {
   Angle azimuth = Angle::degrees(180), elevation = Angle::degrees(kTriedElevations_deg[0]);
-  double score = 0;      ///< share of what could be seen
+  double score = 0;      ///< 1: all is steep, and faces the viewer
   double seen_share = 0; ///< of the places
 };
 ChosenView choose_view(const CoarseGround& ground);

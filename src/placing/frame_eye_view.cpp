@@ -137,7 +137,8 @@ bool frame_eye_view(View& view, const TerrainShape& terrain, const std::vector<G
     height = std::min(most, (highest - foreground) / (1 - kSkyShare));
   }
   double top = highest + kSkyShare * height;
-  if (lowest > top - height) top = 0.5 * (highest + lowest) + 0.5 * height;
+  if (!shape.ends_with_picture && lowest > top - height)
+    top = 0.5 * (highest + lowest) + 0.5 * height;
 
   const double steepest = steepest_y(view);
   if (!(height > 0 && height <= 2 * steepest)) return false;

@@ -25,12 +25,13 @@ constexpr double kSkyShare = 0.06, kForegroundShare = 0.25;
 
 /// Shifts the window of a view that looks level, so that the highest skyline over its width, and a
 /// little sky, are at its top, and ground is below as far as it goes; where that ends above the
-/// window's bottom, what there is goes to the middle. Vertices of solids count as skyline as far as
-/// they are no more than half the window above the ground's. Where the window ends with the picture
-/// it is a quarter of its width lower than the lowest skyline, or as the ground ends.
-/// Returns false, the window unchanged, where there is no ground over its width, where all of that
-/// is more than 45 degrees below the eye, which then doesn't stand in the landscape but above it,
-/// and where the window would show what is beside the eye (view/sectors.hpp).
+/// window's bottom, what there is (far rims of voids too, seen or not) goes to the middle. Vertices
+/// of solids count as skyline as far as they are no more than half the window above the ground's.
+/// Where the window ends with the picture it is a quarter of its width lower than the lowest
+/// skyline, or as the ground ends. Returns false, the window unchanged, where there is no ground
+/// over its width, where all of that is more than 45 degrees below the eye, which then doesn't
+/// stand in the landscape but above it, and where the window would show what is beside the eye
+/// (view/sectors.hpp).
 ///
 /// The skyline is the greatest Y of all ground: what it hides is lower. It is exact: among vertices
 /// by bounds of their blocks, among what crosses the window's sides by the two cuts there, the

@@ -169,8 +169,10 @@ void place_on_earth(PlacedView& placed, const TerrainData& terrain, const MapSpe
   placed.page = placement.page;
   placed.to_page = compose(placement.to_page, placed.view.to_picture);
   placed.frame_mm = placed.page.inner_mm();
-  // Of which the window is all that is shown; also where the page is made to its measure.
-  if (spec.view.file || (placed.framed_by_skyline && spec.page.ends_with_picture())) {
+  // A view in a file shows no more than its window. Where that doesn't reach to the margins, or the
+  // page is made to its measure, a view is to be the same when it comes back as a file.
+  if (spec.view.file || spec.page.scale ||
+      (placed.framed_by_skyline && spec.page.ends_with_picture())) {
     const Vec2 low = placement.to_page(placed.view.window.low),
                high = placement.to_page(placed.view.window.high);
     placed.frame_mm = {{low.x, high.y}, {high.x, low.y}};
