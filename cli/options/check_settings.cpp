@@ -129,6 +129,9 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
       if (given.contains(option))
         throw UsageError(fmt::format("{} has no meaning in a parallel view", option),
                          fmt::format("{}, or use --projection perspective", right));
+  if (settings.map.view.from_auto && settings.map.view.projection == Projection::oblique)
+    throw UsageError("--view-from auto chooses an elevation, and an oblique view has its own",
+                     "give --view-from AZ/EL, or use --projection orthographic");
   if (settings.map.view.projection != Projection::perspective)
     for (const char* option : {"--refraction", "--curvature-coefficient"})
       if (given.contains(option))
@@ -138,22 +141,33 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
   check_eye(settings, given);
 }
 
-void check_page(const RenderSettings& settings) {
+void check_page(const RenderSettings& settings, const GivenOptions& given) {
   const auto& page = settings.map.page;
-  const double shorter_mm = std::min(page.width_mm, page.height_mm);
-  const double longer_mm = std::max(page.width_mm, page.height_mm);
+  const double height_mm = page.height_mm.value_or(page.width_mm);
+  const std::string size = page.height_mm ? fmt::format("{} x {} mm", page.width_mm, height_mm)
+                                          : fmt::format("{} mm wide", page.width_mm);
+  const double shorter_mm = std::min(page.width_mm, height_mm);
+  const double longer_mm = std::max(page.width_mm, height_mm);
   if (shorter_mm - 2 * page.margin_mm < 1)
-    throw UsageError(fmt::format("margins of {} mm leave no room on a page of {} x {} mm",
-                                 page.margin_mm, page.width_mm, page.height_mm),
-                     shorter_mm > 1 ? fmt::format("give --margin {} or less", (shorter_mm - 1) / 2)
-                                    : "give a larger --page");
+    throw UsageError(
+        fmt::format("margins of {} mm leave no room on a page of {}", page.margin_mm, size),
+        shorter_mm > 1 ? fmt::format("give --margin {} or less", (shorter_mm - 1) / 2)
+                       : "give a larger --page");
   constexpr double kLargestSide_px = 32767; // Cairo's images
   if (settings.write.format == Format::png &&
       std::ceil(longer_mm / 25.4 * settings.write.dpi) > kLargestSide_px)
     throw UsageError(
-        fmt::format("{} dots per inch make a page of {} x {} mm too large for PNG",
-                    settings.write.dpi, page.width_mm, page.height_mm),
+        fmt::format("{} dots per inch make a page of {} too large for PNG", settings.write.dpi,
+                    size),
         fmt::format("give --dpi {} or less", std::floor(kLargestSide_px * 25.4 / longer_mm)));
+  for (const char* option : {"--portrait", "--landscape"})
+    if (!page.height_mm && given.contains(option))
+      throw UsageError(fmt::format("{} has no meaning on a page as high as its picture", option),
+                       "leave it out, or give --page a height");
+  if (page.scale && settings.map.view.projection == Projection::perspective &&
+      settings.map.view.file_name.empty() && !given.contains("--views"))
+    throw UsageError("--scale has no meaning in perspective, where what is near is larger",
+                     "give --projection orthographic too, or leave it out");
 }
 
 // What is said of the ground, where there is none.
@@ -243,7 +257,7 @@ void check_picture_settings(RenderSettings& settings, const GivenOptions& given)
   add_layers(settings);
   settings.map.ground_points = is_tied_to_ground(settings.write.format);
   check_view(settings, given);
-  check_page(settings);
+  check_page(settings, given);
   take_scene(settings, given);
   if (!settings.map.view.file_name.empty())
     settings.map.view.file = read_view(settings.map.view.file_name);

@@ -9,7 +9,7 @@ namespace orograph {
 namespace {
 
 // Fields that messages of the library name, with what sets them on the command line.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kOptions{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kOptions{{
     {"terrain", "INPUT"},
     {"solids", "--scene"},
     // ReadOptions
@@ -26,6 +26,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kOptions
     {"boundary", "--boundary"},
     {"max_edge_m", "--max-edge"},
     // ViewSpec
+    {"from_azimuth", "--view-from AZ/EL"},
     {"distance_m", "--distance"},
     {"field_of_view", "--fov"},
     {"eye_map", "--eye"},
@@ -33,8 +34,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kOptions
     {"look_at_map", "--look-at"},
     {"look_at_lonlat", "--look-at-lonlat"},
     {"curvature", "--curvature"},
+    {"projection", "--projection"},
     // Style
     {"plan", "--spacing"},
+    // PageRequest
+    {"page", "--page"},
+    {"scale", "--scale"},
     // WriteOptions
     {"format", "--of"},
     {"overwrite", "--overwrite"},

@@ -2,6 +2,10 @@
 // The values of options, from text.
 #include "cli/options/option_values.hpp"
 
+#include "text/words.hpp"
+
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -68,10 +72,26 @@ std::optional<Box2> parse_lonlat_box(std::string_view text) {
   return box;
 }
 
+std::optional<double> parse_compass_deg(std::string_view text) {
+  constexpr std::array<std::string_view, 16> kRose{"n",  "nne", "ne", "ene", "e",  "ese",
+                                                   "se", "sse", "s",  "ssw", "sw", "wsw",
+                                                   "w",  "wnw", "nw", "nnw"};
+  const auto* const found = std::ranges::find(kRose, in_lower_case(text));
+  if (found == kRose.end()) return std::nullopt;
+  return 22.5 * static_cast<double>(found - kRose.begin());
+}
+
+std::optional<double> parse_azimuth_deg(std::string_view text) {
+  const auto by_name = parse_compass_deg(text);
+  return by_name ? by_name : parse_number(text);
+}
+
 std::optional<ViewFrom> parse_view_from(std::string_view text) {
-  const auto n = parse_numbers(text, '/', 2);
-  if (!n || (*n)[1] < 0 || (*n)[1] > 90) return std::nullopt;
-  return ViewFrom{Angle::degrees((*n)[0]), Angle::degrees((*n)[1])};
+  const auto parts = split(text, '/');
+  if (parts.size() != 2) return std::nullopt;
+  const auto azimuth = parse_azimuth_deg(parts[0]), elevation = parse_number(parts[1]);
+  if (!azimuth || !elevation || *elevation < 0 || *elevation > 90) return std::nullopt;
+  return ViewFrom{Angle::degrees(*azimuth), Angle::degrees(*elevation)};
 }
 
 std::optional<LineWidths> parse_pen_width(std::string_view text) {
@@ -131,12 +151,22 @@ std::optional<double> parse_metres(std::string_view text) {
   return length;
 }
 
-std::optional<Vec2> parse_width_x_height(std::string_view text) {
-  const auto n = parse_numbers(text, 'x', 2);
-  if (!n) return std::nullopt;
-  for (const double side : *n)
-    if (side < 1 || side > 10000) return std::nullopt;
-  return Vec2{(*n)[0], (*n)[1]};
+std::optional<PageSize> parse_page_size(std::string_view text) {
+  const auto parts = split(text, 'x');
+  if (parts.size() != 2) return std::nullopt;
+  const auto side = [](std::string_view part) {
+    const auto mm = parse_number(part);
+    return mm && *mm >= 1 && *mm <= 10000 ? mm : std::nullopt;
+  };
+  const auto width_mm = side(parts[0]), height_mm = side(parts[1]);
+  if (!width_mm || (!height_mm && in_lower_case(parts[1]) != "auto")) return std::nullopt;
+  return PageSize{*width_mm, height_mm};
+}
+
+std::optional<double> parse_scale(std::string_view text) {
+  if (text.starts_with("1:")) text.remove_prefix(2);
+  const auto scale = parse_number(text);
+  return scale && *scale > 0 ? scale : std::nullopt;
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

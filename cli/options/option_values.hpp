@@ -31,10 +31,15 @@ std::optional<Box2> parse_box(std::string_view text);
 /// latitudes S < N. W above E goes across 180 degrees: the box's high x is beyond then.
 std::optional<Box2> parse_lonlat_box(std::string_view text);
 
+/// Degrees, or one of the 16 directions of a compass rose in any letter case: "N", "nw", "NNE".
+std::optional<double> parse_azimuth_deg(std::string_view text);
+/// The same where only a name will do.
+std::optional<double> parse_compass_deg(std::string_view text);
+
 struct ViewFrom {
   Angle azimuth, elevation;
 };
-/// "AZ/EL" in degrees, elevation 0 to 90.
+/// "AZ/EL", an azimuth as above and the elevation in degrees, 0 to 90.
 std::optional<ViewFrom> parse_view_from(std::string_view text);
 
 /// "cavalier", "cabinet", "military", or "L,ALPHA" with L > 0 and ALPHA from 0 to 180 degrees.
@@ -54,8 +59,15 @@ std::optional<LightSpec> parse_light(std::string_view text);
 /// "2m", from 0 on.
 std::optional<double> parse_metres(std::string_view text);
 
-/// "WxH" in millimetres, each 1 to 10000.
-std::optional<Vec2> parse_width_x_height(std::string_view text);
+/// "WxH" or "Wxauto" in millimetres, each 1 to 10000.
+struct PageSize {
+  double width_mm;
+  std::optional<double> height_mm; ///< none: auto
+};
+std::optional<PageSize> parse_page_size(std::string_view text);
+
+/// "1:25000", or the number alone, above 0: how much smaller the page is.
+std::optional<double> parse_scale(std::string_view text);
 
 /// The parts between separators; empty parts stay.
 std::vector<std::string> split(std::string_view text, char separator);

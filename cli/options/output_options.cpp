@@ -19,24 +19,41 @@ constexpr auto kOutput = "Output";
 } // namespace
 
 void add_page_options(std::vector<Option>& options, RenderSettings& s) {
+  options.push_back(
+      {.group = kPage,
+       .name = "--page",
+       .value = "NAME|WxH|Wxauto",
+       .help = "Paper; a named one is turned to the picture's shape, and auto is as "
+               "high as the picture needs (an eye's has sky above the skyline, and "
+               "ground a quarter of the width below it)",
+       .allowed = fmt::format("one of {}, or width x height in mm such as 400x250 "
+                              "or 400xauto, each 1 to 10000",
+                              fmt::join(paper_names(), ", ")),
+       .by_default = "a4",
+       .take = [&page = s.map.page](const std::string& text) {
+         const auto named = paper_size_mm(text);
+         const auto size = named ? PageSize{named->x, named->y} : parse_page_size(text);
+         if (!size) return false;
+         page.width_mm = size->width_mm;
+         page.height_mm = size->height_mm;
+         if (!named && page.orientation == Orientation::by_picture)
+           page.orientation = Orientation::as_given;
+         return true;
+       }});
   options.push_back({.group = kPage,
-                     .name = "--page",
-                     .value = "NAME|WxH",
-                     .help = "Paper; a named one is turned to the picture's shape",
-                     .allowed = fmt::format("one of {}, or width x height in mm such as 400x250, "
-                                            "each 1 to 10000",
-                                            fmt::join(paper_names(), ", ")),
-                     .by_default = "a4",
-                     .take = [&page = s.map.page](const std::string& text) {
-                       const auto named = paper_size_mm(text);
-                       const auto size = named ? named : parse_width_x_height(text);
-                       if (!size) return false;
-                       page.width_mm = size->x;
-                       page.height_mm = size->y;
-                       if (!named && page.orientation == Orientation::by_picture)
-                         page.orientation = Orientation::as_given;
-                       return true;
-                     }});
+                     .name = "--crop",
+                     .help = "End the paper, on the sides where there is some to spare, a margin "
+                             "from the picture",
+                     .take = set_to(s.map.page.crop, true)});
+  options.push_back({.group = kPage,
+                     .name = "--scale",
+                     .value = "1:N",
+                     .help = "Draw a parallel view at this scale. True to it are in an "
+                             "orthographic picture lengths across the view, in an oblique one "
+                             "those and (exaggerated) heights too",
+                     .allowed = "a scale such as 1:25000",
+                     .by_default = "as large as fits",
+                     .take = stored(parse_scale, s.map.page.scale)});
   options.push_back({.group = kPage,
                      .name = "--portrait",
                      .help = "Page upright",

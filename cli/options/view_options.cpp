@@ -4,6 +4,7 @@
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
 #include "geometry/error.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@ namespace orograph {
 namespace {
 
 constexpr auto kGroup = "View";
+const Angle kDefaultElevation = ViewSpec().from_elevation;
 constexpr auto kMapPlace = "coordinates of the terrain's CRS; Z, above the datum of the file's "
                            "heights in their unit, may be left out";
 constexpr auto kLonLatPlace =
@@ -64,7 +66,8 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
                      .value = "X,Y[,Z]",
                      .help = "Look at this point, without Z at the ground there",
                      .allowed = kMapPlace,
-                     .by_default = "the terrain's centre",
+                     .by_default = "the terrain's centre; from an eye level towards it, the window "
+                                   "shifted so that skyline and foreground fill the page",
                      .take = stored(parse_place, s.map.view.look_at_map)});
   options.push_back(
       with_lonlat({.name = "--look-at-lonlat",
@@ -84,8 +87,9 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
                    .name = "--pitch",
                    .value = "DEG",
                    .help = "With --look-azimuth, look up by this, or down where it is "
-                           "negative",
-                   .by_default = "0"},
+                           "negative; 0 keeps the eye's height in the middle of the page",
+                   .by_default = "level, the window shifted so that skyline and foreground fill "
+                                 "the page"},
                   {.unit = "degrees", .low = -90, .high = 90},
                   [&s](double deg) { s.map.view.pitch = Angle::degrees(deg); }));
 }
@@ -95,14 +99,21 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
 void add_view_options(std::vector<Option>& options, RenderSettings& s) {
   options.push_back({.group = kGroup,
                      .name = "--view-from",
-                     .value = "AZ/EL",
+                     .value = "AZ/EL|NAME|auto",
                      .help = "Where the viewer stands, seen from the terrain: azimuth clockwise "
-                             "from north and elevation above the horizontal",
-                     .allowed = "degrees, EL from 0 to 90",
+                             "from north and elevation above the horizontal; auto tries 16 "
+                             "azimuths at 10 to 45 degrees on a coarse copy, takes what shows most "
+                             "ground with most relief, and says which",
+                     .allowed = "degrees, EL from 0 to 90; AZ may be N, NNE, NE, … NNW, and stand "
+                                "alone then; or auto",
                      .by_default = fmt::format("{}/{}", s.map.view.from_azimuth.in_degrees(),
                                                s.map.view.from_elevation.in_degrees()),
                      .take = [&s](const std::string& text) {
-                       const auto from = parse_view_from(text);
+                       s.map.view.from_auto = in_lower_case(text) == "auto";
+                       if (s.map.view.from_auto) return true;
+                       const auto name = parse_compass_deg(text);
+                       const auto from = name ? ViewFrom{Angle::degrees(*name), kDefaultElevation}
+                                              : parse_view_from(text);
                        if (!from) return false;
                        s.map.view.from_azimuth = from->azimuth;
                        s.map.view.from_elevation = from->elevation;

@@ -101,6 +101,7 @@ Json json_of(const ViewFacts& view) {
                     view.homography.m[3 * row + 2]});
   return {{"projection", view.projection},
           {"view_from_azimuth_deg", view.view_from_azimuth_deg},
+          {"view_from_auto", view.view_from_auto},
           {"look_azimuth_deg", view.look_azimuth_deg},
           {"look_azimuth_true_deg", view.look_azimuth_true_deg},
           {"elevation_deg", view.elevation_deg},

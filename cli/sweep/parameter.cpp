@@ -113,7 +113,8 @@ std::vector<double> parse_number_list(const std::string& option, const std::stri
       append_range(option, part, values);
       continue;
     }
-    const auto number = parse_number(part);
+    const bool by_name = option == names_of(Parameter::azimuth).option; // N, NNE, …
+    const auto number = by_name ? parse_azimuth_deg(part) : parse_number(part);
     if (!number)
       refuse(option, text,
              part.empty() ? "a value is empty" : fmt::format("'{}' is no number", part));

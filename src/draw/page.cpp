@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <string>
 #include <utility>
 
 namespace orograph {
@@ -38,13 +41,21 @@ constexpr std::array<std::pair<std::string_view, Vec2>, 17> kPapers{{
     {"tabloid", {279.4, 431.8}},
 }};
 
+constexpr double kMmPerMetre = 1000;
+constexpr double kRounding = 1e-9; // of a size that was made to measure
+
+// What has no length fits at any scale.
+double fitting_scale(double room_mm, double length) {
+  const double scale = room_mm / length;
+  return std::isfinite(scale) ? scale : std::numeric_limits<double>::infinity();
+}
+
 // Largest scale (mm for a unit of the picture plane) at which the window fits inside.
 double fitting_scale(const Box2& window, const Page& page) {
   const Box2 inner = page.inner_mm();
-  const double by_width = inner.width() / window.width();
-  const double by_height = inner.height() / window.height();
-  const double scale = std::min(by_width, by_height);
-  return std::isfinite(scale) ? scale : 1; // a window that is one point
+  const double scale = std::min(fitting_scale(inner.width(), window.width()),
+                                fitting_scale(inner.height(), window.height()));
+  return std::isfinite(scale) ? scale : 1;
 }
 
 // Written so that a NaN fails.
@@ -52,21 +63,27 @@ bool leaves_room(double side_mm, double margin_mm) {
   return margin_mm >= 0 && side_mm - 2 * margin_mm >= kSmallestInner_mm;
 }
 
+std::string size_text(const PageRequest& request) {
+  return request.height_mm ? fmt::format("{} x {} mm", request.width_mm, *request.height_mm)
+                           : fmt::format("{} mm by its picture's height", request.width_mm);
+}
+
 void check(const PageRequest& request) {
+  const double height_mm = request.height_mm.value_or(request.width_mm);
   if (!leaves_room(request.width_mm, request.margin_mm) ||
-      !leaves_room(request.height_mm, request.margin_mm))
-    throw UsageError(fmt::format("margins of {} mm leave no room on a page of {} x {} mm",
-                                 request.margin_mm, request.width_mm, request.height_mm),
+      !leaves_room(height_mm, request.margin_mm))
+    throw UsageError(fmt::format("margins of {} mm leave no room on a page of {}",
+                                 request.margin_mm, size_text(request)),
                      "margins from 0 up to what leaves 1 mm each way");
-  if (std::max(request.width_mm, request.height_mm) > kLargestSide_mm)
-    throw UsageError(
-        fmt::format("a page of {} x {} mm is too large", request.width_mm, request.height_mm),
-        fmt::format("sides of at most {} mm", kLargestSide_mm));
+  if (std::max(request.width_mm, height_mm) > kLargestSide_mm)
+    throw UsageError(fmt::format("a page of {} is too large", size_text(request)),
+                     fmt::format("sides of at most {} mm", kLargestSide_mm));
 }
 
 Page oriented_page(const Box2& window, const PageRequest& request) {
-  const Page given{request.width_mm, request.height_mm, request.margin_mm};
-  const Page turned{request.height_mm, request.width_mm, request.margin_mm};
+  if (!request.height_mm) return {request.width_mm, kLargestSide_mm, request.margin_mm};
+  const Page given{request.width_mm, *request.height_mm, request.margin_mm};
+  const Page turned{*request.height_mm, request.width_mm, request.margin_mm};
   const bool given_is_upright = given.width_mm <= given.height_mm;
   switch (request.orientation) {
   case Orientation::as_given:
@@ -79,6 +96,41 @@ Page oriented_page(const Box2& window, const PageRequest& request) {
     break;
   }
   return fitting_scale(window, turned) > fitting_scale(window, given) ? turned : given;
+}
+
+// The next larger with two digits that aren't zeros.
+double rounded_up(double scale) {
+  const double step = std::pow(10, std::floor(std::log10(scale)) - 1);
+  return step * std::ceil(scale / step);
+}
+
+// mm for a metre at the scale asked for.
+double scale_as_asked(const Box2& window, const Page& page, const PageRequest& request) {
+  const double fitting = fitting_scale(window, page), scale = kMmPerMetre / *request.scale;
+  if (scale <= fitting * (1 + kRounding)) return scale;
+  const Box2 inner = page.inner_mm();
+  const double width_mm = scale * window.width(), height_mm = scale * window.height();
+  const double page_width_mm = std::ceil(width_mm + 2 * page.margin_mm),
+               page_height_mm = std::ceil(height_mm + 2 * page.margin_mm);
+  std::string right =
+      fmt::format("give `scale` 1:{:.0f} or smaller", rounded_up(kMmPerMetre / fitting));
+  if (std::max(page_width_mm, page_height_mm) <= kLargestSide_mm)
+    right += fmt::format(", or a `page` of {}x{}", page_width_mm, page_height_mm);
+  throw UsageError(
+      fmt::format("at 1:{} the picture is {:.0f} x {:.0f} mm, and the page has room for {:.0f} x "
+                  "{:.0f} mm",
+                  *request.scale, width_mm, height_mm, inner.width(), inner.height()),
+      right);
+}
+
+// As large as the picture and its margins.
+void end_with_picture(Page& page, const Box2& window, double scale, bool in_width) {
+  const double room_mm = 2 * page.margin_mm;
+  const double height_mm = room_mm + std::max(scale * window.height(), kSmallestInner_mm);
+  page.height_mm = std::min(page.height_mm, height_mm);
+  if (!in_width) return;
+  const double width_mm = room_mm + std::max(scale * window.width(), kSmallestInner_mm);
+  page.width_mm = std::min(page.width_mm, width_mm);
 }
 
 } // namespace
@@ -102,8 +154,16 @@ const std::vector<std::string>& paper_names() {
 
 Placement place_on_page(const Box2& window, const PageRequest& request) {
   check(request);
-  const Page page = oriented_page(window, request);
-  const double scale = fitting_scale(window, page);
+  Page page = oriented_page(window, request);
+  const double scale =
+      request.scale ? scale_as_asked(window, page, request) : fitting_scale(window, page);
+  const double wide_mm = scale * window.width();
+  if (!request.height_mm && !request.scale && wide_mm > 0 &&
+      wide_mm < (1 - kRounding) * page.inner_mm().width())
+    throw UsageError(fmt::format("a page {} mm wide would be over {} mm high for this picture",
+                                 request.width_mm, kLargestSide_mm),
+                     "a narrower page, or one with a height");
+  if (request.ends_with_picture()) end_with_picture(page, window, scale, request.crop);
   const Vec2 centre = window.centre();
   return {page,
           {{scale, 0, page.width_mm / 2 - scale * centre.x,   //

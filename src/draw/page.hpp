@@ -25,9 +25,12 @@ std::optional<Vec2> paper_size_mm(std::string_view name);
 const std::vector<std::string>& paper_names();
 
 /// The page for a picture of this window (picture-plane coordinates): the window as large as fits
-/// inside the margins, centred, never stretched. `by_picture` takes the orientation in which it
-/// comes out larger.
-/// Throws UsageError where the margins leave less than 1 mm, or a side is over 10 m.
+/// inside the margins, or at the scale asked for, its unit being a metre; centred, never stretched.
+/// `by_picture` takes the orientation in which it comes out larger. A page without a height is as
+/// high as the picture needs, whatever the orientation; one to be cropped ends, in either
+/// direction, where the picture and its margins end.
+/// Throws UsageError where the margins leave less than 1 mm, a side is over 10 m, or the picture is
+/// larger at its scale than the page, and then says which would do.
 Placement place_on_page(const Box2& window, const PageRequest& request);
 
 } // namespace orograph

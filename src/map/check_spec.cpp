@@ -66,7 +66,7 @@ void check_view(const ViewSpec& view) {
   if (view.eye_height_m) check_above_0("eye_height_m", *view.eye_height_m, kNone, " m");
   if (view.look_azimuth)
     check_range("look_azimuth", view.look_azimuth->in_degrees(), -1e6, 1e6, " degrees");
-  check_range("pitch", view.pitch.in_degrees(), -90, 90, " degrees");
+  if (view.pitch) check_range("pitch", view.pitch->in_degrees(), -90, 90, " degrees");
   check_range("roll", view.roll.in_degrees(), -1e6, 1e6, " degrees");
   check_range("refraction", view.refraction, -1, 1);
   if (view.exaggeration) check_above_0("exaggeration", *view.exaggeration, 1000);
@@ -133,7 +133,8 @@ void check_style(const Style& style, bool has_solids) {
 // Margins are checked where the page is laid out (draw/page.hpp).
 void check_page(const PageRequest& page) {
   check_range("width_mm", page.width_mm, 1, 10000);
-  check_range("height_mm", page.height_mm, 1, 10000);
+  if (page.height_mm) check_range("height_mm", *page.height_mm, 1, 10000);
+  if (page.scale) check_above_0("scale", *page.scale, kNone);
 }
 
 } // namespace

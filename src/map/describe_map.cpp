@@ -102,9 +102,10 @@ ViewFacts describe_view(const PlacedView& placed, const TerrainData& terrain, co
   out.projection = projection_name(view.projection);
   out.look_azimuth_deg = azimuth_deg(view.forward);
   out.view_from_azimuth_deg = azimuth_deg(-1.0 * view.forward);
+  out.view_from_auto = placed.chosen_view.has_value();
   out.elevation_deg = view.elevation.in_degrees();
   out.look_azimuth_true_deg = true_azimuth_deg(view, map);
-  if (!spec.view.look_azimuth) {
+  if (!spec.view.look_azimuth && !placed.framed_by_skyline) {
     out.look_at = map.to_map(view.look_at_m);
     out.look_at_lonlat = lonlat_of(map, out.look_at);
   }

@@ -64,6 +64,7 @@ struct Geodesic {
 struct ViewFacts {
   std::string projection;
   double view_from_azimuth_deg = kNotMeasured; ///< where the viewer stands
+  bool view_from_auto = false;                 ///< chosen, and so is the elevation
   double look_azimuth_deg = kNotMeasured;      ///< where the eye looks
   double elevation_deg = kNotMeasured;         ///< of the viewer above the target's horizontal
   std::optional<Vec3> eye;                     ///< none in a parallel view

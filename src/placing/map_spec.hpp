@@ -44,14 +44,17 @@ struct ViewSpec {
   /// Where the viewer stands, seen from the target: azimuth clockwise from north, elevation above
   /// the horizontal, 0 to 90 degrees. Without an eye.
   Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);
-  std::optional<Angle> field_of_view;                   ///< horizontal; perspective only
-  std::optional<double> distance_m;                     ///< eye to target in space
+  bool from_auto = false;             ///< both chosen, to show most ground with most relief
+  std::optional<Angle> field_of_view; ///< horizontal; perspective only
+  std::optional<double> distance_m;   ///< eye to target in space
   std::optional<GivenPlace> eye_map, look_at_map;       ///< in map coordinates
   std::optional<GivenPlace> eye_lonlat, look_at_lonlat; ///< longitude and latitude, WGS 84
   std::optional<double> eye_height_m;                   ///< above the ground; none: kEyeHeight_m
   std::optional<Angle> look_azimuth;                    ///< from true north where it is known
-  Angle pitch;                                          ///< upwards; beside `look_azimuth`
-  Angle roll;                                           ///< the picture turns clockwise by it
+  /// Upwards; beside `look_azimuth`. None, and nothing to look at either: the picture's window is
+  /// shifted so that skyline and foreground fill it (placing/frame_eye_view.hpp).
+  std::optional<Angle> pitch;
+  Angle roll; ///< the picture turns clockwise by it
   Curvature curvature = Curvature::automatic;
   double refraction = 0.13;           ///< K: share of the earth's curvature that rays follow
   std::optional<double> exaggeration; ///< none: chosen from the terrain

@@ -5,6 +5,7 @@
 #include "draw/page.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "placing/frame_eye_view.hpp"
 #include "placing/geodesy.hpp"
 #include "placing/give_tone.hpp"
 #include "placing/placed_solids.hpp"
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -32,8 +34,6 @@ ViewRequest view_request(const MapSpec& spec, const TerrainData& terrain, double
   ViewRequest request;
   request.projection = spec.view.projection;
   request.oblique = spec.view.oblique;
-  request.from_azimuth = spec.view.from_azimuth;
-  request.from_elevation = spec.view.from_elevation;
   request.field_of_view = spec.view.field_of_view;
   request.distance_m = spec.view.distance_m;
   request.roll = spec.view.roll;
@@ -42,11 +42,20 @@ ViewRequest view_request(const MapSpec& spec, const TerrainData& terrain, double
   return request;
 }
 
-// Height over width of the picture where the page decides it: the page lies unless told otherwise.
+// Height over width of the picture where the page decides it: the page lies unless told otherwise,
+// as an A4 does where it has no height.
 double page_aspect(PageRequest request) {
+  if (!request.height_mm) return std::numbers::sqrt2 / 2;
   if (request.orientation == Orientation::by_picture) request.orientation = Orientation::landscape;
+  request.crop = false;
+  request.scale.reset();
   const Box2 inner = place_on_page({{0, 0}, {1, 1}}, request).page.inner_mm();
   return inner.height() / inner.width();
+}
+
+WindowShape window_shape(const PageRequest& request) {
+  constexpr double kSquare = 1; // no foreground is worth more
+  return {request.height_mm ? page_aspect(request) : kSquare, request.ends_with_picture()};
 }
 
 // Of the ground under a perspective view's eye, exaggerated.
@@ -98,6 +107,47 @@ void find_depths(PlacedView& placed, const Surface& surface) {
   placed.farthest_m = cutter.farthest_m();
 }
 
+// Level, towards the terrain's centre where nothing says otherwise; north from straight above it.
+LookDirection level_look(const ViewRequest& request, const TerrainShape& shape) {
+  if (request.look) return *request.look;
+  const Vec3 towards = shape.box.centre() - *request.eye_m;
+  if (towards.x == 0 && towards.y == 0) return {};
+  return {atan2_angle(towards.x, towards.y), Angle()};
+}
+
+CutSurface cut_surface(const PlacedView& placed, const Surface& surface) {
+  return {surface, placed.level.triangles, placed.border};
+}
+
+std::vector<GroundAhead> ground_ahead_of(const PlacedView& placed, const Surface& surface,
+                                         const EarthDrop& drop) {
+  constexpr int kColumns = 17;
+  return ground_ahead(placed.view, drop, cut_surface(placed, surface), kColumns);
+}
+
+std::optional<ChosenView> chosen_view(const PlacedView& placed, const Surface& surface,
+                                      const ViewSpec& view, double exaggeration) {
+  if (!view.from_auto || view.file || view.has_eye()) return std::nullopt;
+  if (!has_ground(surface))
+    throw UsageError("without a terrain there is no view to choose", "give `from_azimuth`");
+  if (view.projection == Projection::oblique)
+    throw UsageError("an oblique view has an elevation of its own, so none can be chosen",
+                     "give `from_azimuth`, or ask for another `projection`");
+  return choose_view(
+      coarse_ground(cut_surface(placed, surface), placed.extent.box, placed.cell_m, exaggeration));
+}
+
+// Whether it is so framed; else the view is to be placed as asked.
+bool frame_by_skyline(PlacedView& placed, const TerrainData& terrain, const MapSpec& spec,
+                      const TerrainShape& shape, ViewRequest request) {
+  if (!has_ground(terrain.surface) || !is_framed_by_skyline(spec.view)) return false;
+  request.look = level_look(request, shape);
+  placed.view = place_view(request, shape, page_aspect(spec.page));
+  const bool over_ground = ground_under_eye(placed.view, terrain.surface).has_value();
+  return frame_eye_view(placed.view, shape, ground_ahead_of(placed, terrain.surface, request.drop),
+                        over_ground, window_shape(spec.page));
+}
+
 // View and page, on ground that sinks by `drop`.
 void place_on_earth(PlacedView& placed, const TerrainData& terrain, const MapSpec& spec,
                     const TerrainShape& shape, double exaggeration, const EarthDrop& drop) {
@@ -105,14 +155,24 @@ void place_on_earth(PlacedView& placed, const TerrainData& terrain, const MapSpe
     place_view_file(placed, *spec.view.file, terrain.map, exaggeration, drop);
   } else {
     ViewRequest request = view_request(spec, terrain, exaggeration);
+    const auto& chosen = placed.chosen_view;
+    request.from_azimuth = chosen ? chosen->azimuth : spec.view.from_azimuth;
+    request.from_elevation = chosen ? chosen->elevation : spec.view.from_elevation;
     request.drop = drop;
-    placed.view = place_view(request, shape, page_aspect(spec.page));
+    placed.framed_by_skyline = frame_by_skyline(placed, terrain, spec, shape, request);
+    if (!placed.framed_by_skyline) placed.view = place_view(request, shape, page_aspect(spec.page));
   }
+  if (spec.page.scale && placed.view.is_perspective())
+    throw UsageError("`scale` has no meaning in perspective, where what is near is larger",
+                     "ask for an orthographic or an oblique `projection`");
   const Placement placement = place_on_page(placed.view.window, spec.page);
   placed.page = placement.page;
   placed.to_page = compose(placement.to_page, placed.view.to_picture);
   placed.frame_mm = placed.page.inner_mm();
-  if (spec.view.file) { // of which the window is all that is shown
+  // A view in a file shows no more than its window. Where that doesn't reach to the margins, or the
+  // page is made to its measure, a view is to be the same when it comes back as a file.
+  if (spec.view.file || spec.page.scale ||
+      (placed.framed_by_skyline && spec.page.ends_with_picture())) {
     const Vec2 low = placement.to_page(placed.view.window.low),
                high = placement.to_page(placed.view.window.high);
     placed.frame_mm = {{low.x, high.y}, {high.x, low.y}};
@@ -244,6 +304,7 @@ PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& 
   if (!on_ground) take_extent(placed, beside);
   const TerrainShape shape{placed.extent.blocks,        facts.outline, placed.extent.box,
                            placed.extent.mean_height_m, placed.cell_m, std::move(beside)};
+  placed.chosen_view = chosen_view(placed, surface, spec.view, exaggeration);
   const auto place_with = [&](const EarthDrop& drop) {
     place_on_earth(placed, terrain, spec, shape, exaggeration, drop);
   };
@@ -264,6 +325,10 @@ PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& 
   if (under_eye_m) {
     check_eye(placed.view, *under_eye_m, terrain.map);
     keep_off_the_ground(placed.view, *under_eye_m, placed.cell_m);
+    if (spec.view.has_eye())
+      placed.near_skyline =
+          near_skyline(placed.view, ground_ahead_of(placed, surface, has_drop ? drop : EarthDrop{}),
+                       placed.cell_m, placed.view.eye_z_m - *under_eye_m);
   }
 
   placed.plan = spec.style.plan.value_or(PageSpacing{kPenWidthsApart * spec.style.pen_width_mm});

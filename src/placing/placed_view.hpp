@@ -6,7 +6,9 @@
 #include "dem/terrain.hpp"
 #include "draw/shade_strokes.hpp"
 #include "draw/stroke_builder.hpp"
+#include "placing/choose_view.hpp"
 #include "placing/map_spec.hpp"
+#include "placing/near_skyline.hpp"
 #include "placing/sector.hpp"
 #include "placing/terrain_facts.hpp"
 #include "placing/terrain_of_view.hpp"
@@ -36,6 +38,9 @@ struct PlacedView {
   std::vector<StandingSolid> solids;
   LevelGround level;
   View view;
+  bool framed_by_skyline = false; ///< looks level, its window shifted (placing/frame_eye_view.hpp)
+  std::optional<ChosenView> chosen_view; ///< where the spec leaves it to us
+  std::optional<NearSkyline> near_skyline;
   Page page;
   Homography to_page;               ///< visibility plane to page mm
   Box2 frame_mm;                    ///< strokes end here

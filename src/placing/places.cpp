@@ -147,10 +147,11 @@ std::optional<NamedPlace> target_of(const ViewSpec& view) {
 }
 
 LookDirection direction(const ViewSpec& view, const MapFrame& map, Vec3 eye_m) {
-  if (map.earth) return {*view.look_azimuth, view.pitch}; // the frame's north is true
+  const Angle pitch = view.pitch.value_or(Angle());
+  if (map.earth) return {*view.look_azimuth, pitch}; // the frame's north is true
   const Vec3 eye = map.to_map(eye_m);
   const auto azimuth = map_azimuth(map.crs_wkt, {eye.x, eye.y}, *view.look_azimuth);
-  return {azimuth.value_or(*view.look_azimuth), view.pitch};
+  return {azimuth.value_or(*view.look_azimuth), pitch};
 }
 
 } // namespace

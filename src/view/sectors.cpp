@@ -2,6 +2,7 @@
 #include "view/sectors.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace orograph {
 namespace {
@@ -29,6 +30,10 @@ bool shows_beside(const View& view) {
   // convex cone: it is least at a corner.
   return std::ranges::any_of(corner_rays(view),
                              [](Vec3 ray) { return ray.z < kLeastDepthShare * length(ray); });
+}
+
+double greatest_y_ahead(double x) {
+  return std::sqrt(1 / (kLeastDepthShare * kLeastDepthShare) - 1 - x * x);
 }
 
 double near_plane_m(const View& view, double cell_m) {

@@ -26,6 +26,10 @@ std::array<Vec3, 4> corner_rays(const View& view);
 /// length): straight down or up, or aside. Always false in a parallel view.
 bool shows_beside(const View& view);
 
+/// Of a level view, how far its window may reach up and down at an abscissa without that; NaN where
+/// the abscissa itself is beside the eye.
+double greatest_y_ahead(double x);
+
 /// v_near for a terrain with this finest ground detail: narrower where the page shows rays beside
 /// the eye; 0 in a parallel view.
 double near_plane_m(const View& view, double cell_m);

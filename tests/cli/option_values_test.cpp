@@ -2,6 +2,7 @@
 // The values of options, from text.
 #include "cli/options/option_values.hpp"
 #include "tests/catch.hpp"
+#include "text/words.hpp"
 
 #include <clocale>
 
@@ -74,9 +75,49 @@ TEST_CASE("a spacing has a unit") {
     CHECK_FALSE(parse_spacing(text));
 }
 
-TEST_CASE("a page of width x height") {
-  CHECK(parse_width_x_height("400x250.5") == Vec2{400, 250.5});
+TEST_CASE("a page of width x height, or as high as its picture") {
+  const auto given = parse_page_size("400x250.5");
+  REQUIRE(given);
+  CHECK(given->width_mm == 400);
+  CHECK(given->height_mm == 250.5);
+  for (const char* text : {"400xauto", "4e2xAUTO"}) {
+    const auto free = parse_page_size(text);
+    REQUIRE(free);
+    CHECK(free->width_mm == 400);
+    CHECK_FALSE(free->height_mm);
+  }
   for (const char* text :
-       {"400", "400x", "x250", "0x100", "-1x100", "1e9x100", "400x250x3", "400X250", "nanx100"})
-    CHECK_FALSE(parse_width_x_height(text));
+       {"400", "400x", "x250", "0x100", "-1x100", "1e9x100", "400x250x3", "400X250", "nanx100",
+        "autox400", "autoxauto", "xauto", "0xauto", "10001xauto", "400xautos", "auto"})
+    CHECK_FALSE(parse_page_size(text));
+}
+
+TEST_CASE("a compass rose's names, in any letter case") {
+  const std::vector<std::string> rose{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
+                                      "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
+  for (std::size_t i = 0; i < rose.size(); ++i) {
+    const double deg = 22.5 * static_cast<double>(i);
+    CHECK(parse_compass_deg(rose[i]) == deg);
+    CHECK(parse_compass_deg(in_lower_case(rose[i])) == deg);
+    CHECK(parse_azimuth_deg(rose[i]) == deg);
+    const auto from = parse_view_from(rose[i] + "/12.5");
+    REQUIRE(from);
+    CHECK(from->azimuth == Angle::degrees(deg));
+    CHECK(from->elevation == Angle::degrees(12.5));
+  }
+  CHECK(parse_compass_deg("nNw") == 337.5);
+  CHECK(parse_azimuth_deg("-12.5") == -12.5);
+  for (const char* text : {"", "NN", "NWN", "north", "N ", "O", "12", "NS"})
+    CHECK_FALSE(parse_compass_deg(text));
+  for (const char* text : {"NW/", "/NW", "NW/91", "NW/N", "NWN/10", "NW/10/3", "NW"})
+    CHECK_FALSE(parse_view_from(text));
+}
+
+TEST_CASE("a scale") {
+  CHECK(parse_scale("1:25000") == 25000);
+  CHECK(parse_scale("25000") == 25000);
+  CHECK(parse_scale("1:2.5e4") == 25000);
+  for (const char* text :
+       {"", "1:", "2:100", "1:0", "0", "-5", "1:-5", "1:nan", "1:2:3", "1/25000"})
+    CHECK_FALSE(parse_scale(text));
 }

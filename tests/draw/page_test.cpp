@@ -100,3 +100,97 @@ TEST_CASE("impossible pages are refused") {
   CHECK_THROWS_AS(place(std::numeric_limits<double>::infinity(), 297, 10), UsageError);
   CHECK_THROWS_AS(place(10001, 297, 10), UsageError);
 }
+
+TEST_CASE("a page without a height is as high as its picture, with its margins") {
+  for (const double shape : {0.05, 0.7, 1.0, 3.0, 30.0}) { // height over width
+    const Box2 window{{-3, 5}, {7, 5 + 10 * shape}};
+    for (const double margin_mm : {0.0, 12.5}) {
+      const Placement placed = place_on_page(window, {.width_mm = 300,
+                                                      .height_mm = std::nullopt,
+                                                      .orientation = Orientation::as_given,
+                                                      .margin_mm = margin_mm});
+      CHECK(placed.page.width_mm == 300);
+      const double inner_mm = 300 - 2 * margin_mm;
+      CHECK(near(placed.page.height_mm, inner_mm * shape + 2 * margin_mm));
+      CHECK(near(placed.to_page(window.low).x, margin_mm));
+      CHECK(near(placed.to_page(window.high).x, 300 - margin_mm));
+      CHECK(near(placed.to_page(window.high).y, margin_mm));
+      CHECK(near(placed.to_page(window.low).y, placed.page.height_mm - margin_mm));
+    }
+  }
+  const auto high = [](double shape) {
+    return place_on_page({{0, 0}, {1, shape}}, {.width_mm = 200, .height_mm = std::nullopt});
+  };
+  CHECK(near(high(55).page.height_mm, 180 * 55 + 20));
+  CHECK_THROWS_AS(high(56), UsageError); // over 10 m
+  CHECK_NOTHROW(high(0));
+  CHECK_THROWS_AS(place_on_page({{0, 0}, {1, 1}}, {.width_mm = 20, .height_mm = std::nullopt}),
+                  UsageError);
+}
+
+TEST_CASE("a cropped page ends where the picture ends, which stays as large") {
+  for (const double shape : {0.05, 0.5, 190.0 / 277, 1.0, 277.0 / 190, 8.0}) {
+    const Box2 window{{2, 3}, {3, 3 + shape}};
+    const Placement whole = place_on_page(window, {}),
+                    cropped = place_on_page(window, {.crop = true});
+    CHECK(cropped.to_page.m[0] == whole.to_page.m[0]); // mm for a unit
+    const Vec2 low = cropped.to_page(window.low), high = cropped.to_page(window.high);
+    const Box2 inner = cropped.page.inner_mm();
+    CHECK(near(low.x, inner.low.x));
+    CHECK(near(high.x, inner.high.x));
+    CHECK(near(high.y, inner.low.y));
+    CHECK(near(low.y, inner.high.y));
+    CHECK(std::max(cropped.page.width_mm - whole.page.width_mm,
+                   cropped.page.height_mm - whole.page.height_mm) <= kTolerance_mm);
+  }
+}
+
+TEST_CASE("a scale is millimetres on the page for metres of the picture") {
+  const Box2 window{{100, 200}, {5100, 3200}}; // 5 x 3 km
+  const Placement placed = place_on_page(window, {.scale = 25000});
+  CHECK(placed.page.width_mm == 297);
+  CHECK(near(placed.to_page({1100, 300}).x - placed.to_page({100, 300}).x, 40));
+  CHECK(near(placed.to_page({100, 300}).y - placed.to_page({100, 1300}).y, 40));
+  CHECK(near(placed.to_page(window.centre()).x, 148.5));
+  const Placement cropped = place_on_page(window, {.crop = true, .scale = 25000});
+  CHECK(near(cropped.page.width_mm, 220));
+  CHECK(near(cropped.page.height_mm, 140));
+  const Placement wide =
+      place_on_page(window, {.width_mm = 400, .height_mm = std::nullopt, .scale = 25000});
+  CHECK(wide.page.width_mm == 400);
+  CHECK(near(wide.page.height_mm, 140));
+}
+
+TEST_CASE("a scale at which the picture is larger than the page names one that fits, and a page") {
+  for (const double scale : {100.0, 9999.0, 12500.0}) {
+    const Box2 window{{0, 0}, {5000, 3000}};
+    PageRequest request{.scale = scale};
+    try {
+      place_on_page(window, request);
+      FAIL("it was placed");
+    } catch (const UsageError& error) {
+      const std::string right = error.right();
+      CAPTURE(right);
+      const auto after = [&](const std::string& words) {
+        const auto at = right.find(words);
+        REQUIRE(at != std::string::npos);
+        return right.substr(at + words.size());
+      };
+      const double fits = std::stod(after("1:"));
+      CHECK_NOTHROW(place_on_page(window, {.scale = fits}));
+      CHECK_THROWS_AS(place_on_page(window, {.scale = 0.9 * fits}), UsageError);
+      if (scale == 100) { // 50 m of paper
+        CHECK(right.find("`page`") == std::string::npos);
+        continue;
+      }
+      std::size_t digits = 0;
+      const std::string size = after("`page` of ");
+      request.width_mm = std::stod(size, &digits);
+      request.height_mm = std::stod(size.substr(digits + 1));
+      request.orientation = Orientation::as_given;
+      CHECK_NOTHROW(place_on_page(window, request));
+    }
+  }
+  // What is made to measure fits.
+  CHECK_NOTHROW(place_on_page({{0, 0}, {2770, 1900}}, {.scale = 10000}));
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/tell_placing.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+
+namespace orograph {
+namespace {
+
+void tell_chosen_view(const ChosenView& chosen) {
+  fmt::print(stderr,
+             "orograph: seen from {0}/{1}, which shows most ground with most relief (--view-from "
+             "{0}/{1})\n",
+             chosen.azimuth.in_degrees(), chosen.elevation.in_degrees());
+}
+
+void tell_near_skyline(const NearSkyline& near, const ViewSpec& view) {
+  const auto& eye = view.eye_lonlat ? view.eye_lonlat : view.eye_map;
+  std::string right;
+  if (eye && eye->z)
+    right = fmt::format("with {} without a height, ", view.eye_lonlat ? "--eye-lonlat" : "--eye");
+  right += near.clear_of_height_m
+               ? fmt::format("--eye-height {:.3g} looks over it", *near.clear_of_height_m)
+               : "a greater --eye-height, or another place, may look over it";
+  fmt::print(stderr,
+             "orograph: ground within {:.3g} m hides most of what is beyond it from an eye {:.3g} "
+             "m high ({})\n",
+             near.within_m, near.eye_height_m, right);
+}
+
+} // namespace
+
+void tell_placing(const PlacedView& placed, const ViewSpec& view) {
+  if (placed.exaggeration_chosen && placed.exaggeration != 1)
+    fmt::print(stderr,
+               "orograph: heights are exaggerated {} times (--exaggeration 1 draws them true)\n",
+               placed.exaggeration);
+  if (placed.chosen_view) tell_chosen_view(*placed.chosen_view);
+  if (placed.near_skyline) tell_near_skyline(*placed.near_skyline, view);
+}
+
+} // namespace orograph
