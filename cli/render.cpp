@@ -2,6 +2,7 @@
 #include "cli/render.hpp"
 
 #include "cli/progress.hpp"
+#include "cli/report/closing_lines.hpp"
 #include "cli/report/run_report.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
@@ -27,13 +28,6 @@ double seconds_since(Clock::time_point start) {
 void check_outputs(const RenderSettings& settings) {
   if (settings.output != "-") check_writable(settings.output, settings.write);
   if (!settings.report.empty()) check_writable(settings.report, settings.write);
-}
-
-void tell_exaggeration(const PlacedView& placed, bool quiet) {
-  if (!quiet && placed.exaggeration_chosen && placed.exaggeration != 1)
-    fmt::print(stderr,
-               "orograph: heights are exaggerated {} times (--exaggeration 1 draws them true)\n",
-               placed.exaggeration);
 }
 
 void tell_check(const std::optional<CheckCounts>& check) {
@@ -80,7 +74,6 @@ void render(const RenderSettings& settings) {
   const TerrainOfView terrain(whole, settings.map.view);
   const PlacedView placed = placed_view(terrain, settings.map, settings.solids.get());
   const double place_s = seconds_since(place_start);
-  tell_exaggeration(placed, settings.quiet);
 
   ProgressBar bar(shows_progress(settings.quiet, settings.progress));
   Map map = draw_map(*terrain, placed, settings.map, [&](double fraction) { bar.show(fraction); });
@@ -94,10 +87,13 @@ void render(const RenderSettings& settings) {
   seconds.place = place_s;
   seconds.write = seconds_since(write_start);
   bar.finish();
-  if (settings.report.empty()) return;
-  seconds.total = seconds_since(start);
-  describe_map(map, *terrain, placed, settings.map);
-  write_report(run_report(map, settings), settings.report, settings.write.overwrite);
+  if (!settings.report.empty()) {
+    seconds.total = seconds_since(start);
+    describe_map(map, *terrain, placed, settings.map);
+    write_report(run_report(map, settings), settings.report, settings.write.overwrite);
+  }
+  if (!settings.quiet)
+    fmt::print(stderr, "{}", closing_lines(map, placed, settings, seconds_since(start)));
 }
 
 } // namespace orograph

@@ -12,9 +12,6 @@
 namespace orograph {
 namespace {
 
-// Aerial perspective that one sees as depth and not as fog.
-constexpr double kHazeInPerspective = 0.3;
-
 bool may_have_tone(const PlacedView& placed, const MapSpec& spec) {
   return placed.sectors.size() == 1 && !shows_beside(placed.view) &&
          spec.style.occluder == Occluder::surface && !spec.ground_points &&
@@ -60,7 +57,7 @@ void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec) 
   request.least_width_mm = widths.least_mm;
   request.greatest_width_mm = widths.greatest_mm;
   if (style.light) request.light = ground_light(*style.light, widths, request.spacing_mm, view);
-  request.haze = style.haze.value_or(view.is_perspective() ? kHazeInPerspective : 0);
+  request.haze = style.haze_in(view.is_perspective());
   request.draws_level = style.flat == FlatGround::draw;
   const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.border);
   const TonePage page{view, sector.to_page, page_range(sector), placed.frame_mm};
