@@ -85,7 +85,8 @@ std::vector<std::string> tie_values(const Command& command,
   const std::string meant = suggestion(command, name);
   throw UsageError(fmt::format("unknown option {}", name),
                    meant.empty() ? see_help(command)
-                                 : fmt::format("{} {}", meant, see_help(command)));
+                                 : fmt::format("{}{} {}", meant, meant.ends_with('?') ? "" : ";",
+                                               see_help(command)));
 }
 
 void refuse_leftovers(const Command& command, std::vector<std::string> leftovers) {

@@ -17,11 +17,11 @@ namespace orograph {
 namespace {
 
 // Of an option in force, given or by default.
-bool has_meaning(std::string_view option, const RenderSettings& settings,
-                 const GivenOptions& given) {
+bool has_meaning(std::string_view option, const RenderSettings& settings) {
   const ViewSpec& view = settings.map.view;
   const bool is_perspective = view.projection == Projection::perspective;
-  if (option == "projection") return !given.contains("--oblique");
+  const bool is_oblique = view.projection == Projection::oblique; // which --oblique says
+  if (option == "projection" || option == "oblique") return is_oblique == (option == "oblique");
   if (option == "fov") // of a distance that is given alone, the field follows
     return is_perspective && (!view.distance_m || view.field_of_view);
   if (option == "distance" || option == "refraction" || option == "curvature-coefficient")
@@ -108,7 +108,7 @@ std::optional<RenderSettings> parse_render(const std::vector<std::string>& argum
   settings.options = options_in_force(render_command(tried), given,
                                       std::filesystem::path(settings.report).parent_path());
   std::erase_if(settings.options,
-                [&](const auto& entry) { return !has_meaning(entry.first, settings, given); });
+                [&](const auto& entry) { return !has_meaning(entry.first, settings); });
   return settings;
 }
 

@@ -11,15 +11,15 @@
 namespace orograph {
 namespace {
 
-constexpr std::string_view kBoth = "it holds azimuth and elevation";
-constexpr std::string_view kLight = "light falls on the lines from there";
+constexpr std::string_view kBoth = "azimuth and elevation";
+constexpr std::string_view kLight = "where light falls from";
 constexpr std::string_view kNoContours =
-    "there are no contours yet: --light shows relief, --spacing sets how close profiles are";
+    "there are no contours yet, but --light shows relief and --spacing sets how close profiles are";
 constexpr std::string_view kNoNames = "there are no names on the picture yet";
 constexpr std::string_view kNoPanorama =
-    "there is no panorama yet: --eye with --fov up to 180 degrees sees the most";
+    "there is no panorama yet, but --eye with --fov below 180 degrees";
 constexpr std::string_view kNoColour =
-    "lines are black and grey: colour the layers of an SVG in an editor";
+    "lines are black and grey; layers of an SVG can be coloured in an editor";
 
 // Words of GMT and PyGMT, PLplot, gnuplot, matplotlib, GRASS, QGIS, rayshader, ridge_map and GDAL.
 constexpr auto kWords = std::to_array<OtherWord>({
@@ -42,6 +42,7 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"view-init", "--view-from", kBoth},
     {"perspective", "--view-from", "--projection perspective is the default"},
     {"from", "--view-from", {}},
+    {"view-from", "--azimuth", "and --elevation"}, // of a sweep
     {"direction", "--view-from", kBoth},
     {"camera", "--eye", {}},
     {"position", "--eye", {}},
@@ -69,6 +70,7 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"panorama", {}, kNoPanorama},
     {"cylindrical", {}, kNoPanorama},
     // Heights
+    {"jz", "--exaggeration", {}},
     {"zscale", "--exaggeration", {}},
     {"z-scale", "--exaggeration", {}},
     {"zsize", "--exaggeration", {}},
@@ -164,16 +166,16 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"nodata", "--fill-voids", {}},
     {"fill-nodata", "--fill-voids", {}},
     {"units", "--height-unit", {}},
-    {"dem", "INPUT", "the terrain is named without an option"},
-    {"input", "INPUT", "the terrain is named without an option"},
-    {"crs", {}, "the terrain is drawn in its own CRS: gdalwarp brings it into another"},
-    {"epsg", {}, "the terrain is drawn in its own CRS: gdalwarp brings it into another"},
-    {"t-srs", {}, "the terrain is drawn in its own CRS: gdalwarp brings it into another"},
+    {"dem", "INPUT", "named without an option"},
+    {"input", "INPUT", "named without an option"},
+    {"crs", {}, "the terrain is drawn in its own CRS; gdalwarp brings it into another"},
+    {"epsg", {}, "the terrain is drawn in its own CRS; gdalwarp brings it into another"},
+    {"t-srs", {}, "the terrain is drawn in its own CRS; gdalwarp brings it into another"},
     // Output
-    {"o", "OUTPUT", "the drawing is named without an option"},
-    {"out", "OUTPUT", "the drawing is named without an option"},
-    {"output", "OUTPUT", "the drawing is named without an option"},
-    {"outfile", "OUTPUT", "the drawing is named without an option"},
+    {"o", "OUTPUT", "named without an option"},
+    {"out", "OUTPUT", "named without an option"},
+    {"output", "OUTPUT", "named without an option"},
+    {"outfile", "OUTPUT", "named without an option"},
     {"format", "--of", {}},
     {"output-format", "--of", {}},
     {"driver", "--of", {}},
@@ -196,7 +198,7 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"-oy", "--eye", {}},
     {"-oz", "--eye-height", {}},
     {"-cc", "--curvature-coefficient", {}},
-    {"-o", "OUTPUT", "the drawing is named without an option"},
+    {"-o", "OUTPUT", "named without an option"},
     {"-f", "--of", {}},
     {"-z", "--exaggeration", {}},
     {"-s", "--exaggeration", {}},
@@ -240,8 +242,9 @@ const OtherWord* short_word(const Command& command, std::string_view given) {
 std::string told(const Command& command, const OtherWord& word) {
   if (word.option.empty()) return std::string(word.says);
   const Option& option = *find_option(command, word.option);
-  return fmt::format("did you mean {}{}{}?{}{}", option.name, option.value.empty() ? "" : " ",
-                     option.value, word.says.empty() ? "" : " ", word.says);
+  const std::string says = word.says.empty() ? "" : fmt::format(" ({})", word.says);
+  return fmt::format("did you mean {}{}{}{}?", option.name, option.value.empty() ? "" : " ",
+                     option.value, says);
 }
 
 } // namespace

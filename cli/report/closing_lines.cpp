@@ -27,15 +27,15 @@ std::string view_in_words(const PlacedView& placed, const ViewSpec& asked) {
     return deg < 0 ? deg + 360 : deg;
   };
   if (asked.has_eye()) return fmt::format("from the eye towards azimuth {}", azimuth(view.forward));
-  const std::string from =
-      fmt::format("from {}/{:.3g}", azimuth(-1.0 * view.forward), view.elevation.in_degrees());
+  const double from_azimuth = azimuth(-1.0 * view.forward);
+  const std::string from = fmt::format("from {}/{:.3g}", from_azimuth, view.elevation.in_degrees());
   switch (view.projection) {
   case Projection::perspective:
     return from + " in perspective";
   case Projection::orthographic:
     return from + ", orthographic";
   case Projection::oblique:
-    return from + ", oblique";
+    return fmt::format("from azimuth {}, oblique", from_azimuth);
   }
   return from;
 }
