@@ -2,6 +2,7 @@
 #include "cli/render.hpp"
 
 #include "cli/progress.hpp"
+#include "cli/report/closing_lines.hpp"
 #include "cli/report/run_report.hpp"
 #include "cli/tell_placing.hpp"
 #include "dem/read/read_terrain.hpp"
@@ -88,10 +89,13 @@ void render(const RenderSettings& settings) {
   seconds.place = place_s;
   seconds.write = seconds_since(write_start);
   bar.finish();
-  if (settings.report.empty()) return;
-  seconds.total = seconds_since(start);
-  describe_map(map, *terrain, placed, settings.map);
-  write_report(run_report(map, settings), settings.report, settings.write.overwrite);
+  if (!settings.report.empty()) {
+    seconds.total = seconds_since(start);
+    describe_map(map, *terrain, placed, settings.map);
+    write_report(run_report(map, settings), settings.report, settings.write.overwrite);
+  }
+  if (!settings.quiet)
+    fmt::print(stderr, "{}", closing_lines(map, placed, settings, seconds_since(start)));
 }
 
 } // namespace orograph

@@ -2,6 +2,7 @@
 // Everything that `orograph render` is told, checked and in its own types.
 #pragma once
 
+#include "cli/options/option.hpp"
 #include "dem/read/read_options.hpp"
 #include "placing/map_spec.hpp"
 #include "solids/scene_file.hpp"
@@ -28,8 +29,10 @@ struct RenderSettings {
   bool dashes_hidden = false; ///< hidden edges of solids
 
   WriteOptions write;
-  std::string report; ///< path of the JSON report; empty: none
-  int jobs = 0;       ///< cores to use; 0: all
+  std::string report;        ///< path of the JSON report; empty: none
+  std::string settings_file; ///< whose options are among these; empty: none
+  NamedValues options;       ///< those in force that decide what is drawn, for the report
+  int jobs = 0;              ///< cores to use; 0: all
   bool quiet = false;
   std::optional<bool> progress; ///< none: where stderr is a terminal
 };

@@ -33,10 +33,6 @@ void tell_near_skyline(const NearSkyline& near, const ViewSpec& view) {
 } // namespace
 
 void tell_placing(const PlacedView& placed, const ViewSpec& view) {
-  if (placed.exaggeration_chosen && placed.exaggeration != 1)
-    fmt::print(stderr,
-               "orograph: heights are exaggerated {} times (--exaggeration 1 draws them true)\n",
-               placed.exaggeration);
   if (placed.chosen_view) tell_chosen_view(*placed.chosen_view);
   if (placed.near_skyline) tell_near_skyline(*placed.near_skyline, view);
 }

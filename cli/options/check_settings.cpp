@@ -15,6 +15,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 namespace orograph {
 namespace {
@@ -53,7 +54,8 @@ void check_no_input(const RenderSettings& settings, const std::string& path,
   std::vector<std::pair<std::string, const char*>> inputs{{reading.breaklines, "--breaklines"},
                                                           {reading.boundary, "--boundary"},
                                                           {settings.map.view.file_name, "--view"},
-                                                          {settings.scene_file, "--scene"}};
+                                                          {settings.scene_file, "--scene"},
+                                                          {settings.settings_file, "--settings"}};
   for (const std::string& input : settings.inputs) inputs.emplace_back(input, "INPUT");
   for (const auto& [input, name] : inputs)
     if (!input.empty() && replaces_input(input, path))
@@ -73,7 +75,7 @@ void check_output(RenderSettings& settings, const GivenOptions& given) {
     throw UsageError("this format can't go to standard output",
                      "use a text format, as in --of svg, or give OUTPUT a file name");
   if (!to_stdout) check_no_input(settings, settings.output, "OUTPUT", "OUTPUT");
-  if (given.contains("--dpi") && settings.write.format != Format::png)
+  if (insists_on(given, "--dpi") && settings.write.format != Format::png)
     throw UsageError("--dpi has no meaning in a vector format",
                      "leave it out, or write PNG with --of png");
 }
@@ -86,16 +88,21 @@ void check_report(const RenderSettings& settings, const GivenOptions& given) {
                      "give the report another name");
 }
 
-void check_eye(const RenderSettings& settings, const GivenOptions& given) {
-  if (!settings.map.view.has_eye())
+void check_eye(RenderSettings& settings, const GivenOptions& given) {
+  if (!settings.map.view.has_eye()) {
     for (const char* option : {"--eye-height", "--look-azimuth", "--pitch"})
-      if (given.contains(option))
+      if (insists_on(given, option))
         throw UsageError(fmt::format("{} has no meaning without an eye", option),
                          "give --eye X,Y or --eye-lonlat LON,LAT too");
-  if (given.contains("--pitch") && !settings.map.view.look_azimuth)
+    settings.map.view.eye_height_m.reset();
+    settings.map.view.look_azimuth.reset();
+    settings.map.view.pitch = {};
+  }
+  if (insists_on(given, "--pitch") && !settings.map.view.look_azimuth)
     throw UsageError("--pitch needs a direction to look in", "give --look-azimuth DEG too");
   const bool by_lonlat = settings.map.view.eye_lonlat.has_value();
   const auto& eye = by_lonlat ? settings.map.view.eye_lonlat : settings.map.view.eye_map;
+  if (eye && eye->z && !insists_on(given, "--eye-height")) settings.map.view.eye_height_m.reset();
   if (eye && eye->z && settings.map.view.eye_height_m)
     throw UsageError(fmt::format("--eye-height is for an eye on the ground, and {} has a height",
                                  by_lonlat ? "--eye-lonlat" : "--eye"),
@@ -113,12 +120,19 @@ void add_layers(RenderSettings& settings) {
 }
 
 void check_view(RenderSettings& settings, const GivenOptions& given) {
-  if (given.contains("--oblique")) {
-    if (given.contains("--projection") && settings.map.view.projection != Projection::oblique)
+  // What a settings file says of the projection gives way to the command line.
+  const bool is_oblique = given.contains("--oblique") &&
+                          (insists_on(given, "--oblique") || !insists_on(given, "--projection"));
+  if (is_oblique) {
+    if (given.contains("--projection") && settings.map.view.projection != Projection::oblique &&
+        insists_on(given, "--oblique") == insists_on(given, "--projection"))
       throw UsageError("--oblique is a projection of its own", "leave --projection out");
     settings.map.view.projection = Projection::oblique;
   }
-  if (settings.map.view.projection != Projection::perspective)
+  if (settings.map.view.from_auto && settings.map.view.projection == Projection::oblique)
+    throw UsageError("--view-from auto chooses an elevation, and an oblique view has its own",
+                     "give --view-from AZ/EL, or use --projection orthographic");
+  if (settings.map.view.projection != Projection::perspective) {
     for (const auto& [option, right] :
          {std::pair{"--distance", "leave it out"}, std::pair{"--fov", "leave it out"},
           std::pair{"--eye", "give --view-from AZ/EL"},
@@ -126,18 +140,18 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
           std::pair{"--eye-height", "leave it out"},
           std::pair{"--look-azimuth", "give --view-from AZ/EL"},
           std::pair{"--pitch", "give --view-from AZ/EL"}})
-      if (given.contains(option))
+      if (insists_on(given, option) || (std::string_view(option).starts_with("--eye") &&
+                                        settings.map.view.has_eye() && given.contains(option)))
         throw UsageError(fmt::format("{} has no meaning in a parallel view", option),
                          fmt::format("{}, or use --projection perspective", right));
-  if (settings.map.view.from_auto && settings.map.view.projection == Projection::oblique)
-    throw UsageError("--view-from auto chooses an elevation, and an oblique view has its own",
-                     "give --view-from AZ/EL, or use --projection orthographic");
-  if (settings.map.view.projection != Projection::perspective)
     for (const char* option : {"--refraction", "--curvature-coefficient"})
-      if (given.contains(option))
+      if (insists_on(given, option))
         throw UsageError(
             fmt::format("{} has no meaning in a parallel view, which has no eye", option),
             "leave it out, or use --projection perspective");
+    settings.map.view.distance_m.reset();
+    settings.map.view.field_of_view.reset();
+  }
   check_eye(settings, given);
 }
 
@@ -193,7 +207,7 @@ void check_scene_alone(const RenderSettings& settings, const GivenOptions& given
                              "--flat",
                              "--void-edges",
                              "--check"})
-    if (given.contains(option))
+    if (insists_on(given, option))
       throw UsageError(fmt::format("{} has no meaning without a terrain", option),
                        "leave it out, or give a DEM as INPUT and the scene as --scene");
   const Style& style = settings.map.style;
@@ -212,8 +226,10 @@ void take_scene(RenderSettings& settings, const GivenOptions& given) {
     check_scene_alone(settings, given);
   }
   if (settings.scene_file.empty()) {
-    if (settings.map.style.asks_for("hidden"))
+    if (!settings.map.style.asks_for("hidden")) return;
+    if (insists_on(given, "--hidden"))
       throw UsageError("--hidden has no meaning without solids", "give --scene FILE too");
+    std::erase(settings.map.style.layers, LayerSpec("hidden"));
     return;
   }
   if (settings.map.style.occluder == Occluder::profiles)

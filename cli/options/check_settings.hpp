@@ -11,7 +11,8 @@
 namespace orograph {
 
 /// Settles the output's format (by `--of`, else by OUTPUT's extension) and throws UsageError where
-/// settings contradict each other, an output is an input, or the page has no room.
+/// settings contradict each other, an output is an input, or the page has no room. What only a
+/// settings file says, and what has no meaning here, is left out instead.
 void check_settings(RenderSettings& settings, const GivenOptions& given);
 
 /// The same of view and page alone.

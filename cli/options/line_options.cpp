@@ -107,9 +107,9 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                   {.unit = "mm", .low = 0, .high = 100}, change_light(&LightSpec::smooth_mm)));
   options.push_back({.group = kGroup,
                      .name = "--light-by",
+                     .value = "width|density",
                      .help = "How lines show light: by their width, or, for pens of one width, by "
                              "density, how close they are",
-                     .allowed = "width or density",
                      .by_default = "width",
                      .take = [&s](const std::string& text) {
                        if (s.map.style.light) s.map.style.light->by_density = text == "density";

@@ -182,7 +182,7 @@ Command accuracy_command(AccuracySettings& settings) {
   add_page_options(command.options, render);
   add_accuracy_options(command.options, settings);
   command.options.push_back(jobs_option(render.jobs));
-  add_general_options(command.options, render.quiet, render.progress);
+  add_general_options(command.options, render.settings_file, render.quiet, render.progress);
   return command;
 }
 
@@ -212,7 +212,7 @@ Command fragmentation_command(FragmentationSettings& settings) {
   add_terrain_options(command.options, render.inputs, render.reading);
   add_fragmentation_options(command.options, settings);
   command.options.push_back(jobs_option(render.jobs));
-  add_general_options(command.options, render.quiet, render.progress);
+  add_general_options(command.options, render.settings_file, render.quiet, render.progress);
   return command;
 }
 

@@ -14,6 +14,11 @@ constexpr auto kGroup = "General";
 
 } // namespace
 
+bool insists_on(const GivenOptions& given, const std::string& option) {
+  const auto found = given.find(option);
+  return found != given.end() && found->second.place.empty();
+}
+
 std::string NumberRange::describe() const {
   std::string limits;
   if (std::isfinite(low) && std::isfinite(high) && !low_excluded && !high_excluded) {
@@ -84,7 +89,16 @@ Option jobs_option(int& jobs) {
                       1, 1024, [&jobs](int n) { jobs = n; });
 }
 
-void add_general_options(std::vector<Option>& options, bool& quiet, std::optional<bool>& progress) {
+void add_general_options(std::vector<Option>& options, std::string& settings_file, bool& quiet,
+                         std::optional<bool>& progress) {
+  options.push_back({.group = kGroup,
+                     .name = "--settings",
+                     .value = "FILE",
+                     .help = "Take what else is to be set from a file with lines such as fov = 40 "
+                             "or light = \"off\": any options, by their names; what stands on the "
+                             "command line goes before it",
+                     .allowed = "settings in TOML, or the report of a run (.json)",
+                     .take = stored_name(settings_file)});
   options.push_back(quiet_option(quiet));
   options.push_back({.group = kGroup,
                      .name = "--progress",

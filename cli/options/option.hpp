@@ -30,6 +30,8 @@ struct Option {
 
   bool is_positional() const { return !name.starts_with('-'); }
   bool is_switch() const { return value.empty() && !is_positional(); }
+  /// Of a file that is read.
+  bool is_path() const { return value == "FILE"; }
 };
 
 /// Two options that exclude each other, and what to do instead.
@@ -49,8 +51,21 @@ struct Command {
   std::vector<Example> examples;
 };
 
-/// The options that a command line gives, with their values as given: one empty value for a switch.
-using GivenOptions = std::map<std::string, std::vector<std::string>>;
+/// An option that is given, with its values as given: one empty value for a switch.
+struct GivenOption {
+  std::vector<std::string> values;
+  std::string place =
+      {}; ///< "a.toml, line 3" of a settings file that gives it; empty: the command line
+};
+/// By name.
+using GivenOptions = std::map<std::string, GivenOption>;
+
+/// Options by name without dashes, with their values; a switch has none.
+using NamedValues = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+/// Whether the command line itself gives the option. Where it has no meaning that is an error; from
+/// a settings file, which serves many drawings, it is passed over.
+bool insists_on(const GivenOptions& given, const std::string& option);
 
 struct NumberRange {
   std::string unit = {}; ///< empty for a plain number
@@ -116,7 +131,8 @@ Option help_option();
 Option quiet_option(bool& quiet);
 Option jobs_option(int& jobs);
 
-/// With `--help`.
-void add_general_options(std::vector<Option>& options, bool& quiet, std::optional<bool>& progress);
+/// With `--help` and `--settings`.
+void add_general_options(std::vector<Option>& options, std::string& settings_file, bool& quiet,
+                         std::optional<bool>& progress);
 
 } // namespace orograph

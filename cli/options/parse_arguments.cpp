@@ -2,9 +2,9 @@
 // A command line against the table of a command's options.
 #include "cli/options/parse_arguments.hpp"
 
-#include "cli/options/option_values.hpp"
+#include "cli/options/settings_file.hpp"
+#include "cli/options/suggest_option.hpp"
 #include "geometry/error.hpp"
-#include "text/words.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -80,30 +80,13 @@ std::vector<std::string> tie_values(const Command& command,
   return tied;
 }
 
-std::string without_dashes(std::string_view name) {
-  name.remove_prefix(std::min(name.find_first_not_of('-'), name.size()));
-  return std::string(name);
-}
-
 [[noreturn]] void refuse_unknown(const Command& command, const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
-  const Option* nearest = nullptr;
-  int least = 4; // farther than that, a suggestion is a guess
-  for (const auto& option : command.options) {
-    if (option.is_positional()) continue;
-    const std::string given = without_dashes(name), known = without_dashes(option.name);
-    const int distance =
-        known.starts_with(given) && given.size() > 1 ? 0 : edit_distance(given, known);
-    // A word of three letters is within 3 edits of any other.
-    if (distance < least && distance < static_cast<int>(known.size())) {
-      least = distance;
-      nearest = &option;
-    }
-  }
+  const std::string meant = suggestion(command, name);
   throw UsageError(fmt::format("unknown option {}", name),
-                   nearest != nullptr
-                       ? fmt::format("did you mean {}? {}", nearest->name, see_help(command))
-                       : see_help(command));
+                   meant.empty() ? see_help(command)
+                                 : fmt::format("{}{} {}", meant, meant.ends_with('?') ? "" : ";",
+                                               see_help(command)));
 }
 
 void refuse_leftovers(const Command& command, std::vector<std::string> leftovers) {
@@ -142,7 +125,7 @@ std::map<std::string, std::vector<std::string>> places_of(const Command& command
 
 void take_values(const Option& option, const std::vector<std::string>& values) {
   if (option.is_switch()) {
-    if (values.front() != "true")
+    if (!values.front().empty())
       throw UsageError(option.name + " takes no value", "give " + option.name + " alone");
     option.take("");
     return;
@@ -154,6 +137,27 @@ void take_values(const Option& option, const std::vector<std::string>& values) {
     if (!option.take(value))
       throw UsageError(fmt::format("{} '{}' can't be used", option.name, value),
                        how_to_give(option));
+}
+
+void take_given(const Option& option, const GivenOption& given) {
+  if (given.place.empty()) return take_values(option, given.values);
+  try {
+    take_values(option, given.values);
+  } catch (const UsageError& error) {
+    throw Error(fmt::format("{}: {}", given.place, error.wrong()), error.right());
+  }
+}
+
+void refuse_conflicts(const Command& command, const GivenOptions& given) {
+  for (const auto& [one, other, right] : command.conflicts) {
+    const auto first = given.find(one), second = given.find(other);
+    if (first == given.end() || second == given.end()) continue;
+    const std::string wrong = fmt::format("{} and {} exclude each other", one, other);
+    // Of what is in conflict with the command line nothing was taken from a settings file.
+    const std::string place = std::max(first->second.place, second->second.place);
+    if (place.empty()) throw UsageError(wrong, right);
+    throw Error(fmt::format("{}: {}", place, wrong), right);
+  }
 }
 
 } // namespace
@@ -189,9 +193,15 @@ GivenOptions parse_arguments(const Command& command, const std::vector<std::stri
   }
 
   GivenOptions given;
-  for (const auto& [option, parsed] : table)
-    if (parsed->count() > 0)
-      given[option->name] = option->is_switch() ? std::vector<std::string>{""} : parsed->results();
+  for (const auto& [option, parsed] : table) {
+    if (parsed->count() == 0) continue;
+    std::vector<std::string> values = parsed->results();
+    if (option->is_switch()) // any number of times
+      values = {std::all_of(values.begin(), values.end(), [](const auto& v) { return v == "true"; })
+                    ? ""
+                    : values.front()};
+    given[option->name] = {std::move(values)};
+  }
   if (given.contains("--help")) return given;
 
   refuse_leftovers(command, app.remaining());
@@ -201,14 +211,17 @@ GivenOptions parse_arguments(const Command& command, const std::vector<std::stri
     const auto given_here = places.find(option.name);
     if (given_here == places.end())
       throw UsageError("no " + option.name + " is given", how_to_give(option));
-    given[option.name] = given_here->second;
+    given[option.name] = {given_here->second};
     take_values(option, given_here->second);
   }
-  for (const auto& [option, parsed] : table)
-    if (parsed->count() > 0) take_values(*option, parsed->results());
-  for (const auto& [one, other, right] : command.conflicts)
-    if (given.contains(one) && given.contains(other))
-      throw UsageError(fmt::format("{} and {} exclude each other", one, other), right);
+  if (const auto settings = given.find("--settings"); settings != given.end()) {
+    take_values(*find_option(command, "--settings"), settings->second.values);
+    add_settings(command, settings->second.values.front(), given);
+  }
+  for (const auto& option : command.options)
+    if (!option.is_positional() && given.contains(option.name))
+      take_given(option, given.at(option.name));
+  refuse_conflicts(command, given);
   return given;
 }
 

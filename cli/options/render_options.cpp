@@ -4,12 +4,37 @@
 #include "cli/options/option_groups.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/parse_arguments.hpp"
+#include "cli/options/settings_file.hpp"
 #include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
+#include <string_view>
+
 namespace orograph {
+namespace {
+
+// Of an option in force, given or by default.
+bool has_meaning(std::string_view option, const RenderSettings& settings) {
+  const ViewSpec& view = settings.map.view;
+  const bool is_perspective = view.projection == Projection::perspective;
+  const bool is_oblique = view.projection == Projection::oblique; // which --oblique says
+  if (option == "projection" || option == "oblique") return is_oblique == (option == "oblique");
+  if (option == "fov") // of a distance that is given alone, the field follows
+    return is_perspective && (!view.distance_m || view.field_of_view);
+  if (option == "distance" || option == "refraction" || option == "curvature-coefficient")
+    return is_perspective;
+  if (option == "eye-height") return view.has_eye();
+  if (option == "pitch") return view.look_azimuth.has_value();
+  if (option == "dpi") return settings.write.format == Format::png;
+  if (option == "hidden") return settings.solids != nullptr;
+  if (option.starts_with("light-") || option == "haze") return settings.map.style.light.has_value();
+  return true;
+}
+
+} // namespace
 
 std::vector<Conflict> picture_conflicts() {
   std::vector<Conflict> conflicts{
@@ -70,7 +95,7 @@ Command render_command(RenderSettings& settings) {
   add_page_options(command.options, settings);
   add_output_options(command.options, settings);
   command.options.push_back(jobs_option(settings.jobs));
-  add_general_options(command.options, settings.quiet, settings.progress);
+  add_general_options(command.options, settings.settings_file, settings.quiet, settings.progress);
   return command;
 }
 
@@ -79,6 +104,11 @@ std::optional<RenderSettings> parse_render(const std::vector<std::string>& argum
   const auto given = parse_arguments(render_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
   check_settings(settings, given);
+  RenderSettings tried; // defaults are
+  settings.options = options_in_force(render_command(tried), given,
+                                      std::filesystem::path(settings.report).parent_path());
+  std::erase_if(settings.options,
+                [&](const auto& entry) { return !has_meaning(entry.first, settings); });
   return settings;
 }
 

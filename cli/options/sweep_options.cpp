@@ -205,12 +205,14 @@ std::vector<Conflict> sweep_conflicts() {
 }
 
 // Where the files are, and how the work is done, decides nothing of what is drawn.
-std::map<std::string, std::vector<std::string>> deciding(GivenOptions given) {
+std::map<std::string, std::vector<std::string>> deciding(const GivenOptions& given) {
+  std::map<std::string, std::vector<std::string>> values;
+  for (const auto& [name, option] : given) values[name] = option.values;
   for (const char* option : {"INPUT", "OUT_DIR", "--overwrite", "--resume", "--jobs", "--shard",
-                             "--yes", "--quiet", "--progress", "--no-progress", "--eye-path",
-                             "--views", "--breaklines", "--boundary", "--scene"})
-    given.erase(option);
-  return given;
+                             "--yes", "--quiet", "--progress", "--no-progress", "--settings",
+                             "--eye-path", "--views", "--breaklines", "--boundary", "--scene"})
+    values.erase(option);
+  return values;
 }
 
 void check_sweep(SweepSettings& settings, const GivenOptions& given) {
@@ -219,10 +221,10 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
     for (Axis& axis : settings.axes)
       if (axis.parameter == Parameter::azimuth || axis.parameter == Parameter::look_azimuth)
         drop_full_turn(axis.values);
-  if (given.contains("--dpi") && render.write.format != Format::png)
+  if (insists_on(given, "--dpi") && render.write.format != Format::png)
     throw UsageError("--dpi has no meaning in a vector format",
                      "leave it out, or write PNG with --of png");
-  if (given.contains("--eye-step") && settings.eye_path.empty())
+  if (insists_on(given, "--eye-step") && settings.eye_path.empty())
     throw UsageError("--eye-step has no meaning without a path", "give --eye-path FILE too");
   if (!settings.eye_path.empty()) {
     if (render.map.view.projection != Projection::perspective)
@@ -291,7 +293,7 @@ Command sweep_command(SweepSettings& settings) {
                         [](const Option& o) { return o.group == kVaried; });
   options.insert(options.end(), varied.begin(), varied.end());
   add_work_options(options, settings);
-  add_general_options(options, render.quiet, render.progress);
+  add_general_options(options, render.settings_file, render.quiet, render.progress);
   return command;
 }
 

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The run report as JSON, written and read.
+// The run report as JSON, written.
 #include "cli/report/run_report.hpp"
 
 #include "cli/render_settings.hpp"
 #include "cli/version.hpp"
 #include "geometry/error.hpp"
-#include "placing/view_entries.hpp"
-#include "text/text_of_file.hpp"
-#include "text/words.hpp"
 #include "write/output_file.hpp"
 #include "write/write_drawing.hpp"
 
@@ -151,6 +148,16 @@ Json json_of(const Counts& counts) {
           {"solid_edges", counts.solid_edges}};
 }
 
+Json json_of(const std::vector<LayerFacts>& layers) {
+  Json list = Json::array();
+  for (const LayerFacts& layer : layers)
+    list.push_back({{"name", layer.name},
+                    {"strokes", layer.strokes},
+                    {"ink_mm", layer.ink_mm},
+                    {"pen_up_mm", layer.pen_up_mm}});
+  return list;
+}
+
 Json json_of(const CheckCounts& check) {
   return {{"asked", check.asked},
           {"ties", check.ties},
@@ -181,58 +188,41 @@ Json json_of(const ErrorBudget& budget) {
           {"total", or_unknown(budget.total_mm())}};
 }
 
-constexpr std::size_t kMostBytesOfReport = 20'000'000; // it tells of every profile
-
-std::optional<double> as_number(const nlohmann::json& value) {
-  if (!value.is_number()) return std::nullopt;
-  return value.get<double>();
+// What is given and what is by default, and what was chosen for this map: written out, so that
+// another version that chooses otherwise draws the same.
+NamedValues settings_of(const MapFacts& facts, const RenderSettings& settings) {
+  NamedValues all = settings.options;
+  const auto is_there = [&](const char* option) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const auto& entry) { return entry.first == option; });
+  };
+  const auto add = [&](const char* option, std::string value) {
+    if (!is_there(option)) all.push_back({option, {std::move(value)}});
+  };
+  if (all.empty() || facts.profiles.spacing.empty()) return all;
+  const Style& style = settings.map.style;
+  if (!is_there("profiles")) add("spacing", facts.profiles.spacing);
+  if (!settings.map.view.file) add("exaggeration", fmt::format("{}", facts.view.exaggeration));
+  if (settings.map.view.projection == Projection::oblique)
+    add("oblique", fmt::format("{},{}", settings.map.view.oblique.length,
+                               settings.map.view.oblique.rise.in_degrees()));
+  if (style.light)
+    add("haze", fmt::format("{}", style.haze_in(facts.view.projection == "perspective")));
+  add("min-stroke", fmt::format("{}", settings.map.min_stroke_mm()));
+  return all;
 }
 
-ViewEntry entry_of(const std::string& key, const nlohmann::json& value) {
-  ViewEntry entry;
-  entry.key = printable(key);
-  if (value.is_string()) {
-    entry.kind = ViewEntry::Kind::text;
-    entry.text = printable(value.get<std::string>());
-  } else if (const auto number = as_number(value)) {
-    entry.kind = ViewEntry::Kind::number;
-    entry.numbers = {*number};
-  } else if (value.is_array()) {
-    take_numbers(entry, value.size(), [&](std::size_t i) { return as_number(value[i]); });
-  } else {
-    entry.text = value.is_null() ? "null" : value.is_boolean() ? "true or false" : "an object";
+Json json_of(const NamedValues& settings) {
+  Json json = Json::object();
+  for (const auto& [option, values] : settings) {
+    if (values.size() > 1)
+      json[option] = values;
+    else if (values.empty())
+      json[option] = true;
+    else
+      json[option] = values.front();
   }
-  return entry;
-}
-
-// Where a key isn't there, or its owner is no object, null.
-nlohmann::json member(const nlohmann::json& owner, const char* key) {
-  return owner.is_object() && owner.contains(key) ? owner[key] : nlohmann::json();
-}
-
-std::vector<ViewEntry> report_entries(const std::string& path) {
-  const std::string text = view_text(path, kMostBytesOfReport);
-  nlohmann::json report;
-  try {
-    report = nlohmann::json::parse(text);
-  } catch (const nlohmann::json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    throw Error(
-        fmt::format("{}, line {}: this isn't JSON", path, 1 + std::count(text.begin(), end, '\n')),
-        "give the report again with --report");
-  } catch (const nlohmann::json::out_of_range&) {
-    throw Error(path + ": a number is too large", "give the report again with --report");
-  }
-  const nlohmann::json view = member(member(report, "view"), "phigs");
-  if (!view.is_object())
-    throw Error(path + " is no report of a run with a view to take over (view.phigs)",
-                "give a report that orograph render --report wrote, or a view in TOML");
-  std::vector<ViewEntry> entries;
-  for (const auto& [key, value] : view.items()) {
-    if (value.is_null() && (key == "front" || key == "back")) continue;
-    entries.push_back(entry_of(key, value));
-  }
-  return entries;
+  return json;
 }
 
 } // namespace
@@ -244,6 +234,7 @@ RunReport run_report(const Map& map, const RenderSettings& settings) {
   report.path = settings.output;
   report.format = format_names()[static_cast<std::size_t>(settings.write.format)];
   report.scene_path = settings.scene_file;
+  report.settings = settings_of(map.facts, settings);
   report.page = map.drawing.page;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -259,16 +250,14 @@ std::string report_text(const RunReport& report) {
                   {"libraries", report.libraries},
                   {"input", json_of(report.input, report.scene_path)},
                   {"output", {{"path", report.path}, {"format", report.format}}},
+                  {"settings", json_of(report.settings)},
                   {"view", json_of(report.view)},
-                  {"profiles",
-                   {{"count", report.profiles.depths_m.size()},
-                    {"spacing", report.profiles.spacing},
-                    {"depths", report.profiles.depths_m}}},
                   {"page",
                    {{"width_mm", report.page.width_mm},
                     {"height_mm", report.page.height_mm},
                     {"margin_mm", report.page.margin_mm}}},
                   {"counts", json_of(report.counts)},
+                  {"layers", json_of(report.layers)},
                   {"pen_down_mm", report.pen_down_mm},
                   {"pen_up_mm", report.pen_up_mm},
                   {"error_budget_mm", json_of(report.error_budget)},
@@ -277,7 +266,12 @@ std::string report_text(const RunReport& report) {
                     {"min_stroke", report.left_out.min_stroke_mm}}},
                   {"check", report.check ? json_of(*report.check) : Json()},
                   {"seconds", json_of(report.seconds)},
-                  {"peak_memory_bytes", report.peak_memory_bytes}};
+                  {"peak_memory_bytes", report.peak_memory_bytes},
+                  // Last, since it is long.
+                  {"profiles",
+                   {{"count", report.profiles.depths_m.size()},
+                    {"spacing", report.profiles.spacing},
+                    {"depths", report.profiles.depths_m}}}};
   // Paths may be in any encoding; JSON is UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -292,11 +286,6 @@ void write_report(const RunReport& report, const std::string& path, bool overwri
     throw Error("can't write the report '" + path + "'",
                 "make room on the disk, or choose another");
   place.commit();
-}
-
-ViewFile read_view(const std::string& path) {
-  return extension_of(path) == ".json" ? view_of_entries(report_entries(path), path)
-                                       : read_view_file(path);
 }
 
 } // namespace orograph

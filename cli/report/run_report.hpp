@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The run report: what was drawn, how exactly and in which time, as JSON (docs/how-it-works.md);
-// and the view that a report holds, to be drawn again.
+// and the view and the settings that a report holds, to be drawn again.
 #pragma once
 
+#include "cli/options/option.hpp"
 #include "draw/drawing.hpp"
 #include "map/draw_map.hpp"
 #include "placing/view_file.hpp"
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace orograph {
 
@@ -18,12 +20,14 @@ namespace orograph {
 struct RunReport : MapFacts {
   std::string path, format; ///< of the drawing
   std::string scene_path;   ///< empty: no solids
+  NamedValues settings;     ///< options in force, as a settings file takes them
   Page page;
   std::uint64_t peak_memory_bytes = 0;
   std::map<std::string, std::string> libraries; ///< name to version
 };
 
 struct RenderSettings;
+struct Setting;
 
 /// What a run of `settings` reports of its map: the facts, with the error budget of the drawing's
 /// format, and the process's peak memory so far.
@@ -41,5 +45,9 @@ void write_report(const RunReport& report, const std::string& path, bool overwri
 /// instead: its object view.phigs holds the same keys, and null is as good as no front or back
 /// plane. Throws the same Errors.
 ViewFile read_view(const std::string& path);
+
+/// The object `settings` of a run report, in its order. Throws Error, which begins with the path:
+/// no such file, too large, no JSON, no settings in it.
+std::vector<Setting> settings_of_report(const std::string& path);
 
 } // namespace orograph

@@ -76,19 +76,34 @@ double line_length_mm(std::span<const Vec2> points) {
   return sum;
 }
 
+namespace {
+
+// From where the pen is, to the layer's last point.
+void add_travel(const Layer& layer, Vec2& pen, PenTravel& travel) {
+  for (const Stroke& stroke : layer.strokes) {
+    const std::span<const Vec2> points = layer.points(stroke);
+    throw_if_stopped();
+    travel.up_mm += length(points.front() - pen);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      travel.down_mm += length(points[i] - points[i - 1]);
+    pen = points.back();
+  }
+}
+
+} // namespace
+
 PenTravel pen_travel(const Drawing& drawing) {
   PenTravel travel;
   Vec2 pen{0, 0};
-  for (const Layer& layer : drawing.layers)
-    for (const Stroke& stroke : layer.strokes) {
-      const std::span<const Vec2> points = layer.points(stroke);
-      throw_if_stopped();
-      travel.up_mm += length(points.front() - pen);
-      for (std::size_t i = 1; i < points.size(); ++i)
-        travel.down_mm += length(points[i] - points[i - 1]);
-      pen = points.back();
-    }
+  for (const Layer& layer : drawing.layers) add_travel(layer, pen, travel);
   return travel;
+}
+
+std::vector<PenTravel> pen_travel_by_layer(const Drawing& drawing) {
+  std::vector<PenTravel> by_layer;
+  Vec2 pen{0, 0};
+  for (const Layer& layer : drawing.layers) add_travel(layer, pen, by_layer.emplace_back());
+  return by_layer;
 }
 
 namespace {

@@ -99,6 +99,9 @@ struct PenTravel {
 /// corner, as plotters do, and its way back after the last stroke isn't counted.
 OROGRAPH_API PenTravel pen_travel(const Drawing& drawing);
 
+/// The same for each layer, whose way begins where the layer before it ends.
+OROGRAPH_API std::vector<PenTravel> pen_travel_by_layer(const Drawing& drawing);
+
 /// The first thing that is wrong with a drawing, or nothing: every point finite, on the step and
 /// inside the margins; no stroke with fewer than two points or without length; no two equal
 /// strokes in a layer (nor one the reverse of the other).

@@ -242,17 +242,21 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   every_line.set_found(found_parts.found);
   SectorLines out;
   out.found = std::move(found_parts.found);
+  const bool is_one = style.outline == Outline::one;
+  if (!is_one) // border stays border, with the ends that it was found with
+    std::erase_if(found_parts.skyline, [&](const LinePart& part) {
+      return every_line.line(part.line).kind != LineKind::silhouette;
+    });
   out.visible = without(found_parts.visible, found_parts.skyline); // which is no fold
   std::vector<LinePart> folded = folds.among(every_line, out.visible);
   out.visible = without(out.visible, folded);
   out.visible.insert(out.visible.end(), found_parts.ridges.begin(), found_parts.ridges.end());
-  for (const LinePart& part : found_parts.skyline) {
-    const bool as_skyline =
-        style.asks_for("skyline") &&
-        (style.outline == Outline::one || every_line.line(part.line).kind == LineKind::silhouette);
-    (as_skyline ? out.skyline : out.visible).push_back(part);
-  }
-  join(out.visible);
+  std::vector<LinePart>& sky = is_one && !style.asks_for("skyline") ? out.visible : out.skyline;
+  sky.insert(sky.end(), found_parts.skyline.begin(), found_parts.skyline.end());
+  if (is_one)
+    join(out.visible);
+  else
+    sort_by_number(out.visible, [](const LinePart& part) { return part.line; });
   watch.mark(seconds.layout);
   if (solids) {
     for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &folded})

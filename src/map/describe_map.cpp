@@ -194,6 +194,13 @@ void describe_map(Map& map, const TerrainData& terrain, const PlacedView& placed
   facts.view.curvature = describe_curvature(placed, spec.view.curvature);
   facts.profiles = {spacing_text(placed.plan), placed.depths_m};
   facts.error_budget = error_budget(terrain, placed, spec);
+  const std::vector<PenTravel> by_layer = pen_travel_by_layer(map.drawing);
+  facts.layers.clear();
+  for (std::size_t i = 0; i < by_layer.size(); ++i) {
+    const Layer& layer = map.drawing.layers[i];
+    facts.layers.push_back(
+        {layer.name, layer.strokes.size(), by_layer[i].down_mm, by_layer[i].up_mm});
+  }
   const PenTravel travel = pen_travel(map.drawing);
   facts.pen_down_mm = travel.down_mm;
   facts.pen_up_mm = travel.up_mm;

@@ -74,7 +74,7 @@ StrokeSettings stroke_settings(const TerrainData& terrain, const PlacedView& pla
   strokes.frame_mm = placed.frame_mm;
   strokes.depth = placed.depth;
   strokes.simplify_mm = spec.style.simplify_mm;
-  strokes.min_stroke_mm = spec.style.min_stroke_mm.value_or(spec.ground_points ? 0 : kCrumb_mm);
+  strokes.min_stroke_mm = spec.min_stroke_mm();
   if (spec.ground_points)
     strokes.to_map = [&map = terrain.map, &view = placed.view](ProfilePoint p) {
       return map.to_map(to_ground_m(view, p));

@@ -93,6 +93,13 @@ struct ProfileFacts {
   std::vector<double> depths_m;
 };
 
+/// A layer of the drawing, and the pen's way to draw it, from where the layer before it ends.
+struct LayerFacts {
+  std::string name;
+  std::uint64_t strokes = 0;
+  double ink_mm = 0, pen_up_mm = 0;
+};
+
 /// Visible ink that was left out on purpose, mm on the page.
 struct InkLeftOut {
   double silhouette_jump_mm = 0, min_stroke_mm = 0;
@@ -119,6 +126,7 @@ struct MapFacts {
   ViewFacts view;
   ProfileFacts profiles;
   Counts counts;
+  std::vector<LayerFacts> layers; ///< in drawing order
   StageSeconds seconds;
   ErrorBudget error_budget; ///< of the drawing in memory; a file's format may add its rounding
   InkLeftOut left_out;

@@ -12,9 +12,6 @@
 namespace orograph {
 namespace {
 
-// Aerial perspective that one sees as depth and not as fog.
-constexpr double kHazeInPerspective = 0.3;
-
 bool may_have_tone(const PlacedView& placed, const MapSpec& spec) {
   return placed.sectors.size() == 1 && !shows_beside(placed.view) &&
          spec.style.occluder == Occluder::surface && spec.style.asks_for("profiles") &&
@@ -27,10 +24,6 @@ Vec3 towards_light(const LightSpec& light, const View& view) {
   if (light.of_picture) return {east, north, sin(light.altitude)};
   return {dot(Vec2{east, north}, view.right), dot(Vec2{east, north}, view.forward),
           sin(light.altitude)};
-}
-
-double haze_of(const Style& style, const View& view) {
-  return style.haze.value_or(view.is_perspective() ? kHazeInPerspective : 0);
 }
 
 // Level ground is as dark as ever, whatever the contrast.
@@ -73,7 +66,7 @@ std::optional<LineShade> ridge_shade(const PlacedView& placed, const MapSpec& sp
   shade.towards_light = direction(light.x * right + upwards * shade.up, shade.up);
   shade.contrast = style.light->contrast;
   if (placed.sectors.size() == 1) { // behind the eye there are depths below 0
-    shade.haze = haze_of(style, sector.view);
+    shade.haze = style.haze_in(sector.view.is_perspective());
     shade.nearest_m = std::max(placed.nearest_m, sector.view.near_m);
     shade.farthest_m = placed.farthest_m;
   }
@@ -98,7 +91,7 @@ void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec) 
   if (style.light)
     request.light =
         ground_light(*style.light, widths, request.spacing_mm, view, spec.ground_points);
-  request.haze = haze_of(style, view);
+  request.haze = style.haze_in(view.is_perspective());
   request.draws_level = style.flat == FlatGround::draw;
   const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.border);
   const TonePage page{view, sector.to_page, page_range(sector), placed.frame_mm};

@@ -80,6 +80,9 @@ constexpr double kPenWidthsApart = 4;
 /// Shorter ink is a crumb.
 constexpr double kCrumb_mm = 0.5;
 
+/// Aerial perspective that one sees as depth and not as fog.
+constexpr double kHazeInPerspective = 0.3;
+
 enum class Occluder { surface, profiles };
 enum class FlatGround { shore, draw };
 /// Whether lines are as far apart on the page as the plan says, wherever the ground is, or planes
@@ -137,6 +140,9 @@ struct Style {
     return nullptr;
   }
   bool asks_for(std::string_view name) const { return layer(name) != nullptr; }
+  double haze_in(bool perspective) const {
+    return haze.value_or(perspective ? kHazeInPerspective : 0);
+  }
 };
 
 struct MapSpec {
@@ -146,6 +152,10 @@ struct MapSpec {
   std::string title;          ///< empty: the terrain's file name, or the first's and how many more
   bool ground_points = false; ///< lines keep their places on the ground; hidden ones stay whole
   std::uint64_t check = 0;    ///< points to ask of the ray walk
+
+  double min_stroke_mm() const {
+    return style.min_stroke_mm.value_or(ground_points ? 0 : kCrumb_mm);
+  }
 };
 
 } // namespace orograph

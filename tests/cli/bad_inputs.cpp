@@ -38,6 +38,35 @@ void write_view(const MadeFolder& folder, const std::string& name,
   folder.write(name, text);
 }
 
+// Settings, each with one fault in its line 2.
+void write_settings(const MadeFolder& folder) {
+  const auto write = [&](const std::string& name, const std::string& line) {
+    folder.write("set-" + name + ".toml", "# settings\n" + line + "\n");
+  };
+  write("unknown", "elevtion = 20");
+  write("dashed", "--fov = 20");
+  write("input", "input = 'hill.asc'");
+  write("itself", "settings = 'set-unknown.toml'");
+  write("range", "fov = 200");
+  write("word", "spread = 'wide'");
+  write("latitude", "eye-lonlat = '46,120'");
+  write("list", "fov = [20]");
+  write("texts", "oo = [['A=1']]");
+  write("table", "[view]\nfov = 20");
+  write("switch", "portrait = 'yes'");
+  write("no-switch", "fov = true");
+  write("date", "title = 1979-05-27");
+  write("conflict", "fov = 20\nview = 'flat.toml'");
+  write("syntax", "fov = = 20");
+  write("nested", "fov = " + std::string(100'000, '[') + std::string(100'000, ']'));
+  write("huge", "title = '" + std::string(1'000'001, 'a') + "'");
+  folder.write("set-syntax.json", "{\n\"settings\": {\n");
+  folder.write("set-none.json", "{\"view\": {}}");
+  folder.write("set-number.json", "{\"settings\": {\"fov\": 200}}");
+  folder.write("set-object.json", "{\"settings\": {\"fov\": {}}}");
+  folder.write("set-nested.json", std::string(100'000, '[') + std::string(100'000, ']'));
+}
+
 } // namespace
 
 void make_bad_inputs(const MadeFolder& folder) {
@@ -83,6 +112,7 @@ void make_bad_inputs(const MadeFolder& folder) {
                  return column == 17 && row == 17 ? -9999 : small_hill_m(column, row);
                }));
   make_scenes(folder);
+  write_settings(folder);
   folder.write("old.svg", "an older drawing");
   fs::create_directory(folder.path("folder.svg"));
   fs::create_symlink("hill.asc", folder.path("link.asc"));

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -202,6 +203,95 @@ TEST_CASE("quiet says nothing; progress shows a bar where it is asked for") {
   CHECK(holds(shown.err, "0...10...20...30...40...50...60...70...80...90...100 - done.\n"));
   const auto unasked = run_orograph({"render", "hill.asc", "c.svg"}, {.folder = folder.path()});
   CHECK_FALSE(holds(unasked.err, "...10"));
+}
+
+TEST_CASE("render ends with a line, and says when profiles can't show relief") {
+  const MadeFolder folder;
+  folder.write("hill.asc", ascii_grid(kHillSide, kHillSide, even_hill_m));
+  const auto said = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "hill.asc"});
+    options.insert(options.end(), {"--overwrite", "--report", "r.json"});
+    const auto result = run_orograph(options, {.folder = folder.path()});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(result.err.ends_with(" s\n"));
+    const std::size_t last = result.err.rfind('\n', result.err.size() - 2);
+    const std::string before = last == std::string::npos ? "" : result.err.substr(0, last + 1);
+    const std::string line = result.err.substr(before.size());
+    const auto report = nlohmann::json::parse(folder.read("r.json"));
+    std::string strokes = std::to_string(report["counts"]["strokes"].get<int>());
+    if (strokes.size() > 3) strokes.insert(strokes.size() - 3, ",");
+    CHECK(holds(line, ": " + strokes + " strokes, "));
+    const std::size_t ink = line.find(" strokes, ") + 10;
+    CHECK(std::abs(std::stod(line.substr(ink)) - report["pen_down_mm"].get<double>() / 1000) <=
+          0.05 + 1e-9);
+    return std::pair(before, line);
+  };
+  const auto plain = said({"a.svg"});
+  CHECK(plain.first.empty());
+  CHECK(plain.second.starts_with("orograph: a.svg: "));
+  CHECK(holds(plain.second, ", from 180/25 in perspective, true heights, "));
+  CHECK(holds(said({"-", "--of", "svg"}).second, "orograph: standard output: "));
+  CHECK(holds(said({"a.svg", "--exaggeration", "2.5", "--view-from", "10.5/4"}).second,
+              ", from 10.5/4 in perspective, heights 2.5 times, "));
+  CHECK(holds(said({"a.svg", "--eye", "200,-500,400", "--look-azimuth", "-10"}).second,
+              ", from the eye towards azimuth 350, "));
+  CHECK(holds(said({"a.svg", "--oblique", "military"}).second, ", from azimuth 180, oblique, "));
+  // Low hills are raised, and the line tells the way back.
+  folder.write("low.asc", ascii_grid(kHillSide, kHillSide, [](int column, int row) {
+                 return 0.01 * even_hill_m(column, row);
+               }));
+  const auto low = run_orograph({"render", "low.asc", "low.svg"}, {.folder = folder.path()});
+  CHECK(holds(low.err, ", heights 2 times (--exaggeration 1 draws them true), "));
+
+  const std::string straight = "orograph: from straight above profiles are straight lines";
+  const auto plan = [&](const std::string& elevation, std::vector<std::string> options) {
+    options.insert(options.begin(), {"a.svg", "--view-from", "20/" + elevation});
+    return said(options).first;
+  };
+  const std::vector<std::string> parallel{"--projection", "orthographic"};
+  CHECK(holds(plan("90", parallel), straight + ", and only light on them"));
+  CHECK(holds(plan("90", {"--projection", "orthographic", "--light", "off"}),
+              straight + ": --light shows relief"));
+  CHECK(holds(plan("90", {"--projection", "orthographic", "--of", "geojson"}),
+              straight + ": --view-from"));
+  CHECK(plan("89", parallel).empty());
+  CHECK(plan("90", {}).empty()); // an eye sees them bent
+  CHECK(plan("90", {"--oblique", "cabinet"}).empty());
+  CHECK(plan("90", {"--projection", "orthographic", "--layers", "border,edges"}).empty());
+}
+
+TEST_CASE("a report tells each layer's strokes and ink, before the long list of depths") {
+  const MadeFolder folder;
+  folder.write("hill.asc", ascii_grid(kHillSide, kHillSide, even_hill_m));
+  for (const std::string light : {"picture", "off"}) {
+    const auto result = run_orograph({"render", "hill.asc", light + ".svg", "--light", light,
+                                      "--view-from", "200/10", "--report", light + ".json"},
+                                     {.folder = folder.path()});
+    REQUIRE(result.exit_code == 0);
+    const std::string text = folder.read(light + ".json");
+    CHECK(text.find("\"counts\"") < text.find("\"depths\""));
+    CHECK(text.find("\"layers\"") < text.find("\"depths\""));
+    const auto report = nlohmann::json::parse(text);
+    const std::string svg = folder.read(light + ".svg");
+    int strokes = 0;
+    double ink_mm = 0, pen_up_mm = 0;
+    for (const auto& layer : report["layers"]) {
+      const std::size_t label = svg.find(" " + layer["name"].get<std::string>() + "\"");
+      INFO(light << " " << layer);
+      REQUIRE(label != std::string::npos);
+      const std::size_t begin = svg.find('\n', label);
+      const std::string group = svg.substr(begin, svg.find("</g>", begin) - begin);
+      CHECK(std::count(group.begin(), group.end(), 'M') == layer["strokes"].get<int>());
+      strokes += layer["strokes"].get<int>();
+      ink_mm += layer["ink_mm"].get<double>();
+      pen_up_mm += layer["pen_up_mm"].get<double>();
+    }
+    CHECK(strokes == report["counts"]["strokes"].get<int>());
+    // But for the order of sums.
+    CHECK(std::abs(ink_mm - report["pen_down_mm"].get<double>()) <= 1e-9 * ink_mm);
+    CHECK(std::abs(pen_up_mm - report["pen_up_mm"].get<double>()) <= 1e-9 * pen_up_mm);
+  }
 }
 
 TEST_CASE("--overwrite replaces, and a negative first value is one") {

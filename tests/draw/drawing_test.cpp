@@ -171,6 +171,12 @@ TEST_CASE("pen travel is counted from the upper left corner, over all layers") {
   const PenTravel travel = pen_travel(drawing);
   CHECK(travel.up_mm == 55);
   CHECK(travel.down_mm == 24);
+  const std::vector<PenTravel> by_layer = pen_travel_by_layer(drawing);
+  REQUIRE(by_layer.size() == 2);
+  CHECK(by_layer[0].up_mm == 55);
+  CHECK(by_layer[0].down_mm == 21);
+  CHECK(by_layer[1].up_mm == 0);
+  CHECK(by_layer[1].down_mm == 3);
 }
 
 TEST_CASE("a pen with nothing to draw stays") {

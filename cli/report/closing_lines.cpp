@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/report/closing_lines.hpp"
+
+#include "draw/drawing.hpp"
+#include "geometry/angle.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace orograph {
+namespace {
+
+std::string grouped(std::uint64_t count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
+// "from 180/25 in perspective", which --view-from and --projection would take.
+std::string view_in_words(const PlacedView& placed, const ViewSpec& asked) {
+  if (asked.file) return "by " + asked.file_name;
+  const View& view = placed.view;
+  const auto azimuth = [](Vec2 towards) {
+    const double deg = std::round(10 * atan2_angle(towards.x, towards.y).in_degrees()) / 10;
+    return deg < 0 ? deg + 360 : deg;
+  };
+  if (asked.has_eye()) return fmt::format("from the eye towards azimuth {}", azimuth(view.forward));
+  const double from_azimuth = azimuth(-1.0 * view.forward);
+  const std::string from = fmt::format("from {}/{:.3g}", from_azimuth, view.elevation.in_degrees());
+  switch (view.projection) {
+  case Projection::perspective:
+    return from + " in perspective";
+  case Projection::orthographic:
+    return from + ", orthographic";
+  case Projection::oblique:
+    return fmt::format("from azimuth {}, oblique", from_azimuth);
+  }
+  return from;
+}
+
+std::string heights_in_words(const PlacedView& placed) {
+  if (placed.exaggeration == 1) return "true heights";
+  return fmt::format("heights {} times{}", placed.exaggeration,
+                     placed.exaggeration_chosen ? " (--exaggeration 1 draws them true)" : "");
+}
+
+// Straight down in a parallel picture heights move nothing: profiles are straight lines.
+std::string of_plan(const PlacedView& placed, const MapSpec& spec) {
+  const bool is_plan = !placed.view.is_perspective() && placed.view.y_per_z == 0;
+  if (!is_plan || placed.depths_m.empty() || !spec.style.asks_for("profiles")) return "";
+  const char* what = spec.ground_points ? ": --view-from with less than 90 shows relief"
+                     : spec.style.light
+                         ? ", and only light on them shows relief (--light)"
+                         : ": --light shows relief by their widths, --view-from with "
+                           "less than 90 by their shapes";
+  return fmt::format("orograph: from straight above profiles are straight lines{}\n", what);
+}
+
+} // namespace
+
+std::string closing_lines(const Map& map, const PlacedView& placed, const RenderSettings& settings,
+                          double seconds) {
+  const std::uint64_t strokes = map.facts.counts.strokes;
+  return of_plan(placed, settings.map) +
+         fmt::format("orograph: {}: {} {}, {:.1f} m of ink, {}, {}, {:.1f} s\n",
+                     settings.output == "-" ? "standard output" : settings.output, grouped(strokes),
+                     strokes == 1 ? "stroke" : "strokes", 1e-3 * pen_travel(map.drawing).down_mm,
+                     view_in_words(placed, settings.map.view), heights_in_words(placed), seconds);
+}
+
+} // namespace orograph
