@@ -186,7 +186,7 @@ TEST_CASE("coarse ground has the terrain's heights") {
     return plane_m({3.0 * c, 3.0 * r});
   });
   const TerrainData terrain = terrain_of(fine);
-  const TerrainFacts facts = facts_of(terrain, FlatGround::draw);
+  const TerrainFacts facts = facts_of(terrain);
   const CoarseGround coarse =
       coarse_ground({terrain.surface, facts.water.triangles, facts.border}, facts.extent.box, 3, 2);
   CHECK(coarse.columns == kCoarseCells);
