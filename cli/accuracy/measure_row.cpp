@@ -49,6 +49,10 @@ RenderSettings settings_of(const AccuracyRow& row, const RenderSettings& render,
   out.map.style.occluder = row.settings.occluder;
   out.map.style.plan = ProfileCount{row.settings.profiles.value_or(one_a_cell(full.surface))};
   out.map.style.simplify_mm = row.settings.simplify_mm;
+  // Strokes are compared one by one: none is cut for its width, joined with others or left out.
+  out.map.style.light.reset();
+  out.map.style.join_mm = 0;
+  out.map.style.min_stroke_mm = 0;
   out.reading.overview = row.settings.overview;
   if (row.settings.arithmetic == Arithmetic::exact) out.map.style.layers = {"profiles"};
   return out;

@@ -20,6 +20,7 @@ RenderSettings settings_of(const FragmentationRow& row, const RenderSettings& re
   out.map.view.from_azimuth = Angle::degrees(row.azimuth_deg);
   out.map.view.from_elevation = Angle::degrees(row.elevation_deg);
   out.map.style.plan = ProfileCount{row.profiles};
+  out.map.style.light.reset();       // which changes no horizon
   out.map.style.silhouette_jump = 0; // which decides what is drawn, after all is clipped
   // With the paper's occluders the profiles are all there is.
   if (row.occluder == Occluder::profiles) out.map.style.layers = {"profiles"};

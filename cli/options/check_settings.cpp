@@ -155,6 +155,19 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
   check_eye(settings, given);
 }
 
+void check_tone(const Style& style, const GivenOptions& given) {
+  if (!style.light)
+    for (const char* option : {"--light-contrast", "--light-smooth", "--light-by"})
+      if (insists_on(given, option))
+        throw UsageError(fmt::format("{} has no meaning without light", option),
+                         "leave it out, or leave --light off out");
+  const bool is_on_page = !style.plan || std::holds_alternative<PageSpacing>(*style.plan);
+  if (!is_on_page && style.spread == Spread::even && insists_on(given, "--spread"))
+    throw UsageError("--spread even is for a spacing on the page, and these profiles are planes on "
+                     "the ground",
+                     "give --spacing in mm, or leave --spread out");
+}
+
 void check_page(const RenderSettings& settings, const GivenOptions& given) {
   const auto& page = settings.map.page;
   const double height_mm = page.height_mm.value_or(page.width_mm);
@@ -273,6 +286,7 @@ void check_picture_settings(RenderSettings& settings, const GivenOptions& given)
   add_layers(settings);
   settings.map.ground_points = is_tied_to_ground(settings.write.format);
   check_view(settings, given);
+  check_tone(settings.map.style, given);
   check_page(settings, given);
   take_scene(settings, given);
   if (!settings.map.view.file_name.empty())

@@ -243,7 +243,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   SectorLines out;
   out.found = std::move(found_parts.found);
   const bool is_one = style.outline == Outline::one;
-  if (!is_one) // border stays border, with the ends that it was found with
+  if (!outlines_terrain(style,
+                        placed.view)) // border stays border, with the ends that it was found with
     std::erase_if(found_parts.skyline, [&](const LinePart& part) {
       return every_line.line(part.line).kind != LineKind::silhouette;
     });

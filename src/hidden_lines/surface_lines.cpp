@@ -35,6 +35,11 @@ private:
 
 } // namespace
 
+bool outlines_terrain(const Style& style, const View& view) {
+  const bool is_plan = !view.is_perspective() && view.y_per_z == 0;
+  return style.outline == Outline::one && style.asks_for("skyline") && !is_plan;
+}
+
 bool draws_silhouettes(const Style& style) {
   return style.asks_for("silhouettes") || style.asks_for("skyline");
 }
@@ -78,8 +83,8 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
   // With the seed's occluders only what is drawn of the profiles hides.
   const bool surface = style.occluder == Occluder::surface;
   const bool border = style.asks_for("border"), voids = style.asks_for("voids");
-  // Where terrain ends at the horizon that is skyline, whatever else is drawn of its border.
-  const bool outlines = style.outline == Outline::one && style.asks_for("skyline");
+  const bool outlines =
+      outlines_terrain(style, placed.view); // whatever else is drawn of the border
   std::vector<EdgeLine> lines;
   std::vector<SurfaceEdge> drawn; // in order: an edge of several kinds is drawn as the first
   // What was added behind `middle` in order goes where it belongs.

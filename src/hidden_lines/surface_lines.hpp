@@ -18,6 +18,10 @@ std::vector<EdgeLine> lines_but_silhouettes(const TerrainData& terrain, const Pl
 std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& placed,
                                const Style& style, const SeenGround* ground = nullptr);
 
+/// Whether border that is the horizon is drawn as skyline. In a plan (straight from above, in
+/// parallel) it isn't: there the eye sees all of the border alike.
+bool outlines_terrain(const Style& style, const View& view);
+
 /// Whether silhouettes are drawn.
 bool draws_silhouettes(const Style& style);
 

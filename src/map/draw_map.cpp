@@ -172,7 +172,8 @@ void close_outlines(std::vector<LineLayer>& layers) {
 
 // All layers that are asked for, in drawing order; `profiles` is drawn already.
 std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& placed,
-                                 const Style& style, Layer profiles) {
+                                 const Style& style, const std::optional<LineShade>& shade,
+                                 Layer profiles) {
   const std::vector<LinePart> visible = found.of(&SectorLines::visible);
   const auto solids = [&](std::vector<LinePart> SolidParts::*kind,
                           const std::vector<LinePart>& beneath) {
@@ -198,15 +199,15 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     case LineSource::edges:
       added.parts = of_kind(found.lines(), visible, row.kind);
       added.is_joined = row.kind != LineKind::edge;
-      if (row.kind == LineKind::silhouette) added.shade = placed.ridge_shade;
+      if (row.kind == LineKind::silhouette) added.shade = shade;
       if (row.kind == LineKind::border || row.kind == LineKind::void_edge)
-        added.shade = haze_alone(placed.ridge_shade);
+        added.shade = haze_alone(shade);
       added.is_shore = row.kind == LineKind::shore;
       break;
     case LineSource::skyline:
       added.parts = by_edge(found.lines(), found.of(&SectorLines::skyline));
       added.is_joined = added.is_skyline = true;
-      added.shade = placed.ridge_shade;
+      added.shade = shade;
       break;
     case LineSource::solids:
       added.parts = solids(&SolidParts::visible, {});
@@ -269,14 +270,16 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
 
   watch = {};
   const FoundParts found(terrain, placed, std::move(lines.listed), std::move(sectors));
+  const std::optional<LineShade> shade =
+      spec.ground_points ? std::nullopt : placed.ridge_shade; // shading cuts strokes
   std::vector<LineLayer> layers =
-      layers_of(found, placed, style, profiles ? std::move(*profiles) : Layer{});
+      layers_of(found, placed, style, shade, profiles ? std::move(*profiles) : Layer{});
   on_all_cores(layers.size(), [&](std::size_t i) {
     LineLayer& task = layers[i];
     // What is joined is simplified and judged afterwards.
     StrokeSettings own = strokes;
     if (task.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
-    own.keeps_depths = task.is_joined && !task.is_shore && placed.ridge_shade;
+    own.keeps_depths = task.is_joined && !task.is_shore && shade;
     StrokeBuilder builder(own, task.layer);
     if (task.of_solids)
       draw_edges(placed.solids, placed.view, task.parts, builder);
@@ -284,7 +287,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
       draw_parts(terrain.surface, placed.view, found.lines(), task.parts, builder);
     task.left_out_mm = builder.left_out_mm();
   });
-  if (style.outline == Outline::one) close_outlines(layers);
+  if (outlines_terrain(style, placed.view)) close_outlines(layers);
   on_all_cores(layers.size(), [&](std::size_t i) {
     LineLayer& task = layers[i];
     if (task.is_joined) {

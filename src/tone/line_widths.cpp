@@ -10,7 +10,7 @@
 namespace orograph {
 namespace {
 
-constexpr double kBridge_mm = 1.5, kLeastRun_mm = 2, kLeastWidthRun_mm = 1;
+constexpr double kBridge_mm = 1.5, kLeastRun_mm = 2, kLeastWidthRun_mm = 1.5;
 // Steps of width; 1.25 would let the tone swing by 17 %.
 constexpr double kWidthRatio = 1.1;
 
@@ -145,7 +145,7 @@ std::vector<ToneRun> runs_of_line(const LinePlace& line, const PageColumns& colu
     };
     for (std::size_t i = begin + 1; i < end; ++i) {
       const double here = step_of(i);
-      if (std::abs(here - step) < 0.8 || i - from < least || end - i < least) continue;
+      if (std::abs(here - step) < 1 || i - from < least || end - i < least) continue;
       close(i);
       step = std::round(here);
     }

@@ -81,7 +81,7 @@ void append_path(std::string& text, std::span<const Vec2> points, double width_m
   text += "\"";
   if (width_mm > 0) { // else the layer's
     char* const end = print_page_number(width_mm, buffer.data());
-    text += " class=\"toned\" stroke-width=\"";
+    text += " class=\"lit\" stroke-width=\"";
     text.append(buffer.data(), end);
     text += "\"";
   }

@@ -152,7 +152,8 @@ TEST_CASE("voids are gaps, outlined if asked for") {
                  return in_void ? -9999 : even_hill_m(column, row);
                }));
   const auto drawn = [&](std::vector<std::string> options) {
-    options.insert(options.begin(), {"render", "void.asc", "-", "--of", "svg"});
+    options.insert(options.begin(), {"render", "void.asc", "-", "--of", "svg", "--outline",
+                                     "by-layer"}); // else those that are skyline are there
     const auto result = run_orograph(options, {.folder = folder.path()});
     INFO(result.err);
     CHECK(result.exit_code == 0);

@@ -91,7 +91,7 @@ TEST_CASE("what is outside of the frame isn't seen") {
   // the ground on. Profiles cut what is ahead from there.
   folder.write("midst.csv", "id,WKT\n1,\"LINESTRING Z(120 120 47,120 121 47)\"\n");
   const auto midst =
-      rows_of(folder, kTrue + words("--eye-path midst.csv --fov 90 --look-azimuth 0"));
+      rows_of(folder, kTrue + words("--eye-path midst.csv --fov 90 --look-azimuth 0 --pitch 0"));
   CHECK(std::abs(share_of(midst[0]) - (115.0 * 115 - 40.0 * 40) / (230 * (115 - 40))) < 0.01);
 }
 
