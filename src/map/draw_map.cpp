@@ -163,7 +163,7 @@ std::optional<LineShade> haze_alone(std::optional<LineShade> shade) {
 void close_outlines(std::vector<LineLayer>& layers) {
   const auto skyline = std::ranges::find(layers, true, &LineLayer::is_skyline);
   if (skyline == layers.end()) return;
-  for (const std::string_view name : {"border", "voids", "silhouettes"}) {
+  for (const std::string_view name : {"border", "silhouettes"}) {
     const auto other =
         std::ranges::find(layers, name, [](const LineLayer& of) { return of.layer.name; });
     if (other != layers.end()) close_outline(skyline->layer, other->layer, kLongestWayBack_mm);
