@@ -5,6 +5,8 @@
 #include "dem/surface.hpp"
 #include "profiles/cut_grid.hpp"
 #include "profiles/cut_mesh.hpp"
+#include "profiles/heights_along.hpp"
+#include "profiles/profile.hpp"
 
 #include <span>
 #include <variant>
@@ -19,12 +21,27 @@ public:
   /// REQUIRES that `surface` and `level` outlive the cutter.
   SurfaceCutter(const Surface& surface, const View& view, const TriangleSet& level,
                 const std::vector<BorderEdge>& border)
-      : cutter_(cutter_of(surface, view, level, border)) {}
+      : surface_(surface), view_(view), level_(level),
+        cutter_(cutter_of(surface, view, level, border)) {}
 
   void cut(double depth_m, Profile& out) const { cut(depth_m, kAllOfProfile, out); }
   /// At least the parts of the profile in `ranges`, as GridCutter has them.
   void cut(double depth_m, std::span<const URange> ranges, Profile& out) const {
     std::visit([&](const auto& cutter) { cutter.cut(depth_m, ranges, out); }, cutter_);
+  }
+
+  /// The ground's heights at places along a profile: a tenth of the cost of cutting it where they
+  /// are farther apart than cells, and the surface is a grid on a map plane.
+  void heights(double depth_m, const PlacesAlong& at, HeightsAlong& out) const {
+    const Grid* const grid = std::get_if<Grid>(&surface_);
+    if (grid && !grid->is_on_earth()) {
+      heights_along(*grid, view_, level_, depth_m, at, out);
+      return;
+    }
+    thread_local Profile profile;
+    const URange asked{at[0], at[at.count - 1]};
+    cut(depth_m, std::span(&asked, 1), profile);
+    heights_along(profile, at, out);
   }
 
   /// Depths between which the surface lies.
@@ -46,6 +63,9 @@ private:
     return GridCutter(grid, view, level);
   }
 
+  const Surface& surface_;
+  View view_;
+  const TriangleSet& level_;
   Cutter cutter_;
 };
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tone/sampled_profile.hpp"
 
-#include "profiles/profile.hpp"
+#include "profiles/heights_along.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,28 +20,23 @@ PageColumns page_columns(XRange range, const Box2& frame_mm, double mm) {
 }
 
 void ProfileSampler::sample(double depth_m, SampledProfile& out) const {
-  thread_local Profile profile;
-  const URange asked = u_range(view_, depth_m, {columns_.edge(0), columns_.edge(columns_.count)});
-  cutter_.cut(depth_m, std::array{asked}, profile);
+  thread_local HeightsAlong ground;
+  const bool perspective = view_.is_perspective();
+  const double x = columns_.middle(0);
+  const PlacesAlong at{perspective ? x * depth_m : x - view_.x_per_v * depth_m,
+                       perspective ? columns_.width * depth_m : columns_.width, columns_.count};
+  cutter_.heights(depth_m, at, ground);
   out.depth_m = depth_m;
   out.z_m.assign(columns_.count, std::numeric_limits<double>::quiet_NaN());
-  out.is_level.assign(columns_.count, 0);
+  out.is_level = ground.is_level;
   out.x_mm.assign(columns_.count, 0);
   out.y_mm.assign(columns_.count, 0);
-  std::size_t span = 0;
   for (std::size_t i = 0; i < columns_.count; ++i) {
-    const double x = columns_.middle(i),
-                 u = view_.is_perspective() ? x * depth_m : x - view_.x_per_v * depth_m;
-    while (span + 1 < profile.size() && profile.u_m[span + 1] <= u) ++span;
-    if (span + 1 >= profile.size()) break;
-    if (u < profile.u_m[span] || profile.after[span] == Span::gap) continue;
-    const double share = (u - profile.u_m[span]) / (profile.u_m[span + 1] - profile.u_m[span]);
-    const double z = profile.z_m[span] + share * (profile.z_m[span + 1] - profile.z_m[span]);
-    const Vec2 plane = project(view_, {u, depth_m, z});
+    if (std::isnan(ground.z_m[i])) continue;
+    const Vec2 plane = project(view_, {at[i], depth_m, ground.z_m[i]});
     if (!(to_page_.w(plane) > 0)) continue;
     const Vec2 page = to_page_(plane);
-    out.z_m[i] = z;
-    out.is_level[i] = profile.after[span] == Span::level ? 1 : 0;
+    out.z_m[i] = ground.z_m[i];
     out.x_mm[i] = static_cast<float>(page.x);
     out.y_mm[i] = static_cast<float>(page.y);
   }

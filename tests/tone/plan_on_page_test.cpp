@@ -41,7 +41,8 @@ TEST_CASE("no lines that are seen are too far apart") {
     view.y_per_v = 0.3;
     const Homography to_page{{1, 0, 0, 0, -1, 0, 0, 0, 1}};
     const Box2 frame{{-1000, -1000}, {1000, 1000}};
-    const SurfaceCutter cutter(surface, view, {}, {});
+    const TriangleSet no_level;
+    const SurfaceCutter cutter(surface, view, no_level, {});
     std::vector<double> depths_m;
     const double step_m = random.between(0.5, 4);
     for (double at = cutter.nearest_m() + 0.3; at < cutter.farthest_m(); at += step_m)

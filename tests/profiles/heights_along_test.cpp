@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Heights along a profile that isn't cut, beside those of the cut, which knows every triangle.
+#include "profiles/cut_surface.hpp"
+#include "profiles/heights_along.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/random.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace orograph::heights_along_test {
+namespace {
+
+Grid random_grid(Random& random) {
+  const int columns = random.whole(2, 30), rows = random.whole(2, 30);
+  const double angle = random.between(0, 6.28), size = random.between(0.5, 40);
+  const Vec2 column{size * std::cos(angle), size * std::sin(angle)};
+  const double shear = random.between(-0.3, 0.3), tall = random.between(0.5, 2);
+  const Vec2 row = tall * (Vec2{column.y, -column.x} + shear * column);
+  std::vector<float> heights;
+  for (int i = 0; i < columns * rows; ++i)
+    heights.push_back(random.chance(0.05) ? std::numeric_limits<float>::quiet_NaN()
+                                          : static_cast<float>(random.whole(0, 50)));
+  return {columns, rows,
+          PlaneLattice{{random.between(-50, 50), random.between(-50, 50)}, column, row},
+          Heights<float>(std::move(heights))};
+}
+
+} // namespace
+
+TEST_CASE("heights along a profile are those of its cut") {
+  std::size_t compared = 0, without_ground = 0, level_count = 0, at_edges = 0;
+  for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
+    Random random(seed);
+    const Surface surface = random_grid(random);
+    const Grid& grid = std::get<Grid>(surface);
+    TriangleSet level(grid_triangle_count(grid));
+    for (std::size_t i = 0; i < grid_triangle_count(grid); ++i)
+      if (random.chance(0.2)) level.add(i);
+    View view;
+    view.projection = Projection::orthographic;
+    const double azimuth = random.between(0, 6.28);
+    view.forward = {std::sin(azimuth), std::cos(azimuth)};
+    view.right = {std::cos(azimuth), -std::sin(azimuth)};
+    view.exaggeration = random.between(0.5, 3);
+    const SurfaceCutter cutter(surface, view, level, {});
+    for (int k = 0; k < 5; ++k) {
+      const double depth_m = random.between(cutter.nearest_m(), cutter.farthest_m());
+      const PlacesAlong at{random.between(-900, 0), random.between(0.1, 20), 120};
+      HeightsAlong direct, of_cut;
+      cutter.heights(depth_m, at, direct);
+      Profile profile;
+      cutter.cut(depth_m, profile);
+      heights_along(profile, at, of_cut);
+      INFO("seed " << seed);
+      for (std::size_t i = 0; i < at.count; ++i) {
+        if (std::isnan(direct.z_m[i]) != std::isnan(of_cut.z_m[i])) {
+          ++at_edges; // of the grid or of a gap, by rounding
+          continue;
+        }
+        if (std::isnan(direct.z_m[i])) {
+          ++without_ground;
+          continue;
+        }
+        ++compared;
+        CHECK(std::abs(direct.z_m[i] - of_cut.z_m[i]) < 1e-6); // heights up to 150
+        at_edges += direct.is_level[i] != of_cut.is_level[i];
+        level_count += direct.is_level[i];
+      }
+    }
+  }
+  CHECK(compared > 10 * last_seed(2000));
+  CHECK(without_ground > compared / 10);
+  CHECK(level_count > compared / 10);
+  CHECK(at_edges <= compared / 1000);
+}
+
+} // namespace orograph::heights_along_test
