@@ -8,9 +8,9 @@
 
 namespace orograph {
 
-/// Six lines along the shores, ever farther apart; none where no shore is in the frame. As far from
-/// the shore as the plan's lines are from each other by default is the first where half of the
-/// shores in the frame are nearer to the eye. REQUIRES a view and a page.
+/// Six lines along the shores, ever farther apart; none where no shore is in the frame. The first
+/// is as far from the shore as profiles are apart by default, on the page, where half of the shores
+/// in the frame are nearer to the eye. REQUIRES a view and a page. Cost: that of `waterlines`.
 GroundLines place_waterlines(const PlacedView& placed, const Surface& surface, double pen_width_mm);
 
 } // namespace orograph
