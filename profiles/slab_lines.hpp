@@ -28,13 +28,24 @@ ProfileLine line_of(const Grid& grid, const View& view, SurfaceEdge edge);
 ProfileLine line_of(const Tin& tin, const View& view, SurfaceEdge edge);
 ProfileLine line_of(const Surface& surface, const View& view, SurfaceEdge edge);
 
+/// A point on an edge of the surface, a share of the way from its `from` end.
+struct EdgePoint {
+  SurfaceEdge edge;
+  double t;
+};
+
 /// `line_of`, for who asks it of millions of edges: with what is the same for all edges of a grid
 /// on a map plane decided beforehand: a fifth of its time.
+/// Vertices from the surface's count of them on are those of `points`: lines on the ground.
 class EdgeEnds {
 public:
-  /// REQUIRES that both outlive this.
-  EdgeEnds(const Surface& surface, const View& view) : surface_(surface), view_(view) {
+  /// REQUIRES that all outlive this.
+  EdgeEnds(const Surface& surface, const View& view, std::span<const EdgePoint> points = {})
+      : surface_(surface), view_(view), points_(points) {
     const Grid* grid = std::get_if<Grid>(&surface);
+    if (!points.empty())
+      first_point_ = static_cast<std::uint32_t>(grid ? grid->size()
+                                                     : std::get<Tin>(surface).vertices_m.size());
     if (!grid || grid->is_on_earth()) return;
     lattice_ = &grid->plane();
     columns_ = static_cast<std::uint32_t>(grid->columns);
@@ -44,6 +55,7 @@ public:
   }
 
   ProfileLine operator()(SurfaceEdge edge) const {
+    if (edge.from >= first_point_) return {point(edge.from), point(edge.to)};
     if (!heights_) return line_of(surface_, view_, edge);
     auto row = static_cast<std::uint32_t>(edge.from * rows_an_index_);
     // The product is rounded.
@@ -55,6 +67,12 @@ public:
   }
 
 private:
+  ProfilePoint point(std::uint32_t number) const {
+    const EdgePoint& at = points_[number - first_point_];
+    const ProfileLine line = (*this)(at.edge);
+    return point_between(line.from, line.to, at.t);
+  }
+
   ProfilePoint at(std::uint32_t column, std::uint32_t row, std::uint32_t index) const {
     return to_profile_frame(view_, lattice_->vertex_m(static_cast<int>(column),
                                                       static_cast<int>(row), heights_[index]));
@@ -62,6 +80,8 @@ private:
 
   const Surface& surface_;
   const View& view_;
+  std::span<const EdgePoint> points_;
+  std::uint32_t first_point_ = std::numeric_limits<std::uint32_t>::max();
   const PlaneLattice* lattice_ = nullptr;
   const float* heights_ = nullptr; ///< where the quick way is to be gone
   std::uint32_t columns_ = 0;

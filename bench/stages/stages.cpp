@@ -98,7 +98,7 @@ Stage merge_lines(const StagedView& view) {
     StrokeBuilder builder(spec, layer);
     meter.measure([&] {
       join(parts);
-      draw_parts(view.terrain.surface, view.scene.view, lines, parts, builder);
+      draw_parts(view.terrain.surface, {}, view.scene.view, lines, parts, builder);
     });
     return layer.page_mm.size();
   };

@@ -183,9 +183,12 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
       {.group = kGroup,
        .name = "--flat",
        .help = "Level ground such as sea and lakes: only its shores, or its profiles and its "
-               "border too",
+               "border too, or lines along its shores as well",
        .by_default = "shore"},
-      {{"shore", FlatGround::shore}, {"draw", FlatGround::draw}}, s.map.style.flat));
+      {{"shore", FlatGround::shore},
+       {"draw", FlatGround::draw},
+       {"waterlines", FlatGround::waterlines}},
+      s.map.style.flat));
   options.push_back(with_choice<Outline>(
       {.group = kGroup,
        .name = "--outline",

@@ -99,9 +99,11 @@ void LinePass::end_slab() {
   }
 }
 
-void join_sectors(const Surface& surface, const View& view, const std::vector<EdgeLine>& lines,
-                  double strip_m, std::vector<LinePart>& parts) {
-  const auto whole = [&](std::uint32_t line) { return line_of(surface, view, lines[line].edge); };
+void join_sectors(const Surface& surface, std::span<const EdgePoint> points, const View& view,
+                  const std::vector<EdgeLine>& lines, double strip_m,
+                  std::vector<LinePart>& parts) {
+  const EdgeEnds ends(surface, view, points);
+  const auto whole = [&](std::uint32_t line) { return ends(lines[line].edge); };
   // The strip, twice as wide, since its sides are rounded.
   const auto strip = [&](const ProfileLine& line) {
     return 4 * strip_m / std::abs(line.to.v - line.from.v) + kSameShare;
@@ -117,9 +119,10 @@ void join_sectors(const Surface& surface, const View& view, const std::vector<Ed
   }
 }
 
-void draw_parts(const Surface& surface, const View& view, const std::vector<EdgeLine>& lines,
-                const std::vector<LinePart>& parts, StrokeBuilder& builder) {
-  const EdgeEnds ends(surface, view);
+void draw_parts(const Surface& surface, std::span<const EdgePoint> points, const View& view,
+                const std::vector<EdgeLine>& lines, const std::vector<LinePart>& parts,
+                StrokeBuilder& builder) {
+  const EdgeEnds ends(surface, view, points);
   draw_chained(
       parts, view,
       [&](const LinePart& part) {

@@ -67,12 +67,14 @@ private:
 
 /// Brings the parts of several sectors, a vector after another, in order by line, and joins those
 /// that only the strip between the sectors parts; `strip_m` wide to either side, 0 where what is in
-/// it is left out. `view` is that of the first sector.
-void join_sectors(const Surface& surface, const View& view, const std::vector<EdgeLine>& lines,
-                  double strip_m, std::vector<LinePart>& parts);
+/// it is left out. `view` is that of the first sector, `points` are
+/// those of lines on the ground.
+void join_sectors(const Surface& surface, std::span<const EdgePoint> points, const View& view,
+                  const std::vector<EdgeLine>& lines, double strip_m, std::vector<LinePart>& parts);
 
 /// Draws parts of lines as long strokes, joined at shared vertices.
-void draw_parts(const Surface& surface, const View& view, const std::vector<EdgeLine>& lines,
-                const std::vector<LinePart>& parts, StrokeBuilder& builder);
+void draw_parts(const Surface& surface, std::span<const EdgePoint> points, const View& view,
+                const std::vector<EdgeLine>& lines, const std::vector<LinePart>& parts,
+                StrokeBuilder& builder);
 
 } // namespace orograph

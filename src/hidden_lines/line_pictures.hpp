@@ -16,7 +16,7 @@
 namespace orograph {
 
 /// Which layer a line is drawn in, if it is drawn.
-enum class LineKind : std::uint8_t { silhouette, shore, border, void_edge, edge };
+enum class LineKind : std::uint8_t { silhouette, shore, border, void_edge, edge, waterline };
 
 struct EdgeLine {
   SurfaceEdge edge;
@@ -39,12 +39,13 @@ struct LinePicture {
 };
 
 /// The lines of a sector within a range of X: those of a list, and behind them in number those that
-/// were found on the way. REQUIRES that surface, sector and list outlive it.
+/// were found on the way. REQUIRES that surface, points, sector and list
+/// outlive it.
 class LinePictures {
 public:
-  /// `from_m`: depth from which on terrain is looked at.
-  LinePictures(const Surface& surface, const Sector& sector, const std::vector<EdgeLine>& lines,
-               XRange range, double from_m);
+  /// `points`: of lines on the ground. `from_m`: depth from which on terrain is looked at.
+  LinePictures(const Surface& surface, std::span<const EdgePoint> points, const Sector& sector,
+               const std::vector<EdgeLine>& lines, XRange range, double from_m);
 
   const EdgeLine& line(std::uint32_t i) const {
     return i < lines_.size() ? lines_[i] : found_[i - lines_.size()];
@@ -122,8 +123,8 @@ inline HorizonPiece occluder_of(const SurfaceLine& line) {
 }
 
 /// For each of the ranges the lines that reach into it, by number.
-std::vector<std::vector<LineAtDepth>> lines_by_range(const Surface& surface, const Sector& sector,
-                                                     const std::vector<EdgeLine>& lines,
-                                                     std::span<const XRange> ranges, double from_m);
+std::vector<std::vector<LineAtDepth>>
+lines_by_range(const Surface& surface, std::span<const EdgePoint> points, const Sector& sector,
+               const std::vector<EdgeLine>& lines, std::span<const XRange> ranges, double from_m);
 
 } // namespace orograph

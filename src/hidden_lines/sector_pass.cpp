@@ -42,9 +42,10 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
   Stopwatch watch;
   const Sector& sector = work.sector;
   const View& view = sector.view;
-  const auto which = lines_by_range(work.terrain.surface, sector, work.lines,
-                                    std::span(&work.range, 1), work.from_m);
-  const LinePictures pictures(work.terrain.surface, sector, work.lines, work.range, work.from_m);
+  const auto which = lines_by_range(work.terrain.surface, work.placed.waterlines.points, sector,
+                                    work.lines, std::span(&work.range, 1), work.from_m);
+  const LinePictures pictures(work.terrain.surface, work.placed.waterlines.points, sector,
+                              work.lines, work.range, work.from_m);
   LinePass lines(pictures, which.front(), work.tolerance);
   if (instruments.occluders) lines.record(*instruments.occluders);
   const ClipOptions options{surface ? Role::compared : Role::drawn_occluder, work.tolerance,
@@ -134,12 +135,13 @@ SectorLines solids_alone(const PlacedView& placed, const Sector& sector) {
 
 namespace {
 
-// The grid, if its sectors may be taken in the lattice's order.
-const Grid* grid_in_order(const TerrainData& terrain, const Style& style,
+// The grid, if its sectors may be taken in the lattice's order, in which lines that are no edges
+// have no place.
+const Grid* grid_in_order(const TerrainData& terrain, const PlacedView& placed, const Style& style,
                           const Instruments& instruments) {
   const Grid* grid = std::get_if<Grid>(&terrain.surface);
   const bool has_order = grid && !grid->is_on_earth() && style.occluder == Occluder::surface &&
-                         !instruments.needs_list();
+                         placed.waterlines.lines.empty() && !instruments.needs_list();
   return has_order ? grid : nullptr;
 }
 
@@ -156,7 +158,7 @@ bool goes_in_order(const Grid& grid, const Sector& sector, const Instruments& in
 
 LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
                           const Instruments& instruments, const SeenGround* ground) {
-  const Grid* grid = grid_in_order(terrain, style, instruments);
+  const Grid* grid = grid_in_order(terrain, placed, style, instruments);
   // Solids are hidden by all lines that hide.
   if (!grid || asks_lines(instruments) || !placed.solids.empty() ||
       !std::all_of(placed.sectors.begin(), placed.sectors.end(),
@@ -230,7 +232,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     profile_done();
   };
   watch.mark(seconds.facing);
-  const Grid* grid = grid_in_order(terrain, style, instruments);
+  const Grid* grid = grid_in_order(terrain, placed, style, instruments);
   const bool in_order = grid && goes_in_order(*grid, sector, instruments);
   SectorParts found_parts =
       in_list    ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)
@@ -238,7 +240,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
                  : strips_pass(work, lay_out, show, counts, seconds);
 
   watch = {};
-  LinePictures every_line(terrain.surface, sector, lines.listed, work.range, work.from_m);
+  LinePictures every_line(terrain.surface, placed.waterlines.points, sector, lines.listed,
+                          work.range, work.from_m);
   every_line.set_found(found_parts.found);
   SectorLines out;
   out.found = std::move(found_parts.found);

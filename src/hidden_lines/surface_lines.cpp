@@ -52,7 +52,7 @@ namespace {
 // without shores is all that there is, and has its border.
 std::vector<bool> open_water(const TerrainData& terrain, const PlacedView& placed,
                              const Style& style) {
-  if (style.flat != FlatGround::shore || style.outline != Outline::one ||
+  if (style.flat == FlatGround::draw || style.outline != Outline::one ||
       placed.level.shores.empty())
     return std::vector<bool>(placed.border.size());
   std::vector<bool> open = borders_of(terrain.surface, placed.border, placed.level.triangles);
@@ -155,6 +155,10 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
       }
   if (style.asks_for("shores")) add_drawn(placed.level.shores, LineKind::shore);
   if (style.asks_for("edges")) add_drawn(edges_of(terrain.surface), LineKind::edge);
+  for (const SurfaceEdge& line : placed.waterlines.lines) {
+    throw_if_stopped(lines.size());
+    lines.push_back({line, LineKind::waterline, false, true, false});
+  }
   return lines;
 }
 

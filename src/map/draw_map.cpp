@@ -101,7 +101,7 @@ public:
     for (const SectorLines& sector : sectors_) append(sector.*kind, all);
     throw_if_stopped();
     if (sectors_.size() > 1 && has_ground(terrain_.surface))
-      join_sectors(terrain_.surface, placed_.view, lines_,
+      join_sectors(terrain_.surface, placed_.waterlines.points, placed_.view, lines_,
                    std::max(0.0, placed_.sectors.front().view.drawn_from_m), all);
     return all;
   }
@@ -202,7 +202,7 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       if (row.kind == LineKind::silhouette) added.shade = shade;
       if (row.kind == LineKind::border || row.kind == LineKind::void_edge)
         added.shade = haze_alone(shade);
-      added.is_shore = row.kind == LineKind::shore;
+      added.is_shore = row.kind == LineKind::shore || row.kind == LineKind::waterline;
       break;
     case LineSource::skyline:
       added.parts = by_edge(found.lines(), found.of(&SectorLines::skyline));
@@ -284,7 +284,8 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     if (task.of_solids)
       draw_edges(placed.solids, placed.view, task.parts, builder);
     else
-      draw_parts(terrain.surface, placed.view, found.lines(), task.parts, builder);
+      draw_parts(terrain.surface, placed.waterlines.points, placed.view, found.lines(), task.parts,
+                 builder);
     task.left_out_mm = builder.left_out_mm();
   });
   if (outlines_terrain(style, placed.view)) close_outlines(layers);

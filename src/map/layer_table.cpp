@@ -8,9 +8,10 @@ namespace orograph {
 namespace {
 
 // Ridges and shores are a little heavier than profiles, border, voids and edges lighter.
-constexpr std::array<LayerRow, 9> kLayers{{
+constexpr std::array<LayerRow, 10> kLayers{{
     {.name = "profiles", .source = LineSource::profiles},
     {"edges", LineSource::edges, 0.6, 0.45, LineKind::edge},
+    {"waterlines", LineSource::edges, 0.6, 0.45, LineKind::waterline},
     {"shores", LineSource::edges, 1.2, 0, LineKind::shore},
     {"border", LineSource::edges, 0.8, 0.45, LineKind::border},
     {"voids", LineSource::edges, 0.8, 0.45, LineKind::void_edge},
@@ -28,11 +29,13 @@ std::span<const LayerRow> layer_table() {
 
 std::optional<Layer> layer_of(const LayerRow& row, const Style& style) {
   const LayerSpec* const spec = style.layer(row.name);
-  if (!spec) return std::nullopt;
+  const bool by_kind = row.kind == LineKind::waterline && style.draws_waterlines();
+  if (!spec && !by_kind) return std::nullopt;
   Layer layer;
   layer.name = row.name;
-  layer.pen_width_mm = spec->weight.value_or(row.weight) * style.pen_width_mm;
-  layer.grey = spec->grey.value_or(row.grey);
+  layer.pen_width_mm =
+      (spec ? spec->weight : std::nullopt).value_or(row.weight) * style.pen_width_mm;
+  layer.grey = (spec ? spec->grey : std::nullopt).value_or(row.grey);
   layer.is_hidden = row.source == LineSource::hidden_solids;
   return layer;
 }

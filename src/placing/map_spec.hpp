@@ -84,7 +84,8 @@ constexpr double kCrumb_mm = 0.5;
 constexpr double kHazeInPerspective = 0.3;
 
 enum class Occluder { surface, profiles };
-enum class FlatGround { shore, draw };
+/// What is drawn of water: its shores, with profiles and border, or with lines along the shores.
+enum class FlatGround { shore, draw, waterlines };
 /// Whether lines are as far apart on the page as the plan says, wherever the ground is, or planes
 /// are on level ground.
 enum class Spread { even, planes };
@@ -140,6 +141,7 @@ struct Style {
     return nullptr;
   }
   bool asks_for(std::string_view name) const { return layer(name) != nullptr; }
+  bool draws_waterlines() const { return flat == FlatGround::waterlines || asks_for("waterlines"); }
   double haze_in(bool perspective) const {
     return haze.value_or(perspective ? kHazeInPerspective : 0);
   }

@@ -203,6 +203,7 @@ TEST_CASE("options of lines and page") {
   CHECK(s.map.style.simplify_mm == 0);
   CHECK(s.map.style.flat == FlatGround::draw);
   CHECK(s.map.style.layers == Layers{"border", "profiles"});
+  CHECK(given({"--flat", "waterlines"}).map.style.flat == FlatGround::waterlines);
   CHECK_FALSE(s.void_edges);
   CHECK(given({"--void-edges"}).void_edges);
   CHECK(given({"--void-edges"}).map.style.asks_for("voids"));
@@ -227,7 +228,7 @@ TEST_CASE("options of lines and page") {
   check_refused({"--visibility-tolerance", "-1"}, "mm, 0 to 10");
   check_refused({"--flat", "no"}, "shore|draw");
   check_refused({"--layers", "profiles,profiles"},
-                "each once of profiles, edges, shores, border, voids");
+                "each once of profiles, edges, waterlines, shores, border, voids");
   check_refused({"--layers", "contours"}, "each once of");
   check_refused({"--layers", ""}, "each once of");
   check_refused({"--page", "a99"}, "a4");

@@ -250,6 +250,8 @@ TEST_CASE("stopped at any stage, a call is back at once", "[slow]") {
   const auto flooded = std::make_shared<std::vector<float>>(*heights);
   for (float& height : *flooded) height = std::max(height, 2000.0F);
   check_draw("lakes", Terrain::of(borrowed(flooded, kSide)), [](MapSpec&) {});
+  check_draw("lines on lakes", Terrain::of(borrowed(flooded, kSide)),
+             [](MapSpec& spec) { spec.style.flat = FlatGround::waterlines; });
   GridInput in_degrees = borrowed(heights, kSide);
   in_degrees.geotransform = {10, 1.0 / 3600, 0, 47, 0, -1.0 / 3600};
   in_degrees.crs = "EPSG:4326";

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "profiles/waterlines.hpp"
+
+#include "geometry/box.hpp"
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+constexpr std::size_t kOfTask = 1U << 14U;
+
+std::size_t vertex_count(const Surface& surface) {
+  if (const Grid* grid = std::get_if<Grid>(&surface)) return grid->size();
+  return std::get<Tin>(surface).vertices_m.size();
+}
+
+std::size_t triangle_count(const Surface& surface) {
+  if (const Grid* grid = std::get_if<Grid>(&surface)) return grid_triangle_count(*grid);
+  return std::get<Tin>(surface).triangles.size();
+}
+
+Vec3 vertex_m(const Surface& surface, std::uint32_t vertex) {
+  if (const Grid* grid = std::get_if<Grid>(&surface)) return grid->vertex_m(std::size_t{vertex});
+  return std::get<Tin>(surface).vertices_m[vertex];
+}
+
+// In rising order, so that every edge has one direction.
+std::array<std::uint32_t, 3> corners_of(const Surface& surface, std::size_t triangle) {
+  std::array<std::uint32_t, 3> corners;
+  if (const Grid* grid = std::get_if<Grid>(&surface)) {
+    const auto cells = static_cast<std::size_t>(grid->columns) - 1;
+    const auto column = static_cast<int>(triangle / 2 % cells),
+               row = static_cast<int>(triangle / 2 / cells);
+    const bool upper = triangle % 2 == static_cast<std::size_t>(Half::upper);
+    corners = {static_cast<std::uint32_t>(grid->index(column, row)),
+               static_cast<std::uint32_t>(upper ? grid->index(column + 1, row)
+                                                : grid->index(column, row + 1)),
+               static_cast<std::uint32_t>(grid->index(column + 1, row + 1))};
+  } else {
+    const auto& of_tin = std::get<Tin>(surface).triangles[triangle];
+    std::copy(of_tin.begin(), of_tin.end(), corners.begin());
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+double squared_distance(Vec3 p, Vec3 from, Vec3 to) {
+  const Vec3 way = to - from, at = p - from;
+  const double length2 = dot(way, way);
+  const double t = length2 > 0 ? std::clamp(dot(at, way) / length2, 0.0, 1.0) : 0;
+  const Vec3 rest = at - t * way;
+  return dot(rest, rest);
+}
+
+// Boxes about boxes about shores: each is halved at the middle of its longer side.
+class Shores {
+public:
+  Shores(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
+    lines_.reserve(edges.size());
+    for (const SurfaceEdge& edge : edges) {
+      throw_if_stopped(lines_.size());
+      lines_.push_back({vertex_m(surface, edge.from), vertex_m(surface, edge.to)});
+    }
+    if (!lines_.empty()) build(0, lines_.size());
+  }
+
+  // To the nearest, or `limit2` where none is as near.
+  double squared_distance(Vec3 p, double limit2) const {
+    if (!nodes_.empty()) ask(0, p, limit2);
+    return limit2;
+  }
+
+private:
+  struct Line {
+    Vec3 from, to;
+  };
+  struct Node {
+    Vec3 low, high;
+    std::size_t begin, end; // of lines
+    std::size_t second = 0; // its second half's node, behind all of the first; 0 of a leaf
+  };
+
+  std::size_t build(std::size_t begin, std::size_t end) {
+    throw_if_stopped(begin);
+    Box3 box;
+    for (std::size_t i = begin; i < end; ++i) {
+      box.include(lines_[i].from);
+      box.include(lines_[i].to);
+    }
+    const std::size_t number = nodes_.size();
+    nodes_.push_back({box.low, box.high, begin, end});
+    constexpr std::size_t kOfLeaf = 4;
+    if (end - begin <= kOfLeaf) return number;
+    const Vec3 size = box.high - box.low;
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto at = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(lines_.begin() + at(begin), lines_.begin() + at(middle),
+                     lines_.begin() + at(end), [&](const Line& a, const Line& b) {
+                       return size.x >= size.y ? a.from.x + a.to.x < b.from.x + b.to.x
+                                               : a.from.y + a.to.y < b.from.y + b.to.y;
+                     });
+    build(begin, middle);
+    const std::size_t second = build(middle, end);
+    nodes_[number].second = second;
+    return number;
+  }
+
+  static double squared_distance(const Node& node, Vec3 p) {
+    const Vec3 off{std::max({node.low.x - p.x, p.x - node.high.x, 0.0}),
+                   std::max({node.low.y - p.y, p.y - node.high.y, 0.0}),
+                   std::max({node.low.z - p.z, p.z - node.high.z, 0.0})};
+    return dot(off, off);
+  }
+
+  void ask(std::size_t number, Vec3 p, double& least2) const {
+    const Node& node = nodes_[number];
+    if (squared_distance(node, p) >= least2) return;
+    if (node.second == 0) {
+      for (std::size_t i = node.begin; i < node.end; ++i)
+        least2 = std::min(least2, orograph::squared_distance(p, lines_[i].from, lines_[i].to));
+      return;
+    }
+    std::size_t nearer = number + 1, farther = node.second;
+    if (squared_distance(nodes_[farther], p) < squared_distance(nodes_[nearer], p))
+      std::swap(nearer, farther);
+    ask(nearer, p, least2);
+    ask(farther, p, least2);
+  }
+
+  std::vector<Line> lines_;
+  std::vector<Node> nodes_;
+};
+
+// A crossing of an edge by the line at one of the distances, by number.
+struct Crossing {
+  std::uint32_t distance;
+  SurfaceEdge edge;
+  auto operator<=>(const Crossing&) const = default;
+};
+
+struct Found {
+  std::vector<std::pair<Crossing, Crossing>> lines; // from edge to edge of a triangle
+};
+
+// Distances of `vertices`, in order; squared ones up to `limit_m`, and beyond it that.
+std::vector<double> distances(const Surface& surface, const LevelGround& level,
+                              const std::vector<std::uint32_t>& vertices, double limit_m) {
+  const Shores shores(surface, level.shores);
+  std::vector<double> out(vertices.size());
+  on_all_cores((vertices.size() + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+    for (std::size_t i = task * kOfTask; i < std::min(vertices.size(), (task + 1) * kOfTask); ++i) {
+      throw_if_stopped(i);
+      out[i] =
+          std::sqrt(shores.squared_distance(vertex_m(surface, vertices[i]), limit_m * limit_m));
+    }
+  });
+  return out;
+}
+
+std::vector<std::uint32_t> level_triangles(const Surface& surface, const LevelGround& level) {
+  std::vector<std::uint32_t> out;
+  const std::size_t count = triangle_count(surface);
+  for (std::size_t t = 0; t < count; ++t) {
+    throw_if_stopped(t);
+    if (level.triangles.has(t)) out.push_back(static_cast<std::uint32_t>(t));
+  }
+  return out;
+}
+
+} // namespace
+
+GroundLines waterlines(const Surface& surface, const LevelGround& level,
+                       std::span<const double> distances_m) {
+  GroundLines out;
+  if (level.shores.empty() || distances_m.empty()) return out;
+  const std::vector<std::uint32_t> triangles = level_triangles(surface, level);
+  std::vector<std::uint32_t> vertices;
+  vertices.reserve(3 * triangles.size());
+  for (const std::uint32_t t : triangles) {
+    throw_if_stopped(vertices.size());
+    const auto corners = corners_of(surface, t);
+    vertices.insert(vertices.end(), corners.begin(), corners.end());
+  }
+  std::size_t steps = 0;
+  std::sort(vertices.begin(), vertices.end(), StoppableLess(steps));
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  // Farther than every line, so that none runs along what is out of reach.
+  const double limit_m = 2 * distances_m.back();
+  const std::vector<double> of_vertices = distances(surface, level, vertices, limit_m);
+  const auto distance_m = [&](std::uint32_t vertex) {
+    return of_vertices[static_cast<std::size_t>(
+        std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin())];
+  };
+
+  std::vector<Found> of_tasks((triangles.size() + kOfTask - 1) / kOfTask);
+  on_all_cores(of_tasks.size(), [&](std::size_t task) {
+    for (std::size_t i = task * kOfTask; i < std::min(triangles.size(), (task + 1) * kOfTask);
+         ++i) {
+      throw_if_stopped(i);
+      const auto c = corners_of(surface, triangles[i]);
+      const std::array<double, 3> d{distance_m(c[0]), distance_m(c[1]), distance_m(c[2])};
+      const auto [least, greatest] = std::minmax({d[0], d[1], d[2]});
+      auto at = std::upper_bound(distances_m.begin(), distances_m.end(), least);
+      for (; at != distances_m.end() && *at <= greatest; ++at) {
+        // What is as far as the line counts as farther: then every triangle is crossed by two of
+        // its edges, or not at all.
+        const auto number = static_cast<std::uint32_t>(at - distances_m.begin());
+        std::array<Crossing, 3> crossings;
+        std::size_t count = 0;
+        for (const auto& [a, b] : {std::pair{0U, 1U}, {0U, 2U}, {1U, 2U}})
+          if ((d[a] >= *at) != (d[b] >= *at)) crossings[count++] = {number, {c[a], c[b]}};
+        if (count == 2) of_tasks[task].lines.emplace_back(crossings[0], crossings[1]);
+      }
+    }
+  });
+
+  std::vector<Crossing> all;
+  for (const Found& found : of_tasks)
+    for (const auto& [from, to] : found.lines) {
+      throw_if_stopped(all.size());
+      all.insert(all.end(), {from, to});
+    }
+  std::sort(all.begin(), all.end(), StoppableLess(steps));
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  // Off the vertices, so that no line is a point: a millionth of an edge is beneath all drawing.
+  constexpr double kOffVertex = 1e-6;
+  for (const auto& [number, edge] : all) {
+    throw_if_stopped(out.points.size());
+    const double from_m = distance_m(edge.from), to_m = distance_m(edge.to);
+    out.points.push_back({edge, std::clamp((distances_m[number] - from_m) / (to_m - from_m),
+                                           kOffVertex, 1 - kOffVertex)});
+  }
+  const std::size_t first = vertex_count(surface);
+  const auto number_of = [&](const Crossing& crossing) {
+    return static_cast<std::uint32_t>(
+        first +
+        static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), crossing) - all.begin()));
+  };
+  for (const Found& found : of_tasks)
+    for (const auto& [from, to] : found.lines) {
+      throw_if_stopped(out.lines.size());
+      out.lines.push_back({number_of(from), number_of(to)});
+    }
+  std::sort(out.lines.begin(), out.lines.end(), StoppableLess(steps));
+  return out;
+}
+
+} // namespace orograph

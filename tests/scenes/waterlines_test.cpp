@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines on the water: seen where the ray walk says so, and nothing else is drawn otherwise for
+// them.
+#include "dem/approximate/tin_of_grid.hpp"
+#include "geometry/error.hpp"
+#include "hidden_lines/instruments.hpp"
+#include "map/check.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
+#include "reference/judge.hpp"
+#include "tests/catch.hpp"
+#include "tests/scenes/asked_scenes.hpp"
+#include "tests/scenes/look_down.hpp"
+#include "tests/scenes/put_eye.hpp"
+#include "tests/scenes/random_scene.hpp"
+#include "tests/scenes/same_drawing.hpp"
+#include "tests/support/grid_of.hpp"
+#include "tests/support/random.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace orograph::waterlines_test {
+namespace {
+
+constexpr std::uint64_t kScenes = last_seed(300);
+
+// A random scene, of which half the ground is under water.
+RandomScene flooded(std::uint64_t seed, Random& random) {
+  RandomScene scene = random_scene(seed, 60);
+  const auto heights = std::get<Heights<float>>(grid_of(scene.terrain).heights_m).own();
+  std::vector<float> sorted;
+  for (const float h : heights)
+    if (!std::isnan(h)) sorted.push_back(h);
+  std::sort(sorted.begin(), sorted.end());
+  const auto share =
+      static_cast<std::size_t>(random.between(0.3, 0.7) * static_cast<double>(sorted.size()));
+  const float sea = sorted[std::min(share, sorted.size() - 1)];
+  for (float& h : heights) h = std::isnan(h) ? h : std::max(h, sea);
+  scene.spec.style.flat = FlatGround::waterlines;
+  scene.spec.style.join_mm = scene.spec.style.min_stroke_mm.emplace(0);
+  scene.spec.style.shore_smooth_mm = 0;
+  if (seed % 3 == 1) look_down(scene.spec, scene.terrain, random);
+  if (seed % 3 == 2) put_eye(scene.spec, grid_of(scene.terrain), random);
+  return scene;
+}
+
+// The lines on the water alone: with others, few of the points asked would be on them.
+class WaterCheck : public LineObserver {
+public:
+  WaterCheck(const TerrainData& terrain, const PlacedView& placed, Random& random)
+      : judges_(judges_of(terrain.surface, placed, 1e-4)), random_(random) {}
+
+  void see(const SeenProfile&) override {}
+  void see(const SeenLines& seen) override {
+    const Judge& judge = judges_[sector_++];
+    const View& view = seen.sector.view;
+    auto part = seen.visible.begin();
+    for (std::uint32_t i = 0; i < seen.lines.size(); ++i) {
+      const auto first =
+          std::find_if(part, seen.visible.end(), [&](const LinePart& p) { return p.line >= i; });
+      part = first;
+      if (seen.lines.line(i).kind != LineKind::waterline) continue;
+      const ProfileLine whole = seen.lines.whole(i);
+      std::vector<double> places{random_.between(0, 1)};
+      for (auto p = first; p != seen.visible.end() && p->line == i; ++p)
+        for (const double end : {p->t_begin, p->t_end})
+          for (const double aside : {-1e-3, 1e-3})
+            if (end + aside > 1e-9 && end + aside < 1 - 1e-9) places.push_back(end + aside);
+      for (const double t : places) {
+        const ProfilePoint at = seen.lines.point(i, t);
+        if (view.is_perspective() &&
+            at.v <= std::max(view.near_m, view.drawn_from_m) + 4 * seen.lines.rounding_m())
+          continue;
+        const double x = project(view, at).x;
+        if (!(x >= seen.clipped.begin && x <= seen.clipped.end)) continue;
+        bool drawn = false;
+        for (auto p = first; p != seen.visible.end() && p->line == i; ++p)
+          drawn = drawn || (p->t_begin <= t && t <= p->t_end);
+        ++counts.asked;
+        const Verdict verdict = judge.verdict(whole, t, false, drawn);
+        if (verdict == Verdict::tied)
+          ++counts.ties;
+        else if ((verdict == Verdict::visible) != drawn)
+          ++(drawn ? counts.hidden : counts.missing);
+        visible += drawn ? 1 : 0;
+      }
+    }
+  }
+
+  CheckCounts counts;
+  std::uint64_t visible = 0;
+
+private:
+  std::vector<Judge> judges_;
+  std::size_t sector_ = 0;
+  Random& random_;
+};
+
+} // namespace
+
+TEST_CASE("the ray walk sees the lines on the water that are drawn, and no others", "[slow]") {
+  Asked sum;
+  std::uint64_t refused = 0, two_sectors = 0, visible = 0, with_lines = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    Random random(seed);
+    RandomScene scene = flooded(seed, random);
+    if (seed % 2 == 0) {
+      const Grid grid = grid_of(scene.terrain);
+      scene.terrain.surface = tin_of(grid);
+    }
+    INFO("seed " << seed << ": " << scene.what);
+    try {
+      const PlacedView placed = placed_view(scene.terrain, scene.spec);
+      WaterCheck check(scene.terrain, placed, random);
+      Instruments instruments{.hidden_ground = true};
+      instruments.observers = {&check};
+      draw_map(
+          scene.terrain, placed, scene.spec, [](double) {}, instruments);
+      CHECK(check.counts.hidden == 0);
+      CHECK(check.counts.missing == 0);
+      sum.add(check.counts);
+      visible += check.visible;
+      two_sectors += placed.sectors.size() > 1 ? 1 : 0;
+      with_lines += placed.waterlines.lines.empty() ? 0 : 1;
+    } catch (const Error&) { // an eye under the ground, or a view of nothing
+      ++refused;
+    }
+  }
+  report("lines on water", sum);
+  WARN(visible << " visible, " << with_lines << " scenes with lines, " << two_sectors
+               << " of two sectors, " << refused << " refused");
+  CHECK(sum.asked > 100 * kScenes);
+  CHECK(visible > 20 * kScenes);
+  CHECK(two_sectors > kScenes / 20);
+  CHECK(refused < kScenes / 4);
+}
+
+TEST_CASE("every other layer is the same with lines on the water and without") {
+  for (std::uint64_t seed = 1; seed <= kScenes / 3; ++seed) {
+    Random random(seed);
+    RandomScene scene = flooded(seed, random);
+    const Grid grid = grid_of(scene.terrain);
+    scene.terrain.surface = tin_of(grid); // a grid may be taken in another order without them
+    INFO("seed " << seed << ": " << scene.what);
+    std::optional<PlacedView> placed;
+    try {
+      placed = placed_view(scene.terrain, scene.spec);
+    } catch (const Error&) {
+      continue;
+    }
+    Map with = draw_map(scene.terrain, *placed, scene.spec, [](double) {});
+    scene.spec.style.flat = FlatGround::shore;
+    const PlacedView plain = placed_view(scene.terrain, scene.spec);
+    CHECK(plain.waterlines.lines.empty());
+    const Map without = draw_map(scene.terrain, plain, scene.spec, [](double) {});
+    std::erase_if(with.drawing.layers,
+                  [](const Layer& layer) { return layer.name == "waterlines"; });
+    CHECK(difference(with.drawing, without.drawing).empty());
+  }
+}
+
+} // namespace orograph::waterlines_test
