@@ -8,9 +8,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <set>
 #include <string_view>
-#include <unordered_map>
+#include <unordered_set>
 #include <utility>
+#include <vector>
 
 namespace orograph {
 namespace {
@@ -47,17 +50,33 @@ void append(std::string& path, int x, int y, char command) {
   append(path, y);
 }
 
-// In which the profiles are that some drawing has, by number.
-std::unordered_map<std::int32_t, std::size_t> ranks_of_profiles(const Drawing& drawing) {
-  std::vector<std::int32_t> numbers;
+// The profiles that a drawing has, by number, and the level of each.
+std::map<std::int32_t, int> levels_of_profiles(const Drawing& drawing) {
+  std::map<std::int32_t, int> levels;
   for (const Layer& layer : drawing.layers)
     for (const Stroke& stroke : layer.strokes)
-      if (stroke.profile >= 0) numbers.push_back(stroke.profile);
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  std::unordered_map<std::int32_t, std::size_t> ranks;
-  for (std::size_t i = 0; i < numbers.size(); ++i) ranks[numbers[i]] = i;
-  return ranks;
+      if (stroke.profile >= 0) levels[stroke.profile] = stroke.level;
+  return levels;
+}
+
+// As many as are asked for, or fewer, evenly spread: those of high levels, of which lines are even
+// where all lines are; and of these each so-and-so-many-th.
+std::unordered_set<std::int32_t> spread_profiles(const std::map<std::int32_t, int>& levels,
+                                                 double most) {
+  std::set<int> all;
+  for (const auto& [number, level] : levels) all.insert(level);
+  std::vector<std::int32_t> taken;
+  for (const int least : all) {
+    taken.clear();
+    for (const auto& [number, level] : levels)
+      if (level >= least) taken.push_back(number);
+    if (static_cast<double>(taken.size()) <= most) break;
+  }
+  const auto every = static_cast<std::size_t>(
+      std::max(std::ceil(static_cast<double>(taken.size()) / most), 1.0));
+  std::unordered_set<std::int32_t> spread;
+  for (std::size_t i = 0; i < taken.size(); i += every) spread.insert(taken[i]);
+  return spread;
 }
 
 bool is_shorter(std::span<const Vec2> points, double mm) {
@@ -99,18 +118,29 @@ private:
 };
 
 Preview draw(const Drawing& drawing, const Coarseness& coarseness,
-             const std::unordered_map<std::int32_t, std::size_t>& ranks) {
+             const std::map<std::int32_t, int>& levels) {
   Preview preview{drawing.page.width_mm, drawing.page.height_mm, {}};
-  const auto every = static_cast<std::size_t>(
-      std::max(std::ceil(static_cast<double>(ranks.size()) / coarseness.profiles), 1.0));
+  const std::unordered_set<std::int32_t> spread = spread_profiles(levels, coarseness.profiles);
+  const auto one_in = static_cast<std::size_t>(std::ceil(coarseness.one_in));
   for (const Layer& layer : drawing.layers) {
     PathWriter writer(coarseness);
-    const auto one_in = static_cast<std::size_t>(std::ceil(coarseness.one_in));
-    for (std::size_t i = 0; i < layer.strokes.size(); i += one_in) {
-      const Stroke& stroke = layer.strokes[i];
-      if (stroke.profile < 0 || ranks.at(stroke.profile) % every == 0)
-        writer.add(layer.points(stroke));
+    std::size_t number = 0; // of a line, which is several strokes where its width changes
+    std::vector<Vec2> line;
+    const auto end_line = [&] {
+      if (!line.empty() && number++ % one_in == 0) writer.add(line);
+      line.clear();
+    };
+    std::int32_t profile = -1;
+    for (const Stroke& stroke : layer.strokes) {
+      if (stroke.profile >= 0 && !spread.contains(stroke.profile)) continue;
+      const auto points = layer.points(stroke);
+      const bool goes_on =
+          !line.empty() && stroke.profile == profile && points.front() == line.back();
+      if (!goes_on) end_line();
+      line.insert(line.end(), points.begin() + (goes_on ? 1 : 0), points.end());
+      profile = stroke.profile;
     }
+    end_line();
     std::string path = writer.take();
     if (!path.empty())
       preview.layers.push_back({layer.name, layer.pen_width_mm, layer.grey, std::move(path)});
@@ -136,17 +166,17 @@ void append_escaped(std::string& page, std::string_view json) {
 } // namespace
 
 Preview preview_of(const Drawing& drawing) {
-  const auto ranks = ranks_of_profiles(drawing);
+  const auto levels = levels_of_profiles(drawing);
   Coarseness coarseness;
   std::size_t points = 0;
   for (const Layer& layer : drawing.layers) points += layer.page_mm.size();
   // About as many bytes for each point as are left after simplification.
   const double guess = 1.6 * static_cast<double>(points) *
-                       std::min(coarseness.profiles / static_cast<double>(ranks.size() + 1), 1.0) /
+                       std::min(coarseness.profiles / static_cast<double>(levels.size() + 1), 1.0) /
                        kMostBytes;
   coarseness.profiles /= std::clamp(guess, 1.0, kMostProfiles / kFewestProfiles);
   for (;;) {
-    Preview preview = draw(drawing, coarseness, ranks);
+    Preview preview = draw(drawing, coarseness, levels);
     const double excess = static_cast<double>(bytes_of(preview)) / kMostBytes;
     if (excess <= 1) return preview;
     // Fewer profiles first, down to what still tells a form; then less of each. Of lines that are

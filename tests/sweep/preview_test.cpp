@@ -170,6 +170,32 @@ TEST_CASE("every so many profiles are in a preview, and all other lines") {
   CHECK(parsed(preview.layers[1].path).size() == 1);
 }
 
+TEST_CASE("of profiles with levels the high ones are in a preview, and runs of a line are one") {
+  Drawing drawing;
+  Layer layer = layer_called("profiles");
+  for (std::int32_t number = 0; number < 200; ++number) {
+    const double y = 10 + 0.6 * number;
+    const auto first = static_cast<std::uint32_t>(layer.page_mm.size());
+    // Two runs of 0.5 mm would be left out one by one.
+    layer.page_mm.insert(layer.page_mm.end(), {{10, y}, {10.5, y}, {10.5, y}, {11, y}});
+    for (const std::uint32_t run : {0U, 2U}) {
+      Stroke stroke{first + run, 2, number};
+      stroke.level = number % 4 == 3 ? 2 : number % 2; // every fourth is the last to go
+      layer.strokes.push_back(stroke);
+    }
+  }
+  drawing.page = {200, 150, 5};
+  drawing.layers = {layer};
+  const Preview preview = preview_of(drawing);
+  REQUIRE(preview.layers.size() == 1);
+  const Lines read = parsed(preview.layers[0].path);
+  CHECK(read.size() == 50);
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    CHECK(std::abs(read[i].front().y - (10 + 0.6 * (4 * static_cast<double>(i) + 3))) < 0.051);
+    CHECK(std::abs(read[i].back().x - read[i].front().x) == 1);
+  }
+}
+
 TEST_CASE("previews of next to nothing") {
   CHECK(preview_of({}).layers.empty());
   Drawing drawing;
