@@ -149,16 +149,24 @@ struct Found {
   std::vector<std::pair<Crossing, Crossing>> lines; // from edge to edge of a triangle
 };
 
-// Distances of `vertices`, in order; squared ones up to `limit_m`, and beyond it that.
+// Of all vertices; beyond `limit_m`, and of those that aren't of level ground, that.
 std::vector<double> distances(const Surface& surface, const LevelGround& level,
-                              const std::vector<std::uint32_t>& vertices, double limit_m) {
+                              const std::vector<std::uint32_t>& triangles, double limit_m) {
   const Shores shores(surface, level.shores);
-  std::vector<double> out(vertices.size());
-  on_all_cores((vertices.size() + kOfTask - 1) / kOfTask, [&](std::size_t task) {
-    for (std::size_t i = task * kOfTask; i < std::min(vertices.size(), (task + 1) * kOfTask); ++i) {
+  const std::size_t count = vertex_count(surface);
+  std::vector<bool> is_level(count);
+  std::size_t step = 0;
+  for (const std::uint32_t t : triangles) {
+    throw_if_stopped(step++);
+    for (const std::uint32_t vertex : corners_of(surface, t)) is_level[vertex] = true;
+  }
+  std::vector<double> out(count, limit_m);
+  on_all_cores((count + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+    for (std::size_t i = task * kOfTask; i < std::min(count, (task + 1) * kOfTask); ++i) {
       throw_if_stopped(i);
-      out[i] =
-          std::sqrt(shores.squared_distance(vertex_m(surface, vertices[i]), limit_m * limit_m));
+      if (is_level[i])
+        out[i] = std::sqrt(shores.squared_distance(vertex_m(surface, static_cast<std::uint32_t>(i)),
+                                                   limit_m * limit_m));
     }
   });
   return out;
@@ -181,23 +189,10 @@ GroundLines waterlines(const Surface& surface, const LevelGround& level,
   GroundLines out;
   if (level.shores.empty() || distances_m.empty()) return out;
   const std::vector<std::uint32_t> triangles = level_triangles(surface, level);
-  std::vector<std::uint32_t> vertices;
-  vertices.reserve(3 * triangles.size());
-  for (const std::uint32_t t : triangles) {
-    throw_if_stopped(vertices.size());
-    const auto corners = corners_of(surface, t);
-    vertices.insert(vertices.end(), corners.begin(), corners.end());
-  }
-  std::size_t steps = 0;
-  std::sort(vertices.begin(), vertices.end(), StoppableLess(steps));
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   // Farther than every line, so that none runs along what is out of reach.
   const double limit_m = 2 * distances_m.back();
-  const std::vector<double> of_vertices = distances(surface, level, vertices, limit_m);
-  const auto distance_m = [&](std::uint32_t vertex) {
-    return of_vertices[static_cast<std::size_t>(
-        std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin())];
-  };
+  const std::vector<double> of_vertices = distances(surface, level, triangles, limit_m);
+  const auto distance_m = [&](std::uint32_t vertex) { return of_vertices[vertex]; };
 
   std::vector<Found> of_tasks((triangles.size() + kOfTask - 1) / kOfTask);
   on_all_cores(of_tasks.size(), [&](std::size_t task) {
@@ -221,6 +216,7 @@ GroundLines waterlines(const Surface& surface, const LevelGround& level,
     }
   });
 
+  std::size_t steps = 0;
   std::vector<Crossing> all;
   for (const Found& found : of_tasks)
     for (const auto& [from, to] : found.lines) {

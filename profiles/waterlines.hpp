@@ -21,7 +21,7 @@ struct GroundLines {
 /// Where the distance to the nearest shore is one of `distances_m`. It is exact at vertices of
 /// level ground, along straight lines, and linear between them. Lines meet at edges of triangles in
 /// one and the same point. REQUIRES rising distances above 0. Cost: O(log shores) for each vertex
-/// of level ground.
+/// of level ground; memory 8 bytes a vertex of the surface.
 GroundLines waterlines(const Surface& surface, const LevelGround& level,
                        std::span<const double> distances_m);
 
