@@ -72,8 +72,8 @@ std::unordered_set<std::int32_t> spread_profiles(const std::map<std::int32_t, in
       if (level >= least) taken.push_back(number);
     if (static_cast<double>(taken.size()) <= most) break;
   }
-  const auto every = static_cast<std::size_t>(
-      std::max(std::ceil(static_cast<double>(taken.size()) / most), 1.0));
+  const auto every =
+      static_cast<std::size_t>(std::max(std::ceil(static_cast<double>(taken.size()) / most), 1.0));
   std::unordered_set<std::int32_t> spread;
   for (std::size_t i = 0; i < taken.size(); i += every) spread.insert(taken[i]);
   return spread;

@@ -7,6 +7,8 @@
 // distance of the point that they pass.
 #include "draw/simplify.hpp"
 
+#include "geometry/on_all_cores.hpp"
+
 #include <cmath>
 #include <numeric>
 
@@ -84,6 +86,7 @@ void simplify(std::span<const Vec2> points, double tolerance, std::vector<std::u
     return;
   }
   for (std::size_t at = 0; at < points.size(); at = reach_from(points, at, tolerance)) {
+    throw_if_stopped(kept.size() + 1);
     kept.push_back(static_cast<std::uint32_t>(at));
     if (at + 1 == points.size()) break;
   }

@@ -35,7 +35,10 @@ void LatticeStrip::take(std::uint32_t number, std::span<ProfileInWork* const> pr
   lines_.begin_place(number, shown);
   find_profiles(place, shown, profiles);
   lines_.begin_part(PlacePart::line);
-  while (lines_.next()) lines_.take();
+  while (lines_.next()) {
+    throw_if_stopped();
+    lines_.take();
+  }
   for (const PlacePart side : {PlacePart::outwards, PlacePart::backwards}) take_side(side);
   lines_.end_place();
 }
@@ -179,6 +182,7 @@ void LatticeStrip::take_side(PlacePart part) {
   const auto columns = static_cast<std::uint32_t>(lattice_.grid.columns);
   lines_.begin_part(part);
   while (const auto next = lines_.next()) {
+    throw_if_stopped(); // a strip of cells may have thousands of lines
     const std::uint32_t from = next->edge.from;
     const auto column = static_cast<int>(from % columns), row = static_cast<int>(from / columns);
     const int cell = lattice_.order.rows_are_strips() ? column : row;

@@ -55,7 +55,9 @@ void draw_chained(const std::vector<LinePart>& parts, const View& view, const Li
     throw_if_stopped();
     builder.begin(-1, std::numeric_limits<double>::quiet_NaN());
     bool is_first = true;
+    std::size_t step = 0; // a chain may be all of a terrain's edges
     for (const auto& [piece, turned] : chains[i]) {
+      throw_if_stopped(step++);
       const LinePart& part = parts[piece];
       const auto add = [&](double t) {
         const ProfilePoint at = point(part, t);

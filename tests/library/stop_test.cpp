@@ -15,6 +15,7 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -46,8 +47,9 @@ constexpr bool kIsTimed = true;
 constexpr int kSide = kIsTimed ? 400 : 120;
 constexpr double kGap_s = 0.008;
 // Where every edge is drawn: so small a terrain has few strips and slabs, and each has many of
-// them.
-constexpr double kGapOfEdges_s = 0.02;
+// them; and a list of half a million parts moves to fresh memory as it grows, which takes 20 to
+// 30 ms where pages are slow to come.
+constexpr double kGapOfEdges_s = 0.05;
 // With all memory given back.
 constexpr double kLatency_s = 0.02;
 
@@ -61,10 +63,12 @@ public:
   Looks& operator=(const Looks&) = delete;
 
   std::stop_source stop;
-  std::function<void()> before_stop;                 ///< is called in that look
-  std::size_t stop_at = 0;                           ///< the how manieth look; 0: none
-  std::size_t count = 0;                             ///< of all so far
-  double greatest_gap_s = 0;                         ///< processor time from one to the next
+  std::function<void()> before_stop; ///< is called in that look
+  std::size_t stop_at = 0;           ///< the how manieth look; 0: none
+  std::size_t count = 0;             ///< of all so far
+  double greatest_gap_s = 0;         ///< processor time from one to the next
+  double late_s = 0;                 ///< a look so long behind the one before it is late
+  std::vector<std::size_t> late;     ///< the how manieth are
   const void *gap_from = nullptr, *gap_to = nullptr; ///< places in the code that look
   double stopped_at_s = 0;
 
@@ -72,6 +76,7 @@ public:
   void begin() {
     count = 0;
     greatest_gap_s = 0;
+    late.clear();
   }
   void take(const void* from) {
     const double now_s = seconds_of(CLOCK_THREAD_CPUTIME_ID);
@@ -80,6 +85,7 @@ public:
       gap_from = last_;
       gap_to = from;
     }
+    if (count > 0 && now_s - last_s_ >= late_s) late.push_back(count);
     if (++count == stop_at) {
       stopped_at_s = now_s;
       if (before_stop) before_stop();
@@ -165,15 +171,22 @@ constexpr int kTries = 5;
 // Fails where a call looks too seldom whether it is to be stopped, or takes too long to be back.
 void check_latency(const std::string& name, const Call& call, double gap_s = kGap_s) {
   Looks looks;
-  for (int i = 0; i < kTries && (i == 0 || (kIsTimed && looks.greatest_gap_s >= gap_s)); ++i) {
+  looks.late_s = gap_s;
+  // On one thread looks are the same in each try. Of so many some are late by what else the machine
+  // does, but not the same ones each time.
+  std::vector<std::size_t> always_late;
+  for (int i = 0; i < kTries && (i == 0 || (kIsTimed && !always_late.empty())); ++i) {
     looks.begin();
     call({.stop = looks.stop.get_token(), .jobs = 1});
     looks.take(nullptr); // at its end
+    std::vector<std::size_t> both;
+    std::ranges::set_intersection(always_late, looks.late, std::back_inserter(both));
+    always_late = i == 0 ? looks.late : both;
   }
   INFO(name << ": " << looks.count << " looks, at most " << 1e3 * looks.greatest_gap_s
             << " ms apart, from " << place_of(looks.gap_from) << " to " << place_of(looks.gap_to));
   REQUIRE(looks.count > 2);
-  if (kIsTimed) CHECK(looks.greatest_gap_s < gap_s);
+  if (kIsTimed) CHECK(always_late.empty());
   for (const double share : {0.3, 1.0}) {
     const auto at = 1 + static_cast<std::size_t>(share * static_cast<double>(looks.count - 2));
     double latency = latency_s(call, at);
