@@ -19,6 +19,8 @@ ProfileStages::ProfileStages(const SectorInWork& work, const LayOut& lay_out, st
   if (work.ground) over_blocks_.emplace(std::get<Grid>(work.terrain.surface), work.sector.view);
 }
 
+namespace {
+
 // What of rising parts has lines. Those that would be too near one another for a cutter are one.
 std::vector<URange> parts_in_runs(const std::vector<URange>& parts, const PlannedProfile& planned,
                                   const View& view, double cell_m) {
@@ -38,6 +40,8 @@ std::vector<URange> parts_in_runs(const std::vector<URange>& parts, const Planne
   }
   return out;
 }
+
+} // namespace
 
 void ProfileStages::cut(TimedProfile& timed, std::size_t index) const {
   Stopwatch watch;
