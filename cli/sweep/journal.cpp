@@ -32,6 +32,10 @@ Json json_of(const SceneFile& scene) {
           {"fingerprint", fingerprint(scene)}};
 }
 
+Json json_of(const ChosenDirection& chosen) {
+  return {{"azimuth_deg", chosen.azimuth_deg}, {"elevation_deg", chosen.elevation_deg}};
+}
+
 Json json_of(const std::vector<Column>& columns) {
   Json json = Json::array();
   for (const Column& column : columns)
@@ -40,7 +44,8 @@ Json json_of(const std::vector<Column>& columns) {
 }
 
 Json json_of(const SweepSettings& settings, const ViewList& views, const Columns& columns,
-             const TerrainData& terrain, const std::string& title) {
+             const TerrainData& terrain, const std::optional<ChosenDirection>& chosen,
+             const std::string& title) {
   Json json{
       {"schema", 1},
       {"program", {{"name", "orograph"}, {"version", kVersion}}},
@@ -58,6 +63,7 @@ Json json_of(const SweepSettings& settings, const ViewList& views, const Columns
     if (axis.values.size() > 1) json["varied"].push_back(names_of(axis.parameter).column);
   for (std::size_t i = 0; i < views.size(); ++i)
     json["views"].push_back({{"name", views.name(i)}, {"values", views.values(i)}});
+  if (chosen) json["chosen"] = json_of(*chosen);
   if (settings.render.solids) json["scene"] = json_of(*settings.render.solids);
   if (!views.eyes().empty()) {
     json["eyes"] = Json::array();
@@ -82,6 +88,8 @@ Plan plan_of(const Json& json, std::string text) {
     plan.columns.push_back({column.at("name"), column.at("unit"), column.at("about")});
   for (const Json& view : json.at("views"))
     plan.views.push_back({view.at("name"), view.at("values").get<std::vector<double>>()});
+  if (json.contains("chosen"))
+    plan.chosen = {json.at("chosen").at("azimuth_deg"), json.at("chosen").at("elevation_deg")};
   return plan;
 }
 
@@ -216,25 +224,27 @@ std::string csv_line(const std::vector<Cell>& row) {
 }
 
 Json heading(const Plan& plan) {
-  return {{"schema", 1},
-          {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
-          {"title", plan.title},
-          {"terrain", plan.terrain},
-          {"varied", plan.varied},
-          {"crossed", plan.crossed},
-          {"views_planned", plan.views.size()},
-          {"columns", json_of(plan.columns)}};
+  Json json{{"schema", 1},
+            {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
+            {"title", plan.title},
+            {"terrain", plan.terrain},
+            {"varied", plan.varied},
+            {"crossed", plan.crossed},
+            {"views_planned", plan.views.size()},
+            {"columns", json_of(plan.columns)}};
+  if (plan.chosen) json["chosen"] = json_of(*plan.chosen);
+  return json;
 }
 
 } // namespace
 
 Plan make_plan(const SweepSettings& settings, const ViewList& views, const Columns& columns,
-               const TerrainData& terrain) {
+               const TerrainData& terrain, const std::optional<ChosenDirection>& chosen) {
   const std::string title = !settings.render.map.title.empty()
                                 ? settings.render.map.title
                                 : std::filesystem::path(terrain.source).filename().string();
   // Names may be in any encoding; JSON is UTF-8.
-  const std::string text = json_of(settings, views, columns, terrain, title)
+  const std::string text = json_of(settings, views, columns, terrain, chosen, title)
                                .dump(1, ' ', false, Json::error_handler_t::replace) +
                            "\n";
   return plan_of(Json::parse(text), text);

@@ -20,6 +20,11 @@ struct PlannedView {
   std::vector<double> values; ///< by axis
 };
 
+/// Where `--view-from auto` would have the viewer stand.
+struct ChosenDirection {
+  double azimuth_deg = 0, elevation_deg = 0;
+};
+
 struct Plan {
   std::string title, terrain;      ///< as in drawings; what it was read from, in brief
   std::string text;                ///< as in the file
@@ -28,13 +33,14 @@ struct Plan {
   bool crossed = true;
   std::vector<Column> columns;
   std::vector<PlannedView> views;
+  std::optional<ChosenDirection> chosen; ///< of a sweep round the terrain; the page marks it
 
   std::string file(std::size_t view) const { return views[view].name + extension; }
 };
 
 /// The same for the same sweep of the same heights, wherever the files are.
 Plan make_plan(const SweepSettings& settings, const ViewList& views, const Columns& columns,
-               const TerrainData& terrain);
+               const TerrainData& terrain, const std::optional<ChosenDirection>& chosen);
 
 /// In OUT_DIR.
 std::string plan_path(const std::string& out_dir);

@@ -127,11 +127,32 @@ void draw_views(const SweepRun& run, int jobs, ViewQueue& queue,
   arena.execute([&] { tbb::parallel_for(0, jobs, draw_all, tbb::simple_partitioner()); });
 }
 
+// Of a sweep round the terrain; none where eyes are given, and where no view can be chosen.
+std::optional<ChosenDirection> chosen_direction(const TerrainData& terrain, const ViewList& views) {
+  const bool goes_round = std::ranges::any_of(views.axes(), [](const Axis& axis) {
+    return axis.values.size() > 1 &&
+           (axis.parameter == Parameter::azimuth || axis.parameter == Parameter::elevation);
+  });
+  RenderSettings settings = views.settings(0);
+  if (!goes_round || settings.map.view.has_eye()) return std::nullopt;
+  settings.map.view.from_auto = true;
+  try {
+    const TerrainOfView of_view(terrain, settings.map.view);
+    const auto placed = placed_view(of_view, settings.map, settings.solids.get(), nullptr);
+    if (!placed.chosen_view) return std::nullopt;
+    return ChosenDirection{placed.chosen_view->azimuth.in_degrees(),
+                           placed.chosen_view->elevation.in_degrees()};
+  } catch (const Error&) { // which its views tell, each for itself
+    return std::nullopt;
+  }
+}
+
 // What is made once of the settings; its parts refer to each other.
 struct Prepared {
   explicit Prepared(const SweepSettings& settings)
       : terrain(read_ground(settings.render)), views(settings, terrain.map),
-        columns(settings, views), plan(make_plan(settings, views, columns, terrain)) {
+        columns(settings, views),
+        plan(make_plan(settings, views, columns, terrain, chosen_direction(terrain, views))) {
     // In degrees each view has a frame of its own.
     if (!terrain.map.earth) facts = facts_of(terrain);
   }

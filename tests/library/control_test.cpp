@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-using namespace orograph;
+namespace orograph::control_test {
 
 namespace {
 
@@ -21,7 +21,7 @@ double seconds_of(clockid_t clock) {
   return static_cast<double>(at.tv_sec) + 1e-9 * static_cast<double>(at.tv_nsec);
 }
 
-constexpr int kSmallSide = 80;
+constexpr int kSmallSide = made_side(80);
 
 Session small_session() {
   return Session(Terrain::of(borrowed(rough_heights(kSmallSide), kSmallSide)));
@@ -134,3 +134,5 @@ TEST_CASE("what progress throws comes out as it is, and the session draws as bef
     }
   }
 }
+
+} // namespace orograph::control_test

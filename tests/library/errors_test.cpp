@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-using namespace orograph;
+namespace orograph::errors_test {
 
 namespace {
 
@@ -159,3 +159,5 @@ TEST_CASE("what the caller stopped is of code cancelled") {
   check_error(ErrorCode::cancelled, "stopped",
               [&] { Terrain::read({kData + "volcano.tif"}, {}, control); });
 }
+
+} // namespace orograph::errors_test

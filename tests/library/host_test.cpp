@@ -27,7 +27,7 @@
 #include <thread>
 #include <vector>
 
-using namespace orograph;
+namespace orograph::host_test {
 
 namespace {
 
@@ -236,3 +236,5 @@ TEST_CASE("GDAL's errors of one thread don't come from another's use of the libr
   CHECK(heard == 200);
   CPLSetErrorHandler(before);
 }
+
+} // namespace orograph::host_test

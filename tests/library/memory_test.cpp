@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-using namespace orograph;
+namespace orograph::memory_test {
 
 namespace {
 
@@ -249,3 +249,5 @@ TEST_CASE("triangles that are no surface are refused, and said which") {
   folded.repair = true;
   CHECK(Session(Terrain::of(folded)).draw({}).facts.counts.strokes > 10);
 }
+
+} // namespace orograph::memory_test

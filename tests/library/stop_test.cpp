@@ -22,7 +22,7 @@
 #include <thread>
 #include <vector>
 
-using namespace orograph;
+namespace orograph::stop_test {
 
 namespace {
 
@@ -332,7 +332,7 @@ TEST_CASE("stopped at any stage, all threads are at rest at once") {
 }
 
 TEST_CASE("wherever a session was stopped, it draws as before") {
-  constexpr int kSmall = 100;
+  constexpr int kSmall = made_side(100);
   const Terrain terrain = Terrain::of(borrowed(rough_heights(kSmall), kSmall));
   for (const MapSpec& spec : many_specs(kSmall)) {
     const std::string drawn = drawn_bytes(Session(terrain), spec);
@@ -356,7 +356,7 @@ TEST_CASE("wherever a session was stopped, it draws as before") {
 // Facts of the terrain are sought once; whoever waits for them seeks them where that one is
 // stopped.
 TEST_CASE("a view isn't stopped with the one that it waits for") {
-  constexpr int kSmall = 100;
+  constexpr int kSmall = made_side(100);
   const Terrain terrain = Terrain::of(borrowed(rough_heights(kSmall), kSmall));
   const std::string drawn = drawn_bytes(Session(terrain), {});
   for (const std::size_t at : {2, 3, 4}) {
@@ -376,3 +376,5 @@ TEST_CASE("a view isn't stopped with the one that it waits for") {
     CHECK((waited == drawn));
   }
 }
+
+} // namespace orograph::stop_test

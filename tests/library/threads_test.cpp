@@ -10,11 +10,11 @@
 #include <thread>
 #include <vector>
 
-using namespace orograph;
+namespace orograph::threads_test {
 
 namespace {
 
-constexpr int kSide = 160;
+constexpr int kSide = made_side(160);
 
 // Threads that begin together, each with its number; what one throws is told, and fails.
 template <class Work>
@@ -135,3 +135,5 @@ TEST_CASE("a draw that is stopped leaves those beside it alone", "[threads]") {
   CHECK(same == 4);
   CHECK(stopped == 4);
 }
+
+} // namespace orograph::threads_test

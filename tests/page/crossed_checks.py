@@ -103,6 +103,8 @@ def check_drag(browser):
 
 def check_thumbnails(browser):
     expect("thumbnails: all", count(browser, ".thumbnail"), 71)
+    expect("thumbnails: chosen", values(browser, ".thumbnail.chosen", "title"),
+           ["view-046: shows most of the terrain"])
     expect("thumbnails: groups", texts(browser, "h3"),
            ["elevation 10°", "elevation 25°", "elevation 45°"])
     browser.click("#thumbnails div:nth-child(3) li:nth-child(5) .thumbnail")

@@ -114,6 +114,7 @@ void write_one(const std::string& folder) {
 // 24 azimuths by 3 elevations, the elevation turning fastest; a shard draws number 40.
 void write_crossed(const std::string& folder) {
   Json rows = table("crossed.tif", {"azimuth_deg", "elevation_deg"}, true), previews;
+  rows["chosen"] = {{"azimuth_deg", 218}, {"elevation_deg", 20}}; // nearest: 225 and 25
   Random random(2);
   for (int number = 0; number < 72; ++number) {
     if (number == 40) continue;

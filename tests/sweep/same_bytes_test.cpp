@@ -269,6 +269,11 @@ TEST_CASE("the tables tell the same, and name every file") {
   CHECK(line == names);
   CHECK(table["varied"] == nlohmann::json({"azimuth_deg", "elevation_deg"}));
   CHECK(table["views_planned"] == 15);
+  // What the page marks is what is chosen where it is asked for.
+  run_well(folder, words("render hill.asc one.svg -q --view-from auto --report one.json") + kSmall);
+  const auto chosen = nlohmann::json::parse(folder.read("one.json"))["view"];
+  CHECK(table["chosen"]["azimuth_deg"] == chosen["view_from_azimuth_deg"]);
+  CHECK(table["chosen"]["elevation_deg"] == chosen["elevation_deg"]);
   REQUIRE(table["views"].size() == 15);
   std::size_t view = 0;
   for (const int azimuth : {0, 72, 144, 216, 288})

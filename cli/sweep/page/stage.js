@@ -61,7 +61,8 @@ function showFile(row, wanted) {
 }
 
 function showCaption(row) {
-  document.getElementById('view-name').textContent = row.name;
+  document.getElementById('view-name').textContent =
+    row.name + (chosenRows.has(row) ? ` ★ ${chosenText}` : '');
   const link = document.getElementById('full-link');
   link.hidden = !hasFile(row);
   if (hasFile(row)) {

@@ -87,6 +87,30 @@ function nearestAlong(index, axis, place) {
 const turningAxis = axes.find((axis) => axis.name === 'azimuth_deg') ??
   [...axes].sort((a, b) => b.values.length - a.values.length)[0] ?? null;
 
+const radians = Math.PI / 180;
+
+// The cosine of the angle between a row's direction and the one that the program would choose. What
+// the table doesn't tell is the same for all.
+function nearnessToChosen(row) {
+  const { azimuth_deg, elevation_deg } = { ...table.chosen };
+  const elevation = (isNumber(row.elevation_deg) ? row.elevation_deg : elevation_deg) * radians;
+  const azimuth = (isNumber(row.azimuth_deg) ? row.azimuth_deg : azimuth_deg) * radians;
+  const least = elevation_deg * radians;
+  return Math.sin(elevation) * Math.sin(least) +
+    Math.cos(elevation) * Math.cos(least) * Math.cos(azimuth - azimuth_deg * radians);
+}
+
+// The rows nearest to the direction from which the terrain shows most: several where they differ in
+// something else.
+function listChosen() {
+  if (!table.chosen) return new Set();
+  const nearness = rows.map((row) => row.error ? -2 : nearnessToChosen(row));
+  const most = Math.max(-1, ...nearness);
+  return new Set(rows.filter((row, index) => nearness[index] > most - 1e-12));
+}
+const chosenRows = listChosen();
+const chosenText = 'shows most of the terrain';
+
 // How many views the sweep has beyond those of this table, as far as the table can tell.
 function countMissing() {
   const least = Math.min(rows.length, 1);

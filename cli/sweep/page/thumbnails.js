@@ -45,11 +45,13 @@ function makeThumbnail(index) {
   button.className = 'thumbnail';
   button.classList.toggle('failed', Boolean(row.error));
   button.tabIndex = -1;
-  button.title = row.error ? `${row.name}: ${row.error}` : row.name;
-  button.setAttribute('aria-label',
-    `${placeText(row) || row.name}${row.error ? `, failed: ${row.error}` : ''}`);
+  const isChosen = chosenRows.has(row);
+  const note = row.error ? `failed: ${row.error}` : isChosen ? chosenText : '';
+  button.classList.toggle('chosen', isChosen);
+  button.title = note ? `${row.name}: ${row.error ?? note}` : row.name;
+  button.setAttribute('aria-label', `${placeText(row) || row.name}${note ? `, ${note}` : ''}`);
   caption.className = 'thumbnail-caption';
-  caption.textContent = thumbnailText(row);
+  caption.textContent = thumbnailText(row) + (isChosen ? ' ★' : '');
   button.append(makePicture(index), caption);
   button.addEventListener('click', () => {
     stopPlay();
