@@ -6,6 +6,7 @@
 #include "profiles/outline.hpp"
 #include "profiles/silhouettes.hpp"
 #include "profiles/surface_edges.hpp"
+#include "view/sectors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ private:
 } // namespace
 
 bool outlines_terrain(const Style& style, const View& view) {
-  const bool is_plan = !view.is_perspective() && view.y_per_z == 0;
+  const bool is_plan = view.is_perspective() ? shows_beside(view) : view.y_per_z == 0;
   return style.outline == Outline::one && style.asks_for("skyline") && !is_plan;
 }
 

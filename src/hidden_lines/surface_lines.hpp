@@ -19,7 +19,7 @@ std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& pla
                                const Style& style, const SeenGround* ground = nullptr);
 
 /// Whether border that is the horizon is drawn as skyline. In a plan (straight from above, in
-/// parallel) it isn't: there the eye sees all of the border alike.
+/// parallel, or with rays beside the eye) it isn't: there the eye sees all of the border alike.
 bool outlines_terrain(const Style& style, const View& view);
 
 /// Whether silhouettes are drawn.

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "tone/tone.hpp"
 
@@ -13,8 +16,7 @@ namespace orograph {
 namespace {
 
 bool may_have_tone(const PlacedView& placed, const MapSpec& spec) {
-  return placed.sectors.size() == 1 && !shows_beside(placed.view) &&
-         spec.style.occluder == Occluder::surface && spec.style.asks_for("profiles") &&
+  return spec.style.occluder == Occluder::surface && spec.style.asks_for("profiles") &&
          !placed.depths_m.empty();
 }
 
@@ -41,6 +43,55 @@ GroundLight ground_light(const LightSpec& light, const LineWidths& widths, doubl
   return out;
 }
 
+// What of u the page shows of a sector on any side of which rays are shown. The terrain's width, or
+// what of its lowest ground is between the page's corners.
+XRange u_range(const Sector& sector, const Box3& box, double exaggeration) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  XRange ground{kNone, -kNone}, page{kNone, -kNone};
+  const View& view = sector.view;
+  const auto include = [](XRange& range, double u_m) {
+    range.begin = std::min(range.begin, u_m);
+    range.end = std::max(range.end, u_m);
+  };
+  for (const double x : {box.low.x, box.high.x})
+    for (const double y : {box.low.y, box.high.y})
+      include(ground, to_profile_frame(view, {x, y, box.low.z}).u);
+  for (const Vec3& ray : corner_rays(view)) {
+    if (!(ray.y < 0)) return ground; // it never comes down
+    include(page, (view.eye_z_m - box.low.z * exaggeration) * ray.x / -ray.y);
+  }
+  const XRange both{std::max(ground.begin, page.begin), std::min(ground.end, page.end)};
+  return both.begin < both.end ? both : ground;
+}
+
+void tone_sector(Sector& sector, const PlacedView& placed, const Surface& surface,
+                 const ToneRequest& request) {
+  const View& view = sector.view;
+  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.border);
+  const bool beside = shows_beside(view);
+  const TonePage page{view, sector.to_page,
+                      beside ? u_range(sector, placed.extent.box, view.exaggeration)
+                             : page_range(sector),
+                      placed.frame_mm, beside};
+  std::vector<double> depths_m;
+  for (const PlannedProfile& planned : sector.profiles) depths_m.push_back(planned.depth_m);
+  std::vector<TonedProfile> toned =
+      toned_profiles(cutter, page, depths_m, std::max(sector.nearest_m, view.near_m), request);
+  sector.profiles.clear();
+  sector.columns = columns_of(page);
+  for (TonedProfile& profile : toned) {
+    PlannedProfile planned{profile.depth_m, 0};
+    planned.level = profile.level;
+    planned.darkness = std::move(profile.darkness);
+    // Whole profiles need no runs for one pen.
+    if (request.is_even || request.is_shown_by(LightShownBy::width))
+      planned.runs = std::move(profile.runs);
+    if (planned.runs && !request.is_shown_by(LightShownBy::width))
+      for (ToneRun& run : *planned.runs) run.width_mm = 0;
+    sector.profiles.push_back(std::move(planned));
+  }
+}
+
 } // namespace
 
 std::optional<LineShade> ridge_shade(const PlacedView& placed, const MapSpec& spec) {
@@ -65,7 +116,7 @@ std::optional<LineShade> ridge_shade(const PlacedView& placed, const MapSpec& sp
   const Vec2 right{-shade.up.y, shade.up.x};
   shade.towards_light = direction(light.x * right + upwards * shade.up, shade.up);
   shade.contrast = style.light->contrast;
-  if (placed.sectors.size() == 1) { // behind the eye there are depths below 0
+  if (!shows_beside(placed.view)) { // else depth isn't how far something is
     shade.haze = style.haze_in(sector.view.is_perspective());
     shade.nearest_m = std::max(placed.nearest_m, sector.view.near_m);
     shade.farthest_m = placed.farthest_m;
@@ -78,8 +129,6 @@ void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec) 
   const auto* spacing = std::get_if<PageSpacing>(&placed.plan);
   const bool is_even = spacing && style.spread == Spread::even;
   if (!may_have_tone(placed, spec) || !(is_even || style.light)) return;
-  Sector& sector = placed.sectors.front();
-  const View& view = sector.view;
   ToneRequest request;
   request.is_even = is_even;
   request.pen_width_mm = style.pen_width_mm;
@@ -88,29 +137,27 @@ void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec) 
       style.light_widths.value_or(LineWidths{0.5 * style.pen_width_mm, 2 * style.pen_width_mm});
   request.least_width_mm = widths.least_mm;
   request.greatest_width_mm = widths.greatest_mm;
-  if (style.light)
-    request.light =
-        ground_light(*style.light, widths, request.spacing_mm, view, spec.ground_points);
-  request.haze = style.haze_in(view.is_perspective());
+  request.haze = shows_beside(placed.view) ? 0 : style.haze_in(placed.view.is_perspective());
   request.draws_level = style.flat == FlatGround::draw;
-  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.border);
-  const TonePage page{view, sector.to_page, page_range(sector), placed.frame_mm};
-  std::vector<TonedProfile> toned = toned_profiles(
-      cutter, page, placed.depths_m, std::max(sector.nearest_m, view.near_m), request);
-  placed.depths_m.clear();
-  sector.profiles.clear();
-  sector.columns = columns_of(page);
-  for (TonedProfile& profile : toned) {
-    PlannedProfile planned{profile.depth_m, static_cast<std::int32_t>(placed.depths_m.size())};
-    planned.level = profile.level;
-    planned.darkness = std::move(profile.darkness);
-    // Whole profiles need no runs for one pen.
-    if (is_even || request.is_shown_by(LightShownBy::width)) planned.runs = std::move(profile.runs);
-    if (planned.runs && !request.is_shown_by(LightShownBy::width))
-      for (ToneRun& run : *planned.runs) run.width_mm = 0;
-    sector.profiles.push_back(std::move(planned));
-    placed.depths_m.push_back(profile.depth_m);
+  std::vector<double> depths_m;
+  // What is behind the eye has depths below 0, and comes first.
+  for (std::size_t i = placed.sectors.size(); i-- > 0;) {
+    Sector& sector = placed.sectors[i];
+    if (style.light) {
+      request.light =
+          ground_light(*style.light, widths, request.spacing_mm, placed.view, spec.ground_points);
+      Vec3& towards = request.light->towards; // of the view, from which the sector is turned
+      if (sector.behind) towards = {-towards.x, -towards.y, towards.z};
+    }
+    tone_sector(sector, placed, surface, request);
+    if (sector.behind) std::ranges::reverse(sector.profiles);
+    for (PlannedProfile& profile : sector.profiles) {
+      profile.number = static_cast<std::int32_t>(depths_m.size());
+      depths_m.push_back(sector.behind ? -profile.depth_m : profile.depth_m);
+    }
+    if (sector.behind) std::ranges::reverse(sector.profiles);
   }
+  placed.depths_m = std::move(depths_m);
 }
 
 } // namespace orograph

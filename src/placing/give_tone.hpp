@@ -10,8 +10,7 @@ namespace orograph {
 /// Puts profiles where lines are to be, with their runs, where `spec` wants that: lines that are
 /// even on the page are those of a spacing in millimetres, light is on any. Lines that
 /// keep their places on the ground are told how dark it is, and keep one pen. Profiles that hide
-/// stay as they are, and so do those of a view with rays beside the eye, of which the page isn't
-/// columns of X.
+/// stay as they are.
 void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec);
 
 /// How light and haze show on ridges; none where they don't, since there is no light, or one that

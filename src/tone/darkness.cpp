@@ -31,7 +31,7 @@ Slope slope_at(const PlanOnPage& plan, const PageColumns& columns, const View& v
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const SampledProfile& at = plan.profiles[j];
   const auto& z = at.z_m;
-  const double u_step = view.is_perspective() ? columns.width * at.depth_m : columns.width;
+  const double u_step = columns.step_u_m(view, at.depth_m);
   Slope slope;
   slope.per_u = change(i > 0 ? z[i - 1] : kNone, z[i], i + 1 < z.size() ? z[i + 1] : kNone, u_step);
   // Along the column first, which is not straight away from the viewer.
@@ -42,8 +42,7 @@ Slope slope_at(const PlanOnPage& plan, const PageColumns& columns, const View& v
   if (front == behind) return slope;
   const double along_column = (height(behind) - height(front)) /
                               (plan.profiles[behind].depth_m - plan.profiles[front].depth_m);
-  const double u_per_v = view.is_perspective() ? columns.middle(i) : -view.x_per_v;
-  slope.per_v = along_column - u_per_v * slope.per_u;
+  slope.per_v = along_column - columns.u_per_v(view, i) * slope.per_u;
   return slope;
 }
 

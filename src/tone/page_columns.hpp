@@ -7,22 +7,45 @@
 #include "geometry/segment.hpp"
 #include "view/view.hpp"
 
+#include <cmath>
 #include <cstddef>
 
 namespace orograph {
 
 /// Columns of one width that tile a range of X; whatever is asked in one is asked in its middle.
+/// Where the page shows rays beside the eye X has no ends: there they tile a range of u, and what
+/// lies in one of them isn't in one direction from the eye, but looks as if it were from far above.
 struct PageColumns {
-  double begin = 0, width = 1; ///< of X
+  double begin = 0, width = 1; ///< of X, or of u
   std::size_t count = 0;
-  double mm = 1; ///< about the width on the page
+  double mm = 1;     ///< about the width on the page
+  bool of_u = false; ///< else of X
 
   double middle(std::size_t i) const { return begin + (static_cast<double>(i) + 0.5) * width; }
   double edge(std::size_t i) const { return begin + static_cast<double>(i) * width; }
+
+  /// In a plane of constant depth, u of the middle of the first column, and of the next ones'
+  /// middles from there.
+  double first_u_m(const View& view, double depth_m) const {
+    if (of_u) return middle(0);
+    return view.is_perspective() ? middle(0) * depth_m : middle(0) - view.x_per_v * depth_m;
+  }
+  double step_u_m(const View& view, double depth_m) const {
+    return view.is_perspective() && !of_u ? width * depth_m : width;
+  }
+  /// How u changes with depth along a column.
+  double u_per_v(const View& view, std::size_t i) const {
+    if (of_u) return 0;
+    return view.is_perspective() ? middle(i) : -view.x_per_v;
+  }
+  /// In which column a place of a plane of constant depth is; any number where it is in none.
+  double column_of(double x, double depth_m) const {
+    return std::floor(((of_u ? x * depth_m : x) - begin) / width);
+  }
 };
 
 /// Columns of a range without infinite ends, each about `mm` wide on a page of which `frame_mm` is
 /// drawn on.
-PageColumns page_columns(XRange range, const Box2& frame_mm, double mm);
+PageColumns page_columns(XRange range, bool of_u, const Box2& frame_mm, double mm);
 
 } // namespace orograph

@@ -51,8 +51,8 @@ bool is_too_far_apart(const SampledProfile& profile, const SeenProfile& seen,
 }
 
 // Halfway on the page, on level ground.
-double between(double a_m, double b_m, const View& view) {
-  return view.is_perspective() ? 2 * a_m * b_m / (a_m + b_m) : 0.5 * (a_m + b_m);
+double between(double a_m, double b_m, const View& view, const PageColumns& columns) {
+  return view.is_perspective() && !columns.of_u ? 2 * a_m * b_m / (a_m + b_m) : 0.5 * (a_m + b_m);
 }
 
 } // namespace
@@ -71,7 +71,7 @@ PlanOnPage plan_on_page(const ProfileSampler& sampler, std::span<const double> d
                         const Box2& frame_mm, double spacing_mm, bool draws_level) {
   PlanOnPage plan;
   plan.profiles = at_depths(depths_m);
-  if (view.is_perspective() && nearest_m > 0 && !depths_m.empty()) {
+  if (view.is_perspective() && !columns.of_u && nearest_m > 0 && !depths_m.empty()) {
     std::vector<SampledProfile> near;
     for (double depth_m = depths_m.front() / kRatioNear; depth_m > nearest_m; depth_m /= kRatioNear)
       near.emplace_back().depth_m = depth_m;
@@ -90,7 +90,7 @@ PlanOnPage plan_on_page(const ProfileSampler& sampler, std::span<const double> d
           is_too_far_apart(profile, plan.seen[j], columns, std::numbers::sqrt2 * spacing_mm,
                            draws_level)) {
         SampledProfile middle;
-        middle.depth_m = between(plan.profiles[j - 1].depth_m, profile.depth_m, view);
+        middle.depth_m = between(plan.profiles[j - 1].depth_m, profile.depth_m, view, columns);
         middle.halvings = ++profile.halvings;
         middle.level = -profile.halvings;
         added.push_back(halved.size());

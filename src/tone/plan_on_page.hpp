@@ -18,8 +18,8 @@ struct PlanOnPage {
 /// Profiles at the planned depths, and between them where lines would be farther apart than
 /// sqrt(2) times `spacing_mm` along 2 mm of a line or more: steps between two profiles are halved,
 /// at most six times. In a view from within the terrain ground in front of the first depth is
-/// looked at from `nearest_m` on. Of the planned profiles number i has as its level the number of
-/// times that i + 1 can be halved.
+/// looked at from `nearest_m` on, unless it is under the eye. Of the planned profiles number i has
+/// as its level the number of times that i + 1 can be halved.
 PlanOnPage plan_on_page(const ProfileSampler& sampler, std::span<const double> depths_m,
                         double nearest_m, const PageColumns& columns, const View& view,
                         const Box2& frame_mm, double spacing_mm, bool draws_level);

@@ -9,10 +9,11 @@
 
 namespace orograph {
 
-PageColumns page_columns(XRange range, const Box2& frame_mm, double mm) {
+PageColumns page_columns(XRange range, bool of_u, const Box2& frame_mm, double mm) {
   PageColumns columns;
   const double count = std::clamp(std::round(frame_mm.width() / mm), 1.0, 4096.0);
   columns.count = static_cast<std::size_t>(count);
+  columns.of_u = of_u;
   columns.begin = range.begin;
   columns.width = (range.end - range.begin) / count;
   columns.mm = frame_mm.width() / count;
@@ -21,10 +22,8 @@ PageColumns page_columns(XRange range, const Box2& frame_mm, double mm) {
 
 void ProfileSampler::sample(double depth_m, SampledProfile& out) const {
   thread_local HeightsAlong ground;
-  const bool perspective = view_.is_perspective();
-  const double x = columns_.middle(0);
-  const PlacesAlong at{perspective ? x * depth_m : x - view_.x_per_v * depth_m,
-                       perspective ? columns_.width * depth_m : columns_.width, columns_.count};
+  const PlacesAlong at{columns_.first_u_m(view_, depth_m), columns_.step_u_m(view_, depth_m),
+                       columns_.count};
   cutter_.heights(depth_m, at, ground);
   out.depth_m = depth_m;
   out.z_m.assign(columns_.count, std::numeric_limits<double>::quiet_NaN());

@@ -46,7 +46,7 @@ int halvings_around(const PlanOnPage& plan, std::size_t j) {
 } // namespace
 
 PageColumns columns_of(const TonePage& page) {
-  return page_columns(page.range, page.frame_mm, kColumn_mm);
+  return page_columns(page.range, page.of_u, page.frame_mm, kColumn_mm);
 }
 
 std::vector<TonedProfile> toned_profiles(const SurfaceCutter& cutter, const TonePage& page,
@@ -71,6 +71,11 @@ std::vector<TonedProfile> toned_profiles(const SurfaceCutter& cutter, const Tone
                 plan.profiles[j].level,
                 runs_of_line(place, columns, request),
                 {}};
+    if (columns.of_u)
+      for (ToneRun& run : toned[j].runs) {
+        run.x_begin /= toned[j].depth_m;
+        run.x_end /= toned[j].depth_m;
+      }
     if (request.is_shown_by(LightShownBy::nothing))
       toned[j].darkness.assign(place.darkness.begin(), place.darkness.end());
   });

@@ -36,8 +36,9 @@ struct TonedProfile {
 struct TonePage {
   const View& view;
   const Homography& to_page;
-  XRange range; ///< what of X is shown; finite
+  XRange range; ///< what of X is shown, or of u; finite
   Box2 frame_mm;
+  bool of_u = false; ///< where rays beside the eye are shown
 };
 
 /// The columns of a page in which its ground is looked at, half a millimetre wide.

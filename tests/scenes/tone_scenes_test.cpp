@@ -236,18 +236,22 @@ Tone tone_of(const Layer& layer, double apart_mm) {
 
 } // namespace
 
-TEST_CASE("a tilted plane is equally dark all over, though levels change across it") {
+namespace {
+
+// Seen from the south, from so high; straight above, half of it lies behind the eye.
+void check_tilted_planes(double elevation_deg) {
   for (const double azimuth_deg : {0., 45., 90., 135., 180., 225., 270., 315.}) {
     const double slope = 0.15;
     const TerrainData terrain = tilted_plane(azimuth_deg, slope);
     MapSpec spec;
     spec.view.exaggeration = 1;
-    spec.view.from_elevation = Angle::degrees(20);
+    spec.view.from_elevation = Angle::degrees(elevation_deg);
     spec.view.field_of_view = Angle::degrees(60); // near and far
     spec.style.layers = {"profiles"};
     spec.style.haze = 0;
-    INFO("falls to " << azimuth_deg);
+    INFO("falls to " << azimuth_deg << ", seen from " << elevation_deg);
     const PlacedView placed = placed_view(terrain, spec);
+    REQUIRE(placed.sectors.size() == (elevation_deg == 90 ? 2 : 1));
     const Tone tone = tone_of(drawn(terrain, placed, spec).drawing.layers.front(), 6);
     // What light asks for, from the left and the viewer's side.
     const LightSpec light;
@@ -262,6 +266,16 @@ TEST_CASE("a tilted plane is equally dark all over, though levels change across 
     CHECK(tone.worst < 0.12);
     CHECK(std::abs(tone.mean - asked) < 0.02);
   }
+}
+
+} // namespace
+
+TEST_CASE("a tilted plane is equally dark all over, though levels change across it") {
+  check_tilted_planes(20);
+}
+
+TEST_CASE("and seen straight down, ahead of the eye and behind it") {
+  check_tilted_planes(90);
 }
 
 } // namespace orograph::tone_scenes_test
