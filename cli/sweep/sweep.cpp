@@ -128,7 +128,9 @@ void draw_views(const SweepRun& run, int jobs, ViewQueue& queue,
 }
 
 // Of a sweep round the terrain; none where eyes are given, and where no view can be chosen.
-std::optional<ChosenDirection> chosen_direction(const TerrainData& terrain, const ViewList& views) {
+std::optional<ChosenDirection> chosen_direction(const TerrainData& terrain,
+                                                const std::optional<TerrainFacts>& facts,
+                                                const ViewList& views) {
   const bool goes_round = std::ranges::any_of(views.axes(), [](const Axis& axis) {
     return axis.values.size() > 1 &&
            (axis.parameter == Parameter::azimuth || axis.parameter == Parameter::elevation);
@@ -138,7 +140,8 @@ std::optional<ChosenDirection> chosen_direction(const TerrainData& terrain, cons
   settings.map.view.from_auto = true;
   try {
     const TerrainOfView of_view(terrain, settings.map.view);
-    const auto placed = placed_view(of_view, settings.map, settings.solids.get(), nullptr);
+    const auto placed =
+        placed_view(of_view, settings.map, settings.solids.get(), facts ? &*facts : nullptr);
     if (!placed.chosen_view) return std::nullopt;
     return ChosenDirection{placed.chosen_view->azimuth.in_degrees(),
                            placed.chosen_view->elevation.in_degrees()};
@@ -151,10 +154,10 @@ std::optional<ChosenDirection> chosen_direction(const TerrainData& terrain, cons
 struct Prepared {
   explicit Prepared(const SweepSettings& settings)
       : terrain(read_ground(settings.render)), views(settings, terrain.map),
-        columns(settings, views),
-        plan(make_plan(settings, views, columns, terrain, chosen_direction(terrain, views))) {
+        columns(settings, views) {
     // In degrees each view has a frame of its own.
     if (!terrain.map.earth) facts = facts_of(terrain);
+    plan = make_plan(settings, views, columns, terrain, chosen_direction(terrain, facts, views));
   }
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
@@ -162,8 +165,8 @@ struct Prepared {
   TerrainData terrain;
   ViewList views;
   Columns columns;
-  Plan plan;
   std::optional<TerrainFacts> facts;
+  Plan plan;
 };
 
 int jobs_of(const SweepSettings& settings, const Ranks& ranks) {

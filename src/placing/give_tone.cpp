@@ -45,7 +45,7 @@ GroundLight ground_light(const LightSpec& light, const LineWidths& widths, doubl
 
 // What of u the page shows of a sector on any side of which rays are shown. The terrain's width, or
 // what of its lowest ground is between the page's corners.
-XRange u_range(const Sector& sector, const Box3& box, double exaggeration) {
+XRange u_range(const Sector& sector, const Box3& box) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   XRange ground{kNone, -kNone}, page{kNone, -kNone};
   const View& view = sector.view;
@@ -58,7 +58,7 @@ XRange u_range(const Sector& sector, const Box3& box, double exaggeration) {
       include(ground, to_profile_frame(view, {x, y, box.low.z}).u);
   for (const Vec3& ray : corner_rays(view)) {
     if (!(ray.y < 0)) return ground; // it never comes down
-    include(page, (view.eye_z_m - box.low.z * exaggeration) * ray.x / -ray.y);
+    include(page, (view.eye_z_m - box.low.z * view.exaggeration) * ray.x / -ray.y);
   }
   const XRange both{std::max(ground.begin, page.begin), std::min(ground.end, page.end)};
   return both.begin < both.end ? both : ground;
@@ -70,8 +70,7 @@ void tone_sector(Sector& sector, const PlacedView& placed, const Surface& surfac
   const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.border);
   const bool beside = shows_beside(view);
   const TonePage page{view, sector.to_page,
-                      beside ? u_range(sector, placed.extent.box, view.exaggeration)
-                             : page_range(sector),
+                      beside ? u_range(sector, placed.extent.box) : page_range(sector),
                       placed.frame_mm, beside};
   std::vector<double> depths_m;
   for (const PlannedProfile& planned : sector.profiles) depths_m.push_back(planned.depth_m);
@@ -150,12 +149,12 @@ void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec) 
       if (sector.behind) towards = {-towards.x, -towards.y, towards.z};
     }
     tone_sector(sector, placed, surface, request);
-    if (sector.behind) std::ranges::reverse(sector.profiles);
-    for (PlannedProfile& profile : sector.profiles) {
+    const std::size_t count = sector.profiles.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      PlannedProfile& profile = sector.profiles[sector.behind ? count - 1 - k : k];
       profile.number = static_cast<std::int32_t>(depths_m.size());
       depths_m.push_back(sector.behind ? -profile.depth_m : profile.depth_m);
     }
-    if (sector.behind) std::ranges::reverse(sector.profiles);
   }
   placed.depths_m = std::move(depths_m);
 }

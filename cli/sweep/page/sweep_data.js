@@ -92,12 +92,12 @@ const radians = Math.PI / 180;
 // The cosine of the angle between a row's direction and the one that the program would choose. What
 // the table doesn't tell is the same for all.
 function nearnessToChosen(row) {
-  const { azimuth_deg, elevation_deg } = { ...table.chosen };
-  const elevation = (isNumber(row.elevation_deg) ? row.elevation_deg : elevation_deg) * radians;
-  const azimuth = (isNumber(row.azimuth_deg) ? row.azimuth_deg : azimuth_deg) * radians;
-  const least = elevation_deg * radians;
-  return Math.sin(elevation) * Math.sin(least) +
-    Math.cos(elevation) * Math.cos(least) * Math.cos(azimuth - azimuth_deg * radians);
+  const chosen = table.chosen;
+  const of = (name) => (isNumber(row[name]) ? row[name] : chosen[name]) * radians;
+  const elevation = of('elevation_deg'), chosenElevation = chosen.elevation_deg * radians;
+  const turn = of('azimuth_deg') - chosen.azimuth_deg * radians;
+  return Math.sin(elevation) * Math.sin(chosenElevation) +
+    Math.cos(elevation) * Math.cos(chosenElevation) * Math.cos(turn);
 }
 
 // The rows nearest to the direction from which the terrain shows most: several where they differ in
