@@ -28,6 +28,7 @@ struct RenderSettings {
   bool void_edges = false;
   bool dashes_hidden = false; ///< hidden edges of solids
 
+  std::optional<PenOrder> pen_order; ///< none: as the format wants
   WriteOptions write;
   std::string report;        ///< path of the JSON report; empty: none
   std::string settings_file; ///< whose options are among these; empty: none

@@ -279,7 +279,20 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
   check_output(settings, given);
   check_report(settings, given);
   check_picture_settings(settings, given);
+  check_pen_order(settings, given);
   check_no_shape_file(settings);
+}
+
+void check_pen_order(RenderSettings& settings, const GivenOptions& given) {
+  const Format format = settings.write.format;
+  settings.map.pen_order =
+      settings.pen_order.value_or(is_for_pen(format) ? PenOrder::sorted : PenOrder::drawing);
+  if (!is_tied_to_ground(format)) return;
+  if (settings.map.pen_order != PenOrder::drawing && insists_on(given, "--pen-order"))
+    throw UsageError(
+        "--pen-order has no meaning in a format tied to the ground, which no pen draws",
+        "leave it out, or write a picture, as in --of svg");
+  settings.map.pen_order = PenOrder::drawing;
 }
 
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given) {

@@ -111,6 +111,19 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
                        s.write.format = format_of_name(text);
                        return true;
                      }});
+  options.push_back(
+      {.group = kOutput,
+       .name = "--pen-order",
+       .value = "drawing|sorted|best",
+       .help = "Order of a layer's strokes: front to back as found; each time the nearest end; or "
+               "shorter still, in seconds. Ink is the same",
+       .by_default = "sorted in formats that a pen may draw, svg, ps and eps, else drawing",
+       .take = [&s](const std::string& text) {
+         if (text == "drawing") s.pen_order = PenOrder::drawing;
+         if (text == "sorted") s.pen_order = PenOrder::sorted;
+         if (text == "best") s.pen_order = PenOrder::best;
+         return text == "drawing" || text == "sorted" || text == "best";
+       }});
   options.push_back(with_number({.group = kOutput,
                                  .name = "--dpi",
                                  .value = "N",

@@ -53,6 +53,10 @@ bool is_tied_to_ground(Format format) {
   return format == Format::geojson || format == Format::gpkg;
 }
 
+bool is_for_pen(Format format) {
+  return format == Format::svg || format == Format::ps || format == Format::eps;
+}
+
 bool is_text(Format format) {
   return format == Format::svg || format == Format::ps || format == Format::eps ||
          format == Format::geojson;
