@@ -285,8 +285,7 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
 
 void check_pen_order(RenderSettings& settings, const GivenOptions& given) {
   const Format format = settings.write.format;
-  settings.map.pen_order =
-      settings.pen_order.value_or(is_for_pen(format) ? PenOrder::sorted : PenOrder::drawing);
+  settings.map.pen_order = settings.pen_order.value_or(pen_order_for(format));
   if (!is_tied_to_ground(format)) return;
   if (settings.map.pen_order != PenOrder::drawing && insists_on(given, "--pen-order"))
     throw UsageError(

@@ -250,6 +250,16 @@ TEST_CASE("output options") {
   CHECK(given({"--no-progress", "-q"}).progress == false);
   CHECK(parse_render({"in.tif", "-", "--of", "svg"})->output == "-");
 
+  CHECK(given({}).map.pen_order == PenOrder::sorted);
+  CHECK(given({"--of", "eps"}).map.pen_order == PenOrder::sorted);
+  CHECK(given({"--of", "pdf"}).map.pen_order == PenOrder::drawing);
+  CHECK(given({"--of", "geojson"}).map.pen_order == PenOrder::drawing);
+  CHECK(given({"--of", "geojson", "--pen-order", "drawing"}).map.pen_order == PenOrder::drawing);
+  CHECK(given({"--pen-order", "drawing"}).map.pen_order == PenOrder::drawing);
+  CHECK(given({"--of", "pdf", "--pen-order", "best"}).map.pen_order == PenOrder::best);
+  check_refused({"--pen-order", "greedy"}, "drawing|sorted|best");
+  check_refused({"--of", "gpkg", "--pen-order", "sorted"}, "--of svg");
+
   check_refused({"--of", "dxf"}, "geojson");
   check_refused({"--dpi", "300"}, "--of png");
   check_refused({"--of", "png", "--dpi", "5"}, "10 to 4800");
