@@ -126,6 +126,7 @@ std::string write_hills(const MadeFolder& folder) {
 
 std::string render(const MadeFolder& folder, const std::string& output, const Words& options) {
   Words words{"render", "hills.asc", output, "--overwrite", "--quiet"};
+  if (output.ends_with(".png")) words.insert(words.end(), {"--dpi", "40"});
   words.insert(words.end(), options.begin(), options.end());
   const ProgramRun run = run_orograph(words, {.folder = folder.path()});
   INFO(run.err);
