@@ -153,4 +153,30 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
                                  [&s](int n) { s.map.check = static_cast<unsigned>(n); }));
 }
 
+void add_pen_time_options(std::vector<Option>& options, RenderSettings& s) {
+  const auto speed = [](std::optional<double>& into) {
+    return [&into](double value) { into = value; };
+  };
+  const NumberRange mm_s{.unit = "mm/s", .low = 0, .low_excluded = true};
+  options.push_back(with_number({.group = kOutput,
+                                 .name = "--pen-speed",
+                                 .value = "MM/S",
+                                 .help = "Tell how many minutes a pen of this speed draws; what it "
+                                         "takes to speed up and slow down comes on top",
+                                 .by_default = "no minutes"},
+                                mm_s, speed(s.pen_speed_mm_s)));
+  options.push_back(with_number({.group = kOutput,
+                                 .name = "--pen-up-speed",
+                                 .value = "MM/S",
+                                 .help = "Speed between strokes",
+                                 .by_default = "as fast as --pen-speed"},
+                                mm_s, speed(s.pen_up_speed_mm_s)));
+  options.push_back(with_number({.group = kOutput,
+                                 .name = "--pen-lift-s",
+                                 .value = "S",
+                                 .help = "What lifting the pen and setting it down takes",
+                                 .by_default = "no time"},
+                                {.unit = "seconds", .low = 0}, speed(s.pen_lift_s)));
+}
+
 } // namespace orograph

@@ -171,7 +171,7 @@ void order_for_pen(Drawing& drawing, PenOrder order) {
   if (order == PenOrder::drawing) return;
   Vec2 pen{0, 0};
   for (Layer& layer : drawing.layers) {
-    if (layer.strokes.empty()) continue;
+    if (layer.strokes.empty() || layer.is_pen_way) continue;
     const Layer strokes = merged(layer);
     const LinesOfLayer lines(strokes);
     PenRoute route = nearest_first(lines.lines(), pen);

@@ -216,6 +216,8 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     case LineSource::hidden_solids: // hidden edges lie under visible ones
       added.parts = solids(&SolidParts::hidden, solids(&SolidParts::visible, {}));
       break;
+    case LineSource::pen_way: // known when all strokes are in order
+      break;
     }
   }
   return layers;
@@ -327,7 +329,9 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     drawing.layers.push_back(std::move(of_lines.layer));
   }
   order_for_pen(drawing, spec.pen_order);
+  show_pen_way(drawing);
   for (const Layer& layer : drawing.layers) {
+    if (layer.is_pen_way) continue;
     counts.strokes += layer.strokes.size();
     counts.points += layer.page_mm.size();
   }

@@ -207,4 +207,50 @@ TEST_CASE("a report tells the pen's way as it is written") {
   }
 }
 
+TEST_CASE("minutes are told for a pen's speed, in the report and on the closing line") {
+  const MadeFolder folder;
+  write_hills(folder);
+  const auto run = run_orograph({"render", "hills.asc", "out.svg", "--report", "out.json",
+                                 "--pen-speed", "20", "--pen-up-speed", "50", "--pen-lift-s", "2"},
+                                {.folder = folder.path()});
+  REQUIRE(run.exit_code == 0);
+  const auto report = nlohmann::json::parse(folder.read("out.json"));
+  double sum = 0;
+  for (const auto& layer : report["layers"]) {
+    const double minutes =
+        (layer["ink_mm"].get<double>() / 20 + layer["pen_up_mm"].get<double>() / 50 +
+         2 * layer["pen_lifts"].get<double>()) /
+        60;
+    CHECK(std::abs(layer["pen_minutes"].get<double>() - minutes) < 1e-9);
+    sum += minutes;
+  }
+  CHECK(std::abs(report["pen_minutes"].get<double>() - sum) < 1e-9);
+  CHECK(sum > 1);
+  const std::string told =
+      " " + std::to_string(static_cast<int>(std::ceil(sum))) + " minutes for the pen";
+  INFO(run.err);
+  CHECK(run.err.find(told) != std::string::npos);
+  render(folder, "out.svg", {"--report", "out.json"});
+  CHECK(nlohmann::json::parse(folder.read("out.json"))["pen_minutes"].is_null());
+}
+
+TEST_CASE("the pen's way is a layer that no plotter draws, and changes nothing else") {
+  const MadeFolder folder;
+  write_hills(folder);
+  const Words plain{"--layers", "profiles,skyline", "--report", "plain.json"};
+  const std::string without = render(folder, "out.svg", plain),
+                    with = render(folder, "out.svg",
+                                  {"--layers", "profiles,skyline,pen-up", "--report", "way.json"});
+  const std::size_t begin = with.find("<g id=\"layer3\"");
+  REQUIRE(begin != std::string::npos);
+  CHECK(with.find("inkscape:label=\"%3 pen-up\"") != std::string::npos);
+  CHECK((with.substr(0, begin) + "</svg>\n" == without));
+  const auto report = nlohmann::json::parse(folder.read("plain.json")),
+             shown = nlohmann::json::parse(folder.read("way.json"));
+  for (const char* key : {"pen_up_mm", "pen_down_mm", "pen_lifts"})
+    CHECK(shown[key] == report[key]);
+  CHECK(shown["counts"]["strokes"] == report["counts"]["strokes"]);
+  CHECK(shown["layers"][2]["strokes"] == report["pen_lifts"]);
+}
+
 } // namespace orograph::pen_order_test
