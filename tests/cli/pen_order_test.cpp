@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -249,6 +250,15 @@ TEST_CASE("the pen's way is a layer that no plotter draws, and changes nothing e
              shown = nlohmann::json::parse(folder.read("way.json"));
   for (const char* key : {"pen_up_mm", "pen_down_mm", "pen_lifts"})
     CHECK(shown[key] == report[key]);
+  // It is the way in the order in which strokes are written, move for move as long.
+  double shown_mm = 0;
+  for (std::size_t at = begin; (at = with.find("d=\"", at)) != std::string::npos; ++at) {
+    Vec2 from, to;
+    REQUIRE(std::sscanf(with.c_str() + at, "d=\"M%lf,%lfL%lf,%lf\"", &from.x, &from.y, &to.x,
+                        &to.y) == 4);
+    shown_mm += length(to - from);
+  }
+  CHECK(std::abs(shown_mm - report["pen_up_mm"].get<double>()) < 1e-6);
   CHECK(shown["counts"]["strokes"] == report["counts"]["strokes"]);
   CHECK(shown["layers"][2]["strokes"] == report["pen_lifts"]);
 }
