@@ -252,9 +252,9 @@ TEST_CASE("the pen's way is a layer that no plotter draws, and changes nothing e
     CHECK(shown[key] == report[key]);
   // It is the way in the order in which strokes are written, move for move as long.
   double shown_mm = 0;
-  for (std::size_t at = begin; (at = with.find("d=\"", at)) != std::string::npos; ++at) {
+  for (std::size_t at = begin; (at = with.find("<path d=\"", at)) != std::string::npos; ++at) {
     Vec2 from, to;
-    REQUIRE(std::sscanf(with.c_str() + at, "d=\"M%lf,%lfL%lf,%lf\"", &from.x, &from.y, &to.x,
+    REQUIRE(std::sscanf(with.c_str() + at, "<path d=\"M%lf,%lfL%lf,%lf\"", &from.x, &from.y, &to.x,
                         &to.y) == 4);
     shown_mm += length(to - from);
   }
