@@ -62,7 +62,7 @@ std::vector<float> darkness_of(const PlanOnPage& plan, const PageColumns& column
         return {static_cast<float>(-slope.per_u * weight),
                 static_cast<float>(-slope.per_v * weight), static_cast<float>(weight)};
       });
-  std::vector<float> darkness(normals.size());
+  std::vector<float> darkness(normals.size() * columns.count);
   const auto of_lit = [&](double lit) {
     return light.least + (light.greatest - light.least) * std::pow(1 - lit, kGamma);
   };
@@ -71,12 +71,13 @@ std::vector<float> darkness_of(const PlanOnPage& plan, const PageColumns& column
                range_m = plan.profiles.empty() ? 1 : plan.profiles.back().depth_m - nearest_m;
   on_all_cores(plan.profiles.size(), [&](std::size_t j) {
     const double far = range_m > 0 ? (plan.profiles[j].depth_m - nearest_m) / range_m : 0;
-    for (std::size_t k = j * columns.count; k < (j + 1) * columns.count; ++k) {
-      const Vec3 n{normals[k][0], normals[k][1], normals[k][2]};
+    for (std::size_t i = 0; i < columns.count; ++i) {
+      const auto [x, y, z] = normals[j][i];
+      const Vec3 n{x, y, z};
       const double size = std::sqrt(dot(n, n));
       const double lit = size > 0 ? std::max(0.0, dot(n, light.towards) / size)
                                   : std::numeric_limits<double>::quiet_NaN();
-      darkness[k] =
+      darkness[j * columns.count + i] =
           static_cast<float>((1 - request.haze * far) *
                              std::clamp(level + light.contrast * (of_lit(lit) - level), 0.0, 1.0));
     }

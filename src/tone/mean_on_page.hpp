@@ -19,15 +19,18 @@ namespace orograph {
 template <std::size_t N>
 using Sums = std::array<float, N>;
 
-/// For each profile and column, row by row, the weighted sums of `own(profile, column)` over what
+/// For each profile, and each column of it, the weighted sums of `own(profile, column)` over what
 /// is seen: up and down the page the weight falls to a third within `reach_mm`, and not beyond
 /// where something stands far in front of something else; along the line it is even within it, on
 /// both sides. 0 where nothing is seen.
 template <std::size_t N, class Own>
-std::vector<Sums<N>> sums_on_page(std::span<const SeenProfile> seen, const PageColumns& columns,
-                                  double reach_mm, const Own& own) {
+std::vector<std::vector<Sums<N>>> sums_on_page(std::span<const SeenProfile> seen,
+                                               const PageColumns& columns, double reach_mm,
+                                               const Own& own) {
   const std::size_t width = columns.count;
-  std::vector<Sums<N>> sums(seen.size() * width);
+  // Memory of one piece would take 10 ms to come, in which nobody looks whether to stop.
+  std::vector<std::vector<Sums<N>>> sums(seen.size());
+  on_all_cores(seen.size(), [&](std::size_t j) { sums[j].resize(width); });
   const auto add = [](Sums<N>& to, const Sums<N>& some) {
     for (std::size_t c = 0; c < N; ++c) to[c] += some[c];
   };
@@ -48,14 +51,14 @@ std::vector<Sums<N>> sums_on_page(std::span<const SeenProfile> seen, const PageC
         const float share = kept(j, i);
         for (float& sum : s) sum *= share;
         add(s, own(j, i));
-        sums[j * width + i] = s;
+        sums[j][i] = s;
       }
     state = {};
     for (std::size_t j = seen.size(); j-- > 0;)
       for (std::size_t i = first; i < end; ++i) {
         if (seen[j].sight[i] == Sight::none) continue;
         Sums<N>& s = state[i - first];
-        add(sums[j * width + i], s);
+        add(sums[j][i], s);
         add(s, own(j, i));
         const float share = kept(j, i);
         for (float& sum : s) sum *= share;
@@ -65,7 +68,7 @@ std::vector<Sums<N>> sums_on_page(std::span<const SeenProfile> seen, const PageC
   on_all_cores(seen.size(), [&](std::size_t j) {
     thread_local std::vector<Sums<N>> before; // of all columns up to one
     before.assign(width + 1, {});
-    Sums<N>* const line = sums.data() + j * width;
+    std::vector<Sums<N>>& line = sums[j];
     for (std::size_t i = 0; i < width; ++i) {
       before[i + 1] = before[i];
       add(before[i + 1], line[i]);

@@ -31,9 +31,14 @@ std::vector<float> planned_gaps_mm(const PlanOnPage& plan, const PageColumns& co
         const float gap_mm = plan.seen[j].gap_mm[i];
         return {std::ldexp(gap_mm * gap_mm, plan.profiles[j].halvings), gap_mm};
       });
-  std::vector<float> gaps(sums.size());
-  for (std::size_t k = 0; k < sums.size(); ++k)
-    gaps[k] = sums[k][1] > 0 ? sums[k][0] / sums[k][1] : std::numeric_limits<float>::quiet_NaN();
+  std::vector<float> gaps(sums.size() * columns.count);
+  on_all_cores(sums.size(), [&](std::size_t j) {
+    for (std::size_t i = 0; i < columns.count; ++i) {
+      const auto [weighted, weight] = sums[j][i];
+      gaps[j * columns.count + i] =
+          weight > 0 ? weighted / weight : std::numeric_limits<float>::quiet_NaN();
+    }
+  });
   return gaps;
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("sums on the page are those of all samples by their weights") {
                 expected += weight(j, k, at) * values[k * columns.count + at];
           }
         // Sums of up to 300 floats of up to 1.
-        all_right &= std::abs(sums[j * columns.count + i][0] - expected) < 1e-3;
+        all_right &= std::abs(sums[j][i][0] - expected) < 1e-3;
       }
     INFO("seed " << seed << ", reach " << reach_mm);
     CHECK(all_right);
