@@ -4,6 +4,7 @@
 
 #include "cli/options/option.hpp"
 #include "dem/read/read_options.hpp"
+#include "draw/drawing.hpp"
 #include "placing/map_spec.hpp"
 #include "solids/scene_file.hpp"
 #include "write/write_drawing.hpp"
@@ -28,6 +29,9 @@ struct RenderSettings {
   bool void_edges = false;
   bool dashes_hidden = false; ///< hidden edges of solids
 
+  std::optional<PenOrder> pen_order; ///< none: as the format wants
+  // Of the pen that will draw; none: no minutes are told, and the like.
+  std::optional<double> pen_speed_mm_s, pen_up_speed_mm_s, pen_lift_s;
   WriteOptions write;
   std::string report;        ///< path of the JSON report; empty: none
   std::string settings_file; ///< whose options are among these; empty: none
@@ -35,6 +39,13 @@ struct RenderSettings {
   int jobs = 0;              ///< cores to use; 0: all
   bool quiet = false;
   std::optional<bool> progress; ///< none: where stderr is a terminal
+
+  /// None without a speed. The pen is as fast up as down unless told.
+  std::optional<PenSpeed> pen_speed() const {
+    if (!pen_speed_mm_s) return std::nullopt;
+    return PenSpeed{*pen_speed_mm_s, pen_up_speed_mm_s.value_or(*pen_speed_mm_s),
+                    pen_lift_s.value_or(0)};
+  }
 };
 
 } // namespace orograph

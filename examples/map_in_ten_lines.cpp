@@ -8,8 +8,11 @@ int main(int argc, char** argv) {
   if (argc != 3) return std::fprintf(stderr, "usage: map_in_ten_lines DEM OUTPUT\n"), 2;
   try {
     const orograph::Session session(orograph::Terrain::read({argv[1]}));
-    const orograph::Map map = session.draw({});
-    orograph::write_drawing(map.drawing, argv[2], {.format = orograph::format_of_path(argv[2])});
+    const orograph::Format format = orograph::format_of_path(argv[2]);
+    orograph::MapSpec spec;
+    spec.pen_order = orograph::pen_order_for(format);
+    const orograph::Map map = session.draw(spec);
+    orograph::write_drawing(map.drawing, argv[2], {.format = format});
   } catch (const orograph::Error& error) {
     return std::fprintf(stderr, "%s\n", error.what()), 1;
   }

@@ -111,6 +111,19 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
                        s.write.format = format_of_name(text);
                        return true;
                      }});
+  options.push_back(
+      {.group = kOutput,
+       .name = "--pen-order",
+       .value = "drawing|sorted|best",
+       .help = "Order of a layer's strokes: front to back as found; each time the nearest end; or "
+               "shorter still, in seconds. Ink is the same",
+       .by_default = "sorted in formats that a pen may draw, svg, ps and eps, else drawing",
+       .take = [&s](const std::string& text) {
+         if (text == "drawing") s.pen_order = PenOrder::drawing;
+         if (text == "sorted") s.pen_order = PenOrder::sorted;
+         if (text == "best") s.pen_order = PenOrder::best;
+         return text == "drawing" || text == "sorted" || text == "best";
+       }});
   options.push_back(with_number({.group = kOutput,
                                  .name = "--dpi",
                                  .value = "N",
@@ -138,6 +151,32 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
                                   .by_default = "0"},
                                  0, 100000000,
                                  [&s](int n) { s.map.check = static_cast<unsigned>(n); }));
+}
+
+void add_pen_time_options(std::vector<Option>& options, RenderSettings& s) {
+  const auto speed = [](std::optional<double>& into) {
+    return [&into](double value) { into = value; };
+  };
+  const NumberRange mm_s{.unit = "mm/s", .low = 0, .low_excluded = true};
+  options.push_back(with_number({.group = kOutput,
+                                 .name = "--pen-speed",
+                                 .value = "MM/S",
+                                 .help = "Tell how many minutes a pen of this speed draws; what it "
+                                         "takes to speed up and slow down comes on top",
+                                 .by_default = "no minutes"},
+                                mm_s, speed(s.pen_speed_mm_s)));
+  options.push_back(with_number({.group = kOutput,
+                                 .name = "--pen-up-speed",
+                                 .value = "MM/S",
+                                 .help = "Speed between strokes",
+                                 .by_default = "as fast as --pen-speed"},
+                                mm_s, speed(s.pen_up_speed_mm_s)));
+  options.push_back(with_number({.group = kOutput,
+                                 .name = "--pen-lift-s",
+                                 .value = "S",
+                                 .help = "What lifting the pen and setting it down takes",
+                                 .by_default = "no time"},
+                                {.unit = "seconds", .low = 0}, speed(s.pen_lift_s)));
 }
 
 } // namespace orograph

@@ -5,6 +5,7 @@
 #include "cli/options/suggest_option.hpp"
 #include "cli/report/run_report.hpp"
 #include "geometry/error.hpp"
+#include "text/nesting.hpp"
 #include "text/text_of_file.hpp"
 #include "text/words.hpp"
 
@@ -54,6 +55,7 @@ Setting setting_of(std::string_view key, const toml::node& node) {
 std::vector<Setting> settings_of_toml(const std::string& path) {
   const std::string text =
       text_of_file(path, {.most_bytes = 1'000'000, .noun = "settings", .right = kRight});
+  check_toml_nesting(text, path, kRight);
   std::vector<Setting> settings;
   try {
     for (const auto& [key, node] : toml::parse(text)) settings.push_back(setting_of(key, node));

@@ -242,6 +242,7 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
   } else {
     check_picture_settings(render, given);
   }
+  check_pen_order(render, given);
   if (settings.views_file.empty()) return;
   settings.views = read_view_list(settings.views_file);
   for (const NamedView& view : settings.views)

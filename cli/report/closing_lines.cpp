@@ -63,10 +63,15 @@ std::string of_plan(const PlacedView& placed, const MapSpec& spec) {
 std::string closing_lines(const Map& map, const PlacedView& placed, const RenderSettings& settings,
                           double seconds) {
   const std::uint64_t strokes = map.facts.counts.strokes;
+  const PenTravel travel = pen_travel(map.drawing);
+  const auto speed = settings.pen_speed();
+  const std::string minutes =
+      speed ? fmt::format(", {:.0f} minutes for the pen", std::ceil(pen_minutes(travel, *speed)))
+            : "";
   return of_plan(placed, settings.map) +
-         fmt::format("orograph: {}: {} {}, {:.1f} m of ink, {}, {}, {:.1f} s\n",
+         fmt::format("orograph: {}: {} {}, {:.1f} m of ink{}, {}, {}, {:.1f} s\n",
                      settings.output == "-" ? "standard output" : settings.output, grouped(strokes),
-                     strokes == 1 ? "stroke" : "strokes", 1e-3 * pen_travel(map.drawing).down_mm,
+                     strokes == 1 ? "stroke" : "strokes", 1e-3 * travel.down_mm, minutes,
                      view_in_words(placed, settings.map.view), heights_in_words(placed), seconds);
 }
 

@@ -4,6 +4,7 @@
 #include "cli/report/run_report.hpp"
 #include "geometry/error.hpp"
 #include "placing/view_entries.hpp"
+#include "text/nesting.hpp"
 #include "text/text_of_file.hpp"
 #include "text/words.hpp"
 
@@ -76,15 +77,17 @@ Setting setting_of(const std::string& key, const Json& value) {
 }
 
 Json parsed(const std::string& path, const std::string& text) {
+  constexpr auto kRight = "give the report again with --report";
+  check_json_nesting(text, path, kRight);
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     throw Error(
         fmt::format("{}, line {}: this isn't JSON", path, 1 + std::count(text.begin(), end, '\n')),
-        "give the report again with --report");
+        kRight);
   } catch (const Json::out_of_range&) {
-    throw Error(path + ": a number is too large", "give the report again with --report");
+    throw Error(path + ": a number is too large", kRight);
   }
 }
 

@@ -148,13 +148,20 @@ Json json_of(const Counts& counts) {
           {"solid_edges", counts.solid_edges}};
 }
 
-Json json_of(const std::vector<LayerFacts>& layers) {
+Json minutes_or_null(const PenTravel& travel, const std::optional<PenSpeed>& speed) {
+  return speed ? Json(pen_minutes(travel, *speed)) : Json();
+}
+
+Json json_of(const std::vector<LayerFacts>& layers, const std::optional<PenSpeed>& speed) {
   Json list = Json::array();
   for (const LayerFacts& layer : layers)
     list.push_back({{"name", layer.name},
                     {"strokes", layer.strokes},
                     {"ink_mm", layer.ink_mm},
-                    {"pen_up_mm", layer.pen_up_mm}});
+                    {"pen_up_mm", layer.pen_up_mm},
+                    {"pen_lifts", layer.pen_lifts},
+                    {"pen_minutes",
+                     minutes_or_null({layer.ink_mm, layer.pen_up_mm, layer.pen_lifts}, speed)}});
   return list;
 }
 
@@ -236,6 +243,7 @@ RunReport run_report(const Map& map, const RenderSettings& settings) {
   report.scene_path = settings.scene_file;
   report.settings = settings_of(map.facts, settings);
   report.page = map.drawing.page;
+  report.pen_speed = settings.pen_speed();
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   report.peak_memory_bytes =
@@ -245,33 +253,37 @@ RunReport run_report(const Map& map, const RenderSettings& settings) {
 }
 
 std::string report_text(const RunReport& report) {
-  const Json json{{"schema", 1},
-                  {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
-                  {"libraries", report.libraries},
-                  {"input", json_of(report.input, report.scene_path)},
-                  {"output", {{"path", report.path}, {"format", report.format}}},
-                  {"settings", json_of(report.settings)},
-                  {"view", json_of(report.view)},
-                  {"page",
-                   {{"width_mm", report.page.width_mm},
-                    {"height_mm", report.page.height_mm},
-                    {"margin_mm", report.page.margin_mm}}},
-                  {"counts", json_of(report.counts)},
-                  {"layers", json_of(report.layers)},
-                  {"pen_down_mm", report.pen_down_mm},
-                  {"pen_up_mm", report.pen_up_mm},
-                  {"error_budget_mm", json_of(report.error_budget)},
-                  {"ink_left_out_mm",
-                   {{"silhouette_jump", report.left_out.silhouette_jump_mm},
-                    {"min_stroke", report.left_out.min_stroke_mm}}},
-                  {"check", report.check ? json_of(*report.check) : Json()},
-                  {"seconds", json_of(report.seconds)},
-                  {"peak_memory_bytes", report.peak_memory_bytes},
-                  // Last, since it is long.
-                  {"profiles",
-                   {{"count", report.profiles.depths_m.size()},
-                    {"spacing", report.profiles.spacing},
-                    {"depths", report.profiles.depths_m}}}};
+  const Json json{
+      {"schema", 1},
+      {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
+      {"libraries", report.libraries},
+      {"input", json_of(report.input, report.scene_path)},
+      {"output", {{"path", report.path}, {"format", report.format}}},
+      {"settings", json_of(report.settings)},
+      {"view", json_of(report.view)},
+      {"page",
+       {{"width_mm", report.page.width_mm},
+        {"height_mm", report.page.height_mm},
+        {"margin_mm", report.page.margin_mm}}},
+      {"counts", json_of(report.counts)},
+      {"layers", json_of(report.layers, report.pen_speed)},
+      {"pen_down_mm", report.pen_down_mm},
+      {"pen_up_mm", report.pen_up_mm},
+      {"pen_lifts", report.pen_lifts},
+      {"pen_minutes",
+       minutes_or_null({report.pen_down_mm, report.pen_up_mm, report.pen_lifts}, report.pen_speed)},
+      {"error_budget_mm", json_of(report.error_budget)},
+      {"ink_left_out_mm",
+       {{"silhouette_jump", report.left_out.silhouette_jump_mm},
+        {"min_stroke", report.left_out.min_stroke_mm}}},
+      {"check", report.check ? json_of(*report.check) : Json()},
+      {"seconds", json_of(report.seconds)},
+      {"peak_memory_bytes", report.peak_memory_bytes},
+      // Last, since it is long.
+      {"profiles",
+       {{"count", report.profiles.depths_m.size()},
+        {"spacing", report.profiles.spacing},
+        {"depths", report.profiles.depths_m}}}};
   // Paths may be in any encoding; JSON is UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

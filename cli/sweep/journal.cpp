@@ -6,6 +6,7 @@
 #include "cli/version.hpp"
 #include "dem/read/asked_window.hpp"
 #include "geometry/error.hpp"
+#include "text/nesting.hpp"
 #include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
@@ -258,13 +259,16 @@ std::optional<Plan> read_plan(const std::string& out_dir) {
   const std::string path = plan_path(out_dir);
   const auto text = whole_file(path);
   if (!text) return std::nullopt;
+  constexpr auto kRight = "give another folder, or remove the file";
   try {
+    check_json_nesting(*text, path, kRight);
     const Json json = Json::parse(*text);
     Plan plan = plan_of(json, *text);
     if (is_whole(json) && names_files(plan)) return plan;
   } catch (const nlohmann::json::exception&) { // told below
+  } catch (const Error&) {                     // as well
   }
-  throw Error(path + " is no plan of a sweep", "give another folder, or remove the file");
+  throw Error(path + " is no plan of a sweep", kRight);
 }
 
 void check_same(const Plan& old_plan, const Plan& plan, const std::string& out_dir) {
@@ -304,6 +308,7 @@ std::optional<ViewRecord> read_record(const std::string& out_dir, const Plan& pl
   const std::string path = record_path(out_dir, plan, view);
   const auto text = whole_file(path);
   if (!text) return std::nullopt;
+  check_json_nesting(*text, path, "its view has to be drawn again (--resume)");
   const auto parts = parts_of(*text);
   const auto row =
       parts ? row_of(Json::parse(parts->row, nullptr, /*allow_exceptions=*/false), plan.columns)

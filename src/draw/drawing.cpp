@@ -80,10 +80,12 @@ namespace {
 
 // From where the pen is, to the layer's last point.
 void add_travel(const Layer& layer, Vec2& pen, PenTravel& travel) {
+  if (layer.is_pen_way) return;
   for (const Stroke& stroke : layer.strokes) {
     const std::span<const Vec2> points = layer.points(stroke);
     throw_if_stopped();
     travel.up_mm += length(points.front() - pen);
+    if (points.front() != pen) ++travel.lifts;
     for (std::size_t i = 1; i < points.size(); ++i)
       travel.down_mm += length(points[i] - points[i - 1]);
     pen = points.back();
@@ -104,6 +106,33 @@ std::vector<PenTravel> pen_travel_by_layer(const Drawing& drawing) {
   Vec2 pen{0, 0};
   for (const Layer& layer : drawing.layers) add_travel(layer, pen, by_layer.emplace_back());
   return by_layer;
+}
+
+void show_pen_way(Drawing& drawing) {
+  std::vector<Vec2> moves; // two points each
+  Vec2 pen{0, 0};
+  for (const Layer& layer : drawing.layers) {
+    if (layer.is_pen_way) continue;
+    for (const Stroke& stroke : layer.strokes) {
+      const std::span<const Vec2> points = layer.points(stroke);
+      throw_if_stopped(moves.size());
+      if (points.front() != pen) moves.insert(moves.end(), {pen, points.front()});
+      pen = points.back();
+    }
+  }
+  for (Layer& layer : drawing.layers) {
+    if (!layer.is_pen_way) continue;
+    layer.clear();
+    layer.page_mm = moves;
+    for (std::uint32_t i = 0; i < moves.size(); i += 2)
+      layer.strokes.push_back({.first_point = i, .point_count = 2});
+  }
+}
+
+double pen_minutes(const PenTravel& travel, const PenSpeed& speed) {
+  return (travel.down_mm / speed.down_mm_s + travel.up_mm / speed.up_mm_s +
+          static_cast<double>(travel.lifts) * speed.lift_s) /
+         60;
 }
 
 namespace {
@@ -144,7 +173,7 @@ std::optional<std::string> fault_of_layer(const Layer& layer, const Box2& inner)
   for (std::uint32_t i = 0; i < count; ++i)
     if (const auto fault = fault_of_stroke(layer, layer.strokes[i], inner))
       return fmt::format("stroke {} {}", i, *fault);
-  if (const auto repeated = repeated_strokes(layer); !repeated.empty())
+  if (const auto repeated = repeated_strokes(layer); !repeated.empty() && !layer.is_pen_way)
     return fmt::format("stroke {} repeats an earlier one", repeated.front());
   for (std::size_t i = 0; i < layer.map.size(); ++i)
     if (const Vec3 p = layer.map[i];
@@ -157,7 +186,9 @@ std::optional<std::string> fault_of_layer(const Layer& layer, const Box2& inner)
 
 std::optional<std::string> find_fault(const Drawing& drawing) {
   for (const Layer& layer : drawing.layers)
-    if (const auto fault = fault_of_layer(layer, drawing.page.inner_mm()))
+    if (const auto fault = fault_of_layer(
+            layer, layer.is_pen_way ? Box2{{0, 0}, {drawing.page.width_mm, drawing.page.height_mm}}
+                                    : drawing.page.inner_mm()))
       return fmt::format("layer {}: {}", layer.name, *fault);
   return {};
 }

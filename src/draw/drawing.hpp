@@ -6,6 +6,7 @@
 #include "geometry/box.hpp"
 #include "geometry/vec.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numbers>
@@ -42,8 +43,9 @@ struct Stroke {
 struct Layer {
   std::string name;
   double pen_width_mm = 0.15;
-  double grey = 0;        ///< 0 black to 1 white
-  bool is_hidden = false; ///< lines that the eye doesn't see
+  double grey = 0;         ///< 0 black to 1 white
+  bool is_hidden = false;  ///< lines that the eye doesn't see
+  bool is_pen_way = false; ///< no ink: shows where a pen goes between the other layers' strokes
   std::vector<Vec2> page_mm;
   std::vector<Vec3> map;
   std::vector<float> depths_m; ///< one for one beside page points, while they are still asked for
@@ -91,20 +93,34 @@ OROGRAPH_API Layer dashed(const Layer& layer, double dash_mm, double gap_mm);
 
 /// How far a plotter's pen goes to draw a drawing.
 struct PenTravel {
-  double down_mm = 0; ///< the strokes' length
-  double up_mm = 0;   ///< between strokes
+  double down_mm = 0;    ///< the strokes' length
+  double up_mm = 0;      ///< between strokes
+  std::size_t lifts = 0; ///< strokes that don't begin where the pen is
 };
 
-/// Strokes in drawing order, each from its first point. The pen starts above the page's upper left
-/// corner, as plotters do, and its way back after the last stroke isn't counted.
+/// Strokes in drawing order, each from its first point, but those that show the pen's way. The pen
+/// starts above the page's upper left corner, as plotters do, and its way back after the last
+/// stroke isn't counted.
 OROGRAPH_API PenTravel pen_travel(const Drawing& drawing);
 
 /// The same for each layer, whose way begins where the layer before it ends.
 OROGRAPH_API std::vector<PenTravel> pen_travel_by_layer(const Drawing& drawing);
 
+/// Fills the layers that show a pen's way with its straight moves from stroke to stroke.
+OROGRAPH_API void show_pen_way(Drawing& drawing);
+
+/// How fast a plotter's pen is.
+struct PenSpeed {
+  double down_mm_s = 0, up_mm_s = 0; ///< above 0
+  double lift_s = 0;                 ///< up and down again
+};
+/// At full speed all the way: what it takes to speed up and slow down isn't in it.
+OROGRAPH_API double pen_minutes(const PenTravel& travel, const PenSpeed& speed);
+
 /// The first thing that is wrong with a drawing, or nothing: every point finite, on the step and
 /// inside the margins; no stroke with fewer than two points or without length; no two equal
-/// strokes in a layer (nor one the reverse of the other).
+/// strokes in a layer (nor one the reverse of the other). What shows a pen's way may be anywhere on
+/// the page, and twice.
 OROGRAPH_API std::optional<std::string> find_fault(const Drawing& drawing);
 
 } // namespace orograph

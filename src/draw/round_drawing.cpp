@@ -39,15 +39,21 @@ RoundingCounts round_strokes(Layer& layer) {
   for (Stroke stroke : layer.strokes) {
     throw_if_stopped(step++);
     const std::uint32_t first = kept_point, end = stroke.first_point + stroke.point_count;
+    bool has_length = false;
     for (std::uint32_t read = stroke.first_point; read < end; ++read) {
       const Vec2 p = layer.page_mm[read];
-      const bool is_new = kept_point == first || p != layer.page_mm[kept_point - 1];
-      if (is_new) layer.page_mm[kept_point++] = p;
-      if (has_map && (is_new || read + 1 == end)) layer.map[kept_point - 1] = layer.map[read];
+      const bool moves = kept_point > first && p != layer.page_mm[kept_point - 1];
+      has_length = has_length || moves;
+      if (kept_point > first && !moves &&
+          (!has_map || layer.map[read] == layer.map[kept_point - 1]))
+        continue;
+      layer.page_mm[kept_point] = p;
+      if (has_map) layer.map[kept_point] = layer.map[read];
+      ++kept_point;
     }
     stroke.first_point = first;
     stroke.point_count = kept_point - first;
-    if (stroke.point_count < 2) {
+    if (!has_length) {
       ++dropped.empty_strokes;
       kept_point = first;
     } else {

@@ -17,14 +17,14 @@ namespace orograph {
 double rounded_to_page_step(double x_mm);
 
 struct RoundingCounts {
-  std::size_t points = 0;           ///< dropped because equal to their neighbour, or with a stroke
+  std::size_t points = 0;           ///< dropped because equal to the one before, or with a stroke
   std::size_t empty_strokes = 0;    ///< dropped: all points became one
   std::size_t repeated_strokes = 0; ///< dropped: the points of an earlier one, or those reversed
 };
 
-/// Rounds all points of the layer, then drops points equal to the one before in their stroke (a
-/// stroke keeps the map points of its two ends), then strokes without length. Order stays. Points
-/// of no stroke go as well.
+/// Rounds all page points of the layer, then drops points equal to the one before in their stroke,
+/// on the page and, where the layer has map points, on the map as well; then strokes without length
+/// on the page. Order stays. Map points stay as they are. Points of no stroke go as well.
 /// REQUIRES: strokes in the order of their points, without overlap; `map` empty or as long as
 /// `page_mm`. Cost O(points), in place.
 RoundingCounts round_strokes(Layer& layer);

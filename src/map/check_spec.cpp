@@ -143,6 +143,13 @@ void check_spec(const MapSpec& spec, bool has_solids) {
   if (!spec.view.file) check_view(spec.view);
   check_style(spec.style, has_solids);
   check_page(spec.page);
+  if (spec.ground_points && spec.style.asks_for("pen-up"))
+    throw UsageError(
+        "the layer 'pen-up' has no meaning where lines keep their places on the ground",
+        "`layers` without it");
+  if (spec.ground_points && spec.pen_order != PenOrder::drawing)
+    throw UsageError("`pen_order` has no meaning where lines keep their places on the ground",
+                     "PenOrder::drawing");
 }
 
 } // namespace orograph

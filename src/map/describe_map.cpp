@@ -198,12 +198,13 @@ void describe_map(Map& map, const TerrainData& terrain, const PlacedView& placed
   facts.layers.clear();
   for (std::size_t i = 0; i < by_layer.size(); ++i) {
     const Layer& layer = map.drawing.layers[i];
-    facts.layers.push_back(
-        {layer.name, layer.strokes.size(), by_layer[i].down_mm, by_layer[i].up_mm});
+    facts.layers.push_back({layer.name, layer.strokes.size(), by_layer[i].down_mm,
+                            by_layer[i].up_mm, by_layer[i].lifts});
   }
   const PenTravel travel = pen_travel(map.drawing);
   facts.pen_down_mm = travel.down_mm;
   facts.pen_up_mm = travel.up_mm;
+  facts.pen_lifts = travel.lifts;
 }
 
 } // namespace orograph

@@ -4,6 +4,7 @@
 #include "draw/close_outline.hpp"
 #include "draw/drawing.hpp"
 #include "draw/join_strokes.hpp"
+#include "draw/pen_order.hpp"
 #include "draw/round_drawing.hpp"
 #include "draw/shade_strokes.hpp"
 #include "draw/smooth_strokes.hpp"
@@ -215,6 +216,8 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     case LineSource::hidden_solids: // hidden edges lie under visible ones
       added.parts = solids(&SolidParts::hidden, solids(&SolidParts::visible, {}));
       break;
+    case LineSource::pen_way: // known when all strokes are in order
+      break;
     }
   }
   return layers;
@@ -323,9 +326,14 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     left_out.min_stroke_mm += of_lines.left_out_mm;
     const RoundingCounts& dropped = of_lines.dropped;
     counts.dropped_strokes += dropped.empty_strokes + dropped.repeated_strokes;
-    counts.strokes += of_lines.layer.strokes.size();
-    counts.points += of_lines.layer.page_mm.size();
     drawing.layers.push_back(std::move(of_lines.layer));
+  }
+  order_for_pen(drawing, spec.pen_order);
+  show_pen_way(drawing);
+  for (const Layer& layer : drawing.layers) {
+    if (layer.is_pen_way) continue;
+    counts.strokes += layer.strokes.size();
+    counts.points += layer.page_mm.size();
   }
   entitle(drawing, terrain, placed, spec.title);
   watch.mark(seconds.layout);

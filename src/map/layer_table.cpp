@@ -8,7 +8,7 @@ namespace orograph {
 namespace {
 
 // Ridges and shores are a little heavier than profiles, border, voids and edges lighter.
-constexpr std::array<LayerRow, 10> kLayers{{
+constexpr std::array<LayerRow, 11> kLayers{{
     {.name = "profiles", .source = LineSource::profiles},
     {"edges", LineSource::edges, 0.6, 0.45, LineKind::edge},
     {"waterlines", LineSource::edges, 0.6, 0.45, LineKind::waterline},
@@ -19,6 +19,7 @@ constexpr std::array<LayerRow, 10> kLayers{{
     {.name = "skyline", .source = LineSource::skyline, .weight = 2},
     {.name = "hidden", .source = LineSource::hidden_solids, .weight = 0.8, .grey = 0.45},
     {.name = "solids", .source = LineSource::solids, .weight = 1.4},
+    {.name = "pen-up", .source = LineSource::pen_way, .weight = 0.4, .grey = 0.5},
 }};
 
 } // namespace
@@ -37,6 +38,7 @@ std::optional<Layer> layer_of(const LayerRow& row, const Style& style) {
       (spec ? spec->weight : std::nullopt).value_or(row.weight) * style.pen_width_mm;
   layer.grey = (spec ? spec->grey : std::nullopt).value_or(row.grey);
   layer.is_hidden = row.source == LineSource::hidden_solids;
+  layer.is_pen_way = row.source == LineSource::pen_way;
   return layer;
 }
 

@@ -14,7 +14,7 @@
 namespace orograph {
 
 /// Where a layer's lines come from.
-enum class LineSource { profiles, edges, skyline, solids, hidden_solids };
+enum class LineSource { profiles, edges, skyline, solids, hidden_solids, pen_way };
 
 struct LayerRow {
   std::string_view name;

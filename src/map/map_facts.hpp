@@ -98,6 +98,7 @@ struct LayerFacts {
   std::string name;
   std::uint64_t strokes = 0;
   double ink_mm = 0, pen_up_mm = 0;
+  std::uint64_t pen_lifts = 0;
 };
 
 /// Visible ink that was left out on purpose, mm on the page.
@@ -132,6 +133,7 @@ struct MapFacts {
   InkLeftOut left_out;
   std::optional<CheckCounts> check; ///< where one was asked for
   double pen_down_mm = kNotMeasured, pen_up_mm = kNotMeasured;
+  std::uint64_t pen_lifts = 0;
 };
 
 struct Map {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "draw/page_request.hpp"
+#include "draw/pen_order.hpp"
 #include "geometry/angle.hpp"
 #include "placing/view_file.hpp"
 #include "profiles/plan_request.hpp"
@@ -153,7 +154,9 @@ struct MapSpec {
   PageRequest page;
   std::string title;          ///< empty: the terrain's file name, or the first's and how many more
   bool ground_points = false; ///< lines keep their places on the ground; hidden ones stay whole
-  std::uint64_t check = 0;    ///< points to ask of the ray walk
+  /// Of each layer's strokes. Where lines keep their places on the ground it is the drawing's.
+  PenOrder pen_order = PenOrder::drawing;
+  std::uint64_t check = 0; ///< points to ask of the ray walk
 
   double min_stroke_mm() const {
     return style.min_stroke_mm.value_or(ground_points ? 0 : kCrumb_mm);

@@ -4,6 +4,7 @@
 
 #include "geometry/error.hpp"
 #include "placing/view_entries.hpp"
+#include "text/nesting.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>
@@ -49,13 +50,15 @@ ViewEntry entry_of(std::string_view key, const toml::node& node) {
 }
 
 toml::table parsed_toml(const std::string& path, std::size_t most_bytes) {
+  constexpr auto kRight = "give a view with lines such as vrp = [500000, 100000, 1200]";
   const std::string text = view_text(path, most_bytes);
+  check_toml_nesting(text, path, kRight);
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
     throw Error(fmt::format("{}, line {}: this isn't TOML ({})", path, error.source().begin.line,
                             printable(error.description())),
-                "give a view with lines such as vrp = [500000, 100000, 1200]");
+                kRight);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "solids/scene_table.hpp"
 
 #include "geometry/error.hpp"
+#include "text/nesting.hpp"
 #include "text/text_of_file.hpp"
 #include "text/words.hpp"
 
@@ -51,18 +52,6 @@ SceneValue value_of(const toml::node& node) {
   return value;
 }
 
-// Names with many dots are tables in tables, which the library goes down by recursion.
-void check_dots(const std::string& text, const std::string& path) {
-  std::size_t line = 1, dots = 0;
-  for (const char c : text) {
-    if (c == '\n') ++line;
-    if (c == '\n' || c == ',' || c == '=') dots = 0;
-    if (c == '.' && ++dots > 1000)
-      throw Error(fmt::format("{}, line {}: there are over 1000 dots in a row", path, line),
-                  "a scene's names have two, as in part.hut.shape");
-  }
-}
-
 } // namespace
 
 std::string words_for(const SceneValue& value) {
@@ -82,7 +71,7 @@ std::string words_for(const SceneValue& value) {
 SceneValue::Table parse_scene(const std::string& path) {
   const std::string text = text_of_file(
       path, {10'000'000, "a scene", "give a scene in TOML, with tables [part.NAME] and [[place]]"});
-  check_dots(text, path);
+  check_toml_nesting(text, path, "a scene's names have two, as in part.hut.shape");
   try {
     return table_of(toml::parse(text));
   } catch (const toml::parse_error& error) {

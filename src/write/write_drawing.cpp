@@ -53,6 +53,11 @@ bool is_tied_to_ground(Format format) {
   return format == Format::geojson || format == Format::gpkg;
 }
 
+PenOrder pen_order_for(Format format) {
+  const bool is_for_pen = format == Format::svg || format == Format::ps || format == Format::eps;
+  return is_for_pen ? PenOrder::sorted : PenOrder::drawing;
+}
+
 bool is_text(Format format) {
   return format == Format::svg || format == Format::ps || format == Format::eps ||
          format == Format::geojson;

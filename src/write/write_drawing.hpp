@@ -3,6 +3,7 @@
 #pragma once
 
 #include "draw/drawing.hpp"
+#include "draw/pen_order.hpp"
 #include "geometry/api.hpp"
 
 #include <map>
@@ -22,6 +23,8 @@ struct WriteOptions {
 
 /// Whether the format holds map points: the drawing must have them then.
 OROGRAPH_API bool is_tied_to_ground(Format format);
+/// `sorted` for formats that a pen may draw, else `drawing`: what the command takes by default.
+OROGRAPH_API PenOrder pen_order_for(Format format);
 /// Whether the format may be written to standard output (path "-"): text formats only.
 OROGRAPH_API bool is_text(Format format);
 /// By short name ("svg", "geojson", …), whatever the case. Throws UsageError that lists the names.

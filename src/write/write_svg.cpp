@@ -35,17 +35,19 @@ std::string header(const Drawing& drawing) {
   return text;
 }
 
-// The number in front of the name is what pen plotters sort layers by. Ink stands both as
+// The number in front of the name is what pen plotters sort layers by; with a % in front of it the
+// layer isn't drawn (AxiDraw's layer control). Ink stands both as
 // attributes and as style, since some readers know only one of them.
 std::string layer_start(const Layer& layer, std::size_t number) {
   const int level = static_cast<int>(std::lround(255 * layer.grey));
   const std::string colour = fmt::format("#{0:02x}{0:02x}{0:02x}", level);
   const std::string width = printed(layer.pen_width_mm);
-  return fmt::format("<g id=\"layer{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0} {1}\" "
-                     "fill=\"none\" stroke=\"{2}\" stroke-width=\"{3}\" "
-                     "style=\"fill:none;stroke:{2};stroke-width:{3};"
-                     "stroke-linecap:round;stroke-linejoin:round\">\n",
-                     number, xml_escaped(layer.name), colour, width);
+  return fmt::format(
+      "<g id=\"layer{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{4}{0} {1}\" "
+      "fill=\"none\" stroke=\"{2}\" stroke-width=\"{3}\" "
+      "style=\"fill:none;stroke:{2};stroke-width:{3};"
+      "stroke-linecap:round;stroke-linejoin:round\">\n",
+      number, xml_escaped(layer.name), colour, width, layer.is_pen_way ? "%" : "");
 }
 
 // Texts of up to so many points are made side by side.

@@ -59,12 +59,15 @@ void write_settings(const MadeFolder& folder) {
   write("conflict", "fov = 20\nview = 'flat.toml'");
   write("syntax", "fov = = 20");
   write("nested", "fov = " + std::string(100'000, '[') + std::string(100'000, ']'));
+  std::string dotted = "a";
+  for (int i = 0; i < 50'000; ++i) dotted += ".a";
+  write("dots", dotted + " = 1");
   write("huge", "title = '" + std::string(1'000'001, 'a') + "'");
   folder.write("set-syntax.json", "{\n\"settings\": {\n");
   folder.write("set-none.json", "{\"view\": {}}");
   folder.write("set-number.json", "{\"settings\": {\"fov\": 200}}");
   folder.write("set-object.json", "{\"settings\": {\"fov\": {}}}");
-  folder.write("set-nested.json", std::string(100'000, '[') + std::string(100'000, ']'));
+  folder.write("set-nested.json", std::string(1'000'000, '[') + std::string(1'000'000, ']'));
 }
 
 } // namespace

@@ -153,7 +153,8 @@ TEST_CASE("voids are gaps, outlined if asked for") {
                }));
   const auto drawn = [&](std::vector<std::string> options) {
     options.insert(options.begin(), {"render", "void.asc", "-", "--of", "svg", "--outline",
-                                     "by-layer"}); // else those that are skyline are there
+                                     "by-layer", // else those that are skyline are there
+                                     "--pen-order", "drawing"}); // else it depends on all layers
     const auto result = run_orograph(options, {.folder = folder.path()});
     INFO(result.err);
     CHECK(result.exit_code == 0);

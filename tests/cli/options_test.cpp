@@ -250,6 +250,26 @@ TEST_CASE("output options") {
   CHECK(given({"--no-progress", "-q"}).progress == false);
   CHECK(parse_render({"in.tif", "-", "--of", "svg"})->output == "-");
 
+  CHECK(given({}).map.pen_order == PenOrder::sorted);
+  CHECK(given({"--of", "eps"}).map.pen_order == PenOrder::sorted);
+  CHECK(given({"--of", "pdf"}).map.pen_order == PenOrder::drawing);
+  CHECK(given({"--of", "geojson"}).map.pen_order == PenOrder::drawing);
+  CHECK(given({"--of", "geojson", "--pen-order", "drawing"}).map.pen_order == PenOrder::drawing);
+  CHECK(given({"--pen-order", "drawing"}).map.pen_order == PenOrder::drawing);
+  CHECK(given({"--of", "pdf", "--pen-order", "best"}).map.pen_order == PenOrder::best);
+  CHECK(!given({}).pen_speed());
+  const auto speed = given({"--pen-speed", "40", "--pen-up-speed", "90", "--pen-lift-s", "0.4"});
+  REQUIRE(speed.pen_speed());
+  CHECK(speed.pen_speed()->down_mm_s == 40);
+  CHECK(speed.pen_speed()->up_mm_s == 90);
+  CHECK(speed.pen_speed()->lift_s == 0.4);
+  CHECK(given({"--pen-speed", "40"}).pen_speed()->up_mm_s == 40);
+  check_refused({"--pen-speed", "0"}, "above 0");
+  check_refused({"--pen-lift-s", "1"}, "--pen-speed");
+  check_refused({"--of", "geojson", "--layers", "profiles,pen-up"}, "--of svg");
+  check_refused({"--pen-order", "greedy"}, "drawing|sorted|best");
+  check_refused({"--of", "gpkg", "--pen-order", "sorted"}, "--of svg");
+
   check_refused({"--of", "dxf"}, "geojson");
   check_refused({"--dpi", "300"}, "--of png");
   check_refused({"--of", "png", "--dpi", "5"}, "10 to 4800");

@@ -96,7 +96,9 @@ TEST_CASE("a drawing is made again from the settings in its report alone") {
         "--view flat.toml --profiles 30",
         "--of geojson",
         "--of geojson --min-stroke 2 --view-from 100/10",
-        "--of png --dpi 60"}) {
+        "--of png --dpi 60",
+        "--pen-order best",
+        "--of ps --pen-order drawing"}) {
     INFO(options);
     folder.write("flat.toml", "projection = 'parallel'\nvrp = [200, 200, 100]\nvpn = [0, -1, 1]\n"
                               "prp = [0, 0, 100]\nwindow = [-200, -200, 200, 200]\n");

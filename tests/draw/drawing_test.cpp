@@ -171,12 +171,40 @@ TEST_CASE("pen travel is counted from the upper left corner, over all layers") {
   const PenTravel travel = pen_travel(drawing);
   CHECK(travel.up_mm == 55);
   CHECK(travel.down_mm == 24);
+  CHECK(travel.lifts == 2);
+  CHECK(pen_minutes(travel, {.down_mm_s = 4, .up_mm_s = 11, .lift_s = 0.5}) == 12.0 / 60);
   const std::vector<PenTravel> by_layer = pen_travel_by_layer(drawing);
   REQUIRE(by_layer.size() == 2);
   CHECK(by_layer[0].up_mm == 55);
   CHECK(by_layer[0].down_mm == 21);
   CHECK(by_layer[1].up_mm == 0);
   CHECK(by_layer[1].down_mm == 3);
+}
+
+TEST_CASE("a pen's way is shown from stroke to stroke, and is no ink") {
+  Drawing drawing;
+  drawing.layers.resize(3);
+  drawing.layers[1].is_pen_way = true;
+  add_stroke(drawing.layers[0], {{30, 40}, {30, 50}, {40, 50}});
+  add_stroke(drawing.layers[0], {{40, 50}, {60, 50}}); // begins where the pen is
+  add_stroke(drawing.layers[0], {{30, 40}, {40, 40}});
+  add_stroke(drawing.layers[2], {{60, 50}, {70, 50}});
+  add_stroke(drawing.layers[2], {{30, 40}, {20, 40}}); // and a way that repeats one, or nearly
+  const PenTravel before = pen_travel(drawing);
+  show_pen_way(drawing);
+  const Layer& way = drawing.layers[1];
+  CHECK((way.page_mm ==
+         std::vector<Vec2>{
+             {0, 0}, {30, 40}, {60, 50}, {30, 40}, {40, 40}, {60, 50}, {70, 50}, {30, 40}}));
+  double shown_mm = 0;
+  for (const Stroke& stroke : way.strokes) shown_mm += line_length_mm(way.points(stroke));
+  CHECK(std::abs(shown_mm - before.up_mm) < 1e-9);
+  CHECK(way.strokes.size() == before.lifts);
+  CHECK(pen_travel(drawing).up_mm == before.up_mm);
+  CHECK(pen_travel(drawing).down_mm == before.down_mm);
+  CHECK(find_fault(drawing) == std::nullopt);
+  show_pen_way(drawing);
+  CHECK(way.strokes.size() == before.lifts);
 }
 
 TEST_CASE("a pen with nothing to draw stays") {

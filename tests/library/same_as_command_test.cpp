@@ -44,6 +44,7 @@ void check_same(const Words& inputs, const std::function<Session()>& open,
     const std::string path = folder.path("library." + format);
     const WriteOptions options{.format = format_of_path(path), .overwrite = true};
     spec.ground_points = is_tied_to_ground(options.format);
+    spec.pen_order = pen_order_for(options.format);
     write_drawing(session.draw(spec).drawing, path, options);
     CHECK(folder.read("library." + format).size() > 400);
     CHECK((folder.read("library." + format) == folder.read("command." + format)));

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "draw/pen_order.hpp"
+
+#include "draw/chain.hpp"
+#include "draw/pen_route.hpp"
+#include "draw/shorten_route.hpp"
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace orograph {
+namespace {
+
+// All that is told of a stroke besides its points. Its depth goes with its profile.
+auto kind_of(const Stroke& stroke) {
+  return std::tuple(stroke.width_mm, stroke.profile, stroke.level,
+                    std::isnan(stroke.darkness) ? -1.0F : stroke.darkness);
+}
+
+enum class Meeting { of_one_kind, any };
+
+// Where strokes' ends meet, by numbers that rise with the place.
+std::vector<ChainLink> meetings(const Layer& layer, Meeting which) {
+  struct Met {
+    Vec2 at_mm;
+    std::uint32_t end; ///< 2 * stroke: of its first point; 2 * stroke + 1: of its last
+  };
+  std::vector<Met> ends;
+  ends.reserve(2 * layer.strokes.size());
+  for (std::uint32_t i = 0; i < layer.strokes.size(); ++i) {
+    const std::span<const Vec2> points = layer.points(layer.strokes[i]);
+    ends.push_back({points.front(), 2 * i});
+    ends.push_back({points.back(), 2 * i + 1});
+  }
+  const auto key_of = [&](const Met& end) {
+    const auto kind =
+        which == Meeting::any ? decltype(kind_of(Stroke{}))() : kind_of(layer.strokes[end.end / 2]);
+    return std::tuple(end.at_mm.x, end.at_mm.y, kind);
+  };
+  std::size_t step = 0;
+  std::sort(ends.begin(), ends.end(), [&](const Met& a, const Met& b) {
+    throw_if_stopped(step++);
+    return std::tuple(key_of(a), a.end) < std::tuple(key_of(b), b.end);
+  });
+  std::vector<ChainLink> links(layer.strokes.size());
+  std::uint64_t meeting = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (i > 0 && key_of(ends[i]) != key_of(ends[i - 1])) ++meeting;
+    ChainLink& link = links[ends[i].end / 2];
+    (ends[i].end % 2 == 0 ? link.begin : link.end) = meeting;
+  }
+  return links;
+}
+
+// Appends points to the last stroke of `out`, or begins one like `like`. The first of them is there
+// already where the stroke goes on.
+void draw_on(Layer& out, std::span<const Vec2> points, bool turned, bool goes_on,
+             const Stroke& like) {
+  if (!goes_on) {
+    out.strokes.push_back(like);
+    out.strokes.back().first_point = static_cast<std::uint32_t>(out.page_mm.size());
+    out.strokes.back().point_count = 0;
+  }
+  const std::size_t size = points.size();
+  for (std::size_t i = goes_on ? 1 : 0; i < size; ++i)
+    out.page_mm.push_back(points[turned ? size - 1 - i : i]);
+  out.strokes.back().point_count += static_cast<std::uint32_t>(size - (goes_on ? 1 : 0));
+}
+
+Layer without_strokes(const Layer& layer) {
+  Layer out;
+  out.name = layer.name;
+  out.pen_width_mm = layer.pen_width_mm;
+  out.grey = layer.grey;
+  out.is_hidden = layer.is_hidden;
+  return out;
+}
+
+// Strokes of one kind that share a place as one.
+Layer merged(const Layer& layer) {
+  Layer out = without_strokes(layer);
+  out.page_mm.reserve(layer.page_mm.size());
+  const Chains chains = chain(meetings(layer, Meeting::of_one_kind));
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    throw_if_stopped(i);
+    bool goes_on = false;
+    for (const auto& [piece, turned] : chains[i]) {
+      const Stroke& stroke = layer.strokes[piece];
+      draw_on(out, layer.points(stroke), turned, goes_on, stroke);
+      goes_on = true;
+    }
+  }
+  return out;
+}
+
+// A layer's strokes as lines that are drawn without lifting the pen.
+class LinesOfLayer {
+public:
+  explicit LinesOfLayer(const Layer& layer)
+      : layer_(layer), chains_(chain(meetings(layer, Meeting::any))) {
+    std::vector<Vec2> places;
+    for (std::size_t i = 0; i < chains_.size(); ++i) {
+      throw_if_stopped(i);
+      const std::span<const ChainedPiece> chain = chains_[i];
+      const Vec2 begin = first_of(chain.front()), end = last_of(chain.back());
+      if (begin != end) {
+        lines_.add_open(begin, end);
+        continue;
+      }
+      // A stroke begins anywhere; of several the first is one of them.
+      places.clear();
+      const std::span<const Vec2> points = points_of(chain.front());
+      if (chain.size() == 1)
+        places.assign(points.begin(), points.end() - 1);
+      else
+        for (const ChainedPiece& piece : chain) places.push_back(first_of(piece));
+      lines_.add_ring(places);
+    }
+  }
+
+  const PenLines& lines() const { return lines_; }
+
+  void draw(std::uint32_t place, Layer& out) const {
+    const std::uint32_t line = lines_.line_of(place);
+    const std::span<const ChainedPiece> chain = chains_[line];
+    const std::uint32_t begin = place - lines_.first_place(line);
+    if (!lines_.is_ring(line)) {
+      for (std::size_t i = 0; i < chain.size(); ++i) {
+        auto [piece, turned] = chain[begin == 0 ? i : chain.size() - 1 - i];
+        draw_piece({piece, turned != (begin == 1)}, out);
+      }
+    } else if (chain.size() > 1) {
+      for (std::size_t i = 0; i < chain.size(); ++i)
+        draw_piece(chain[(begin + i) % chain.size()], out);
+    } else {
+      const Stroke& stroke = layer_.strokes[chain.front().piece];
+      const std::span<const Vec2> points = layer_.points(stroke);
+      draw_on(out, points.subspan(begin), false, false, stroke);
+      if (begin > 0) draw_on(out, points.first(begin + 1), false, true, stroke);
+    }
+  }
+
+private:
+  std::span<const Vec2> points_of(const ChainedPiece& piece) const {
+    return layer_.points(layer_.strokes[piece.piece]);
+  }
+  Vec2 first_of(const ChainedPiece& piece) const {
+    return piece.turned ? points_of(piece).back() : points_of(piece).front();
+  }
+  Vec2 last_of(const ChainedPiece& piece) const {
+    return piece.turned ? points_of(piece).front() : points_of(piece).back();
+  }
+  void draw_piece(const ChainedPiece& piece, Layer& out) const {
+    draw_on(out, points_of(piece), piece.turned, false, layer_.strokes[piece.piece]);
+  }
+
+  const Layer& layer_;
+  Chains chains_;
+  PenLines lines_;
+};
+
+} // namespace
+
+void order_for_pen(Drawing& drawing, PenOrder order) {
+  if (order == PenOrder::drawing) return;
+  Vec2 pen{0, 0};
+  for (Layer& layer : drawing.layers) {
+    if (layer.strokes.empty() || layer.is_pen_way) continue;
+    const Layer strokes = merged(layer);
+    const LinesOfLayer lines(strokes);
+    PenRoute route = nearest_first(lines.lines(), pen);
+    if (order == PenOrder::best) route = shortened(lines.lines(), pen, route);
+    Layer out = without_strokes(layer);
+    out.page_mm.reserve(strokes.page_mm.size());
+    for (const std::uint32_t place : route) {
+      throw_if_stopped(out.strokes.size());
+      lines.draw(place, out);
+    }
+    pen = out.page_mm.back();
+    layer = std::move(out);
+  }
+}
+
+} // namespace orograph
