@@ -27,6 +27,7 @@ struct RenderSettings {
   MapSpec map;
   // Layers that switches of their own add to those of `map`.
   bool void_edges = false;
+  std::vector<std::string> added_layers;
   bool dashes_hidden = false; ///< hidden edges of solids
 
   std::optional<PenOrder> pen_order; ///< none: as the format wants

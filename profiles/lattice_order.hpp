@@ -79,6 +79,8 @@ public:
     return static_cast<std::uint32_t>(turn >> 2U & kCellMask) >= cells_.minus_place();
   }
   static bool is_upright(Turn turn) { return (turn & 3U) == static_cast<Turn>(Step::upright); }
+  /// Of what is in a strip: whether it is a triangle's turn.
+  static bool is_of_triangle(Turn turn) { return (turn & 1U) != 0; }
   static bool is_diagonal(Turn turn) { return (turn & 3U) == static_cast<Turn>(Step::diagonal); }
 
 private:

@@ -34,18 +34,23 @@ struct EdgePoint {
   double t;
 };
 
+/// Points of lines on the ground, in the profile frame of a view or of the sector behind it.
+struct GroundPoints {
+  std::span<const ProfilePoint> points;
+  bool behind = false; ///< asked for as that sector has them (view/sectors.hpp)
+};
+
 /// `line_of`, for who asks it of millions of edges: with what is the same for all edges of a grid
 /// on a map plane decided beforehand: a fifth of its time.
 /// Vertices from the surface's count of them on are those of `points`: lines on the ground.
 class EdgeEnds {
 public:
   /// REQUIRES that all outlive this.
-  EdgeEnds(const Surface& surface, const View& view, std::span<const EdgePoint> points = {})
+  EdgeEnds(const Surface& surface, const View& view, const GroundPoints& points = {})
       : surface_(surface), view_(view), points_(points) {
     const Grid* grid = std::get_if<Grid>(&surface);
-    if (!points.empty())
-      first_point_ = static_cast<std::uint32_t>(grid ? grid->size()
-                                                     : std::get<Tin>(surface).vertices_m.size());
+    first_point_ =
+        static_cast<std::uint32_t>(grid ? grid->size() : std::get<Tin>(surface).vertices_m.size());
     if (!grid || grid->is_on_earth()) return;
     lattice_ = &grid->plane();
     columns_ = static_cast<std::uint32_t>(grid->columns);
@@ -55,7 +60,7 @@ public:
   }
 
   ProfileLine operator()(SurfaceEdge edge) const {
-    if (edge.from >= first_point_) return {point(edge.from), point(edge.to)};
+    if (edge.to >= first_point_) return {end(edge.from), end(edge.to)};
     if (!heights_) return line_of(surface_, view_, edge);
     auto row = static_cast<std::uint32_t>(edge.from * rows_an_index_);
     // The product is rounded.
@@ -66,11 +71,14 @@ public:
     return {at(column, row, edge.from), at(column + across, row + down, edge.to)};
   }
 
+  /// Whether a line is an edge, and not one on the ground.
+  bool is_edge(SurfaceEdge line) const { return line.to < first_point_; }
+
 private:
-  ProfilePoint point(std::uint32_t number) const {
-    const EdgePoint& at = points_[number - first_point_];
-    const ProfileLine line = (*this)(at.edge);
-    return point_between(line.from, line.to, at.t);
+  ProfilePoint end(std::uint32_t number) const {
+    if (number < first_point_) return line_of(surface_, view_, {number, number}).from;
+    const ProfilePoint& at = points_.points[number - first_point_];
+    return points_.behind ? ProfilePoint{-at.u, -at.v, at.z} : at;
   }
 
   ProfilePoint at(std::uint32_t column, std::uint32_t row, std::uint32_t index) const {
@@ -80,8 +88,8 @@ private:
 
   const Surface& surface_;
   const View& view_;
-  std::span<const EdgePoint> points_;
-  std::uint32_t first_point_ = std::numeric_limits<std::uint32_t>::max();
+  GroundPoints points_;
+  std::uint32_t first_point_;
   const PlaneLattice* lattice_ = nullptr;
   const float* heights_ = nullptr; ///< where the quick way is to be gone
   std::uint32_t columns_ = 0;

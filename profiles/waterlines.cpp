@@ -8,8 +8,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <tuple>
+#include <limits>
 #include <utility>
+#include <vector>
 
 namespace orograph {
 namespace {
@@ -138,18 +139,7 @@ private:
   std::vector<Node> nodes_;
 };
 
-// A crossing of an edge by the line at one of the distances, by number.
-struct Crossing {
-  std::uint32_t distance;
-  SurfaceEdge edge;
-  auto operator<=>(const Crossing&) const = default;
-};
-
-struct Found {
-  std::vector<std::pair<Crossing, Crossing>> lines; // from edge to edge of a triangle
-};
-
-// Of all vertices; beyond `limit_m`, and of those that aren't of level ground, that.
+// Of all vertices; at most `limit_m`, and NaN of those that aren't of level ground.
 std::vector<double> distances(const Surface& surface, const LevelGround& level,
                               const std::vector<std::uint32_t>& triangles, double limit_m) {
   const Shores shores(surface, level.shores);
@@ -160,7 +150,7 @@ std::vector<double> distances(const Surface& surface, const LevelGround& level,
     throw_if_stopped(step++);
     for (const std::uint32_t vertex : corners_of(surface, t)) is_level[vertex] = true;
   }
-  std::vector<double> out(count, limit_m);
+  std::vector<double> out(count, std::numeric_limits<double>::quiet_NaN());
   on_all_cores((count + kOfTask - 1) / kOfTask, [&](std::size_t task) {
     for (std::size_t i = task * kOfTask; i < std::min(count, (task + 1) * kOfTask); ++i) {
       throw_if_stopped(i);
@@ -184,68 +174,19 @@ std::vector<std::uint32_t> level_triangles(const Surface& surface, const LevelGr
 
 } // namespace
 
-GroundLines waterlines(const Surface& surface, const LevelGround& level,
-                       std::span<const double> distances_m) {
-  GroundLines out;
-  if (level.shores.empty() || distances_m.empty()) return out;
-  const std::vector<std::uint32_t> triangles = level_triangles(surface, level);
+Isolines waterlines(const Surface& surface, const LevelGround& level,
+                    std::span<const double> distances_m) {
+  if (level.shores.empty() || distances_m.empty()) return {};
   // Farther than every line, so that none runs along what is out of reach.
   const double limit_m = 2 * distances_m.back();
-  const std::vector<double> of_vertices = distances(surface, level, triangles, limit_m);
-  const auto distance_m = [&](std::uint32_t vertex) { return of_vertices[vertex]; };
-
-  std::vector<Found> of_tasks((triangles.size() + kOfTask - 1) / kOfTask);
-  on_all_cores(of_tasks.size(), [&](std::size_t task) {
-    for (std::size_t i = task * kOfTask; i < std::min(triangles.size(), (task + 1) * kOfTask);
-         ++i) {
-      throw_if_stopped(i);
-      const auto c = corners_of(surface, triangles[i]);
-      const std::array<double, 3> d{distance_m(c[0]), distance_m(c[1]), distance_m(c[2])};
-      const auto [least, greatest] = std::minmax({d[0], d[1], d[2]});
-      auto at = std::upper_bound(distances_m.begin(), distances_m.end(), least);
-      for (; at != distances_m.end() && *at <= greatest; ++at) {
-        // What is as far as the line counts as farther: then every triangle is crossed by two of
-        // its edges, or not at all.
-        const auto number = static_cast<std::uint32_t>(at - distances_m.begin());
-        std::array<Crossing, 3> crossings;
-        std::size_t count = 0;
-        for (const auto& [a, b] : {std::pair{0U, 1U}, {0U, 2U}, {1U, 2U}})
-          if ((d[a] >= *at) != (d[b] >= *at)) crossings[count++] = {number, {c[a], c[b]}};
-        if (count == 2) of_tasks[task].lines.emplace_back(crossings[0], crossings[1]);
-      }
-    }
-  });
-
-  std::size_t steps = 0;
-  std::vector<Crossing> all;
-  for (const Found& found : of_tasks)
-    for (const auto& [from, to] : found.lines) {
-      throw_if_stopped(all.size());
-      all.insert(all.end(), {from, to});
-    }
-  std::sort(all.begin(), all.end(), StoppableLess(steps));
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  // Off the vertices, so that no line is a point: a millionth of an edge is beneath all drawing.
-  constexpr double kOffVertex = 1e-6;
-  for (const auto& [number, edge] : all) {
-    throw_if_stopped(out.points.size());
-    const double from_m = distance_m(edge.from), to_m = distance_m(edge.to);
-    out.points.push_back({edge, std::clamp((distances_m[number] - from_m) / (to_m - from_m),
-                                           kOffVertex, 1 - kOffVertex)});
-  }
-  const std::size_t first = vertex_count(surface);
-  const auto number_of = [&](const Crossing& crossing) {
-    return static_cast<std::uint32_t>(
-        first +
-        static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), crossing) - all.begin()));
-  };
-  for (const Found& found : of_tasks)
-    for (const auto& [from, to] : found.lines) {
-      throw_if_stopped(out.lines.size());
-      out.lines.push_back({number_of(from), number_of(to)});
-    }
-  std::sort(out.lines.begin(), out.lines.end(), StoppableLess(steps));
-  return out;
+  const std::vector<double> of_vertices =
+      distances(surface, level, level_triangles(surface, level), limit_m);
+  return isolines(surface,
+                  [&](std::size_t first, std::span<double> out) {
+                    std::copy_n(of_vertices.begin() + static_cast<std::ptrdiff_t>(first),
+                                out.size(), out.begin());
+                  },
+                  distances_m, {.triangles = &level.triangles});
 }
 
 } // namespace orograph

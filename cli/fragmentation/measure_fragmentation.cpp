@@ -161,7 +161,7 @@ void measure_row(FragmentationRow& row, const FragmentationSettings& settings,
                  const TerrainData& terrain) {
   const RenderSettings render = settings_of(row, settings.render);
   const PlacedView scene = placed_view(terrain, render.map);
-  const LinesOfView lines{lines_of(terrain, scene, render.map.style), std::nullopt};
+  const LinesOfView lines{lines_of(terrain, scene, render.map.style), {}, std::nullopt};
   const MeasuredScene measured{terrain, scene, lines, render.map.style};
   const bool surface = row.occluder == Occluder::surface;
 

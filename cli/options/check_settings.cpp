@@ -116,6 +116,8 @@ void check_eye(RenderSettings& settings, const GivenOptions& given) {
 void add_layers(RenderSettings& settings) {
   Style& style = settings.map.style;
   if (settings.void_edges && !style.asks_for("voids")) style.layers.push_back("voids");
+  for (const std::string& layer : settings.added_layers)
+    if (!style.asks_for(layer)) style.layers.push_back(layer);
   if (settings.dashes_hidden) style.layers.push_back("hidden");
 }
 

@@ -21,6 +21,7 @@ void add_terrain_options(std::vector<Option>& options, std::vector<std::string>&
                          ReadOptions& reading);
 void add_view_options(std::vector<Option>& options, RenderSettings& settings);
 void add_line_options(std::vector<Option>& options, RenderSettings& settings);
+void add_ground_line_options(std::vector<Option>& options, RenderSettings& settings);
 void add_scene_options(std::vector<Option>& options, RenderSettings& settings);
 void add_page_options(std::vector<Option>& options, RenderSettings& settings);
 void add_output_options(std::vector<Option>& options, RenderSettings& settings);

@@ -151,6 +151,32 @@ std::optional<double> parse_metres(std::string_view text) {
   return length;
 }
 
+std::optional<GivenHeights> parse_heights(std::string_view text) {
+  constexpr double kFoot_m = 0.3048;
+  GivenHeights out;
+  if (text.ends_with("ft")) {
+    out.unit_m = kFoot_m;
+    text.remove_suffix(2);
+  } else if (text.ends_with("m")) {
+    out.unit_m = 1;
+    text.remove_suffix(1);
+  }
+  for (const std::string& part : split(text, ',')) {
+    const auto height = parse_number(part);
+    if (!height) return std::nullopt;
+    out.values.push_back(*height);
+  }
+  return out;
+}
+
+std::optional<double> parse_arc_deg(std::string_view text) {
+  double unit_deg = 1;
+  for (; text.ends_with('\''); text.remove_suffix(1)) unit_deg /= 60;
+  const auto arc = parse_number(text);
+  if (!arc || *arc < 0 || unit_deg < 1.0 / 3601) return std::nullopt;
+  return *arc * unit_deg;
+}
+
 std::optional<PageSize> parse_page_size(std::string_view text) {
   const auto parts = split(text, 'x');
   if (parts.size() != 2) return std::nullopt;

@@ -59,6 +59,17 @@ std::optional<LightSpec> parse_light(std::string_view text);
 /// "2m", from 0 on.
 std::optional<double> parse_metres(std::string_view text);
 
+/// Numbers with commas between, and behind the last one the unit of all: "m", "ft", or none, which
+/// is the file's own.
+struct GivenHeights {
+  std::vector<double> values;
+  std::optional<double> unit_m;
+};
+std::optional<GivenHeights> parse_heights(std::string_view text);
+
+/// Degrees, or minutes "10'", or seconds "30''", from 0 on.
+std::optional<double> parse_arc_deg(std::string_view text);
+
 /// "WxH" or "Wxauto" in millimetres, each 1 to 10000.
 struct PageSize {
   double width_mm;

@@ -91,6 +91,7 @@ Command render_command(RenderSettings& settings) {
        .take = stored_name(settings.output)});
   add_view_options(command.options, settings);
   add_line_options(command.options, settings);
+  add_ground_line_options(command.options, settings);
   add_scene_options(command.options, settings);
   add_page_options(command.options, settings);
   add_output_options(command.options, settings);

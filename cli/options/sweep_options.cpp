@@ -277,6 +277,7 @@ Command sweep_command(SweepSettings& settings) {
   std::vector<Option> picture;
   add_view_options(picture, render);
   add_line_options(picture, render);
+  add_ground_line_options(picture, render);
   add_scene_options(picture, render);
   add_page_options(picture, render);
   add_output_options(picture, render);

@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace orograph {
@@ -26,6 +27,15 @@ struct Page {
   }
 };
 
+/// What is known of the thing that a stroke is a line of, by names; for formats that hold that.
+struct Attribute {
+  std::string name;
+  std::variant<std::int64_t, double, std::string> value;
+
+  bool operator==(const Attribute&) const = default;
+};
+using Attributes = std::vector<Attribute>;
+
 /// A run of points of its layer, at least two.
 struct Stroke {
   std::uint32_t first_point = 0, point_count = 0;
@@ -35,6 +45,7 @@ struct Stroke {
   std::int32_t level = 0; ///< of a profile: how often the number of lines is halved before it goes
   /// Share of black that light leaves the ground along it, where that is told instead of shown.
   float darkness = std::numeric_limits<float>::quiet_NaN();
+  std::int32_t feature = -1; ///< number of its layer's; -1: none
 };
 
 /// Page points are x to the right and y down from the page's upper left corner, rounded to
@@ -50,6 +61,7 @@ struct Layer {
   std::vector<Vec3> map;
   std::vector<float> depths_m; ///< one for one beside page points, while they are still asked for
   std::vector<Stroke> strokes;
+  std::vector<Attributes> features; ///< what strokes are lines of, where they tell
 
   std::span<const Vec2> points(const Stroke& s) const {
     return std::span(page_mm).subspan(s.first_point, s.point_count);

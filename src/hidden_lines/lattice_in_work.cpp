@@ -37,7 +37,14 @@ SectorLattice::SectorLattice(const Grid& of_grid, const View& of_view)
 LatticeInWork::LatticeInWork(const SectorInWork& in_work)
     : SectorLattice(std::get<Grid>(in_work.terrain.surface), in_work.sector.view), work(in_work) {}
 
-LatticeOrder::Turn LatticeInWork::turn_of(const LinePictures& pictures, SurfaceEdge edge) const {
+LatticeOrder::Turn LatticeInWork::turn_of(const LinePictures& pictures, std::uint32_t line) const {
+  const SurfaceEdge edge = pictures.line(line).edge;
+  if (!pictures.is_edge(line)) {
+    const std::uint32_t triangle = work.triangle_of(line), number = triangle / 2;
+    const auto cells = static_cast<std::uint32_t>(grid.columns) - 1;
+    return order.turn(static_cast<int>(number % cells), static_cast<int>(number / cells),
+                      static_cast<Half>(triangle % 2));
+  }
   const LatticeOrder::Turn turn = order.turn(edge);
   if (!LatticeOrder::is_on_line(turn) || !pictures.is_moved(edge)) return turn;
   // The lattice's line runs under the eye, across the view. Moved ahead of the near plane its edges

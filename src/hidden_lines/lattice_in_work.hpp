@@ -41,7 +41,7 @@ struct LatticeInWork : SectorLattice {
   explicit LatticeInWork(const SectorInWork& in_work);
 
   /// Of a line of the sector.
-  LatticeOrder::Turn turn_of(const LinePictures& pictures, SurfaceEdge edge) const;
+  LatticeOrder::Turn turn_of(const LinePictures& pictures, std::uint32_t line) const;
 };
 
 } // namespace orograph

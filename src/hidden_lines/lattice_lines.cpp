@@ -31,7 +31,7 @@ LatticeLines::LatticeLines(const LatticeInWork& lattice, XRange range,
 void LatticeLines::order_lines(std::span<const LineAtDepth> which) {
   const auto add = [&](std::uint32_t line) {
     throw_if_stopped(lines_.size());
-    lines_.push_back({lattice_.turn_of(pictures_, pictures_.line(line).edge), line});
+    lines_.push_back({lattice_.turn_of(pictures_, line), line});
   };
   for (const LineAtDepth& line : which) add(line.line);
   if (silhouettes_ && lattice_.work.sector.keeps_strip) {
@@ -123,8 +123,8 @@ std::optional<LatticeLines::EdgeAtTurn> LatticeLines::next() {
   for (; listed_turn() == at.turn; ++next_line_) {
     const std::uint32_t number = lines_[next_line_].line;
     const EdgeLine& line = pictures_.line(number);
-    // An edge of several kinds is drawn as the first.
-    if (silhouette_drawn && !line.hides) continue;
+    // An edge of several kinds is drawn as the first; lines on the ground are themselves.
+    if (silhouette_drawn && !line.hides && !is_on_ground(line.kind)) continue;
     silhouette_drawn = silhouette_drawn || (line.kind == LineKind::silhouette && line.drawn);
     look_at(number, pictures_.picture(number, pictures_.whole(number)));
   }
@@ -197,7 +197,9 @@ void LatticeLines::take_group() {
     if (line.upright())
       add_above_height(
           line, number,
-          uprights_.in_front(pictures_.line(number).edge, picture.t_left < picture.t_right),
+          pictures_.is_edge(number)
+              ? uprights_.in_front(pictures_.line(number).edge, picture.t_left < picture.t_right)
+              : height_in_front(line, horizon_),
           visible_);
     else
       add_above_horizon(line, number, horizon_, lattice_.work.tolerance, visible_);

@@ -18,8 +18,8 @@ LatticeStrip::LatticeStrip(const LatticeInWork& lattice, const Strip& strip,
                            std::span<const LineAtDepth> which, std::span<const Segment> near_cut,
                            std::size_t number)
     : lattice_(lattice), range_(strip.range), number_(number),
-      pictures_(lattice.work.terrain.surface, lattice.work.placed.waterlines.points,
-                lattice.work.sector, lattice.work.lines, strip.range, lattice.work.from_m),
+      pictures_(lattice.work.terrain.surface, lattice.work.on_ground.points, lattice.work.sector,
+                lattice.work.lines, strip.range, lattice.work.from_m),
       horizon_(strip.core.begin, strip.core.end, strip.blocks, pictures_.looked_at().begin,
                pictures_.looked_at().end),
       lines_(lattice, range_, which, pictures_, horizon_),
@@ -182,7 +182,11 @@ void LatticeStrip::take_side(PlacePart part) {
   const auto columns = static_cast<std::uint32_t>(lattice_.grid.columns);
   lines_.begin_part(part);
   while (const auto next = lines_.next()) {
-    throw_if_stopped(); // a strip of cells may have thousands of lines
+    throw_if_stopped();                             // a strip of cells may have thousands of lines
+    if (LatticeOrder::is_of_triangle(next->turn)) { // and hides nothing
+      lines_.take();
+      continue;
+    }
     const std::uint32_t from = next->edge.from;
     const auto column = static_cast<int>(from % columns), row = static_cast<int>(from / columns);
     const int cell = lattice_.order.rows_are_strips() ? column : row;

@@ -99,10 +99,10 @@ void LinePass::end_slab() {
   }
 }
 
-void join_sectors(const Surface& surface, std::span<const EdgePoint> points, const View& view,
+void join_sectors(const Surface& surface, std::span<const ProfilePoint> points, const View& view,
                   const std::vector<EdgeLine>& lines, double strip_m,
                   std::vector<LinePart>& parts) {
-  const EdgeEnds ends(surface, view, points);
+  const EdgeEnds ends(surface, view, {points});
   const auto whole = [&](std::uint32_t line) { return ends(lines[line].edge); };
   // The strip, twice as wide, since its sides are rounded.
   const auto strip = [&](const ProfileLine& line) {
@@ -119,10 +119,10 @@ void join_sectors(const Surface& surface, std::span<const EdgePoint> points, con
   }
 }
 
-void draw_parts(const Surface& surface, std::span<const EdgePoint> points, const View& view,
+void draw_parts(const Surface& surface, std::span<const ProfilePoint> points, const View& view,
                 const std::vector<EdgeLine>& lines, const std::vector<LinePart>& parts,
                 StrokeBuilder& builder) {
-  const EdgeEnds ends(surface, view, points);
+  const EdgeEnds ends(surface, view, {points});
   draw_chained(
       parts, view,
       [&](const LinePart& part) {

@@ -69,11 +69,11 @@ private:
 /// that only the strip between the sectors parts; `strip_m` wide to either side, 0 where what is in
 /// it is left out. `view` is that of the first sector, `points` are
 /// those of lines on the ground.
-void join_sectors(const Surface& surface, std::span<const EdgePoint> points, const View& view,
+void join_sectors(const Surface& surface, std::span<const ProfilePoint> points, const View& view,
                   const std::vector<EdgeLine>& lines, double strip_m, std::vector<LinePart>& parts);
 
 /// Draws parts of lines as long strokes, joined at shared vertices.
-void draw_parts(const Surface& surface, std::span<const EdgePoint> points, const View& view,
+void draw_parts(const Surface& surface, std::span<const ProfilePoint> points, const View& view,
                 const std::vector<EdgeLine>& lines, const std::vector<LinePart>& parts,
                 StrokeBuilder& builder);
 

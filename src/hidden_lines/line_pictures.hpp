@@ -16,7 +16,25 @@
 namespace orograph {
 
 /// Which layer a line is drawn in, if it is drawn.
-enum class LineKind : std::uint8_t { silhouette, shore, border, void_edge, edge, waterline };
+enum class LineKind : std::uint8_t {
+  silhouette,
+  shore,
+  border,
+  void_edge,
+  edge,
+  waterline,
+  contour,
+  index_contour,
+  mesh,
+  graticule,
+  grid,
+  drape
+};
+
+/// Whether lines of a kind are lines on the ground, which may run along edges or not.
+inline bool is_on_ground(LineKind kind) {
+  return kind >= LineKind::waterline;
+}
 
 struct EdgeLine {
   SurfaceEdge edge;
@@ -43,8 +61,9 @@ struct LinePicture {
 /// outlive it.
 class LinePictures {
 public:
-  /// `points`: of lines on the ground. `from_m`: depth from which on terrain is looked at.
-  LinePictures(const Surface& surface, std::span<const EdgePoint> points, const Sector& sector,
+  /// `points`: of lines on the ground, in the view's profile frame. `from_m`: depth from which on
+  /// terrain is looked at.
+  LinePictures(const Surface& surface, std::span<const ProfilePoint> points, const Sector& sector,
                const std::vector<EdgeLine>& lines, XRange range, double from_m);
 
   const EdgeLine& line(std::uint32_t i) const {
@@ -65,6 +84,8 @@ public:
 
   ProfileLine whole(SurfaceEdge edge) const;
   ProfileLine whole(std::uint32_t i) const { return whole(line(i).edge); }
+  /// Whether a line is an edge of the surface, and not one on the ground.
+  bool is_edge(std::uint32_t i) const { return ends_.is_edge(line(i).edge); }
   /// Whether a line lies between the sectors, so that it was moved ahead of the near plane.
   bool is_moved(SurfaceEdge edge) const;
   /// The point at a place along a line.
@@ -124,7 +145,7 @@ inline HorizonPiece occluder_of(const SurfaceLine& line) {
 
 /// For each of the ranges the lines that reach into it, by number.
 std::vector<std::vector<LineAtDepth>>
-lines_by_range(const Surface& surface, std::span<const EdgePoint> points, const Sector& sector,
+lines_by_range(const Surface& surface, std::span<const ProfilePoint> points, const Sector& sector,
                const std::vector<EdgeLine>& lines, std::span<const XRange> ranges, double from_m);
 
 } // namespace orograph

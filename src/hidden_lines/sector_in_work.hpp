@@ -8,6 +8,7 @@
 #include "geometry/segment.hpp"
 #include "hidden_lines/counts.hpp"
 #include "hidden_lines/folds.hpp"
+#include "hidden_lines/ground_lines.hpp"
 #include "hidden_lines/line_pictures.hpp"
 #include "horizon/clip.hpp"
 #include "horizon/clip_profile.hpp"
@@ -55,7 +56,8 @@ struct SectorInWork {
   const TerrainData& terrain;
   const PlacedView& placed;
   const Sector& sector;
-  const std::vector<EdgeLine>& lines;
+  const std::vector<EdgeLine>& lines; ///< last those on the ground
+  const GroundLines& on_ground;
   const SurfaceCutter& cutter;
   const TieTolerance& tolerance;
   double from_m;            ///< depth from which on terrain is looked at
@@ -68,6 +70,11 @@ struct SectorInWork {
   const SilhouetteMarks* silhouettes = nullptr;
   const Folds* folds = nullptr;
   bool draws_silhouettes = false;
+
+  /// Of a line on the ground.
+  std::uint32_t triangle_of(std::uint32_t line) const {
+    return on_ground.lines[line - (lines.size() - on_ground.lines.size())].triangle;
+  }
 };
 
 struct SectorParts {

@@ -5,6 +5,7 @@
 #include "geometry/on_all_cores.hpp"
 #include "geometry/sort_by_number.hpp"
 #include "hidden_lines/folds.hpp"
+#include "hidden_lines/ground_lines.hpp"
 #include "hidden_lines/instruments.hpp"
 #include "hidden_lines/lattice_pass.hpp"
 #include "hidden_lines/profile_strokes.hpp"
@@ -15,6 +16,7 @@
 #include "horizon/clip.hpp"
 #include "placing/sector.hpp"
 #include "profiles/cut_surface.hpp"
+#include "profiles/lattice_order.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -42,10 +44,10 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
   Stopwatch watch;
   const Sector& sector = work.sector;
   const View& view = sector.view;
-  const auto which = lines_by_range(work.terrain.surface, work.placed.waterlines.points, sector,
-                                    work.lines, std::span(&work.range, 1), work.from_m);
-  const LinePictures pictures(work.terrain.surface, work.placed.waterlines.points, sector,
-                              work.lines, work.range, work.from_m);
+  const auto which = lines_by_range(work.terrain.surface, work.on_ground.points, sector, work.lines,
+                                    std::span(&work.range, 1), work.from_m);
+  const LinePictures pictures(work.terrain.surface, work.on_ground.points, sector, work.lines,
+                              work.range, work.from_m);
   LinePass lines(pictures, which.front(), work.tolerance);
   if (instruments.occluders) lines.record(*instruments.occluders);
   const ClipOptions options{surface ? Role::compared : Role::drawn_occluder, work.tolerance,
@@ -135,13 +137,12 @@ SectorLines solids_alone(const PlacedView& placed, const Sector& sector) {
 
 namespace {
 
-// The grid, if its sectors may be taken in the lattice's order, in which lines that are no edges
-// have no place.
-const Grid* grid_in_order(const TerrainData& terrain, const PlacedView& placed, const Style& style,
+// The grid, if its sectors may be taken in the lattice's order.
+const Grid* grid_in_order(const TerrainData& terrain, const Style& style,
                           const Instruments& instruments) {
   const Grid* grid = std::get_if<Grid>(&terrain.surface);
   const bool has_order = grid && !grid->is_on_earth() && style.occluder == Occluder::surface &&
-                         placed.waterlines.lines.empty() && !instruments.needs_list();
+                         !instruments.needs_list();
   return has_order ? grid : nullptr;
 }
 
@@ -158,15 +159,22 @@ bool goes_in_order(const Grid& grid, const Sector& sector, const Instruments& in
 
 LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
                           const Instruments& instruments, const SeenGround* ground) {
-  const Grid* grid = grid_in_order(terrain, placed, style, instruments);
+  LinesOfView out;
+  out.on_ground = ground_lines_of(terrain, placed, style, ground);
+  const Grid* grid = grid_in_order(terrain, style, instruments);
   // Solids are hidden by all lines that hide.
   if (!grid || asks_lines(instruments) || !placed.solids.empty() ||
-      !std::all_of(placed.sectors.begin(), placed.sectors.end(),
-                   [&](const Sector& sector) { return goes_in_order(*grid, sector, instruments); }))
-    return {lines_of(terrain, placed, style, ground), std::nullopt};
-  const LatticeOrder order(*grid, placed.sectors.front().view);
-  return {lines_but_silhouettes(terrain, placed, style),
-          silhouette_marks(*grid, placed.view, order.rows_are_strips(), ground)};
+      !std::all_of(placed.sectors.begin(), placed.sectors.end(), [&](const Sector& sector) {
+        return goes_in_order(*grid, sector, instruments);
+      })) {
+    out.listed = lines_of(terrain, placed, style, ground);
+  } else {
+    const LatticeOrder order(*grid, placed.sectors.front().view);
+    out.listed = lines_but_silhouettes(terrain, placed, style);
+    out.silhouettes = silhouette_marks(*grid, placed.view, order.rows_are_strips(), ground);
+  }
+  append_to(out.listed, out.on_ground);
+  return out;
 }
 
 SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, const Sector& sector,
@@ -187,6 +195,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
                           placed,
                           sector,
                           lines.listed,
+                          lines.on_ground,
                           cutter,
                           tolerance,
                           view.is_perspective() ? view.near_m : -kInfinity,
@@ -232,7 +241,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     profile_done();
   };
   watch.mark(seconds.facing);
-  const Grid* grid = grid_in_order(terrain, placed, style, instruments);
+  const Grid* grid = grid_in_order(terrain, style, instruments);
   const bool in_order = grid && goes_in_order(*grid, sector, instruments);
   SectorParts found_parts =
       in_list    ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)
@@ -240,8 +249,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
                  : strips_pass(work, lay_out, show, counts, seconds);
 
   watch = {};
-  LinePictures every_line(terrain.surface, placed.waterlines.points, sector, lines.listed,
-                          work.range, work.from_m);
+  LinePictures every_line(terrain.surface, lines.on_ground.points, sector, lines.listed, work.range,
+                          work.from_m);
   every_line.set_found(found_parts.found);
   SectorLines out;
   out.found = std::move(found_parts.found);

@@ -5,6 +5,7 @@
 #include "dem/terrain.hpp"
 #include "draw/stroke_builder.hpp"
 #include "hidden_lines/counts.hpp"
+#include "hidden_lines/ground_lines.hpp"
 #include "hidden_lines/instruments.hpp"
 #include "hidden_lines/line_pass.hpp"
 #include "hidden_lines/solid_lines.hpp"
@@ -44,7 +45,8 @@ struct ProfileLayer {
 
 /// The lines of a view, for all of its sectors.
 struct LinesOfView {
-  std::vector<EdgeLine> listed;
+  std::vector<EdgeLine> listed; ///< last those on the ground
+  GroundLines on_ground;
   /// The silhouettes, where they aren't listed; each sector finds those that it looks at.
   std::optional<SilhouetteMarks> silhouettes;
 };

@@ -156,10 +156,6 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
       }
   if (style.asks_for("shores")) add_drawn(placed.level.shores, LineKind::shore);
   if (style.asks_for("edges")) add_drawn(edges_of(terrain.surface), LineKind::edge);
-  for (const SurfaceEdge& line : placed.waterlines.lines) {
-    throw_if_stopped(lines.size());
-    lines.push_back({line, LineKind::waterline, false, true, false});
-  }
   return lines;
 }
 

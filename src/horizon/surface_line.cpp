@@ -119,6 +119,10 @@ double last_x(const SurfaceLine& line) {
 
 } // namespace
 
+double height_in_front(const SurfaceLine& upright, const BlockedHorizon& horizon) {
+  return height_before(upright, horizon);
+}
+
 template <class AnyHorizon>
 void add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
                        const TieTolerance& tolerance, std::vector<VisibleLinePart>& parts) {

@@ -52,6 +52,10 @@ void add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyH
 void add_above_height(const SurfaceLine& line, std::uint32_t number, double height,
                       std::vector<VisibleLinePart>& parts);
 
+/// What a line straight away from the eye has in front of it at its X, where the horizon is made of
+/// all of that and of nothing else.
+double height_in_front(const SurfaceLine& upright, const BlockedHorizon& horizon);
+
 /// Finds, slab by slab, what is visible of lines on the surface, and raises a horizon by those that
 /// hide. Memory is reused from slab to slab.
 class SlabHorizon {

@@ -135,8 +135,7 @@ void Check::see(const SeenLines& seen) {
       return p.line < line || (p.line == line && p.t_end < t);
     });
     const bool drawn = part != visible.end() && part->line == line && part->t_begin <= t;
-    if (drawn || !may_be_left_out)
-      judge(lines.whole(line), t, lines.line(line).kind != LineKind::waterline, drawn);
+    if (drawn || !may_be_left_out) judge(lines.whole(line), t, lines.is_edge(line), drawn);
   }
 }
 

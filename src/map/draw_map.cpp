@@ -16,6 +16,7 @@
 #include "hidden_lines/surface_lines.hpp"
 #include "map/check.hpp"
 #include "map/describe_map.hpp"
+#include "map/draw_features.hpp"
 #include "map/draw_solids.hpp"
 #include "map/layer_table.hpp"
 #include "map/stroke_darkness.hpp"
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -39,6 +41,7 @@ struct LineLayer {
   Layer layer;
   std::vector<LinePart> parts;
   bool of_solids = false;         ///< the parts
+  bool is_on_ground = false;      ///< its lines
   bool is_rounded = false;        ///< stroke by stroke
   bool is_joined = false;         ///< across small gaps
   bool is_skyline = false;        ///< which is drawn whole
@@ -86,9 +89,11 @@ StrokeSettings stroke_settings(const TerrainData& terrain, const PlacedView& pla
 // Parts found sector by sector, of one kind at a time as parts of the whole view.
 class FoundParts {
 public:
-  FoundParts(const TerrainData& terrain, const PlacedView& placed, std::vector<EdgeLine> listed,
+  // `points`: of lines on the ground.
+  FoundParts(const TerrainData& terrain, const PlacedView& placed,
+             std::span<const ProfilePoint> points, std::vector<EdgeLine> listed,
              std::vector<SectorLines> sectors)
-      : terrain_(terrain), placed_(placed), lines_(std::move(listed)),
+      : terrain_(terrain), placed_(placed), points_(points), lines_(std::move(listed)),
         sectors_(std::move(sectors)) {
     number_as_one();
     for (const SectorLines& sector : sectors_) folded_mm_ += sector.folded_mm;
@@ -102,7 +107,7 @@ public:
     for (const SectorLines& sector : sectors_) append(sector.*kind, all);
     throw_if_stopped();
     if (sectors_.size() > 1 && has_ground(terrain_.surface))
-      join_sectors(terrain_.surface, placed_.waterlines.points, placed_.view, lines_,
+      join_sectors(terrain_.surface, points_, placed_.view, lines_,
                    std::max(0.0, placed_.sectors.front().view.drawn_from_m), all);
     return all;
   }
@@ -148,6 +153,7 @@ private:
 
   const TerrainData& terrain_;
   const PlacedView& placed_;
+  std::span<const ProfilePoint> points_;
   std::vector<EdgeLine> lines_;
   std::vector<SectorLines> sectors_;
   double folded_mm_ = 0;
@@ -204,6 +210,11 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       if (row.kind == LineKind::border || row.kind == LineKind::void_edge)
         added.shade = haze_alone(shade);
       added.is_shore = row.kind == LineKind::shore || row.kind == LineKind::waterline;
+      break;
+    case LineSource::ground:
+      added.parts = of_kind(found.lines(), visible, row.kind);
+      added.is_on_ground = true;
+      added.shade = haze_alone(shade);
       break;
     case LineSource::skyline:
       added.parts = by_edge(found.lines(), found.of(&SectorLines::skyline));
@@ -272,7 +283,9 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   if (check) map.facts.check = check->counts();
 
   watch = {};
-  const FoundParts found(terrain, placed, std::move(lines.listed), std::move(sectors));
+  const std::size_t first_on_ground = lines.listed.size() - lines.on_ground.lines.size();
+  const FoundParts found(terrain, placed, lines.on_ground.points, std::move(lines.listed),
+                         std::move(sectors));
   const std::optional<LineShade> shade =
       spec.ground_points ? std::nullopt : placed.ridge_shade; // shading cuts strokes
   std::vector<LineLayer> layers =
@@ -282,12 +295,15 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     // What is joined is simplified and judged afterwards.
     StrokeSettings own = strokes;
     if (task.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
-    own.keeps_depths = task.is_joined && !task.is_shore && shade;
+    own.keeps_depths = (task.is_joined || task.is_on_ground) && !task.is_shore && shade;
     StrokeBuilder builder(own, task.layer);
     if (task.of_solids)
       draw_edges(placed.solids, placed.view, task.parts, builder);
+    else if (task.is_on_ground)
+      draw_features(terrain.surface, placed.view, lines.on_ground, first_on_ground, task.parts,
+                    task.layer, builder);
     else
-      draw_parts(terrain.surface, placed.waterlines.points, placed.view, found.lines(), task.parts,
+      draw_parts(terrain.surface, lines.on_ground.points, placed.view, found.lines(), task.parts,
                  builder);
     task.left_out_mm = builder.left_out_mm();
   });

@@ -88,8 +88,8 @@ ErrorBudget error_budget(const TerrainData& terrain, const PlacedView& placed,
   if (terrain.is_overview) budget.level_of_detail_mm.reset();
   budget.simplification_mm = spec.style.simplify_mm;
   budget.joining_mm = spec.ground_points ? 0 : 0.5 * spec.style.join_mm; // no gap is bridged there
-  const bool draws_shores = (spec.style.asks_for("shores") && !placed.level.shores.empty()) ||
-                            !placed.waterlines.lines.empty();
+  const bool draws_shores = (spec.style.asks_for("shores") || spec.style.draws_waterlines()) &&
+                            !placed.level.shores.empty();
   budget.shore_smoothing_mm = draws_shores && !spec.ground_points ? spec.style.shore_smooth_mm : 0;
   budget.visibility_tolerance_mm = spec.style.visibility_tolerance_mm;
   budget.arithmetic_mm = kArithmetic_mm;

@@ -8,8 +8,13 @@ namespace orograph {
 namespace {
 
 // Ridges and shores are a little heavier than profiles, border, voids and edges lighter.
-constexpr std::array<LayerRow, 11> kLayers{{
+constexpr std::array<LayerRow, 16> kLayers{{
     {.name = "profiles", .source = LineSource::profiles},
+    {"mesh", LineSource::ground, 0.8, 0, LineKind::mesh},
+    {"contours", LineSource::ground, 0.6, 0.2, LineKind::contour},
+    {"index-contours", LineSource::ground, 1.1, 0.2, LineKind::index_contour},
+    {"graticule", LineSource::ground, 0.6, 0.45, LineKind::graticule},
+    {"grid", LineSource::ground, 0.6, 0.45, LineKind::grid},
     {"edges", LineSource::edges, 0.6, 0.45, LineKind::edge},
     {"waterlines", LineSource::edges, 0.6, 0.45, LineKind::waterline},
     {"shores", LineSource::edges, 1.2, 0, LineKind::shore},
@@ -30,8 +35,9 @@ std::span<const LayerRow> layer_table() {
 
 std::optional<Layer> layer_of(const LayerRow& row, const Style& style) {
   const LayerSpec* const spec = style.layer(row.name);
-  const bool by_kind = row.kind == LineKind::waterline && style.draws_waterlines();
-  if (!spec && !by_kind) return std::nullopt;
+  const bool with_another = (row.kind == LineKind::waterline && style.draws_waterlines()) ||
+                            (row.kind == LineKind::index_contour && style.draws_index_contours());
+  if (!spec && !with_another) return std::nullopt;
   Layer layer;
   layer.name = row.name;
   layer.pen_width_mm =

@@ -14,14 +14,14 @@
 namespace orograph {
 
 /// Where a layer's lines come from.
-enum class LineSource { profiles, edges, skyline, solids, hidden_solids, pen_way };
+enum class LineSource { profiles, edges, ground, skyline, solids, hidden_solids, pen_way };
 
 struct LayerRow {
   std::string_view name;
   LineSource source;
   double weight = 1; ///< of its pen, beside the profiles'
   double grey = 0;   ///< 0 black to 1 white
-  LineKind kind{};   ///< which edges of the surface; of LineSource::edges only
+  LineKind kind{};   ///< which of the edges, or of the lines on the ground
 };
 
 /// All layers, in drawing order: what is drawn last lies on top.

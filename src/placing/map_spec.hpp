@@ -109,6 +109,24 @@ struct LineWidths {
   double least_mm, greatest_mm;
 };
 
+/// Contours: lines of one height.
+struct ContourSpec {
+  std::vector<double> levels;     ///< just these, rising; empty: every `interval`
+  std::optional<double> interval; ///< none: so that there are about 25 over the terrain's relief
+  double offset = 0;              ///< a level; the others are whole intervals from it
+  std::optional<double> unit_m;   ///< of all of these, in metres; none: that of the file's heights
+  int index_every = 5;            ///< every how many-th interval has index contours; 0: none
+  bool ticks = false;             ///< downhill, on contours around a pit
+};
+
+/// A mesh of lines on the ground, as far apart everywhere in plan.
+struct MeshSpec {
+  std::optional<double> spacing_m;
+  int count = 40;          ///< else: lines across the terrain's longer side
+  bool x = true, y = true; ///< lines of one x, and of one y
+  bool along_view = false; ///< x to the right and y away from the viewer; else on the map
+};
+
 /// Which lines are drawn, and how exactly.
 struct Style {
   std::optional<PlanRequest> plan; ///< none: four pen widths on the page
@@ -127,6 +145,10 @@ struct Style {
   /// on the ground.
   std::optional<double> min_stroke_mm;
   FlatGround flat = FlatGround::shore;
+  ContourSpec contours;
+  MeshSpec mesh;
+  std::optional<double> graticule_deg; ///< between meridians, and parallels; none: some six of them
+  std::optional<double> grid_m;        ///< between eastings, and northings; none: some six of them
   Outline outline = Outline::one;
   std::vector<LayerSpec> layers{"profiles", "shores", "border", "silhouettes", "skyline", "solids"};
   double pen_width_mm = 0.15;
@@ -142,6 +164,10 @@ struct Style {
     return nullptr;
   }
   bool asks_for(std::string_view name) const { return layer(name) != nullptr; }
+  bool draws_index_contours() const {
+    return asks_for("index-contours") ||
+           (asks_for("contours") && contours.levels.empty() && contours.index_every > 0);
+  }
   bool draws_waterlines() const { return flat == FlatGround::waterlines || asks_for("waterlines"); }
   double haze_in(bool perspective) const {
     return haze.value_or(perspective ? kHazeInPerspective : 0);

@@ -26,8 +26,7 @@ double mm_per_step(const PlacedView& placed, ProfilePoint from, ProfilePoint to)
 
 } // namespace
 
-GroundLines place_waterlines(const PlacedView& placed, const Surface& surface,
-                             double pen_width_mm) {
+Isolines place_waterlines(const PlacedView& placed, const Surface& surface, double pen_width_mm) {
   const View& view = placed.view;
   const EdgeEnds ends(surface, view);
   std::vector<double> mm_per_m; // at shores in the frame

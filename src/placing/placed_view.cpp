@@ -8,7 +8,6 @@
 #include "placing/frame_eye_view.hpp"
 #include "placing/geodesy.hpp"
 #include "placing/give_tone.hpp"
-#include "placing/place_waterlines.hpp"
 #include "placing/placed_solids.hpp"
 #include "placing/places.hpp"
 #include "placing/view_in_frame.hpp"
@@ -345,8 +344,6 @@ PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& 
   placed.sectors = sectors_of(placed);
   give_tone(placed, surface, spec); // which may need more profiles
   placed.ridge_shade = ridge_shade(placed, spec);
-  if (spec.style.draws_waterlines())
-    placed.waterlines = place_waterlines(placed, surface, spec.style.pen_width_mm);
   return placed;
 }
 

@@ -14,7 +14,6 @@
 #include "placing/terrain_of_view.hpp"
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
-#include "profiles/waterlines.hpp"
 #include "solids/scene_file.hpp"
 #include "solids/standing_solid.hpp"
 #include "view/view.hpp"
@@ -38,7 +37,6 @@ struct PlacedView {
   std::vector<BorderEdge> border;
   std::vector<StandingSolid> solids;
   LevelGround level;
-  GroundLines waterlines; ///< where they are asked for
   View view;
   bool framed_by_skyline = false; ///< looks level, its window shifted (placing/frame_eye_view.hpp)
   std::optional<ChosenView> chosen_view; ///< where the spec leaves it to us

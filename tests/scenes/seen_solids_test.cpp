@@ -33,7 +33,7 @@ struct DrawnSolids {
       first_edge.push_back(first_edge.back() +
                            static_cast<std::uint32_t>(standing.solid->edges.size()));
     // All ground is looked at: solids are asked of beside the page as well.
-    const LinesOfView lines{lines_of(made.terrain, scene, made.spec.style), std::nullopt};
+    const LinesOfView lines{lines_of(made.terrain, scene, made.spec.style), {}, std::nullopt};
     Counts counts;
     StageSeconds seconds;
     const SectorLines found =

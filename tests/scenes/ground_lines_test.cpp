@@ -22,7 +22,7 @@
 #include <limits>
 #include <optional>
 
-namespace orograph::waterlines_test {
+namespace orograph::ground_lines_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(300);
@@ -47,10 +47,34 @@ RandomScene flooded(std::uint64_t seed, Random& random) {
   return scene;
 }
 
-// The lines on the water alone: with others, few of the points asked would be on them.
-class WaterCheck : public LineObserver {
+// Contours, and a mesh along the lattice, aslant to it, or along the view.
+RandomScene with_lines(std::uint64_t seed, Random& random) {
+  RandomScene scene = random_scene(seed, 40);
+  Style& style = scene.spec.style;
+  style.layers.insert(style.layers.end(), {"contours", "mesh"});
+  style.join_mm = scene.spec.style.min_stroke_mm.emplace(0);
+  style.contours.index_every = random.whole(0, 3);
+  if (random.chance(0.3)) { // many of them through vertices
+    const auto heights = std::get<Heights<float>>(grid_of(scene.terrain).heights_m).own();
+    const float step = random.chance(0.5) ? 1 : 20;
+    for (float& h : heights) h = std::isnan(h) ? h : step * std::round(h / step);
+    style.contours.interval = step;
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    while ((*high - *low) / *style.contours.interval > 60) *style.contours.interval *= 2;
+  }
+  style.mesh.along_view = random.chance(0.4);
+  style.mesh.count = random.whole(1, 25);
+  if (random.chance(0.3)) // along the lattice's lines
+    style.mesh.spacing_m = length(grid_of(scene.terrain).plane().column_step_m);
+  if (seed % 3 == 1) look_down(scene.spec, scene.terrain, random);
+  if (seed % 3 == 2) put_eye(scene.spec, grid_of(scene.terrain), random);
+  return scene;
+}
+
+// The lines on the ground alone: with others, few of the points asked would be on them.
+class GroundCheck : public LineObserver {
 public:
-  WaterCheck(const TerrainData& terrain, const PlacedView& placed, Random& random)
+  GroundCheck(const TerrainData& terrain, const PlacedView& placed, Random& random)
       : judges_(judges_of(terrain.surface, placed, 1e-4)), random_(random) {}
 
   void see(const SeenProfile&) override {}
@@ -62,7 +86,7 @@ public:
       const auto first =
           std::find_if(part, seen.visible.end(), [&](const LinePart& p) { return p.line >= i; });
       part = first;
-      if (seen.lines.line(i).kind != LineKind::waterline) continue;
+      if (!is_on_ground(seen.lines.line(i).kind)) continue;
       const ProfileLine whole = seen.lines.whole(i);
       std::vector<double> places{random_.between(0, 1)};
       for (auto p = first; p != seen.visible.end() && p->line == i; ++p)
@@ -80,7 +104,7 @@ public:
         for (auto p = first; p != seen.visible.end() && p->line == i; ++p)
           drawn = drawn || (p->t_begin <= t && t <= p->t_end);
         ++counts.asked;
-        const Verdict verdict = judge.verdict(whole, t, false, drawn);
+        const Verdict verdict = judge.verdict(whole, t, seen.lines.is_edge(i), drawn);
         if (verdict == Verdict::tied)
           ++counts.ties;
         else if ((verdict == Verdict::visible) != drawn)
@@ -101,12 +125,17 @@ private:
 
 } // namespace
 
-TEST_CASE("the ray walk sees the lines on the water that are drawn, and no others", "[slow]") {
+namespace {
+
+// Draws scenes and asks the ray walk about all of their lines on the ground. `on`: the grid as it
+// is, or as a TIN.
+template <class MakeScene>
+void ask_ray_walk(const char* what, std::uint64_t scenes, const MakeScene& make) {
   Asked sum;
-  std::uint64_t refused = 0, two_sectors = 0, visible = 0, with_lines = 0;
-  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+  std::uint64_t refused = 0, two_sectors = 0, visible = 0;
+  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
     Random random(seed);
-    RandomScene scene = flooded(seed, random);
+    RandomScene scene = make(seed, random);
     if (seed % 2 == 0) {
       const Grid grid = grid_of(scene.terrain);
       scene.terrain.surface = tin_of(grid);
@@ -114,8 +143,8 @@ TEST_CASE("the ray walk sees the lines on the water that are drawn, and no other
     INFO("seed " << seed << ": " << scene.what);
     try {
       const PlacedView placed = placed_view(scene.terrain, scene.spec);
-      WaterCheck check(scene.terrain, placed, random);
-      Instruments instruments{.hidden_ground = true};
+      GroundCheck check(scene.terrain, placed, random);
+      Instruments instruments{.hidden_ground = true, .order_always = seed % 4 == 1};
       instruments.observers = {&check};
       draw_map(
           scene.terrain, placed, scene.spec, [](double) {}, instruments);
@@ -124,18 +153,26 @@ TEST_CASE("the ray walk sees the lines on the water that are drawn, and no other
       sum.add(check.counts);
       visible += check.visible;
       two_sectors += placed.sectors.size() > 1 ? 1 : 0;
-      with_lines += placed.waterlines.lines.empty() ? 0 : 1;
     } catch (const Error&) { // an eye under the ground, or a view of nothing
       ++refused;
     }
   }
-  report("lines on water", sum);
-  WARN(visible << " visible, " << with_lines << " scenes with lines, " << two_sectors
-               << " of two sectors, " << refused << " refused");
-  CHECK(sum.asked > 100 * kScenes);
-  CHECK(visible > 20 * kScenes);
-  CHECK(two_sectors > kScenes / 20);
-  CHECK(refused < kScenes / 4);
+  report(what, sum);
+  WARN(visible << " visible, " << two_sectors << " of two sectors, " << refused << " refused");
+  CHECK(sum.asked > 100 * scenes);
+  CHECK(visible > 20 * scenes);
+  CHECK(two_sectors > scenes / 20);
+  CHECK(refused < scenes / 4);
+}
+
+} // namespace
+
+TEST_CASE("the ray walk sees the lines on the water that are drawn, and no others", "[slow]") {
+  ask_ray_walk("lines on water", kScenes, flooded);
+}
+
+TEST_CASE("the ray walk sees the contours and meshes that are drawn, and no others", "[slow]") {
+  ask_ray_walk("contours and meshes", kScenes, with_lines);
 }
 
 TEST_CASE("every other layer is the same with lines on the water and without") {
@@ -143,7 +180,7 @@ TEST_CASE("every other layer is the same with lines on the water and without") {
     Random random(seed);
     RandomScene scene = flooded(seed, random);
     const Grid grid = grid_of(scene.terrain);
-    scene.terrain.surface = tin_of(grid); // a grid may be taken in another order without them
+    if (seed % 2 == 0) scene.terrain.surface = tin_of(grid);
     INFO("seed " << seed << ": " << scene.what);
     std::optional<PlacedView> placed;
     try {
@@ -154,7 +191,6 @@ TEST_CASE("every other layer is the same with lines on the water and without") {
     Map with = draw_map(scene.terrain, *placed, scene.spec, [](double) {});
     scene.spec.style.flat = FlatGround::shore;
     const PlacedView plain = placed_view(scene.terrain, scene.spec);
-    CHECK(plain.waterlines.lines.empty());
     const Map without = draw_map(scene.terrain, plain, scene.spec, [](double) {});
     std::erase_if(with.drawing.layers,
                   [](const Layer& layer) { return layer.name == "waterlines"; });
@@ -162,4 +198,4 @@ TEST_CASE("every other layer is the same with lines on the water and without") {
   }
 }
 
-} // namespace orograph::waterlines_test
+} // namespace orograph::ground_lines_test

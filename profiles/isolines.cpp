@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "profiles/isolines.hpp"
+
+#include "geometry/on_all_cores.hpp"
+#include "profiles/surface_edges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+// Of a vertex: its value, and how many levels aren't above that.
+struct Standing {
+  double value;
+  std::int32_t levels; // kNowhere where there is no vertex
+  bool on_level;       // the last of those is its value
+
+  static constexpr std::int32_t kNowhere = -1;
+  bool is_there() const { return levels != kNowhere; }
+};
+
+class Levels {
+public:
+  explicit Levels(std::span<const double> levels) : levels_(levels) {
+    if (levels.size() > 1)
+      per_value_ = static_cast<double>(levels.size() - 1) / (levels.back() - levels.front());
+  }
+
+  double operator[](std::int32_t i) const { return levels_[static_cast<std::size_t>(i)]; }
+  Standing standing_of(double value) const {
+    if (std::isnan(value)) return {value, Standing::kNowhere, false};
+    const std::int32_t count = count_up_to(value);
+    return {value, count, count > 0 && (*this)[count - 1] == value};
+  }
+
+private:
+  // Levels are nearly always equally far apart: a guess is right, or next to it.
+  std::int32_t count_up_to(double value) const {
+    const auto size = static_cast<double>(levels_.size());
+    auto guess =
+        static_cast<std::size_t>(std::clamp((value - levels_.front()) * per_value_ + 1, 0.0, size));
+    constexpr int kNear = 3;
+    for (int i = 0; i < kNear; ++i) {
+      if (guess < levels_.size() && levels_[guess] <= value)
+        ++guess;
+      else if (guess > 0 && levels_[guess - 1] > value)
+        --guess;
+      else
+        return static_cast<std::int32_t>(guess);
+    }
+    return static_cast<std::int32_t>(std::upper_bound(levels_.begin(), levels_.end(), value) -
+                                     levels_.begin());
+  }
+
+  std::span<const double> levels_;
+  double per_value_ = 0;
+};
+
+// An end of an edge, with its number.
+struct End {
+  std::uint32_t vertex;
+  Standing standing;
+};
+
+// Which levels cross an edge within it: [first, last). One that its upper end is on goes through
+// that vertex.
+struct Crossed {
+  std::int32_t first = 0, last = 0;
+  std::uint32_t count() const { return static_cast<std::uint32_t>(last - first); }
+};
+Crossed crossed_within(const Standing& a, const Standing& b) {
+  if (!a.is_there() || !b.is_there() || a.levels == b.levels) return {};
+  const bool a_upper = a.levels > b.levels;
+  const Standing &upper = a_upper ? a : b, &lower = a_upper ? b : a;
+  return {lower.levels, upper.levels - (upper.on_level ? 1 : 0)};
+}
+
+// REQUIRES from.vertex < to.vertex.
+void add_points(const End& from, const End& to, const Levels& levels, std::vector<EdgePoint>& out) {
+  const Crossed crossed = crossed_within(from.standing, to.standing);
+  for (std::int32_t i = crossed.first; i < crossed.last; ++i)
+    out.push_back({{from.vertex, to.vertex},
+                   (levels[i] - from.standing.value) / (to.standing.value - from.standing.value)});
+}
+
+// A side of a triangle; `first_point`: the number of the first point within it.
+struct Side {
+  End a, b;
+  std::uint32_t first_point;
+};
+
+// Where a level that crosses a side does so.
+std::uint32_t node_on(const Side& side, std::int32_t level) {
+  const bool a_upper = side.a.standing.levels > side.b.standing.levels;
+  const End &upper = a_upper ? side.a : side.b, &lower = a_upper ? side.b : side.a;
+  if (upper.standing.on_level && level == upper.standing.levels - 1) return upper.vertex;
+  return side.first_point + static_cast<std::uint32_t>(level - lower.standing.levels);
+}
+
+// Takes the lines of a triangle.
+template <class Take>
+void for_each_line(const std::array<Side, 3>& sides, std::size_t triangle, const Take& take) {
+  std::int32_t low = std::numeric_limits<std::int32_t>::max(), high = Standing::kNowhere;
+  for (const Side& side : sides) {
+    if (!side.a.standing.is_there() || !side.b.standing.is_there()) return;
+    low = std::min({low, side.a.standing.levels, side.b.standing.levels});
+    high = std::max({high, side.a.standing.levels, side.b.standing.levels});
+  }
+  for (std::int32_t level = low; level < high; ++level) {
+    std::array<std::uint32_t, 2> ends{};
+    std::size_t count = 0;
+    for (const Side& side : sides)
+      if ((side.a.standing.levels <= level) != (side.b.standing.levels <= level))
+        ends[count++] = node_on(side, level);
+    if (ends[0] == ends[1]) continue; // a vertex
+    const auto [from, to] = std::minmax(ends[0], ends[1]);
+    take(
+        Isoline{from, to, static_cast<std::uint32_t>(triangle), static_cast<std::uint32_t>(level)});
+  }
+}
+
+// Those along edges may be there twice, once for each triangle.
+void add_once(std::vector<Isoline>& along_edges, std::vector<Isoline>& lines) {
+  std::size_t steps = 0;
+  std::sort(along_edges.begin(), along_edges.end(), [&](const Isoline& a, const Isoline& b) {
+    throw_if_stopped(++steps);
+    return a.ends() != b.ends() ? a.ends() < b.ends() : a.triangle < b.triangle;
+  });
+  const auto last =
+      std::unique(along_edges.begin(), along_edges.end(),
+                  [](const Isoline& a, const Isoline& b) { return a.ends() == b.ends(); });
+  lines.insert(lines.end(), along_edges.begin(), last);
+}
+
+// Some rows of a grid's vertices, with the cells behind them. Points are numbered row by row: those
+// along a row of vertices, then those between it and the next; so the first row beyond goes on
+// where the last one ends, and its numbers are known here too.
+class GridRows {
+public:
+  GridRows(const Grid& grid, const VertexValues& values, const Levels& levels,
+           const IsolineGround& ground)
+      : grid_(grid), values_(values), levels_(levels), ground_(ground),
+        width_(static_cast<std::size_t>(grid.columns)),
+        vertices_(static_cast<std::uint32_t>(grid.size())) {}
+
+  std::vector<EdgePoint> points;
+  /// Points are numbered from the count of vertices on, and here from this object's first.
+  std::vector<Isoline> lines, along_edges;
+
+  void find(int first_row, int end_row) {
+    Row row, below;
+    std::vector<std::uint8_t> cells_above;
+    read_cells(first_row - 1, cells_above);
+    read(first_row, row);
+    number_along(row, cells_above, first_row, true, along_);
+    for (int r = first_row; r < end_row && r + 1 < grid_.rows; ++r) {
+      throw_if_stopped();
+      read(r + 1, below);
+      number_between(row, below, r);
+      number_along(below, row.cells, r + 1, r + 1 < end_row, along_below_);
+      add_lines(row, below, r);
+      std::swap(row, below);
+      std::swap(along_, along_below_);
+    }
+  }
+
+private:
+  struct Row {
+    std::vector<double> values;
+    std::vector<Standing> standings;
+    std::vector<std::uint8_t> cells; // behind it: whether each is asked for
+  };
+
+  void read_cells(int row, std::vector<std::uint8_t>& cells) const {
+    cells.assign(width_, 0);
+    if (row < 0 || row + 1 >= grid_.rows) return;
+    if (!ground_.seen) {
+      std::fill(cells.begin(), cells.end() - 1, std::uint8_t{1});
+      return;
+    }
+    std::vector<std::pair<int, int>> ranges;
+    ground_.seen->cells_in_row(row / SeenGround::kSide, grid_.columns - 1, ranges);
+    for (const auto& [first, end] : ranges)
+      std::fill(cells.begin() + first, cells.begin() + end, std::uint8_t{1});
+  }
+  void read(int row, Row& out) const {
+    read_cells(row, out.cells);
+    out.values.resize(width_);
+    out.standings.resize(width_);
+    values_(grid_.index(0, row), out.values);
+    std::transform(out.values.begin(), out.values.end(), out.standings.begin(),
+                   [&](double value) { return levels_.standing_of(value); });
+  }
+  End end(const Row& row, int r, std::size_t column) const {
+    return {static_cast<std::uint32_t>(grid_.index(static_cast<int>(column), r)),
+            row.standings[column]};
+  }
+  std::uint32_t next_point() const { return vertices_ + static_cast<std::uint32_t>(points.size()); }
+
+  // By column the number of the first point on the edge to the next one. `stored`: here, and not
+  // with the rows beyond.
+  void number_along(const Row& row, const std::vector<std::uint8_t>& cells_above, int r,
+                    bool stored, std::vector<std::uint32_t>& first) {
+    first.resize(width_);
+    std::uint32_t next = next_point();
+    for (std::size_t c = 0; c + 1 < width_; ++c) {
+      first[c] = next;
+      const Standing &a = row.standings[c], &b = row.standings[c + 1];
+      if (a.levels == b.levels || (row.cells[c] | cells_above[c]) == 0) continue;
+      next += crossed_within(a, b).count();
+      if (stored) add_points(end(row, r, c), end(row, r, c + 1), levels_, points);
+    }
+  }
+  void number_between(const Row& row, const Row& below, int r) {
+    down_.resize(width_);
+    diagonal_.resize(width_);
+    for (std::size_t c = 0; c < width_; ++c) {
+      const bool here = row.cells[c] != 0, before = c > 0 && row.cells[c - 1] != 0;
+      down_[c] = next_point();
+      if ((here || before) && row.standings[c].levels != below.standings[c].levels)
+        add_points(end(row, r, c), end(below, r + 1, c), levels_, points);
+      diagonal_[c] = next_point();
+      if (here && row.standings[c].levels != below.standings[c + 1].levels)
+        add_points(end(row, r, c), end(below, r + 1, c + 1), levels_, points);
+    }
+  }
+
+  void add_lines(const Row& row, const Row& below, int r) {
+    const auto take = [&](const Isoline& line) {
+      (line.to < vertices_ ? along_edges : lines).push_back(line);
+    };
+    for (std::size_t c = 0; c + 1 < width_; ++c) {
+      if (row.cells[c] == 0) continue;
+      const std::int32_t levels = row.standings[c].levels;
+      if (levels == row.standings[c + 1].levels && levels == below.standings[c].levels &&
+          levels == below.standings[c + 1].levels)
+        continue;
+      const End nw = end(row, r, c), ne = end(row, r, c + 1), sw = end(below, r + 1, c),
+                se = end(below, r + 1, c + 1);
+      const Side diagonal{nw, se, diagonal_[c]};
+      const auto triangle = [&](Half half) {
+        return grid_triangle(grid_, static_cast<int>(c), r, half);
+      };
+      const std::size_t lower = triangle(Half::lower), upper = triangle(Half::upper);
+      if (!ground_.triangles || ground_.triangles->has(lower))
+        for_each_line({Side{nw, sw, down_[c]}, {sw, se, along_below_[c]}, diagonal}, lower, take);
+      if (!ground_.triangles || ground_.triangles->has(upper))
+        for_each_line({diagonal, {se, ne, down_[c + 1]}, {nw, ne, along_[c]}}, upper, take);
+    }
+  }
+
+  const Grid& grid_;
+  const VertexValues& values_;
+  const Levels& levels_;
+  const IsolineGround& ground_;
+  std::size_t width_;
+  std::uint32_t vertices_;
+  // By column the number of the first point on an edge: along the present row and the one below,
+  // and from the one to the other.
+  std::vector<std::uint32_t> along_, along_below_, down_, diagonal_;
+};
+
+// What was found with points numbered from 0 on goes behind what there is.
+void append(const GridRows& found, std::uint32_t vertices, Isolines& out,
+            std::vector<Isoline>& along_edges) {
+  const auto before = static_cast<std::uint32_t>(out.points.size());
+  out.points.insert(out.points.end(), found.points.begin(), found.points.end());
+  for (Isoline line : found.lines) {
+    throw_if_stopped(out.lines.size());
+    for (std::uint32_t* end : {&line.from, &line.to})
+      if (*end >= vertices) *end += before;
+    out.lines.push_back(line);
+  }
+  along_edges.insert(along_edges.end(), found.along_edges.begin(), found.along_edges.end());
+}
+
+Isolines of_grid(const Grid& grid, const VertexValues& values, const Levels& levels,
+                 const IsolineGround& ground) {
+  constexpr int kRowsOfTask = 64;
+  std::vector<GridRows> rows(static_cast<std::size_t>((grid.rows + kRowsOfTask - 1) / kRowsOfTask),
+                             GridRows(grid, values, levels, ground));
+  on_all_cores(rows.size(), [&](std::size_t task) {
+    const int first = static_cast<int>(task) * kRowsOfTask;
+    rows[task].find(first, std::min(first + kRowsOfTask, grid.rows));
+  });
+  Isolines out;
+  std::vector<Isoline> along_edges;
+  for (GridRows& found : rows) {
+    append(found, static_cast<std::uint32_t>(grid.size()), out, along_edges);
+    found.points = {};
+    found.lines = {};
+  }
+  add_once(along_edges, out.lines);
+  return out;
+}
+
+// An edge is numbered with the first of its triangles.
+bool is_numbered_with(const Tin& tin, std::size_t triangle, std::size_t side) {
+  const std::uint32_t other = tin.neighbours[triangle][side];
+  return other == kNoTriangle || triangle < other;
+}
+
+Isolines of_tin(const Tin& tin, const VertexValues& values, const Levels& levels,
+                const IsolineGround& ground) {
+  std::vector<double> of_vertices(tin.vertices_m.size());
+  values(0, of_vertices);
+  const auto end = [&](std::uint32_t vertex) {
+    return End{vertex, levels.standing_of(of_vertices[vertex])};
+  };
+  Isolines out;
+  const auto vertices = static_cast<std::uint32_t>(tin.vertices_m.size());
+  std::vector<std::uint32_t> first_points(3 * tin.triangles.size());
+  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!is_numbered_with(tin, t, k)) continue;
+      first_points[3 * t + k] = vertices + static_cast<std::uint32_t>(out.points.size());
+      const SurfaceEdge edge = edge_opposite(tin, t, k).edge;
+      add_points(end(edge.from), end(edge.to), levels, out.points);
+    }
+  }
+  const auto first_point = [&](std::uint32_t t, std::size_t k) {
+    if (is_numbered_with(tin, t, k)) return first_points[3 * t + k];
+    const std::uint32_t other = tin.neighbours[t][k];
+    const SurfaceEdge edge = edge_opposite(tin, t, k).edge;
+    for (std::size_t side = 0; side < 3; ++side)
+      if (edge_opposite(tin, other, side).edge == edge) return first_points[3 * other + side];
+    return vertices; // not reached: neighbours share an edge
+  };
+  std::vector<Isoline> along_edges;
+  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
+    throw_if_stopped(t);
+    if (ground.triangles && !ground.triangles->has(t)) continue;
+    const auto& corners = tin.triangles[t];
+    std::array<Side, 3> sides;
+    for (std::size_t k = 0; k < 3; ++k)
+      sides[k] = {end(corners[(k + 1) % 3]), end(corners[(k + 2) % 3]), first_point(t, k)};
+    for_each_line(sides, t, [&](const Isoline& line) {
+      (line.to < vertices ? along_edges : out.lines).push_back(line);
+    });
+  }
+  add_once(along_edges, out.lines);
+  return out;
+}
+
+} // namespace
+
+Isolines isolines(const Surface& surface, const VertexValues& values,
+                  std::span<const double> levels, const IsolineGround& ground) {
+  if (levels.empty()) return {};
+  const Levels at(levels);
+  if (const Grid* grid = std::get_if<Grid>(&surface)) return of_grid(*grid, values, at, ground);
+  return of_tin(std::get<Tin>(surface), values, at, ground);
+}
+
+} // namespace orograph

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/ground_lines.hpp"
+
+#include "geometry/on_all_cores.hpp"
+#include "placing/contours.hpp"
+#include "placing/coordinate_lines.hpp"
+#include "placing/place_waterlines.hpp"
+#include "placing/vertex_values.hpp"
+
+#include <algorithm>
+
+namespace orograph {
+namespace {
+
+constexpr std::size_t kOfTask = std::size_t{1} << 14U;
+
+std::uint32_t vertex_count(const Surface& surface) {
+  const Grid* grid = std::get_if<Grid>(&surface);
+  return static_cast<std::uint32_t>(grid ? grid->size() : std::get<Tin>(surface).vertices_m.size());
+}
+
+// Adds lines whose levels are the features from number `first_feature` on.
+void add(const Surface& surface, const View& view, const Isolines& found, std::size_t first_feature,
+         GroundLines& out) {
+  const std::uint32_t vertices = vertex_count(surface);
+  const std::size_t points = out.points.size(), lines = out.lines.size();
+  out.points.resize(points + found.points.size());
+  out.lines.resize(lines + found.lines.size());
+  const EdgeEnds ends(surface, view);
+  const std::size_t most = std::max(found.points.size(), found.lines.size());
+  on_all_cores((most + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+    const auto end = [&](std::size_t size) { return std::min(size, (task + 1) * kOfTask); };
+    for (std::size_t i = task * kOfTask; i < end(found.points.size()); ++i) {
+      const auto [from, to] = ends(found.points[i].edge);
+      out.points[points + i] = point_between(from, to, found.points[i].t);
+    }
+    const auto number = [&](std::uint32_t of_end) {
+      return of_end < vertices ? of_end : of_end + static_cast<std::uint32_t>(points);
+    };
+    for (std::size_t i = task * kOfTask; i < end(found.lines.size()); ++i) {
+      const auto& [from, to, triangle, level] = found.lines[i];
+      out.lines[lines + i] = {
+          {number(from), number(to)}, triangle, static_cast<std::uint32_t>(first_feature + level)};
+    }
+  });
+}
+
+void add_coordinate_lines(const TerrainData& terrain, const PlacedView& placed,
+                          const SeenGround* ground, LineKind kind,
+                          const std::vector<CoordinateLines>& wanted, GroundLines& out) {
+  for (const auto& [coordinate, values, levels] : wanted) {
+    const std::size_t first = out.features.size();
+    for (const double level : levels) out.features.push_back({kind, {{coordinate, level}}});
+    add(terrain.surface, placed.view, isolines(terrain.surface, values, levels, {.seen = ground}),
+        first, out);
+  }
+}
+
+} // namespace
+
+GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed,
+                            const Style& style, const SeenGround* ground) {
+  GroundLines out;
+  const Surface& surface = terrain.surface;
+  if (style.draws_waterlines()) {
+    const Isolines lines = place_waterlines(placed, surface, style.pen_width_mm);
+    // A feature for all of them, whatever the distance.
+    out.features.push_back({LineKind::waterline, {}});
+    add(surface, placed.view, lines, 0, out);
+    for (GroundLine& line : out.lines) line.feature = 0;
+  }
+  if (style.asks_for("contours") || style.draws_index_contours()) {
+    const ContourLevels levels = contour_levels(terrain, style.contours);
+    const std::size_t first = out.features.size();
+    for (std::size_t i = 0; i < levels.heights.size(); ++i)
+      out.features.push_back({levels.is_index[i] ? LineKind::index_contour : LineKind::contour,
+                              {{"elevation", levels.heights[i]}}});
+    add(surface, placed.view,
+        isolines(surface, heights_of(terrain), levels.heights_m, {.seen = ground}), first, out);
+  }
+  if (style.asks_for("mesh"))
+    add_coordinate_lines(terrain, placed, ground, LineKind::mesh,
+                         mesh_lines(terrain, placed.view, style.mesh), out);
+  if (style.asks_for("graticule"))
+    add_coordinate_lines(terrain, placed, ground, LineKind::graticule,
+                         graticule_lines(terrain, style.graticule_deg), out);
+  if (style.asks_for("grid"))
+    add_coordinate_lines(terrain, placed, ground, LineKind::grid,
+                         map_grid_lines(terrain, style.grid_m), out);
+  return out;
+}
+
+void append_to(std::vector<EdgeLine>& lines, const GroundLines& on_ground) {
+  lines.reserve(lines.size() + on_ground.lines.size());
+  for (const GroundLine& line : on_ground.lines) {
+    throw_if_stopped(lines.size());
+    lines.push_back({line.ends, on_ground.features[line.feature].kind, false, true, false});
+  }
+}
+
+} // namespace orograph

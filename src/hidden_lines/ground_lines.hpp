@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines on the ground: contours, a mesh, waterlines and others, in straight pieces of which each
+// lies in one triangle of the surface. They are seen or hidden as profiles are, and hide nothing.
+#pragma once
+
+#include "dem/terrain.hpp"
+#include "draw/drawing.hpp"
+#include "hidden_lines/line_pictures.hpp"
+#include "placing/map_spec.hpp"
+#include "placing/placed_view.hpp"
+#include "profiles/seen_ground.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace orograph {
+
+struct GroundLine {
+  SurfaceEdge ends; ///< numbers of vertices, and from the surface's count of them on of points
+  std::uint32_t triangle;
+  std::uint32_t feature; ///< number
+};
+
+/// What lines are part of: a contour's level, a meridian, a road.
+struct GroundFeature {
+  LineKind kind;
+  Attributes attributes;
+};
+
+struct GroundLines {
+  std::vector<ProfilePoint> points; ///< in the view's profile frame
+  std::vector<GroundLine> lines;
+  std::vector<GroundFeature> features;
+};
+
+/// All that a style asks for. `ground`: what is looked at, where that isn't all. Throws Error as
+/// `contour_levels`, `mesh_lines`, `graticule_lines` and `map_grid_lines` do.
+GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed,
+                            const Style& style, const SeenGround* ground = nullptr);
+
+/// Adds them to a list of lines, in their order.
+void append_to(std::vector<EdgeLine>& lines, const GroundLines& on_ground);
+
+} // namespace orograph

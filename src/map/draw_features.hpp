@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Visible parts of lines on the ground, as strokes that know what they are lines of.
+#pragma once
+
+#include "draw/drawing.hpp"
+#include "draw/stroke_builder.hpp"
+#include "hidden_lines/ground_lines.hpp"
+#include "hidden_lines/line_parts.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace orograph {
+
+/// Draws parts, by line, of a view's lines from number `first_line` on, which are those of
+/// `on_ground`; feature by feature, so that no stroke is of two. `layer` is the one that `builder`
+/// fills; it gets the features.
+void draw_features(const Surface& surface, const View& view, const GroundLines& on_ground,
+                   std::size_t first_line, const std::vector<LinePart>& parts, Layer& layer,
+                   StrokeBuilder& builder);
+
+} // namespace orograph

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The levels that contours are drawn at.
+#pragma once
+
+#include "dem/terrain.hpp"
+#include "placing/map_spec.hpp"
+
+#include <vector>
+
+namespace orograph {
+
+struct ContourLevels {
+  std::vector<double> heights_m; ///< rising
+  std::vector<double> heights;   ///< the same as asked for, in the unit that was asked for
+  std::vector<bool> is_index;
+};
+
+/// Those between the least and the greatest of a terrain's heights. Throws Error where there were
+/// more than 10,000.
+ContourLevels contour_levels(const TerrainData& terrain, const ContourSpec& spec);
+
+/// The one of 1, 2 and 5 times powers of ten that is nearest, by ratio. REQUIRES a value above 0.
+double round_step(double value);
+
+} // namespace orograph

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "placing/coordinate_lines.hpp"
+
+#include "dem/read/lonlat.hpp"
+#include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
+#include "placing/contours.hpp"
+#include "placing/geodesy.hpp"
+#include "placing/vertex_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+namespace orograph {
+namespace {
+
+constexpr double kMostLines = 10000;
+constexpr double kAcross = 6; // of a graticule, or a grid, for a start
+
+// Multiples of `step` from above the least value on.
+std::vector<double> multiples(const std::string& coordinate, std::pair<double, double> range,
+                              double step) {
+  const auto [low, high] = range;
+  std::vector<double> out;
+  if (!(low < high)) return out;
+  const double first = std::floor(low / step) + 1, last = std::floor(high / step);
+  if (last - first > kMostLines)
+    throw Error(fmt::format("there would be {:.3g} lines of {}, {:.4g} apart", last - first + 1,
+                            coordinate, step),
+                fmt::format("at most {:.0f}", kMostLines));
+  for (double i = first; i <= last; ++i) out.push_back(i * step);
+  return out;
+}
+
+double span(std::pair<double, double> range) {
+  return std::max(0.0, range.second - range.first);
+}
+
+// Of angles: whole degrees, minutes, seconds.
+double round_angle_deg(double value_deg) {
+  constexpr std::array<double, 9> kOf60{1, 2, 5, 10, 15, 20, 30, 45, 60};
+  double unit = 1;
+  while (value_deg < 0.75 * unit && unit > 1.0 / 3600) unit /= 60;
+  if (value_deg < 0.75 / 3600) return round_step(3600 * value_deg) / 3600;
+  double best = unit;
+  for (const double count : kOf60)
+    if (std::abs(std::log(count * unit / value_deg)) < std::abs(std::log(best / value_deg)))
+      best = count * unit;
+  return best;
+}
+
+// Along the profile frame's u, or v.
+VertexValues in_view(const TerrainData& terrain, const View& view, bool across) {
+  return [&surface = terrain.surface, &view, across](std::size_t first, std::span<double> out) {
+    std::visit(
+        [&](const auto& s) {
+          for (std::size_t i = 0; i < out.size(); ++i) {
+            const auto number = static_cast<std::uint32_t>(first + i);
+            const ProfilePoint at = line_of(s, view, {number, number}).from;
+            out[i] = std::isnan(at.z) ? at.z : across ? at.u : at.v;
+          }
+        },
+        surface);
+  };
+}
+
+double metres_a_unit(const MapFrame& map, MapAxis axis, double middle_lat_deg) {
+  if (!map.earth) return map.unit_m;
+  const CurvatureRadii radii =
+      map.radii.value_or(CurvatureRadii{kMeanEarthRadius_m, kMeanEarthRadius_m});
+  constexpr double kRadians = std::numbers::pi / 180;
+  return map.earth->unit_deg * kRadians *
+         (axis == MapAxis::y ? radii.meridian_m
+                             : radii.prime_vertical_m * std::cos(kRadians * middle_lat_deg));
+}
+
+// What rounding leaves apart would be a line beside one of the lattice's instead of along it: both
+// coordinates and levels are whole numbers of this, a micrometre on the ground.
+constexpr double kQuantum_m = 0x1p-20, kQuantum_deg = 0x1p-36;
+
+VertexValues quantised(VertexValues values, double quantum) {
+  return [values = std::move(values), quantum](std::size_t first, std::span<double> out) {
+    values(first, out);
+    for (double& value : out) value = std::round(value / quantum) * quantum;
+  };
+}
+CoordinateLines quantised(CoordinateLines lines, double quantum) {
+  lines.values = quantised(std::move(lines.values), quantum);
+  for (double& level : lines.levels) level = std::round(level / quantum) * quantum;
+  return lines;
+}
+
+VertexValues scaled(VertexValues values, double factor) {
+  return [values = std::move(values), factor](std::size_t first, std::span<double> out) {
+    values(first, out);
+    for (double& value : out) value *= factor;
+  };
+}
+
+} // namespace
+
+std::vector<CoordinateLines> mesh_lines(const TerrainData& terrain, const View& view,
+                                        const MeshSpec& spec) {
+  VertexValues x, y; // in metres
+  if (spec.along_view) {
+    x = in_view(terrain, view, true);
+    y = in_view(terrain, view, false);
+  } else {
+    x = map_coordinates_of(terrain, MapAxis::x);
+    y = map_coordinates_of(terrain, MapAxis::y);
+    const auto [south, north] = range_of(terrain.surface, y);
+    const double middle_deg =
+        terrain.map.earth ? 0.5 * (south + north) * terrain.map.earth->unit_deg : 0;
+    x = scaled(std::move(x), metres_a_unit(terrain.map, MapAxis::x, middle_deg));
+    y = scaled(std::move(y), metres_a_unit(terrain.map, MapAxis::y, middle_deg));
+  }
+  const auto of_x = range_of(terrain.surface, x), of_y = range_of(terrain.surface, y);
+  const double step_m =
+      spec.spacing_m.value_or(std::max(span(of_x), span(of_y)) / (spec.count + 1));
+  std::vector<CoordinateLines> out;
+  if (!(step_m > 0)) return out;
+  // A mesh of so many lines begins a step from its end.
+  const auto lines = [&](const char* name, const VertexValues& values,
+                         std::pair<double, double> range) {
+    if (spec.spacing_m)
+      return quantised({name, values, multiples(name, range, step_m)}, kQuantum_m);
+    std::vector<double> levels;
+    const double count = std::round(span(range) / step_m) - 1;
+    for (double i = 1; i <= count; ++i)
+      levels.push_back(range.first + i * span(range) / (count + 1));
+    return quantised({name, values, std::move(levels)}, kQuantum_m);
+  };
+  if (spec.x) out.push_back(lines("x", x, of_x));
+  if (spec.y) out.push_back(lines("y", y, of_y));
+  return out;
+}
+
+namespace {
+
+// Longitudes and latitudes at places some cells apart, between which they are linear.
+class CoarseLonLat {
+public:
+  CoarseLonLat(const Grid& grid, const MapFrame& map)
+      : grid_(grid), columns_((grid.columns - 2) / kCells + 2),
+        rows_((grid.rows - 2) / kCells + 2) {
+    places_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    on_all_cores(static_cast<std::size_t>(rows_), [&](std::size_t row) {
+      for (int c = 0; c < columns_; ++c) {
+        const Vec2 at = grid.plane().position_m(c * kCells, static_cast<int>(row) * kCells);
+        const Vec3 on_map = map.to_map({at.x, at.y, 0});
+        constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+        places_[row * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c)] =
+            lonlat_of_map(map.crs_wkt, {on_map.x, on_map.y}).value_or(Vec2{kNaN, kNaN});
+      }
+    });
+    const double middle = places_[places_.size() / 2].x;
+    for (Vec2& place : places_) place.x -= 360 * std::round((place.x - middle) / 360);
+  }
+
+  Vec2 at(std::size_t vertex) const {
+    const auto across = static_cast<std::size_t>(grid_.columns);
+    const double column = static_cast<double>(vertex % across) / kCells,
+                 row = static_cast<double>(vertex / across) / kCells;
+    const int c = std::min(static_cast<int>(column), columns_ - 2),
+              r = std::min(static_cast<int>(row), rows_ - 2);
+    const auto place = [&](int i, int j) {
+      return places_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
+                     static_cast<std::size_t>(i)];
+    };
+    const double x = column - c, y = row - r;
+    return (1 - y) * ((1 - x) * place(c, r) + x * place(c + 1, r)) +
+           y * ((1 - x) * place(c, r + 1) + x * place(c + 1, r + 1));
+  }
+
+private:
+  static constexpr int kCells = 16;
+  const Grid& grid_;
+  int columns_, rows_;
+  std::vector<Vec2> places_;
+};
+
+VertexValues lonlat_values(const TerrainData& terrain, MapAxis axis) {
+  const auto of = [axis](Vec2 place) { return axis == MapAxis::x ? place.x : place.y; };
+  if (const Grid* grid = std::get_if<Grid>(&terrain.surface)) {
+    const auto coarse = std::make_shared<const CoarseLonLat>(*grid, terrain.map);
+    return [coarse, grid, of](std::size_t first, std::span<double> out) {
+      std::visit(
+          [&](const auto& heights) {
+            for (std::size_t i = 0; i < out.size(); ++i)
+              out[i] = std::isnan(heights[first + i]) ? std::numeric_limits<double>::quiet_NaN()
+                                                      : of(coarse->at(first + i));
+          },
+          grid->heights_m);
+    };
+  }
+  const auto& vertices = std::get<Tin>(terrain.surface).vertices_m;
+  auto values = std::make_shared<std::vector<double>>(vertices.size());
+  on_all_cores((vertices.size() + 4095) / 4096, [&](std::size_t task) {
+    for (std::size_t i = 4096 * task; i < std::min(vertices.size(), 4096 * (task + 1)); ++i) {
+      const Vec3 on_map = terrain.map.to_map(vertices[i]);
+      const auto place = lonlat_of_map(terrain.map.crs_wkt, {on_map.x, on_map.y});
+      (*values)[i] = place ? of(*place) : std::numeric_limits<double>::quiet_NaN();
+    }
+  });
+  if (axis == MapAxis::x && !values->empty()) {
+    const double middle = values->front();
+    for (double& lon : *values) lon -= 360 * std::round((lon - middle) / 360);
+  }
+  return [values = std::shared_ptr<const std::vector<double>>(std::move(values))](
+             std::size_t first, std::span<double> out) {
+    std::copy_n(values->begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+  };
+}
+
+} // namespace
+
+std::vector<CoordinateLines> graticule_lines(const TerrainData& terrain,
+                                             std::optional<double> step_deg) {
+  const MapFrame& map = terrain.map;
+  VertexValues lon, lat;
+  if (map.earth) {
+    lon = scaled(map_coordinates_of(terrain, MapAxis::x), map.earth->unit_deg);
+    lat = scaled(map_coordinates_of(terrain, MapAxis::y), map.earth->unit_deg);
+  } else {
+    if (!is_on_earth(map.crs_wkt))
+      throw Error("a graticule needs to know where on the earth the terrain is: it has no CRS that "
+                  "tells",
+                  "give the file's CRS, or draw a mesh");
+    lon = lonlat_values(terrain, MapAxis::x);
+    lat = lonlat_values(terrain, MapAxis::y);
+  }
+  const auto of_lon = range_of(terrain.surface, lon), of_lat = range_of(terrain.surface, lat);
+  const double longest = std::max(span(of_lon), span(of_lat));
+  if (!(longest > 0)) return {};
+  const double step = step_deg.value_or(round_angle_deg(longest / kAcross));
+  return {quantised({"longitude", lon, multiples("longitude", of_lon, step)}, kQuantum_deg),
+          quantised({"latitude", lat, multiples("latitude", of_lat, step)}, kQuantum_deg)};
+}
+
+std::vector<CoordinateLines> map_grid_lines(const TerrainData& terrain,
+                                            std::optional<double> step_m) {
+  if (terrain.map.earth)
+    throw Error("a grid of eastings and northings needs a projected CRS: the terrain's counts in "
+                "degrees",
+                "draw a graticule");
+  const VertexValues x = map_coordinates_of(terrain, MapAxis::x),
+                     y = map_coordinates_of(terrain, MapAxis::y);
+  const auto of_x = range_of(terrain.surface, x), of_y = range_of(terrain.surface, y);
+  const double longest = std::max(span(of_x), span(of_y));
+  if (!(longest > 0)) return {};
+  const double step = step_m ? *step_m / terrain.map.unit_m : round_step(longest / kAcross);
+  return {quantised({"easting", x, multiples("easting", of_x, step)}, kQuantum_m),
+          quantised({"northing", y, multiples("northing", of_y, step)}, kQuantum_m)};
+}
+
+} // namespace orograph
