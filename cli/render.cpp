@@ -10,12 +10,14 @@
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/read_overlays.hpp"
 #include "placing/terrain_of_view.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdio>
+#include <vector>
 
 namespace orograph {
 namespace {
@@ -69,11 +71,13 @@ void render(const RenderSettings& settings) {
   const auto start = Clock::now();
   check_outputs(settings);
   const TerrainData whole = read_ground(settings);
+  const std::vector<Overlay> overlays = read_overlays(settings.overlays, whole);
   const double read_s = seconds_since(start);
 
   const auto place_start = Clock::now();
   const TerrainOfView terrain(whole, settings.map.view);
-  const PlacedView placed = placed_view(terrain, settings.map, settings.solids.get());
+  PlacedView placed = placed_view(terrain, settings.map, settings.solids.get());
+  placed.overlays = overlays;
   const double place_s = seconds_since(place_start);
   if (!settings.quiet) tell_placing(placed, settings.map.view);
 
@@ -81,6 +85,7 @@ void render(const RenderSettings& settings) {
   Map map = draw_map(*terrain, placed, settings.map, [&](double fraction) { bar.show(fraction); });
   check_not_empty(map, settings);
   tell_check(map.facts.check);
+  if (!settings.quiet) tell_overlays(overlays, map.facts.counts);
 
   const auto write_start = Clock::now();
   write_drawing(map.drawing, settings.output, settings.write);

@@ -4,6 +4,7 @@
 
 #include "cli/options/option.hpp"
 #include "dem/read/read_options.hpp"
+#include "dem/read/read_overlay.hpp"
 #include "draw/drawing.hpp"
 #include "placing/map_spec.hpp"
 #include "solids/scene_file.hpp"
@@ -23,6 +24,9 @@ struct RenderSettings {
 
   std::string scene_file;                  ///< its path; empty: no solids
   std::shared_ptr<const SceneFile> solids; ///< what it holds
+
+  std::vector<OverlayInput> overlays;
+  std::string overlays_where; ///< of all of them
 
   MapSpec map;
   // Layers that switches of their own add to those of `map`.

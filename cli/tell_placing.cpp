@@ -32,6 +32,15 @@ void tell_near_skyline(const NearSkyline& near, const ViewSpec& view) {
 
 } // namespace
 
+void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts) {
+  for (const Overlay& overlay : overlays)
+    for (const std::string& note : overlay.notes) fmt::print(stderr, "orograph: {}\n", note);
+  if (counts.not_draped + counts.draped_in_part > 0)
+    fmt::print(stderr,
+               "orograph: of {} features to drape {} aren't on the terrain, and {} only in part\n",
+               counts.draped + counts.not_draped, counts.not_draped, counts.draped_in_part);
+}
+
 void tell_placing(const PlacedView& placed, const ViewSpec& view) {
   if (placed.chosen_view) tell_chosen_view(*placed.chosen_view);
   if (placed.near_skyline) tell_near_skyline(*placed.near_skyline, view);

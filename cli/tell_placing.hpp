@@ -2,13 +2,19 @@
 // What `render` says on stderr of how a map was placed.
 #pragma once
 
+#include "hidden_lines/counts.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
+
+#include <vector>
 
 namespace orograph {
 
 /// A line for each thing that was chosen for the user, and for what may be wrong with the eye, each
 /// with the option that says otherwise.
 void tell_placing(const PlacedView& placed, const ViewSpec& view);
+
+/// What a reader of overlays assumed, and what of them isn't on the terrain.
+void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts);
 
 } // namespace orograph

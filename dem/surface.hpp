@@ -5,6 +5,7 @@
 #include "dem/grid.hpp"
 #include "dem/tin.hpp"
 
+#include <cstddef>
 #include <variant>
 
 namespace orograph {
@@ -15,6 +16,12 @@ using Surface = std::variant<Grid, Tin>;
 inline bool has_ground(const Surface& surface) {
   const Tin* tin = std::get_if<Tin>(&surface);
   return !tin || !tin->triangles.empty();
+}
+
+/// Numbers of vertices are below it, whether they have a height or not.
+inline std::size_t vertex_count(const Surface& surface) {
+  const Grid* grid = std::get_if<Grid>(&surface);
+  return grid ? grid->size() : std::get<Tin>(surface).vertices_m.size();
 }
 
 } // namespace orograph

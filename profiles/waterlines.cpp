@@ -17,11 +17,6 @@ namespace {
 
 constexpr std::size_t kOfTask = 1U << 14U;
 
-std::size_t vertex_count(const Surface& surface) {
-  if (const Grid* grid = std::get_if<Grid>(&surface)) return grid->size();
-  return std::get<Tin>(surface).vertices_m.size();
-}
-
 std::size_t triangle_count(const Surface& surface) {
   if (const Grid* grid = std::get_if<Grid>(&surface)) return grid_triangle_count(*grid);
   return std::get<Tin>(surface).triangles.size();

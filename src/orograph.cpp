@@ -8,6 +8,7 @@
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/read_overlays.hpp"
 #include "solids/read_scene.hpp"
 
 #include <condition_variable>
@@ -67,6 +68,23 @@ Solids Solids::read(const std::string& path) {
   return solids;
 }
 
+Overlays Overlays::read(const std::vector<OverlayInput>& inputs, const Terrain& terrain,
+                        const Control& control) {
+  Overlays out;
+  on_cores(control.jobs, control.stop, [&] {
+    out.overlays_ =
+        std::make_shared<const std::vector<Overlay>>(read_overlays(inputs, *terrain.data_));
+  });
+  return out;
+}
+std::vector<std::string> Overlays::notes() const {
+  std::vector<std::string> out;
+  if (overlays_)
+    for (const Overlay& overlay : *overlays_)
+      out.insert(out.end(), overlay.notes.begin(), overlay.notes.end());
+  return out;
+}
+
 /// Facts are found by the first view that needs them; others that come meanwhile wait for them,
 /// and the next one finds them where that one is stopped.
 struct Session::Kept {
@@ -77,11 +95,13 @@ struct Session::Kept {
 
   Terrain terrain;
   Solids solids;
+  Overlays overlays;
   std::mutex mutex;
   std::condition_variable_any sought;
   Facts kept;
 
-  Kept(Terrain of, Solids on_it) : terrain(std::move(of)), solids(std::move(on_it)) {}
+  Kept(Terrain of, Solids on_it, Overlays over_it)
+      : terrain(std::move(of)), solids(std::move(on_it)), overlays(std::move(over_it)) {}
 
   // Facts of views in a frame of their own, on the earth, would be of no use to others.
   const TerrainFacts* facts_for(const TerrainOfView& of_view, const std::stop_token& stop) {
@@ -107,8 +127,8 @@ struct Session::Kept {
   }
 };
 
-Session::Session(Terrain terrain, Solids solids)
-    : kept_(std::make_shared<Kept>(std::move(terrain), std::move(solids))) {}
+Session::Session(Terrain terrain, Solids solids, Overlays overlays)
+    : kept_(std::make_shared<Kept>(std::move(terrain), std::move(solids), std::move(overlays))) {}
 
 Map Session::draw(const MapSpec& spec, const Control& control) const {
   Map map;
@@ -116,8 +136,9 @@ Map Session::draw(const MapSpec& spec, const Control& control) const {
     check_spec(spec, kept_->solids.scene_ != nullptr);
     on_cores(control.jobs, control.stop, [&] {
       const TerrainOfView terrain(*kept_->terrain.data_, spec.view);
-      const PlacedView placed = placed_view(terrain, spec, kept_->solids.scene_.get(),
-                                            kept_->facts_for(terrain, control.stop));
+      PlacedView placed = placed_view(terrain, spec, kept_->solids.scene_.get(),
+                                      kept_->facts_for(terrain, control.stop));
+      if (kept_->overlays.overlays_) placed.overlays = *kept_->overlays.overlays_;
       map = draw_map(*terrain, placed, spec, control.progress);
       describe_map(map, *terrain, placed, spec);
     });

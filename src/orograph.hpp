@@ -17,6 +17,7 @@
 // had is std::bad_alloc.
 #pragma once
 
+#include "dem/read/overlay_input.hpp"
 #include "dem/read/read_options.hpp"
 #include "dem/read/terrain_input.hpp"
 #include "draw/drawing.hpp"
@@ -36,6 +37,7 @@ namespace orograph {
 
 struct TerrainData;
 struct SceneFile;
+struct Overlay;
 
 /// How a call's work is done. It never changes what comes back.
 struct Control {
@@ -69,6 +71,7 @@ public:
   const std::vector<std::string>& notes() const;
 
 private:
+  friend class Overlays;
   friend class Session;
   explicit Terrain(std::shared_ptr<const TerrainData> data);
   std::shared_ptr<const TerrainData> data_;
@@ -87,11 +90,28 @@ private:
   std::shared_ptr<const SceneFile> scene_;
 };
 
+/// Lines and points of vector files, to be laid on the ground of a terrain: in the layer `drape`.
+/// They never change; copies share them.
+class OROGRAPH_API Overlays {
+public:
+  Overlays() = default; ///< none
+  /// Throws Error where one can't be read, or nothing of it is on the terrain.
+  static Overlays read(const std::vector<OverlayInput>& inputs, const Terrain& terrain,
+                       const Control& control = {});
+  /// What its reader assumed, a sentence each.
+  std::vector<std::string> notes() const;
+
+private:
+  friend class Session;
+  std::shared_ptr<const std::vector<Overlay>> overlays_;
+};
+
 /// Draws views of one terrain, and keeps what holds for all of them, so that the second view costs
 /// less than the first. Copies share what is kept.
 class OROGRAPH_API Session {
 public:
-  explicit Session(Terrain terrain, Solids solids = {});
+  /// REQUIRES overlays that were read for this terrain.
+  explicit Session(Terrain terrain, Solids solids = {}, Overlays overlays = {});
 
   /// The map that `spec` asks for: the same bytes whatever `control` says and whoever else draws. A
   /// view in which nothing of the terrain is seen gives a drawing without strokes. Throws Error

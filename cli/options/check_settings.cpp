@@ -57,6 +57,8 @@ void check_no_input(const RenderSettings& settings, const std::string& path,
                                                           {settings.scene_file, "--scene"},
                                                           {settings.settings_file, "--settings"}};
   for (const std::string& input : settings.inputs) inputs.emplace_back(input, "INPUT");
+  for (const OverlayInput& overlay : settings.overlays)
+    inputs.emplace_back(overlay.path, "--drape");
   for (const auto& [input, name] : inputs)
     if (!input.empty() && replaces_input(input, path))
       throw UsageError(fmt::format("{} '{}' is the {}", option, path, name),
@@ -116,6 +118,7 @@ void check_eye(RenderSettings& settings, const GivenOptions& given) {
 void add_layers(RenderSettings& settings) {
   Style& style = settings.map.style;
   if (settings.void_edges && !style.asks_for("voids")) style.layers.push_back("voids");
+  for (OverlayInput& overlay : settings.overlays) overlay.where = settings.overlays_where;
   for (const std::string& layer : settings.added_layers)
     if (!style.asks_for(layer)) style.layers.push_back(layer);
   if (settings.dashes_hidden) style.layers.push_back("hidden");

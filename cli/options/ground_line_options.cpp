@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <utility>
@@ -50,6 +51,15 @@ bool take_mesh(const std::string& text, MeshSpec& mesh) {
   }
   mesh.spacing_m = parse_metres(text);
   return mesh.spacing_m && *mesh.spacing_m > 0;
+}
+
+// A file may have colons in its own name.
+OverlayInput parse_overlay(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0 || std::filesystem::exists(text) ||
+      text.find('/', colon) != std::string::npos)
+    return {text, "", ""};
+  return {text.substr(0, colon), text.substr(colon + 1), ""};
 }
 
 } // namespace
@@ -105,6 +115,33 @@ void add_ground_line_options(std::vector<Option>& options, RenderSettings& s) {
        .help = "Whether the mesh's x and y are the map's, or to the right and away from the viewer",
        .by_default = "map"},
       {{"map", false}, {"view", true}}, style.mesh.along_view));
+  options.push_back({.group = kGroup,
+                     .name = "--drape",
+                     .value = "FILE[:LAYER]",
+                     .help = "Lay roads, rivers, borders or points of a vector file on the ground; "
+                             "may be given again",
+                     .allowed = "a file that GDAL reads as vectors, and its layer where it has "
+                                "several",
+                     .repeatable = true,
+                     .take = [&s](const std::string& text) {
+                       if (text.empty()) return false;
+                       s.overlays.push_back(parse_overlay(text));
+                       s.added_layers.emplace_back("drape");
+                       return true;
+                     }});
+  options.push_back({.group = kGroup,
+                     .name = "--drape-where",
+                     .value = "CONDITION",
+                     .help = "Only features that meet it, as SQL has it behind WHERE",
+                     .allowed = "as in \"class = 'river' AND width > 5\"",
+                     .take = stored_name(s.overlays_where)});
+  options.push_back(with_number({.group = kGroup,
+                                 .name = "--drape-offset",
+                                 .value = "M",
+                                 .help = "How much higher than the ground they are drawn",
+                                 .by_default = "0"},
+                                {.unit = "m", .low = -10000, .high = 10000},
+                                [&style](double above_m) { style.overlay_above_m = above_m; }));
   options.push_back(
       adding_layer({.group = kGroup,
                     .name = "--graticule",

@@ -145,7 +145,10 @@ Json json_of(const Counts& counts) {
           {"turned_over", counts.turned_over},
           {"looked_at", counts.looked_at},
           {"solids", counts.solids},
-          {"solid_edges", counts.solid_edges}};
+          {"solid_edges", counts.solid_edges},
+          {"draped", counts.draped},
+          {"draped_in_part", counts.draped_in_part},
+          {"not_draped", counts.not_draped}};
 }
 
 Json minutes_or_null(const PenTravel& travel, const std::optional<PenSpeed>& speed) {

@@ -14,6 +14,7 @@
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/read_overlays.hpp"
 #include "placing/terrain_of_view.hpp"
 
 #include <fmt/format.h>
@@ -41,6 +42,7 @@ struct SweepRun {
   const ViewList& views;
   const Columns& columns;
   const Plan& plan;
+  const std::vector<Overlay>& overlays;
   const std::optional<TerrainFacts>& facts; ///< of the terrain as it was read, if views use it so
 };
 
@@ -81,10 +83,11 @@ void draw_view(const SweepRun& run, std::size_t view) {
   try {
     const auto terrain = drawn_or_why(
         [&] { return std::make_unique<TerrainOfView>(run.terrain, settings.map.view); });
-    const PlacedView placed = drawn_or_why([&] {
+    PlacedView placed = drawn_or_why([&] {
       return placed_view(*terrain, settings.map, settings.solids.get(),
                          run.facts ? &*run.facts : nullptr);
     });
+    placed.overlays = run.overlays;
     GroundMeter ground(placed);
     Map map = drawn_or_why([&] {
       Map out = draw_map(**terrain, placed, settings.map, [](double) {}, {.observers = {&ground}});
@@ -153,7 +156,8 @@ std::optional<ChosenDirection> chosen_direction(const TerrainData& terrain,
 // What is made once of the settings; its parts refer to each other.
 struct Prepared {
   explicit Prepared(const SweepSettings& settings)
-      : terrain(read_ground(settings.render)), views(settings, terrain.map),
+      : terrain(read_ground(settings.render)),
+        overlays(read_overlays(settings.render.overlays, terrain)), views(settings, terrain.map),
         columns(settings, views) {
     // In degrees each view has a frame of its own.
     if (!terrain.map.earth) facts = facts_of(terrain);
@@ -163,6 +167,7 @@ struct Prepared {
   Prepared& operator=(const Prepared&) = delete;
 
   TerrainData terrain;
+  std::vector<Overlay> overlays;
   ViewList views;
   Columns columns;
   std::optional<TerrainFacts> facts;
@@ -184,8 +189,8 @@ void sweep(const SweepSettings& settings) {
   const std::vector<std::size_t> waiting = ranks.together(
       [&] { return first ? open_folder(settings, prepared->plan) : std::vector<std::size_t>(); });
 
-  const SweepRun run{settings,          prepared->terrain, prepared->views,
-                     prepared->columns, prepared->plan,    prepared->facts};
+  const SweepRun run{settings,       prepared->terrain,  prepared->views, prepared->columns,
+                     prepared->plan, prepared->overlays, prepared->facts};
   ProgressBar bar(first && shows_progress(settings.render.quiet, settings.render.progress));
   ranks.together([&] {
     ranks.share(waiting, [&](ViewQueue& queue) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/api.hpp"
+#include "geometry/attributes.hpp"
 #include "geometry/box.hpp"
 #include "geometry/vec.hpp"
 
@@ -13,7 +14,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace orograph {
@@ -26,15 +26,6 @@ struct Page {
     return {{margin_mm, margin_mm}, {width_mm - margin_mm, height_mm - margin_mm}};
   }
 };
-
-/// What is known of the thing that a stroke is a line of, by names; for formats that hold that.
-struct Attribute {
-  std::string name;
-  std::variant<std::int64_t, double, std::string> value;
-
-  bool operator==(const Attribute&) const = default;
-};
-using Attributes = std::vector<Attribute>;
 
 /// A run of points of its layer, at least two.
 struct Stroke {

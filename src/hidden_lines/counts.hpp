@@ -15,6 +15,9 @@ struct Counts {
   std::uint64_t strokes = 0, points = 0, ties = 0, dropped_strokes = 0;
   std::uint64_t turned_over = 0; ///< triangles that the ellipsoid turns over in plan
   double looked_at = 1;          ///< share of the ground that wasn't passed over as a whole
+  /// Of overlays: things laid on the ground; of those the ones of which a part lies beside the
+  /// terrain or over a void; and those of which nothing is on it, left out of the first.
+  std::uint64_t draped = 0, draped_in_part = 0, not_draped = 0;
   std::uint64_t solids = 0, solid_edges = 0; ///< instances, and edges of all of them
 };
 

@@ -14,15 +14,10 @@ namespace {
 
 constexpr std::size_t kOfTask = std::size_t{1} << 14U;
 
-std::uint32_t vertex_count(const Surface& surface) {
-  const Grid* grid = std::get_if<Grid>(&surface);
-  return static_cast<std::uint32_t>(grid ? grid->size() : std::get<Tin>(surface).vertices_m.size());
-}
-
 // Adds lines whose levels are the features from number `first_feature` on.
 void add(const Surface& surface, const View& view, const Isolines& found, std::size_t first_feature,
          GroundLines& out) {
-  const std::uint32_t vertices = vertex_count(surface);
+  const auto vertices = static_cast<std::uint32_t>(vertex_count(surface));
   const std::size_t points = out.points.size(), lines = out.lines.size();
   out.points.resize(points + found.points.size());
   out.lines.resize(lines + found.lines.size());
@@ -87,6 +82,7 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
   if (style.asks_for("grid"))
     add_coordinate_lines(terrain, placed, ground, LineKind::grid,
                          map_grid_lines(terrain, style.grid_m), out);
+  if (style.asks_for("drape")) add_overlays(terrain, placed, style.overlay_above_m, out);
   return out;
 }
 

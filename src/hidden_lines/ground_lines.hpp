@@ -31,12 +31,20 @@ struct GroundLines {
   std::vector<ProfilePoint> points; ///< in the view's profile frame
   std::vector<GroundLine> lines;
   std::vector<GroundFeature> features;
+  std::size_t draped_in_part = 0, not_draped = 0; ///< of overlays' features, as in Counts
 };
 
 /// All that a style asks for. `ground`: what is looked at, where that isn't all. Throws Error as
 /// `contour_levels`, `mesh_lines`, `graticule_lines` and `map_grid_lines` do.
 GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed,
                             const Style& style, const SeenGround* ground = nullptr);
+
+/// Adds the overlays of the placed view, a feature for each of theirs that is on the ground; points
+/// are crosses of `kMark_mm` on the page. Throws Error where the terrain is on the earth and cut by
+/// the view's planes.
+constexpr double kMark_mm = 1.4;
+void add_overlays(const TerrainData& terrain, const PlacedView& placed, double above_m,
+                  GroundLines& out);
 
 /// Adds them to a list of lines, in their order.
 void append_to(std::vector<EdgeLine>& lines, const GroundLines& on_ground);

@@ -266,6 +266,10 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   if (on_ground)
     lines = lines_of_view(terrain, placed, style, instruments, all_ground ? &*all_ground : nullptr);
   if (all_ground) counts.looked_at = all_ground->share();
+  counts.draped_in_part = lines.on_ground.draped_in_part;
+  counts.not_draped = lines.on_ground.not_draped;
+  counts.draped = static_cast<std::uint64_t>(
+      std::ranges::count(lines.on_ground.features, LineKind::drape, &GroundFeature::kind));
   watch.mark(seconds.facing);
 
   double profiles_done = 0;

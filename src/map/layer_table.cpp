@@ -8,7 +8,7 @@ namespace orograph {
 namespace {
 
 // Ridges and shores are a little heavier than profiles, border, voids and edges lighter.
-constexpr std::array<LayerRow, 16> kLayers{{
+constexpr std::array<LayerRow, 17> kLayers{{
     {.name = "profiles", .source = LineSource::profiles},
     {"mesh", LineSource::ground, 0.8, 0, LineKind::mesh},
     {"contours", LineSource::ground, 0.6, 0.2, LineKind::contour},
@@ -19,6 +19,7 @@ constexpr std::array<LayerRow, 16> kLayers{{
     {"waterlines", LineSource::edges, 0.6, 0.45, LineKind::waterline},
     {"shores", LineSource::edges, 1.2, 0, LineKind::shore},
     {"border", LineSource::edges, 0.8, 0.45, LineKind::border},
+    {"drape", LineSource::ground, 2.2, 0, LineKind::drape},
     {"voids", LineSource::edges, 0.8, 0.45, LineKind::void_edge},
     {"silhouettes", LineSource::edges, 1.6, 0, LineKind::silhouette},
     {.name = "skyline", .source = LineSource::skyline, .weight = 2},

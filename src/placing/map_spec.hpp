@@ -147,6 +147,7 @@ struct Style {
   FlatGround flat = FlatGround::shore;
   ContourSpec contours;
   MeshSpec mesh;
+  double overlay_above_m = 0;          ///< how much higher than the ground overlays are drawn
   std::optional<double> graticule_deg; ///< between meridians, and parallels; none: some six of them
   std::optional<double> grid_m;        ///< between eastings, and northings; none: some six of them
   Outline outline = Outline::one;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/extent.hpp"
+#include "dem/overlay.hpp"
 #include "dem/terrain.hpp"
 #include "draw/shade_strokes.hpp"
 #include "draw/stroke_builder.hpp"
@@ -19,6 +20,7 @@
 #include "view/view.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace orograph {
@@ -53,6 +55,7 @@ struct PlacedView {
   double cell_m = 0;                    ///< the terrain's finest ground detail
   double exaggeration = 1; ///< of all heights; `view` still has to do it except on the ellipsoid
   bool exaggeration_chosen = false;     ///< by us, not by the user
+  std::span<const Overlay> overlays;    ///< to be laid on the ground
   std::optional<LineShade> ridge_shade; ///< none: light doesn't show in lines' widths
 };
 

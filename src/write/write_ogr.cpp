@@ -14,8 +14,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -149,6 +151,14 @@ SinkFilesystem::~SinkFilesystem() {
 constexpr const char* kLayerName = "strokes";
 constexpr std::size_t kStrokesInTransaction = 100000;
 
+constexpr auto kFields =
+    std::to_array<std::pair<const char*, OGRFieldType>>({{"layer", OFTString},
+                                                         {"profile", OFTInteger},
+                                                         {"depth", OFTReal},
+                                                         {"visible", OFTInteger},
+                                                         {"level", OFTInteger},
+                                                         {"darkness", OFTReal}});
+
 // As long as it lives, an option of GDAL's has a value in this thread; then what it had before.
 class ThreadOption {
 public:
@@ -182,6 +192,44 @@ Error gdal_error(const std::string& name, const OgrMessages& messages) {
           "a disk with room for it, and a folder that you may write to"};
 }
 
+// The fields of all things that strokes are lines of: a name each, and the type that holds every
+// value.
+using MoreFields = std::map<std::string, OGRFieldType>;
+
+// Names that strokes' own fields have get a mark.
+std::string field_name(const std::string& attribute) {
+  const bool is_own = std::ranges::any_of(
+      kFields, [&](const auto& field) { return EQUAL(field.first, attribute.c_str()); });
+  return is_own ? attribute + "_" : attribute;
+}
+
+MoreFields fields_of(const Drawing& drawing) {
+  MoreFields out;
+  for (const Layer& layer : drawing.layers)
+    for (const Attributes& attributes : layer.features)
+      for (const auto& [name, value] : attributes) {
+        const OGRFieldType type = std::holds_alternative<std::int64_t>(value) ? OFTInteger64
+                                  : std::holds_alternative<double>(value)     ? OFTReal
+                                                                              : OFTString;
+        const auto [field, is_new] = out.emplace(field_name(name), type);
+        if (is_new || field->second == type) continue;
+        field->second = field->second != OFTString && type != OFTString ? OFTReal : OFTString;
+      }
+  return out;
+}
+
+void set_attributes(const Attributes& attributes, OGRFeature& feature) {
+  for (const auto& [name, value] : attributes) {
+    const int field = feature.GetFieldIndex(field_name(name).c_str());
+    if (const auto* whole = std::get_if<std::int64_t>(&value))
+      feature.SetField(field, static_cast<GIntBig>(*whole));
+    else if (const auto* real = std::get_if<double>(&value))
+      feature.SetField(field, *real);
+    else
+      feature.SetField(field, std::get<std::string>(value).c_str());
+  }
+}
+
 OGRLayer* add_layer(GDALDataset& dataset, const Drawing& drawing, CPLStringList options) {
   OGRSpatialReference crs;
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -190,11 +238,12 @@ OGRLayer* add_layer(GDALDataset& dataset, const Drawing& drawing, CPLStringList 
   OGRLayer* const layer = dataset.CreateLayer(kLayerName, drawing.crs_wkt.empty() ? nullptr : &crs,
                                               wkbLineString25D, options.List());
   if (layer == nullptr) return nullptr;
-  for (const auto& [name, type] :
-       {std::pair("layer", OFTString), std::pair("profile", OFTInteger),
-        std::pair("depth", OFTReal), std::pair("visible", OFTInteger),
-        std::pair("level", OFTInteger), std::pair("darkness", OFTReal)}) {
+  for (const auto& [name, type] : kFields) {
     OGRFieldDefn field(name, type);
+    if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
+  }
+  for (const auto& [name, type] : fields_of(drawing)) {
+    OGRFieldDefn field(name.c_str(), type);
     if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
   }
   return layer;
@@ -209,6 +258,8 @@ std::unique_ptr<OGRFeature> feature_of(const Stroke& stroke, const Layer& from, 
   else
     feature->SetField("depth", stroke.depth_m);
   feature->SetField("visible", from.is_hidden ? 0 : 1);
+  if (stroke.feature >= 0)
+    set_attributes(from.features[static_cast<std::size_t>(stroke.feature)], *feature);
   if (stroke.profile < 0)
     feature->SetFieldNull(feature->GetFieldIndex("level"));
   else

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which features of a vector file an overlay is made of.
+#pragma once
+
+#include <string>
+
+namespace orograph {
+
+struct OverlayInput {
+  std::string path;
+  std::string layer; ///< empty: the only one
+  std::string where; ///< empty: all; else as SQL has it behind WHERE
+};
+
+} // namespace orograph

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/read/read_overlay.hpp"
+
+#include "dem/read/crs_frame.hpp"
+#include "dem/read/gdal.hpp"
+#include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gdal_priv.h>
+#include <ogr_geometry.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
+
+OGRLayer& layer_of(GDALDataset& dataset, const OverlayInput& input) {
+  std::vector<std::string> names;
+  for (OGRLayer* layer : dataset.GetLayers()) {
+    if (layer->GetName() == input.layer) return *layer;
+    if (layer->GetGeomType() != wkbNone) names.emplace_back(layer->GetName());
+  }
+  if (names.empty())
+    throw Error(fmt::format("{} has no layer with geometries", input.path),
+                "see 'ogrinfo' for what it holds");
+  if (!input.layer.empty())
+    throw Error(fmt::format("{} has no layer '{}'", input.path, input.layer),
+                fmt::format("its layers are {}", fmt::join(names, ", ")));
+  if (names.size() > 1)
+    throw Error(
+        fmt::format("{} has {} layers: {}", input.path, names.size(), fmt::join(names, ", ")),
+        fmt::format("name one, as in {}:{}", input.path, names.front()));
+  return *dataset.GetLayerByName(names.front().c_str());
+}
+
+void filter(OGRLayer& layer, const OverlayInput& input, const GdalMessages& messages) {
+  if (input.where.empty()) return;
+  if (layer.SetAttributeFilter(input.where.c_str()) == OGRERR_NONE) return;
+  std::vector<std::string> fields;
+  const OGRFeatureDefn& of_layer = *layer.GetLayerDefn();
+  for (int i = 0; i < of_layer.GetFieldCount(); ++i)
+    fields.emplace_back(of_layer.GetFieldDefn(i)->GetNameRef());
+  throw Error(fmt::format("'{}' is no condition for {} ({})", input.where, input.path,
+                          messages.last_failure()),
+              fields.empty() ? "it has no fields"
+                             : fmt::format("its fields are {}, and a condition is like \"{} = 1\"",
+                                           fmt::join(fields, ", "), fields.front()));
+}
+
+// From a layer's plane to the terrain's; null where coordinates are the same.
+class Way {
+public:
+  Way(OGRLayer& layer, const OverlayInput& input, const MapFrame& map, Overlay& overlay) {
+    const OGRSpatialReference* given = layer.GetSpatialRef();
+    const bool has_place = tells_place(given), map_has = !map.crs_wkt.empty();
+    if (!has_place || !map_has) {
+      if (has_place != map_has)
+        overlay.notes.push_back(fmt::format("{} has no CRS: coordinates of {} are taken as the "
+                                            "terrain's.",
+                                            has_place ? "The terrain" : input.path, input.path));
+      return;
+    }
+    const auto plane = [](Crs crs) {
+      crs->StripVertical();
+      crs->DemoteTo2D(nullptr);
+      crs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+      return crs;
+    };
+    const Crs from = plane(Crs(given->Clone())), to = plane(crs_from_text(map.crs_wkt));
+    if (from->IsSame(to.get())) return;
+    there_.reset(OGRCreateCoordinateTransformation(from.get(), to.get()));
+    if (there_) back_.reset(there_->GetInverse());
+    if (!there_ || !back_)
+      throw Error(fmt::format("there is no way from the CRS of {} to that of the terrain, {}",
+                              input.path, map.crs_name),
+                  "bring it there: ogr2ogr -t_srs CRS there.gpkg " + input.path);
+  }
+
+  bool is_needed() const { return there_ != nullptr; }
+  std::optional<Vec2> there(Vec2 place) const { return !there_ ? place : moved(*there_, place); }
+  std::optional<Vec2> back(Vec2 place) const { return !back_ ? place : moved(*back_, place); }
+
+private:
+  static std::optional<Vec2> moved(OGRCoordinateTransformation& way, Vec2 place) {
+    if (!way.Transform(1, &place.x, &place.y) || !std::isfinite(place.x) || !std::isfinite(place.y))
+      return std::nullopt;
+    return place;
+  }
+  Transformation there_, back_;
+};
+
+// The terrain's box in the layer's plane, from places all along its sides.
+std::optional<Box2> box_there(const Box2& map, const Way& way) {
+  constexpr int kASide = 32;
+  Box2 out;
+  for (int i = 0; i <= kASide; ++i)
+    for (int j = 0; j <= kASide; ++j) {
+      const double x = static_cast<double>(i) / kASide, y = static_cast<double>(j) / kASide;
+      const auto place = way.back(
+          {map.low.x + x * (map.high.x - map.low.x), map.low.y + y * (map.high.y - map.low.y)});
+      if (!place) return std::nullopt;
+      out.include(*place);
+    }
+  const Vec2 beside = 0.05 * (out.high - out.low);
+  return Box2{out.low - beside, out.high + beside};
+}
+
+class OverlayReader {
+public:
+  OverlayReader(const Way& way, const Box2& bounds, double cell, std::optional<double> turn,
+                Overlay& out)
+      : way_(way), bounds_(bounds), cell_(cell), turn_(turn), out_(out) {}
+
+  void add(const OGRFeature& feature) {
+    const std::size_t first = out_.lines.size();
+    if (const OGRGeometry* geometry = feature.GetGeometryRef()) add(*geometry, feature.GetFID());
+    if (out_.lines.size() > first)
+      out_.features.push_back({attributes_of(feature), first, out_.lines.size() - first});
+  }
+  bool is_over_terrain() const { return over_terrain_; }
+  const Box2& box() const { return box_; }
+
+private:
+  static Attributes attributes_of(const OGRFeature& feature) {
+    Attributes out;
+    for (int i = 0; i < feature.GetFieldCount(); ++i) {
+      if (!feature.IsFieldSetAndNotNull(i)) continue;
+      const OGRFieldDefn& field = *feature.GetFieldDefnRef(i);
+      Attribute attribute{field.GetNameRef(), std::string()};
+      switch (field.GetType()) {
+      case OFTInteger:
+      case OFTInteger64:
+        attribute.value = static_cast<std::int64_t>(feature.GetFieldAsInteger64(i));
+        break;
+      case OFTReal:
+        attribute.value = feature.GetFieldAsDouble(i);
+        break;
+      default:
+        attribute.value = std::string(feature.GetFieldAsString(i));
+      }
+      out.push_back(std::move(attribute));
+    }
+    return out;
+  }
+
+  void add(const OGRGeometry& geometry, std::int64_t id) {
+    if (geometry.IsEmpty()) return;
+    switch (wkbFlatten(geometry.getGeometryType())) {
+    case wkbPoint: {
+      const OGRPoint& point = *geometry.toPoint();
+      begin_line();
+      add_place({point.getX(), point.getY()}, id);
+      return;
+    }
+    case wkbLineString:
+    case wkbLinearRing:
+      return add_line(*geometry.toLineString(), id);
+    case wkbPolygon:
+    case wkbTriangle:
+      for (const OGRLinearRing* ring : *geometry.toPolygon()) add_line(*ring, id);
+      return;
+    case wkbPolyhedralSurface:
+    case wkbTIN:
+      for (const OGRPolygon* patch : *geometry.toPolyhedralSurface()) add(*patch, id);
+      return;
+    case wkbMultiPoint:
+    case wkbMultiLineString:
+    case wkbMultiPolygon:
+    case wkbGeometryCollection:
+      for (const OGRGeometry* part : *geometry.toGeometryCollection()) add(*part, id);
+      return;
+    default: { // curves
+      const std::unique_ptr<OGRGeometry> straight(geometry.getLinearGeometry());
+      if (straight && !straight->hasCurveGeometry()) add(*straight, id);
+    }
+    }
+  }
+
+  void begin_line() { out_.lines.push_back({out_.places.size(), 0}); }
+
+  void add_line(const OGRSimpleCurve& line, std::int64_t id) {
+    begin_line();
+    for (int i = 0; i < line.getNumPoints(); ++i) {
+      throw_if_stopped(static_cast<std::size_t>(i));
+      add_place({line.getX(i), line.getY(i)}, id);
+    }
+  }
+
+  void add_place(Vec2 given, std::int64_t id) {
+    if (!std::isfinite(given.x) || !std::isfinite(given.y))
+      throw Error(
+          fmt::format("feature {} of {} has a place at {}, {}", id, out_.source, given.x, given.y),
+          "coordinates must be finite numbers");
+    const auto on_map = way_.there(given);
+    if (!on_map) { // a place that the terrain's CRS doesn't have parts the line
+      if (out_.lines.back().place_count > 0) begin_line();
+      return;
+    }
+    Vec2 place = *on_map;
+    if (turn_) place.x -= *turn_ * std::round((place.x - bounds_.centre().x) / *turn_);
+    if (out_.lines.back().place_count > 0 && way_.is_needed())
+      add_between(last_given_, out_.places.back(), given, place, 0);
+    store(place);
+    last_given_ = given;
+  }
+
+  // Places between two wherever the straight line between their images is too far from the line's.
+  void add_between(Vec2 from, Vec2 from_on_map, Vec2 to, Vec2 to_on_map, int depth) {
+    // A line of few cells doesn't bend by a tenth of one in any CRS that one makes maps in.
+    constexpr double kStraight = 10, kMostBend = 0.1; // cells
+    constexpr int kDeepest = 12;
+    if (depth == kDeepest || length(to_on_map - from_on_map) <= kStraight * cell_) return;
+    const Vec2 middle = 0.5 * (from + to);
+    const auto on_map = way_.there(middle);
+    if (!on_map) return;
+    Vec2 place = *on_map;
+    if (turn_) place.x -= *turn_ * std::round((place.x - from_on_map.x) / *turn_);
+    if (length(place - 0.5 * (from_on_map + to_on_map)) <= kMostBend * cell_) return;
+    add_between(from, from_on_map, middle, place, depth + 1);
+    store(place);
+    add_between(middle, place, to, to_on_map, depth + 1);
+  }
+
+  void store(Vec2 place) {
+    out_.places.push_back(place);
+    ++out_.lines.back().place_count;
+    box_.include(place);
+    over_terrain_ = over_terrain_ || (place.x >= bounds_.low.x && place.x <= bounds_.high.x &&
+                                      place.y >= bounds_.low.y && place.y <= bounds_.high.y);
+  }
+
+  const Way& way_;
+  Box2 bounds_;
+  double cell_;
+  std::optional<double> turn_;
+  Overlay& out_;
+  Vec2 last_given_{};
+  Box2 box_;
+  bool over_terrain_ = false;
+};
+
+std::string text_of(const Box2& box) {
+  return fmt::format("{:.10g},{:.10g} and {:.10g},{:.10g}", box.low.x, box.low.y, box.high.x,
+                     box.high.y);
+}
+
+} // namespace
+
+Overlay read_overlay(const OverlayInput& input, const MapFrame& map, const Box2& bounds,
+                     double cell) {
+  const GdalMessages messages;
+  const Dataset dataset(GDALDataset::Open(input.path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY |
+                                                                  GDAL_OF_VERBOSE_ERROR));
+  if (!dataset)
+    throw Error(fmt::format("{} can't be opened as a vector file ({})", input.path,
+                            messages.last_failure()),
+                "give layers that GDAL reads, such as GeoPackage, Shapefile or GeoJSON");
+  OGRLayer& layer = layer_of(*dataset, input);
+  Overlay out;
+  out.source = fmt::format("{} ({})", input.path, layer.GetName());
+  filter(layer, input, messages);
+  const Way way(layer, input, map, out);
+  const std::optional<double> turn = whole_turn(map.crs_wkt);
+  if (const auto box = box_there(bounds, way); box && !turn)
+    layer.SetSpatialFilterRect(box->low.x, box->low.y, box->high.x, box->high.y);
+  OverlayReader reader(way, bounds, cell, turn, out);
+  layer.ResetReading();
+  for (const auto& feature : layer) {
+    throw_if_stopped();
+    reader.add(*feature);
+  }
+  if (messages.has_failure())
+    throw Error(
+        fmt::format("{} can't be read to its end ({})", input.path, messages.last_failure()),
+        "check it with 'ogrinfo -al'");
+  if (reader.is_over_terrain()) return out;
+  layer.SetSpatialFilter(nullptr);
+  if (layer.GetFeatureCount() == 0)
+    throw Error(fmt::format("there is nothing in {}{}", out.source,
+                            input.where.empty() ? "" : fmt::format(" where {}", input.where)),
+                input.where.empty() ? "it must hold features" : "widen the condition");
+  OGREnvelope all;
+  std::string where = "elsewhere";
+  if (layer.GetExtent(&all, TRUE) == OGRERR_NONE)
+    where = "between " + text_of({{all.MinX, all.MinY}, {all.MaxX, all.MaxY}}) + " in its own CRS";
+  throw Error(fmt::format("nothing of {} is on the terrain: it lies {}", out.source, where),
+              fmt::format("features between {} in the terrain's CRS, or a layer that tells its CRS",
+                          text_of(bounds)));
+}
+
+} // namespace orograph
