@@ -270,7 +270,7 @@ TEST_CASE("output options") {
   check_refused({"--pen-order", "greedy"}, "drawing|sorted|best");
   check_refused({"--of", "gpkg", "--pen-order", "sorted"}, "--of svg");
 
-  check_refused({"--of", "dxf"}, "geojson");
+  check_refused({"--of", "dwg"}, "geojson");
   check_refused({"--dpi", "300"}, "--of png");
   check_refused({"--of", "png", "--dpi", "5"}, "10 to 4800");
   check_refused({"--of", "png", "--dpi", "4800", "--page", "a0"}, "or less");
