@@ -212,8 +212,10 @@ NamedValues settings_of(const MapFacts& facts, const RenderSettings& settings) {
   if (settings.map.view.projection == Projection::oblique)
     add("oblique", fmt::format("{},{}", settings.map.view.oblique.length,
                                settings.map.view.oblique.rise.in_degrees()));
-  if (style.light)
+  if (style.light) {
+    add("light-by", style.light->by_density ? "density" : "width");
     add("haze", fmt::format("{}", style.haze_in(facts.view.projection == "perspective")));
+  }
   add("min-stroke", fmt::format("{}", settings.map.min_stroke_mm()));
   return all;
 }

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -38,11 +37,13 @@ std::size_t nearest_in_width(double width_mm, std::span<const std::size_t> candi
                              std::span<const PenOfLayers> pens) {
   std::size_t nearest = candidates.front();
   double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t i : candidates)
-    if (const double off = std::abs(std::log(pens[i].pen.width_mm / width_mm)); off < least) {
+  for (const std::size_t i : candidates) {
+    const double pen_mm = pens[i].pen.width_mm;
+    if (const double off = std::max(pen_mm / width_mm, width_mm / pen_mm); off < least) {
       least = off;
       nearest = i;
     }
+  }
   return nearest;
 }
 

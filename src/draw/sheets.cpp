@@ -113,6 +113,16 @@ void add_frame(Layer& layer, const Box2& box) {
   add_line(layer, {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}, box.low});
 }
 
+// Profiles would be dense on the small; they stay where there is nothing else.
+void leave_outlines(Drawing& drawing) {
+  const auto is_profile = [](const Stroke& stroke) { return stroke.profile >= 0; };
+  const bool are_all = std::ranges::all_of(drawing.layers, [&](const Layer& layer) {
+    return layer.is_pen_way || std::ranges::all_of(layer.strokes, is_profile);
+  });
+  if (are_all) return;
+  for (Layer& layer : drawing.layers) std::erase_if(layer.strokes, is_profile);
+}
+
 } // namespace
 
 Page page_of_sheets(const Page& sheet, const SheetsRequest& request) {
@@ -160,14 +170,11 @@ Drawing overview_of(const Drawing& whole, const Page& sheet, const SheetsRequest
     const Vec2 q = rounded(low + scale * (p - from.low));
     return Vec2{std::clamp(q.x, to.low.x, to.high.x), std::clamp(q.y, to.low.y, to.high.y)};
   };
-  const auto every = static_cast<std::int32_t>(std::max(1L, std::lround(1 / scale)));
   Drawing overview = whole;
   overview.page = sheet;
   overview.title = whole.title + ", all sheets";
+  leave_outlines(overview);
   for (Layer& layer : overview.layers) {
-    std::erase_if(layer.strokes, [&](const Stroke& stroke) {
-      return stroke.profile >= 0 && stroke.profile % every != 0;
-    });
     for (Vec2& p : layer.page_mm) p = placed(p);
     if (!layer.is_pen_way) round_to_page_step(layer);
   }

@@ -25,8 +25,8 @@ OROGRAPH_API Page page_of_sheets(const Page& sheet, const SheetsRequest& request
 OROGRAPH_API std::vector<Drawing> sheets_of(const Drawing& whole, const Page& sheet,
                                             const SheetsRequest& request);
 
-/// All sheets on one of them, with their numbers, which count from 1; of the profiles as many as
-/// keep about their distances.
+/// All sheets on one of them, with their numbers, which count from 1; without the profiles, where
+/// there are other lines.
 OROGRAPH_API Drawing overview_of(const Drawing& whole, const Page& sheet,
                                  const SheetsRequest& request);
 

@@ -22,12 +22,12 @@ const std::vector<std::string> kLayers{"profiles", "shores", "border"};
 Drawing random_drawing(Random& random) {
   Drawing drawing;
   for (const std::string& name : kLayers) {
-    Layer layer = empty_layer(name, random.pick({0.1, 0.15, 0.4}));
+    Layer layer = empty_layer(name, random.pick({0.113, 0.157, 0.389}));
     const int strokes = random.whole(0, 8);
     for (int s = 0; s < strokes; ++s) {
       add_stroke(layer, {{1.0 * random.whole(10, 200), 1.0 * random.whole(10, 100)},
                          {1.0 * random.whole(10, 200), 1.0 * random.whole(110, 280)}});
-      layer.strokes.back().width_mm = random.pick({0.0, 0.0, 0.12, 0.21, 0.33, 0.5});
+      layer.strokes.back().width_mm = random.pick({0.0, 0.0, 0.123, 0.211, 0.337, 0.503});
     }
     drawing.layers.push_back(layer);
   }
@@ -76,8 +76,8 @@ TEST_CASE("each stroke is drawn by the pen of its layer that is nearest in width
         for (const PenOfLayers& one : pens) {
           if (is_named ? std::ranges::count(one.layers, layer.name) == 0 : !one.layers.empty())
             continue;
-          const double ratio = std::max(one.pen.width_mm / width, width / one.pen.width_mm) - 1e-12;
-          if (ratio >= best_ratio - 1e-9) continue;
+          const double ratio = std::max(one.pen.width_mm / width, width / one.pen.width_mm);
+          if (ratio >= best_ratio) continue;
           best_ratio = ratio;
           pen = one.pen.number;
         }
