@@ -289,7 +289,7 @@ TEST_CASE("output options") {
   check_refused({"--of", "png", "--dpi", "5"}, "10 to 4800");
   check_refused({"--of", "png", "--dpi", "4800", "--page", "a0"}, "or less");
   check_refused({"--report", ""}, "a file name");
-  CHECK(refusal_of({"in.tif", "out.dxf"}).find("svg") != std::string::npos);
+  CHECK(refusal_of({"in.tif", "out.dwg"}).find("svg") != std::string::npos);
   CHECK(refusal_of({"in.tif", "-"}).find("--of svg") != std::string::npos);
   CHECK(refusal_of({"in.tif", "-", "--of", "pdf"}).find("text format") != std::string::npos);
   CHECK(refusal_of({"in.tif", ""}).find("OUTPUT '' can't be used") != std::string::npos);

@@ -127,7 +127,8 @@ TEST_CASE("a drawing is made again from the settings in its report alone") {
     // Nothing is lost on the way, and nothing more is found.
     const auto settings = [&](const std::string& path) {
       nlohmann::json all = nlohmann::json::parse(folder.read(path))["settings"];
-      for (const char* file : {"scene", "view", "pens"}) all.erase(file); // each from its report's folder
+      for (const char* file : {"scene", "view", "pens"})
+        all.erase(file); // each from its report's folder
       return all;
     };
     CHECK(settings(report) == settings(name + "-again.json"));
@@ -152,11 +153,12 @@ TEST_CASE("defaults are written out as values, or in words that no option takes 
   std::set<std::string> written;
   for (const auto& [name, its_values] : given({}).options) written.insert("--" + name);
   for (const Option& option : command.options) {
-    const bool is_chosen =
-        option.by_default.empty() || option.by_default.find(' ') != std::string::npos ||
-        std::set<std::string>{"--pitch", "--eye-height", "--hidden", "--dpi", "--max-edge"}
-            .contains(option.name) ||
-        option.group == "General" || option.name == "--check";
+    const bool is_chosen = option.by_default.empty() ||
+                           option.by_default.find(' ') != std::string::npos ||
+                           std::set<std::string>{"--pitch", "--eye-height", "--hidden",
+                                                 "--dpi",   "--max-edge",   "--overlap"}
+                               .contains(option.name) ||
+                           option.group == "General" || option.name == "--check";
     INFO(option.name);
     CHECK(written.contains(option.name) != is_chosen);
   }

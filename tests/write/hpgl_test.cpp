@@ -167,9 +167,8 @@ TEST_CASE("hp2xx reads the same strokes from HPGL") {
   const Device device = read_device("generic");
   Drawing drawing = random_strokes(5, {400, 300, 0}, {{0, 0}, {400, 300}}, 7);
   for (Layer& layer : drawing.layers) // it leaves dots out
-    std::erase_if(layer.strokes, [&](const Stroke& stroke) {
-      return line_length_mm(layer.points(stroke)) < 0.1;
-    });
+    std::erase_if(layer.strokes,
+                  [&](const Stroke& stroke) { return line_length_mm(layer.points(stroke)) < 0.1; });
   write_drawing(drawing, folder.file("map.hpgl"), {.format = Format::hpgl, .device = device});
   REQUIRE(std::system(fmt::format("hp2xx -q -t -m svg -f {} {} >/dev/null 2>&1",
                                   folder.file("map.svg"), folder.file("map.hpgl"))
