@@ -42,8 +42,9 @@ void add_plotting_options(std::vector<Option>& options, RenderSettings& s) {
                      .name = "--sheets",
                      .value = "COLUMNSxROWS",
                      .help =
-                         "Draw the map over so many sheets of the size of --page, with register "
-                         "marks: OUTPUT map.svg is map-1.svg and so on, and map-overview.svg",
+                         "Draw the map over so many sheets of the size of --page, upright where it "
+                         "is named, unless --landscape, with register marks: OUTPUT map.svg is "
+                         "map-1.svg and so on, and map-overview.svg",
                      .allowed = "columns x rows such as 2x3, each 1 to 20",
                      .by_default = "one sheet",
                      .take = stored(parse_sheets, s.sheets)});

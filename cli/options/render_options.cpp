@@ -99,8 +99,8 @@ Command render_command(RenderSettings& settings) {
   add_scene_options(command.options, settings);
   add_page_options(command.options, settings);
   add_output_options(command.options, settings);
-  add_plotting_options(command.options, settings);
   add_pen_time_options(command.options, settings);
+  add_plotting_options(command.options, settings);
   command.options.push_back(jobs_option(settings.jobs));
   add_general_options(command.options, settings.settings_file, settings.quiet, settings.progress);
   return command;
