@@ -60,6 +60,14 @@ Layer layer_called(const char* name, const Drawing& whole) {
   return layer;
 }
 
+// No pen is put in twice: what one draws stays in one layer.
+void add_layer(Drawing& drawing, Layer layer) {
+  if (layer.pen)
+    append(drawing.layers.front(), layer);
+  else
+    drawing.layers.push_back(std::move(layer));
+}
+
 void add_cross(Layer& layer, Vec2 at) {
   add_line(layer, {{at.x - kCross_mm, at.y}, {at.x + kCross_mm, at.y}});
   add_line(layer, {{at.x, at.y - kCross_mm}, {at.x, at.y + kCross_mm}});
@@ -143,7 +151,7 @@ std::vector<Drawing> sheets_of(const Drawing& whole, const Page& sheet,
   const Tiling tiling{sheet, request};
   Drawing marked = whole;
   std::erase_if(marked.layers, [](const Layer& layer) { return layer.is_pen_way; });
-  marked.layers.push_back(register_marks(whole, tiling));
+  add_layer(marked, register_marks(whole, tiling));
   for (const Layer& layer : whole.layers)
     if (layer.is_pen_way) marked.layers.push_back(layer);
   std::vector<Drawing> sheets;
@@ -188,7 +196,7 @@ Drawing overview_of(const Drawing& whole, const Page& sheet, const SheetsRequest
                  0.3 * std::min(frame.width(), frame.height()));
     }
   numbers.pen_width_mm *= 2;
-  overview.layers.push_back(std::move(numbers));
+  add_layer(overview, std::move(numbers));
   return overview;
 }
 

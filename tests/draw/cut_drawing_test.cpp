@@ -178,6 +178,26 @@ TEST_CASE("crosses of neighbouring sheets lie upon each other") {
   CHECK(draws(2, {17, 10}, {23, 10}));
 }
 
+TEST_CASE("no pen is put in twice for what is beside the map") {
+  const Page sheet{60, 50, 5};
+  const SheetsRequest request{2, 1, 10};
+  Drawing whole;
+  whole.page = page_of_sheets(sheet, request);
+  for (const int number : {4, 2}) {
+    whole.layers.push_back(empty_layer("pen"));
+    whole.layers.back().pen = Pen{.number = number};
+    add_stroke(whole.layers.back(), {{10, 10.0 + number}, {100, 10}}, -1);
+  }
+  std::vector<Drawing> all = sheets_of(whole, sheet, request);
+  all.push_back(overview_of(whole, sheet, request));
+  for (const Drawing& one : all) {
+    REQUIRE(one.layers.size() == 2);
+    CHECK(one.layers[0].strokes.size() >= 3); // a line, and crosses or frames
+    CHECK(one.layers[1].strokes.size() == 1);
+    CHECK(!find_fault(one));
+  }
+}
+
 TEST_CASE("an overlap that leaves nothing of a sheet is refused") {
   CHECK_THROWS_AS(page_of_sheets({60, 50, 5}, {2, 2, 39.5}), UsageError);
   CHECK_NOTHROW(page_of_sheets({60, 50, 5}, {2, 2, 39}));
