@@ -107,9 +107,9 @@ constexpr std::array<TomlKey, 2> kTomlKeys{{
     {"place", "tables below lines [[place]]", "[{ part = \"hut\", at = [455000, 5080000] }]"},
 }};
 constexpr std::array kUseKeys{kPart, kMapKey};
-constexpr std::array kPlaceKeys{
-    kPart, kMapKey, TomlKey{"at", "2 numbers, or 3 with a height", "[455000, 5080000]"},
-    TomlKey{"lonlat", "2 numbers, or 3 with a height", "[7.5, 46.1]"}};
+constexpr std::array kPlaceKeys{kPart, kMapKey,
+                                TomlKey{"at", "2 numbers, or 3 with a height", "[455000, 5080000]"},
+                                TomlKey{"lonlat", "2 numbers, or 3 with a height", "[7.5, 46.1]"}};
 
 using PartNumbers = std::map<std::string, std::uint32_t, std::less<>>;
 

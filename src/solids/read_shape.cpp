@@ -147,7 +147,7 @@ Polyhedron read_polyhedron(const std::string& path) {
 constexpr TomlKey kShape{"shape", "a shape's name", "\"box\""};
 constexpr TomlKey kBase{"base", "a list of corners [x, y]", "[[0, 0], [8, 0], [8, 6]]"};
 constexpr TomlKey kVertices{"vertices", "a list of points [x, y, z]",
-                             "[[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]]"};
+                            "[[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]]"};
 constexpr TomlKey kProfile{"profile", "a list of points [r, z]", "[[2, 0], [2, 5], [0, 7]]"};
 constexpr TomlKey kSides{"sides", "a whole number", "24"};
 constexpr TomlKey kStart{"start", "an angle in degrees", "7.5"};
@@ -172,7 +172,7 @@ constexpr std::array kRotationKeys{kShape,
 constexpr std::array kPolyhedronKeys{
     kShape, kUsesKey, kVertices,
     TomlKey{"faces", "lists of vertices, from 0 on",
-             "[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]"},
+            "[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]"},
     TomlKey{"file", "the path of an OFF or OBJ file", "\"church.obj\""}};
 constexpr std::array kWiresKeys{
     kShape, kUsesKey, kVertices,

@@ -92,7 +92,7 @@ std::string listed(const std::vector<std::string_view>& names) {
 } // namespace
 
 TomlTable::TomlTable(const std::string& path, const TomlValue& value, std::string noun,
-                       std::span<const TomlKey> keys)
+                     std::span<const TomlKey> keys)
     : path_(path), value_(value), noun_(std::move(noun)), keys_(keys) {
   if (value.table() == nullptr)
     throw Error(fmt::format("{}: {} is {}", place(value), noun_, words_for(value)),
@@ -149,7 +149,7 @@ const TomlValue::List& TomlTable::list(std::string_view key) const {
 }
 
 std::vector<double> TomlTable::numbers(std::string_view key, std::size_t least,
-                                        std::size_t most) const {
+                                       std::size_t most) const {
   return numbers_in(key, at(key), least, most);
 }
 
@@ -195,7 +195,7 @@ std::uint32_t TomlTable::whole_in(std::string_view key, const TomlValue& value) 
 }
 
 std::vector<double> TomlTable::numbers_in(std::string_view key, const TomlValue& value,
-                                           std::size_t least, std::size_t most) const {
+                                          std::size_t least, std::size_t most) const {
   const TomlValue::List* list = value.list();
   if (list == nullptr || list->size() < least || list->size() > most) refuse(key, value);
   std::vector<double> numbers;

@@ -37,8 +37,8 @@ struct TomlEntry {
 /// For messages: "text", "the number 7", "a list of 2 values".
 std::string words_for(const TomlValue& value);
 
-/// Reads TOML. Throws Error, which begins with the path and the line and ends with `right`, where it
-/// isn't. REQUIRES a text that `check_toml_nesting` has passed.
+/// Reads TOML. Throws Error, which begins with the path and the line and ends with `right`, where
+/// it isn't. REQUIRES a text that `check_toml_nesting` has passed.
 TomlValue::Table parse_toml(const std::string& text, const std::string& path, const char* right);
 
 /// A key that a table may have.
@@ -56,7 +56,7 @@ public:
   /// `noun` is what the table describes, "a box". Throws Error for a value that is no table, and
   /// for other keys than `keys`, which outlive this as all else does that is given.
   TomlTable(const std::string& path, const TomlValue& value, std::string noun,
-             std::span<const TomlKey> keys);
+            std::span<const TomlKey> keys);
 
   std::size_t line() const { return value_.line; }
   const std::string& path() const { return path_; }

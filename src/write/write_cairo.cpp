@@ -151,8 +151,8 @@ void write_png(const Drawing& drawing, double dpi, ByteSink& out) {
   check(cairo_surface_status(surface.get()), out);
   {
     const Context paper(cairo_create(surface.get()), cairo_destroy);
-  Layer white;
-  white.grey = 1;
+    Layer white;
+    white.grey = 1;
     set_level(paper.get(), white);
     cairo_paint(paper.get());
   }
