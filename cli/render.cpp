@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/render.hpp"
 
+#include "cli/finish_drawing.hpp"
 #include "cli/progress.hpp"
 #include "cli/report/closing_lines.hpp"
 #include "cli/report/run_report.hpp"
@@ -29,7 +30,8 @@ double seconds_since(Clock::time_point start) {
 }
 
 void check_outputs(const RenderSettings& settings) {
-  if (settings.output != "-") check_writable(settings.output, settings.write);
+  if (settings.output != "-")
+    for (const std::string& name : output_names(settings)) check_writable(name, settings.write);
   if (!settings.report.empty()) check_writable(settings.report, settings.write);
 }
 
@@ -84,11 +86,12 @@ void render(const RenderSettings& settings) {
   ProgressBar bar(shows_progress(settings.quiet, settings.progress));
   Map map = draw_map(*terrain, placed, settings.map, [&](double fraction) { bar.show(fraction); });
   check_not_empty(map, settings);
+  finish_drawing(map, settings);
   tell_check(map.facts.check);
   if (!settings.quiet) tell_overlays(overlays, map.facts.counts);
 
   const auto write_start = Clock::now();
-  write_drawing(map.drawing, settings.output, settings.write);
+  write_outputs(map.drawing, settings);
   StageSeconds& seconds = map.facts.seconds;
   seconds.read = read_s;
   seconds.place = place_s;

@@ -5,7 +5,9 @@
 #include "cli/options/option.hpp"
 #include "dem/read/read_options.hpp"
 #include "dem/read/read_overlay.hpp"
+#include "draw/assign_pens.hpp"
 #include "draw/drawing.hpp"
+#include "draw/sheets.hpp"
 #include "placing/map_spec.hpp"
 #include "solids/scene_file.hpp"
 #include "write/write_drawing.hpp"
@@ -37,6 +39,16 @@ struct RenderSettings {
   std::optional<PenOrder> pen_order; ///< none: as the format wants
   // Of the pen that will draw; none: no minutes are told, and the like.
   std::optional<double> pen_speed_mm_s, pen_up_speed_mm_s, pen_lift_s;
+  std::string pens_file; ///< empty: none
+  std::vector<PenOfLayers> pens;
+  bool pause_between_pens = false;
+  std::optional<Vec2> clip_to_mm;
+  std::optional<SheetsRequest> sheets; ///< then `map.page` is of all of them together
+  double overlap_mm = 10;              ///< of sheets
+  Page sheet;                          ///< where there are several
+  /// Of strokes that are cut or given to pens first; none: as they are drawn.
+  std::optional<PenOrder> finishing_order;
+  std::string device; ///< its name, or its file's; empty: the format's own
   WriteOptions write;
   std::string report;        ///< path of the JSON report; empty: none
   std::string settings_file; ///< whose options are among these; empty: none

@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
     const orograph::Format format = orograph::format_of_path(argv[2]);
     orograph::MapSpec spec;
     spec.pen_order = orograph::pen_order_for(format);
+    if (orograph::has_one_width(format)) spec.style.light->by_density = true;
     const orograph::Map map = session.draw(spec);
     orograph::write_drawing(map.drawing, argv[2], {.format = format});
   } catch (const orograph::Error& error) {

@@ -20,11 +20,17 @@
 #include "dem/read/overlay_input.hpp"
 #include "dem/read/read_options.hpp"
 #include "dem/read/terrain_input.hpp"
+#include "draw/assign_pens.hpp"
+#include "draw/cut_drawing.hpp"
 #include "draw/drawing.hpp"
+#include "draw/pen_order.hpp"
+#include "draw/sheets.hpp"
 #include "geometry/api.hpp"
 #include "geometry/error.hpp"
 #include "map/map_facts.hpp"
 #include "placing/map_spec.hpp"
+#include "write/device.hpp"
+#include "write/pens_file.hpp"
 #include "write/write_drawing.hpp"
 
 #include <functional>

@@ -43,6 +43,7 @@ SectorInWork StagedView::work_with(const std::vector<EdgeLine>& lines) const {
           scene,
           sector(),
           lines,
+          on_ground,
           cutter,
           tolerance,
           view.is_perspective() ? view.near_m : -std::numeric_limits<double>::infinity(),

@@ -29,6 +29,7 @@ public:
   const SurfaceCutter cutter;
   const TieTolerance tolerance;
   StrokeSettings strokes;
+  const GroundLines on_ground; ///< none
 };
 
 } // namespace orograph

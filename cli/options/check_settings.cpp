@@ -2,6 +2,7 @@
 // What one option alone can't tell.
 #include "cli/options/check_settings.hpp"
 
+#include "cli/options/check_plotting.hpp"
 #include "cli/options/option_values.hpp"
 #include "cli/render.hpp"
 #include "cli/report/run_report.hpp"
@@ -56,6 +57,8 @@ void check_no_input(const RenderSettings& settings, const std::string& path,
                                                           {settings.map.view.file_name, "--view"},
                                                           {settings.scene_file, "--scene"},
                                                           {settings.settings_file, "--settings"}};
+  inputs.emplace_back(settings.pens_file, "--pens");
+  if (is_device_file(settings.device)) inputs.emplace_back(settings.device, "--device");
   for (const std::string& input : settings.inputs) inputs.emplace_back(input, "INPUT");
   for (const OverlayInput& overlay : settings.overlays)
     inputs.emplace_back(overlay.path, "--drape");
@@ -284,28 +287,8 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
   check_output(settings, given);
   check_report(settings, given);
   check_picture_settings(settings, given);
-  check_pen_order(settings, given);
-  if (!settings.pen_speed_mm_s)
-    for (const char* option : {"--pen-up-speed", "--pen-lift-s"})
-      if (insists_on(given, option))
-        throw UsageError(fmt::format("{} has no meaning without --pen-speed", option),
-                         "give --pen-speed MM/S too");
+  check_plotting(settings, given);
   check_no_shape_file(settings);
-}
-
-void check_pen_order(RenderSettings& settings, const GivenOptions& given) {
-  const Format format = settings.write.format;
-  settings.map.pen_order = settings.pen_order.value_or(pen_order_for(format));
-  if (!is_tied_to_ground(format)) return;
-  if (settings.map.pen_order != PenOrder::drawing && insists_on(given, "--pen-order"))
-    throw UsageError(
-        "--pen-order has no meaning in a format tied to the ground, which no pen draws",
-        "leave it out, or write a picture, as in --of svg");
-  settings.map.pen_order = PenOrder::drawing;
-  if (settings.map.style.asks_for("pen-up") && insists_on(given, "--layers"))
-    throw UsageError("--layers has no pen-up in a format tied to the ground, which no pen draws",
-                     "leave it out, or write a picture, as in --of svg");
-  std::erase_if(settings.map.style.layers, [](const LayerSpec& of) { return of.name == "pen-up"; });
 }
 
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given) {

@@ -18,10 +18,6 @@ void check_settings(RenderSettings& settings, const GivenOptions& given);
 /// The same of view and page alone.
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given);
 
-/// Settles the order of strokes, by the format where it isn't given. Throws UsageError where the
-/// format keeps the drawing's.
-void check_pen_order(RenderSettings& settings, const GivenOptions& given);
-
 /// Whether writing `output` would replace a file that `input` is read from: the same file by any
 /// spelling or link, also behind GDAL's /vsi prefixes ("/vsizip/a.zip/b.tif") and subdataset names
 /// ("NETCDF:\"a.nc\":band").

@@ -110,7 +110,7 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                      .value = "width|density",
                      .help = "How lines show light: by their width, or, for pens of one width, by "
                              "density, how close they are",
-                     .by_default = "width",
+                     .by_default = "width; in hpgl, gcode and dxf density",
                      .take = [&s](const std::string& text) {
                        if (s.map.style.light) s.map.style.light->by_density = text == "density";
                        return text == "width" || text == "density";

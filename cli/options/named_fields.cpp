@@ -9,7 +9,7 @@ namespace orograph {
 namespace {
 
 // Fields that messages of the library name, with what sets them on the command line.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kOptions{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 32> kOptions{{
     {"terrain", "INPUT"},
     {"solids", "--scene"},
     // ReadOptions
@@ -40,9 +40,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kOptions
     // PageRequest
     {"page", "--page"},
     {"scale", "--scale"},
+    {"margin_mm", "--margin"},
+    {"pens", "--pens"},
+    {"overlap_mm", "--overlap"},
     // WriteOptions
     {"format", "--of"},
     {"overwrite", "--overwrite"},
+    {"device", "--device"},
 }};
 
 } // namespace

@@ -30,8 +30,10 @@ struct Option {
 
   bool is_positional() const { return !name.starts_with('-'); }
   bool is_switch() const { return value.empty() && !is_positional(); }
-  /// Of a file that is read.
-  bool is_path() const { return value == "FILE"; }
+  /// Whether such a value is the name of a file that is read.
+  bool is_path(const std::string& given) const {
+    return value == "FILE" || (value == "NAME|FILE.toml" && given.ends_with(".toml"));
+  }
 };
 
 /// Two options that exclude each other, and what to do instead.

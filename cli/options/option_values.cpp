@@ -189,6 +189,15 @@ std::optional<PageSize> parse_page_size(std::string_view text) {
   return PageSize{*width_mm, height_mm};
 }
 
+std::optional<SheetsRequest> parse_sheets(std::string_view text) {
+  const auto parts = split(text, 'x');
+  if (parts.size() != 2) return std::nullopt;
+  const auto columns = parse_integer(parts[0]), rows = parse_integer(parts[1]);
+  const auto is_few = [](std::optional<int> n) { return n && *n >= 1 && *n <= 20; };
+  if (!is_few(columns) || !is_few(rows)) return std::nullopt;
+  return SheetsRequest{.columns = *columns, .rows = *rows};
+}
+
 std::optional<double> parse_scale(std::string_view text) {
   if (text.starts_with("1:")) text.remove_prefix(2);
   const auto scale = parse_number(text);

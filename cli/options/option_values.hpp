@@ -2,6 +2,7 @@
 // The values of options, from text. Nothing here knows which option it reads.
 #pragma once
 
+#include "draw/sheets.hpp"
 #include "geometry/angle.hpp"
 #include "geometry/box.hpp"
 #include "geometry/vec.hpp"
@@ -76,6 +77,9 @@ struct PageSize {
   std::optional<double> height_mm; ///< none: auto
 };
 std::optional<PageSize> parse_page_size(std::string_view text);
+
+/// "2x3": columns and rows of sheets, each 1 to 20.
+std::optional<SheetsRequest> parse_sheets(std::string_view text);
 
 /// "1:25000", or the number alone, above 0: how much smaller the page is.
 std::optional<double> parse_scale(std::string_view text);

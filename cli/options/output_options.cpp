@@ -111,13 +111,22 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
                        s.write.format = format_of_name(text);
                        return true;
                      }});
+  options.push_back({.group = kOutput,
+                     .name = "--device",
+                     .value = "NAME|FILE.toml",
+                     .help = fmt::format("What reads hpgl or gcode: {}, or one that a file tells "
+                                         "(docs/plotters.md); what it can't reach is refused",
+                                         fmt::join(device_names(), ", ")),
+                     .allowed = "a device's name, or a file such as plotter.toml",
+                     .by_default = "generic for hpgl, grbl-servo for gcode",
+                     .take = stored_name(s.device)});
   options.push_back(
       {.group = kOutput,
        .name = "--pen-order",
        .value = "drawing|sorted|best",
        .help = "Order of a layer's strokes: front to back as found; each time the nearest end; or "
                "shorter still, in seconds. Ink is the same",
-       .by_default = "sorted in formats that a pen may draw, svg, ps and eps, else drawing",
+       .by_default = "sorted in formats that a pen may draw, else drawing",
        .take = [&s](const std::string& text) {
          if (text == "drawing") s.pen_order = PenOrder::drawing;
          if (text == "sorted") s.pen_order = PenOrder::sorted;

@@ -29,6 +29,9 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
   if (option == "eye-height") return view.has_eye();
   if (option == "pitch") return view.look_azimuth.has_value();
   if (option == "dpi") return settings.write.format == Format::png;
+  if (option == "device") return language_of(settings.write.format).has_value();
+  if (option == "overlap") return settings.sheets.has_value();
+  if (option == "pen-width") return settings.pens.empty();
   if (option == "hidden") return settings.solids != nullptr;
   if (option.starts_with("light-") || option == "haze") return settings.map.style.light.has_value();
   return true;
@@ -80,6 +83,8 @@ Command render_command(RenderSettings& settings) {
           {"orograph render dem.tif map.png --eye 250800,4071000,900 --fov 60",
            "Seen from a point of the terrain's own coordinates."},
           {"orograph render dem.tif map.svg --scene huts.toml", "With huts on it."}}};
+  command.conflicts.push_back(
+      {"--clip-to", "--sheets", "sheets are cut at the edges of their paper"});
   command.conflicts.push_back({"--profiles", "--spacing", "give one of the two"});
   add_terrain_options(command.options, settings.inputs, settings.reading);
   command.options.insert(
@@ -96,6 +101,7 @@ Command render_command(RenderSettings& settings) {
   add_page_options(command.options, settings);
   add_output_options(command.options, settings);
   add_pen_time_options(command.options, settings);
+  add_plotting_options(command.options, settings);
   command.options.push_back(jobs_option(settings.jobs));
   add_general_options(command.options, settings.settings_file, settings.quiet, settings.progress);
   return command;

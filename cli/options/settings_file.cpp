@@ -159,8 +159,8 @@ void add_settings(const Command& command, const std::string& path, GivenOptions&
     const Option* option = option_of(command, setting.key, place);
     if (option == nullptr) continue;
     std::vector<std::string> values = checked_values(*option, setting, place);
-    if (option->is_path())
-      for (std::string& value : values) value = path_from(fs::path(path).parent_path(), value);
+    for (std::string& value : values)
+      if (option->is_path(value)) value = path_from(fs::path(path).parent_path(), value);
     if (values.empty() || given.contains(option->name) ||
         is_in_conflict(command, option->name, given))
       continue;
@@ -185,8 +185,8 @@ NamedValues options_in_force(const Command& command, const GivenOptions& given,
     else if (!option.by_default.empty() && option.by_default.find(' ') == std::string::npos &&
              !is_in_conflict(command, option.name, given) && option.take(option.by_default))
       values = {option.by_default};
-    if (option.is_path())
-      for (std::string& value : values) value = path_in(folder, value);
+    for (std::string& value : values)
+      if (option.is_path(value)) value = path_in(folder, value);
     if (values.empty()) continue;
     if (option.is_switch()) values.clear();
     in_force.emplace_back(option.name.substr(2), std::move(values));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What `orograph sweep` varies, and how it goes about it: render's options, some of them with
 // lists.
+#include "cli/options/check_plotting.hpp"
 #include "cli/options/check_settings.hpp"
 #include "cli/options/option.hpp"
 #include "cli/options/option_groups.hpp"
@@ -242,7 +243,7 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
   } else {
     check_picture_settings(render, given);
   }
-  check_pen_order(render, given);
+  check_plotting(render, given);
   if (settings.views_file.empty()) return;
   settings.views = read_view_list(settings.views_file);
   for (const NamedView& view : settings.views)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/report/closing_lines.hpp"
 
+#include "cli/finish_drawing.hpp"
+#include "cli/report/pen_time.hpp"
 #include "draw/drawing.hpp"
 #include "geometry/angle.hpp"
 
@@ -64,15 +66,19 @@ std::string closing_lines(const Map& map, const PlacedView& placed, const Render
                           double seconds) {
   const std::uint64_t strokes = map.facts.counts.strokes;
   const PenTravel travel = pen_travel(map.drawing);
-  const auto speed = settings.pen_speed();
+  const auto known = sum_of(minutes_by_layer(map.drawing, settings));
   const std::string minutes =
-      speed ? fmt::format(", {:.0f} minutes for the pen", std::ceil(pen_minutes(travel, *speed)))
-            : "";
+      known ? fmt::format(", {:.0f} minutes for the pen", std::ceil(*known)) : "";
+  const std::vector<std::string> names = output_names(settings);
+  const std::string written = settings.output == "-" ? "standard output"
+                              : names.size() == 1
+                                  ? settings.output
+                                  : fmt::format("{} to {}", names.front(), names[names.size() - 2]);
   return of_plan(placed, settings.map) +
-         fmt::format("orograph: {}: {} {}, {:.1f} m of ink{}, {}, {}, {:.1f} s\n",
-                     settings.output == "-" ? "standard output" : settings.output, grouped(strokes),
-                     strokes == 1 ? "stroke" : "strokes", 1e-3 * travel.down_mm, minutes,
-                     view_in_words(placed, settings.map.view), heights_in_words(placed), seconds);
+         fmt::format("orograph: {}: {} {}, {:.1f} m of ink{}, {}, {}, {:.1f} s\n", written,
+                     grouped(strokes), strokes == 1 ? "stroke" : "strokes", 1e-3 * travel.down_mm,
+                     minutes, view_in_words(placed, settings.map.view), heights_in_words(placed),
+                     seconds);
 }
 
 } // namespace orograph

@@ -3,6 +3,7 @@
 #include "cli/report/run_report.hpp"
 
 #include "cli/render_settings.hpp"
+#include "cli/report/pen_time.hpp"
 #include "cli/version.hpp"
 #include "geometry/error.hpp"
 #include "write/output_file.hpp"
@@ -151,20 +152,18 @@ Json json_of(const Counts& counts) {
           {"not_draped", counts.not_draped}};
 }
 
-Json minutes_or_null(const PenTravel& travel, const std::optional<PenSpeed>& speed) {
-  return speed ? Json(pen_minutes(travel, *speed)) : Json();
-}
-
-Json json_of(const std::vector<LayerFacts>& layers, const std::optional<PenSpeed>& speed) {
+Json json_of(const std::vector<LayerFacts>& layers,
+             const std::vector<std::optional<double>>& minutes) {
   Json list = Json::array();
-  for (const LayerFacts& layer : layers)
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const LayerFacts& layer = layers[i];
     list.push_back({{"name", layer.name},
                     {"strokes", layer.strokes},
                     {"ink_mm", layer.ink_mm},
                     {"pen_up_mm", layer.pen_up_mm},
                     {"pen_lifts", layer.pen_lifts},
-                    {"pen_minutes",
-                     minutes_or_null({layer.ink_mm, layer.pen_up_mm, layer.pen_lifts}, speed)}});
+                    {"pen_minutes", i < minutes.size() ? or_null(minutes[i]) : Json()}});
+  }
   return list;
 }
 
@@ -216,8 +215,10 @@ NamedValues settings_of(const MapFacts& facts, const RenderSettings& settings) {
   if (settings.map.view.projection == Projection::oblique)
     add("oblique", fmt::format("{},{}", settings.map.view.oblique.length,
                                settings.map.view.oblique.rise.in_degrees()));
-  if (style.light)
+  if (style.light) {
+    add("light-by", style.light->by_density ? "density" : "width");
     add("haze", fmt::format("{}", style.haze_in(facts.view.projection == "perspective")));
+  }
   add("min-stroke", fmt::format("{}", settings.map.min_stroke_mm()));
   return all;
 }
@@ -246,7 +247,7 @@ RunReport run_report(const Map& map, const RenderSettings& settings) {
   report.scene_path = settings.scene_file;
   report.settings = settings_of(map.facts, settings);
   report.page = map.drawing.page;
-  report.pen_speed = settings.pen_speed();
+  report.minutes_of_layers = minutes_by_layer(map.drawing, settings);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   report.peak_memory_bytes =
@@ -256,37 +257,35 @@ RunReport run_report(const Map& map, const RenderSettings& settings) {
 }
 
 std::string report_text(const RunReport& report) {
-  const Json json{
-      {"schema", 1},
-      {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
-      {"libraries", report.libraries},
-      {"input", json_of(report.input, report.scene_path)},
-      {"output", {{"path", report.path}, {"format", report.format}}},
-      {"settings", json_of(report.settings)},
-      {"view", json_of(report.view)},
-      {"page",
-       {{"width_mm", report.page.width_mm},
-        {"height_mm", report.page.height_mm},
-        {"margin_mm", report.page.margin_mm}}},
-      {"counts", json_of(report.counts)},
-      {"layers", json_of(report.layers, report.pen_speed)},
-      {"pen_down_mm", report.pen_down_mm},
-      {"pen_up_mm", report.pen_up_mm},
-      {"pen_lifts", report.pen_lifts},
-      {"pen_minutes",
-       minutes_or_null({report.pen_down_mm, report.pen_up_mm, report.pen_lifts}, report.pen_speed)},
-      {"error_budget_mm", json_of(report.error_budget)},
-      {"ink_left_out_mm",
-       {{"silhouette_jump", report.left_out.silhouette_jump_mm},
-        {"min_stroke", report.left_out.min_stroke_mm}}},
-      {"check", report.check ? json_of(*report.check) : Json()},
-      {"seconds", json_of(report.seconds)},
-      {"peak_memory_bytes", report.peak_memory_bytes},
-      // Last, since it is long.
-      {"profiles",
-       {{"count", report.profiles.depths_m.size()},
-        {"spacing", report.profiles.spacing},
-        {"depths", report.profiles.depths_m}}}};
+  const Json json{{"schema", 1},
+                  {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
+                  {"libraries", report.libraries},
+                  {"input", json_of(report.input, report.scene_path)},
+                  {"output", {{"path", report.path}, {"format", report.format}}},
+                  {"settings", json_of(report.settings)},
+                  {"view", json_of(report.view)},
+                  {"page",
+                   {{"width_mm", report.page.width_mm},
+                    {"height_mm", report.page.height_mm},
+                    {"margin_mm", report.page.margin_mm}}},
+                  {"counts", json_of(report.counts)},
+                  {"layers", json_of(report.layers, report.minutes_of_layers)},
+                  {"pen_down_mm", report.pen_down_mm},
+                  {"pen_up_mm", report.pen_up_mm},
+                  {"pen_lifts", report.pen_lifts},
+                  {"pen_minutes", or_null(sum_of(report.minutes_of_layers))},
+                  {"error_budget_mm", json_of(report.error_budget)},
+                  {"ink_left_out_mm",
+                   {{"silhouette_jump", report.left_out.silhouette_jump_mm},
+                    {"min_stroke", report.left_out.min_stroke_mm}}},
+                  {"check", report.check ? json_of(*report.check) : Json()},
+                  {"seconds", json_of(report.seconds)},
+                  {"peak_memory_bytes", report.peak_memory_bytes},
+                  // Last, since it is long.
+                  {"profiles",
+                   {{"count", report.profiles.depths_m.size()},
+                    {"spacing", report.profiles.spacing},
+                    {"depths", report.profiles.depths_m}}}};
   // Paths may be in any encoding; JSON is UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

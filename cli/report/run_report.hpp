@@ -23,7 +23,7 @@ struct RunReport : MapFacts {
   std::string scene_path;   ///< empty: no solids
   NamedValues settings;     ///< options in force, as a settings file takes them
   Page page;
-  std::optional<PenSpeed> pen_speed; ///< none: minutes are null
+  std::vector<std::optional<double>> minutes_of_layers; ///< as many as layers
   std::uint64_t peak_memory_bytes = 0;
   std::map<std::string, std::string> libraries; ///< name to version
 };

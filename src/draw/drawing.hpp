@@ -2,6 +2,7 @@
 // A drawing: layers of strokes on a page, in millimetres, and where each lies on the ground.
 #pragma once
 
+#include "draw/pen.hpp"
 #include "geometry/api.hpp"
 #include "geometry/attributes.hpp"
 #include "geometry/box.hpp"
@@ -48,6 +49,8 @@ struct Layer {
   double grey = 0;         ///< 0 black to 1 white
   bool is_hidden = false;  ///< lines that the eye doesn't see
   bool is_pen_way = false; ///< no ink: shows where a pen goes between the other layers' strokes
+  /// What draws it, where that is known: then its name, width and colour are the layer's.
+  std::optional<Pen> pen = std::nullopt;
   std::vector<Vec2> page_mm;
   std::vector<Vec3> map;
   std::vector<float> depths_m; ///< one for one beside page points, while they are still asked for

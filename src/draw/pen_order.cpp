@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -79,6 +80,7 @@ Layer without_strokes(const Layer& layer) {
   out.pen_width_mm = layer.pen_width_mm;
   out.grey = layer.grey;
   out.is_hidden = layer.is_hidden;
+  out.pen = layer.pen;
   return out;
 }
 
@@ -165,12 +167,36 @@ private:
   PenLines lines_;
 };
 
+// Of the layers from `first` on that have a pen, the one with a stroke's end nearest to `pen`.
+std::size_t nearest_layer(const Drawing& drawing, std::size_t first, Vec2 pen) {
+  std::size_t nearest = first;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = first; i < drawing.layers.size(); ++i) {
+    const Layer& layer = drawing.layers[i];
+    if (!layer.pen || layer.is_pen_way) continue;
+    std::size_t step = 0;
+    for (const Stroke& stroke : layer.strokes) {
+      throw_if_stopped(step++);
+      const std::span<const Vec2> points = layer.points(stroke);
+      for (const Vec2 end : {points.front(), points.back()})
+        if (const double distance = dot(end - pen, end - pen); distance < least) {
+          least = distance;
+          nearest = i;
+        }
+    }
+  }
+  return nearest;
+}
+
 } // namespace
 
 void order_for_pen(Drawing& drawing, PenOrder order) {
   if (order == PenOrder::drawing) return;
   Vec2 pen{0, 0};
-  for (Layer& layer : drawing.layers) {
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    if (drawing.layers[i].pen)
+      std::swap(drawing.layers[i], drawing.layers[nearest_layer(drawing, i, pen)]);
+    Layer& layer = drawing.layers[i];
     if (layer.strokes.empty() || layer.is_pen_way) continue;
     const Layer strokes = merged(layer);
     const LinesOfLayer lines(strokes);

@@ -14,11 +14,12 @@ enum class PenOrder {
 };
 
 /// Orders the strokes of each layer for a pen that comes from the layer before it, at first from
-/// the page's upper left corner. The ink stays, segment by segment with its width: strokes may be
-/// turned round, closed ones begin elsewhere, and two whose ends share a place and of which all
-/// else is alike become one. Those that touch otherwise, as where a line's width changes, follow
-/// each other. Where more than two ends meet, the first two in drawing order go together, then the
-/// next two.
+/// the page's upper left corner. Where layers have pens (`Layer::pen`), the next one is that with a
+/// stroke's end nearest to where the last one ends, of several the first. The ink stays, segment by
+/// segment with its width: strokes may be turned round, closed ones begin elsewhere, and two whose
+/// ends share a place and of which all else is alike become one. Those that touch otherwise, as
+/// where a line's width changes, follow each other. Where more than two ends meet, the first two in
+/// drawing order go together, then the next two.
 ///
 /// The same drawing gives the same order. Memory O(points); `sorted` takes about 0.3 s for 100,000
 /// strokes, `best` 0.8 s. REQUIRES strokes without map points, each with length, and points

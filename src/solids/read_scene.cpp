@@ -18,7 +18,7 @@
 namespace orograph {
 namespace {
 
-constexpr std::array<SceneKey, 7> kStepKeys{{
+constexpr std::array<TomlKey, 7> kStepKeys{{
     {"move", "a list of 3 numbers", "[0, 0, 3]"},
     {"scale", "a number, or a list of 3", "[1, 1, 2]"},
     {"turn_x", "an angle in degrees", "90"},
@@ -28,7 +28,7 @@ constexpr std::array<SceneKey, 7> kStepKeys{{
     {"matrix", "3 or 4 rows of 4 numbers", "[[1, 0, 0.5, 0], [0, 1, 0, 0], [0, 0, 1, 0]]"},
 }};
 
-constexpr std::array<SceneKey, 2> kTurnKeys{{
+constexpr std::array<TomlKey, 2> kTurnKeys{{
     {"axis", "a list of 3 numbers", "[1, 1, 0]"},
     {"angle", "an angle in degrees", "90"},
 }};
@@ -52,7 +52,7 @@ Eigen::Matrix4d turn_of(const SceneTable& step) {
 
 Eigen::Matrix4d matrix_of(const SceneTable& step) {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-  const SceneValue::List& rows = step.list("matrix");
+  const TomlValue::List& rows = step.list("matrix");
   if (rows.size() < 3 || rows.size() > 4) step.refuse("matrix", step.at("matrix"));
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const auto numbers = step.numbers_in("matrix", rows[row], 4, 4);
@@ -80,7 +80,7 @@ Eigen::Matrix4d step_matrix(const SceneTable& step, const std::string& kind) {
 Eigen::Matrix4d read_map(const SceneTable& table) {
   Eigen::Matrix4d product = Eigen::Matrix4d::Identity();
   if (!table.has("map")) return product;
-  for (const SceneValue& value : table.list("map")) {
+  for (const TomlValue& value : table.list("map")) {
     const SceneTable step(table.path(), value, "a step of a map", kStepKeys);
     if (value.table()->size() != 1)
       throw Error(
@@ -99,17 +99,17 @@ Eigen::Matrix4d read_map(const SceneTable& table) {
 }
 
 // The key `map` of a part's use or of a place.
-constexpr SceneKey kMapKey{"map", "a list of steps", "[{ turn_z = 30 }, { move = [0, 0, 3] }]"};
+constexpr TomlKey kMapKey{"map", "a list of steps", "[{ turn_z = 30 }, { move = [0, 0, 3] }]"};
 
-constexpr SceneKey kPart{"part", "a part's name", "\"hut\""};
-constexpr std::array<SceneKey, 2> kSceneKeys{{
+constexpr TomlKey kPart{"part", "a part's name", "\"hut\""};
+constexpr std::array<TomlKey, 2> kTomlKeys{{
     {"part", "tables by name", "{ wall = { shape = \"box\", size = [8, 6, 3] } }"},
     {"place", "tables below lines [[place]]", "[{ part = \"hut\", at = [455000, 5080000] }]"},
 }};
 constexpr std::array kUseKeys{kPart, kMapKey};
-constexpr std::array kPlaceKeys{
-    kPart, kMapKey, SceneKey{"at", "2 numbers, or 3 with a height", "[455000, 5080000]"},
-    SceneKey{"lonlat", "2 numbers, or 3 with a height", "[7.5, 46.1]"}};
+constexpr std::array kPlaceKeys{kPart, kMapKey,
+                                TomlKey{"at", "2 numbers, or 3 with a height", "[455000, 5080000]"},
+                                TomlKey{"lonlat", "2 numbers, or 3 with a height", "[7.5, 46.1]"}};
 
 using PartNumbers = std::map<std::string, std::uint32_t, std::less<>>;
 
@@ -141,7 +141,7 @@ void read_part(const SceneTable& table, ScenePart& part, SceneParts& parts) {
     parts.solids.push_back(read_shape(table));
   }
   if (table.has("uses"))
-    for (const SceneValue& use : table.list("uses"))
+    for (const TomlValue& use : table.list("uses"))
       part.uses.push_back(
           read_use(SceneTable(table.path(), use, "a use of a part", kUseKeys), parts.numbers));
   if (!part.solid && part.uses.empty())
@@ -153,9 +153,9 @@ void read_part(const SceneTable& table, ScenePart& part, SceneParts& parts) {
 SceneParts read_parts(const SceneTable& scene) {
   SceneParts parts;
   if (!scene.has("part")) return parts;
-  const SceneValue& given = scene.at("part");
+  const TomlValue& given = scene.at("part");
   if (given.table() == nullptr) scene.refuse("part", given);
-  for (const SceneEntry& entry : *given.table()) {
+  for (const TomlEntry& entry : *given.table()) {
     parts.numbers.emplace(entry.key, static_cast<std::uint32_t>(parts.nodes.size()));
     parts.nodes.push_back({entry.key, {}, {}});
   }
@@ -186,8 +186,8 @@ ScenePlace read_place(const SceneTable& table) {
 } // namespace
 
 SceneFile read_scene(const std::string& path) {
-  const SceneValue root{1, parse_scene(path)};
-  const SceneTable scene(path, root, "a scene", kSceneKeys);
+  const TomlValue root{1, parse_scene(path)};
+  const SceneTable scene(path, root, "a scene", kTomlKeys);
   SceneParts parts = read_parts(scene);
   SceneFile file{.path = path,
                  .shape_files = std::move(parts.shape_files),
@@ -196,7 +196,7 @@ SceneFile read_scene(const std::string& path) {
                  .instances = {}};
   SceneGraph graph{std::move(parts.nodes), {}};
   if (scene.has("place"))
-    for (const SceneValue& value : scene.list("place")) {
+    for (const TomlValue& value : scene.list("place")) {
       const SceneTable table(path, value, "a place", kPlaceKeys);
       file.places.push_back(read_place(table));
       graph.places.push_back(read_use(table, parts.numbers));

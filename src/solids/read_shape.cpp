@@ -144,21 +144,21 @@ Polyhedron read_polyhedron(const std::string& path) {
   return extension == ".off" ? read_off(file) : read_obj(file);
 }
 
-constexpr SceneKey kShape{"shape", "a shape's name", "\"box\""};
-constexpr SceneKey kBase{"base", "a list of corners [x, y]", "[[0, 0], [8, 0], [8, 6]]"};
-constexpr SceneKey kVertices{"vertices", "a list of points [x, y, z]",
-                             "[[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]]"};
-constexpr SceneKey kProfile{"profile", "a list of points [r, z]", "[[2, 0], [2, 5], [0, 7]]"};
-constexpr SceneKey kSides{"sides", "a whole number", "24"};
-constexpr SceneKey kStart{"start", "an angle in degrees", "7.5"};
-constexpr SceneKey kSmooth{"smooth", "true or false", "true"};
+constexpr TomlKey kShape{"shape", "a shape's name", "\"box\""};
+constexpr TomlKey kBase{"base", "a list of corners [x, y]", "[[0, 0], [8, 0], [8, 6]]"};
+constexpr TomlKey kVertices{"vertices", "a list of points [x, y, z]",
+                            "[[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]]"};
+constexpr TomlKey kProfile{"profile", "a list of points [r, z]", "[[2, 0], [2, 5], [0, 7]]"};
+constexpr TomlKey kSides{"sides", "a whole number", "24"};
+constexpr TomlKey kStart{"start", "an angle in degrees", "7.5"};
+constexpr TomlKey kSmooth{"smooth", "true or false", "true"};
 
 constexpr std::array kNoShapeKeys{kShape, kUsesKey};
 constexpr std::array kBoxKeys{kShape, kUsesKey,
-                              SceneKey{"size", "a list of 3 numbers", "[8, 6, 3]"}};
-constexpr std::array kPrismKeys{kShape, kUsesKey, kBase, SceneKey{"height", "a number", "3"}};
+                              TomlKey{"size", "a list of 3 numbers", "[8, 6, 3]"}};
+constexpr std::array kPrismKeys{kShape, kUsesKey, kBase, TomlKey{"height", "a number", "3"}};
 constexpr std::array kPyramidKeys{kShape, kUsesKey, kBase,
-                                  SceneKey{"apex", "a height, or a point [x, y, z]", "5"}};
+                                  TomlKey{"apex", "a height, or a point [x, y, z]", "5"}};
 constexpr std::array kTetrahedronKeys{kShape, kUsesKey, kVertices};
 constexpr std::array kRevolutionKeys{kShape, kUsesKey, kProfile, kSides, kStart, kSmooth};
 constexpr std::array kRotationKeys{kShape,
@@ -167,16 +167,16 @@ constexpr std::array kRotationKeys{kShape,
                                    kSides,
                                    kStart,
                                    kSmooth,
-                                   SceneKey{"rise", "metres in a turn", "2.5"},
-                                   SceneKey{"turns", "a number", "1.5"}};
+                                   TomlKey{"rise", "metres in a turn", "2.5"},
+                                   TomlKey{"turns", "a number", "1.5"}};
 constexpr std::array kPolyhedronKeys{
     kShape, kUsesKey, kVertices,
-    SceneKey{"faces", "lists of vertices, from 0 on",
-             "[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]"},
-    SceneKey{"file", "the path of an OFF or OBJ file", "\"church.obj\""}};
+    TomlKey{"faces", "lists of vertices, from 0 on",
+            "[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]"},
+    TomlKey{"file", "the path of an OFF or OBJ file", "\"church.obj\""}};
 constexpr std::array kWiresKeys{
     kShape, kUsesKey, kVertices,
-    SceneKey{"lines", "pairs of vertices, from 0 on", "[[0, 1], [1, 2]]"}};
+    TomlKey{"lines", "pairs of vertices, from 0 on", "[[0, 1], [1, 2]]"}};
 
 Solid read_box(const SceneTable& part) {
   return box(part.point3("size"));
@@ -187,7 +187,7 @@ Solid read_prism(const SceneTable& part) {
 }
 
 Solid read_pyramid(const SceneTable& part) {
-  const SceneValue& apex = part.at("apex");
+  const TomlValue& apex = part.at("apex");
   if (apex.list() != nullptr) return pyramid(part.points2("base"), part.point3("apex"));
   if (!std::holds_alternative<double>(apex.value)) part.refuse("apex", apex);
   return pyramid(part.points2("base"), part.number("apex"));
@@ -243,7 +243,7 @@ Solid read_wires(const SceneTable& part) {
 struct Shape {
   std::string_view name;
   const char* noun;
-  std::span<const SceneKey> keys;
+  std::span<const TomlKey> keys;
   Solid (*read)(const SceneTable& part);
   std::string_view described_by; // the key whose line is told where the shape is wrong
 };
@@ -278,9 +278,9 @@ const Shape* find_shape(std::string_view name) {
 }
 
 // A part without `shape` that has a key of one.
-void refuse_shapeless(const std::string& path, const SceneEntry& entry) {
+void refuse_shapeless(const std::string& path, const TomlEntry& entry) {
   for (const Shape& shape : kShapes)
-    for (const SceneKey& key : shape.keys.subspan(2))
+    for (const TomlKey& key : shape.keys.subspan(2))
       if (key.name == entry.key)
         throw Error(fmt::format("{}, line {}: the part has {} but no shape", path, entry.value.line,
                                 entry.key),
@@ -294,9 +294,9 @@ bool tells_place(const Error& error, const SceneTable& part) {
 
 } // namespace
 
-SceneTable part_table(const std::string& path, const SceneValue& value) {
+SceneTable part_table(const std::string& path, const TomlValue& value) {
   if (value.table() == nullptr) return {path, value, "a part", kNoShapeKeys};
-  for (const SceneEntry& entry : *value.table()) {
+  for (const TomlEntry& entry : *value.table()) {
     if (entry.key != "shape") continue;
     const std::string place = fmt::format("{}, line {}", path, entry.value.line);
     const auto* const name = std::get_if<std::string>(&entry.value.value);
@@ -307,7 +307,7 @@ SceneTable part_table(const std::string& path, const SceneValue& value) {
     if (shape == nullptr) refuse_shape(*name, place);
     return {path, value, shape->noun, shape->keys};
   }
-  for (const SceneEntry& entry : *value.table()) refuse_shapeless(path, entry);
+  for (const TomlEntry& entry : *value.table()) refuse_shapeless(path, entry);
   return {path, value, "a part without a shape", kNoShapeKeys};
 }
 
@@ -323,7 +323,7 @@ Solid read_shape(const SceneTable& part) {
     return shape.read(part);
   } catch (const Error& error) {
     if (tells_place(error, part)) throw;
-    const SceneValue* blamed = part.find(shape.described_by);
+    const TomlValue* blamed = part.find(shape.described_by);
     if (blamed == nullptr) blamed = &part.at("shape");
     throw Error(part.place(*blamed), error.what());
   }

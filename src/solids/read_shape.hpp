@@ -10,10 +10,10 @@
 namespace orograph {
 
 /// The key `uses` of a part.
-constexpr SceneKey kUsesKey{"uses", "a list of tables", "[{ part = \"wall\" }]"};
+constexpr TomlKey kUsesKey{"uses", "a list of tables", "[{ part = \"wall\" }]"};
 
 /// A part of a scene by the keys that its shape has, `shape` and `uses` among them.
-SceneTable part_table(const std::string& path, const SceneValue& value);
+SceneTable part_table(const std::string& path, const TomlValue& value);
 
 /// The path of the file that holds the part's shape, if one does. Throws Error for a name that is
 /// no text.

@@ -2,6 +2,8 @@
 // UTF-8 by the table of well-formed sequences in the Unicode standard (section 3.9).
 #include "write/format_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -127,6 +129,20 @@ std::string xml_escaped(std::string_view text) {
       escaped += c;
     }
   return escaped;
+}
+
+std::string page_number(double value_mm) {
+  std::array<char, kPageNumberBytes> text;
+  return {text.data(), print_page_number(value_mm, text.data())};
+}
+
+std::string hex_colour(const Layer& layer) {
+  if (layer.pen) {
+    const auto [red, green, blue] = layer.pen->colour;
+    return fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
+  }
+  const int level = static_cast<int>(std::lround(255 * layer.grey));
+  return fmt::format("#{0:02x}{0:02x}{0:02x}", level);
 }
 
 } // namespace orograph

@@ -2,6 +2,8 @@
 // Coordinates, and text from the user, as files hold them.
 #pragma once
 
+#include "draw/drawing.hpp"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -15,6 +17,8 @@ constexpr std::size_t kPageNumberBytes = 320;
 /// the byte, but several times as quickly for numbers on `kPageStep_mm`. Returns the text's end;
 /// nothing marks it. REQUIRES kPageNumberBytes at `to`, and a finite number.
 char* print_page_number(double value_mm, char* to);
+/// The same as a text.
+std::string page_number(double value_mm);
 
 /// The text as valid UTF-8 that XML 1.0 may hold: bytes that are not UTF-8, and control characters
 /// other than tab and line breaks, become U+FFFD.
@@ -22,5 +26,8 @@ std::string clean_utf8(std::string_view text);
 
 /// `clean_utf8` with the characters escaped that mean something in XML text or attributes.
 std::string xml_escaped(std::string_view text);
+
+/// "#rrggbb", of its pen or else its grey.
+std::string hex_colour(const Layer& layer);
 
 } // namespace orograph

@@ -42,15 +42,15 @@ void check(cairo_status_t status, const ByteSink& out) {
                 "room in memory and in /tmp, or another format", ErrorCode::output);
 }
 
-// Short neighbouring strokes share a path. `ink` sets the colour of a grey.
+// Short neighbouring strokes share a path. `ink` sets a layer's colour.
 void draw(cairo_surface_t* surface, const Drawing& drawing, double scale,
-          void (*ink)(cairo_t*, double grey), const ByteSink& out) {
+          void (*ink)(cairo_t*, const Layer& layer), const ByteSink& out) {
   const Context context(cairo_create(surface), cairo_destroy);
   cairo_t* const pen = context.get();
   cairo_set_line_cap(pen, CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
   for (const Layer& layer : drawing.layers) {
-    ink(pen, layer.grey);
+    ink(pen, layer);
     double width_mm = 0;
     std::size_t points_in_path = 0;
     for (const Stroke& stroke : layer.strokes) {
@@ -76,8 +76,10 @@ void finish(cairo_surface_t* surface, const ByteSink& out) {
   check(cairo_surface_status(surface), out);
 }
 
-void set_grey(cairo_t* pen, double grey) {
-  cairo_set_source_rgb(pen, grey, grey, grey);
+void set_colour(cairo_t* pen, const Layer& layer) {
+  if (!layer.pen) return cairo_set_source_rgb(pen, layer.grey, layer.grey, layer.grey);
+  const auto [red, green, blue] = layer.pen->colour;
+  cairo_set_source_rgb(pen, red / 255.0, green / 255.0, blue / 255.0);
 }
 
 void write_pdf(const Drawing& drawing, ByteSink& out) {
@@ -93,7 +95,7 @@ void write_pdf(const Drawing& drawing, ByteSink& out) {
   set(CAIRO_PDF_METADATA_SUBJECT, clean_utf8(drawing.description));
   set(CAIRO_PDF_METADATA_CREATOR, "orograph");
   set(CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z"); // the same bytes on any day
-  draw(surface.get(), drawing, kPointsPerMm, set_grey, out);
+  draw(surface.get(), drawing, kPointsPerMm, set_colour, out);
   finish(surface.get(), out);
 }
 
@@ -106,7 +108,7 @@ void write_postscript(const Drawing& drawing, bool is_eps, ByteSink& out) {
                         cairo_surface_destroy);
   cairo_ps_surface_set_eps(surface.get(), is_eps);
   cairo_ps_surface_dsc_comment(surface.get(), postscript_title(drawing.title).c_str());
-  draw(surface.get(), drawing, kPointsPerMm, set_grey, out);
+  draw(surface.get(), drawing, kPointsPerMm, set_colour, out);
   finish(surface.get(), out);
   filter.finish();
 }
@@ -128,7 +130,12 @@ void check_pixels(const Page& page, double dpi, double width, double height) {
 // Bytes of an alpha-only image are written to a PNG as they are, as levels of grey, at a quarter of
 // the memory of a colour image. SOURCE mixes the old level with the new by how much of a pixel the
 // pen covers, which is what painting with an opaque grey does.
-void set_level(cairo_t* pen, double grey) {
+void set_level(cairo_t* pen, const Layer& layer) {
+  double grey = layer.grey;
+  if (layer.pen) {
+    const auto [red, green, blue] = layer.pen->colour;
+    grey = (0.299 * red + 0.587 * green + 0.114 * blue) / 255; // as bright as the colour
+  }
   cairo_set_operator(pen, CAIRO_OPERATOR_SOURCE);
   cairo_set_source_rgba(pen, 0, 0, 0, grey);
 }
@@ -144,7 +151,9 @@ void write_png(const Drawing& drawing, double dpi, ByteSink& out) {
   check(cairo_surface_status(surface.get()), out);
   {
     const Context paper(cairo_create(surface.get()), cairo_destroy);
-    set_level(paper.get(), 1);
+    Layer white;
+    white.grey = 1;
+    set_level(paper.get(), white);
     cairo_paint(paper.get());
   }
   draw(surface.get(), drawing, scale, set_level, out);

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <numbers>
 #include <optional>
 
@@ -37,14 +38,46 @@ void check_map_points(const Drawing& drawing, Format format) {
                   "a drawing tied to the ground, or a format such as SVG", ErrorCode::request);
 }
 
+Device device_of(const WriteOptions& options) {
+  const auto language = language_of(options.format);
+  if (!options.device)
+    return read_device(language == Device::Language::gcode ? "grbl-servo" : "generic");
+  if (options.device->language != language)
+    throw UsageError(fmt::format("the {} speaks another language than {}", options.device->name,
+                                 format_names()[static_cast<std::size_t>(options.format)]),
+                     "another `device`, or another `format`");
+  return *options.device;
+}
+
 void write_to_sink(const Drawing& drawing, const WriteOptions& options, ByteSink& out) {
-  if (options.format == Format::svg)
+  if (language_of(options.format)) {
+    const Device device = device_of(options);
+    const OnDevice on_device(drawing, device);
+    const bool is_hpgl = device.language == Device::Language::hpgl;
+    (is_hpgl ? write_hpgl : write_gcode)(drawing, device, on_device, out);
+  } else if (options.format == Format::svg) {
     write_svg(drawing, out);
-  else if (options.format == Format::geojson)
+  } else if (options.format == Format::geojson) {
     write_geojson(drawing, out);
-  else
+  } else if (options.format == Format::dxf) {
+    write_dxf(drawing, out);
+  } else {
     write_by_cairo(drawing, options, out);
+  }
   out.finish();
+}
+
+// Beside the path.
+void write_to_file(const Drawing& drawing, const std::string& path, const WriteOptions& options,
+                   const OutputFile& file) {
+  if (options.format == Format::gpkg) {
+    write_geopackage(drawing, file.temporary_path(), path);
+    prove_geopackage(drawing, file.temporary_path(), path);
+  } else {
+    ByteSink out(file.temporary_path(), path);
+    write_to_sink(drawing, options, out);
+    if (options.format == Format::geojson) prove_geojson(drawing, file.temporary_path(), path);
+  }
 }
 
 } // namespace
@@ -53,18 +86,30 @@ bool is_tied_to_ground(Format format) {
   return format == Format::geojson || format == Format::gpkg;
 }
 
+std::optional<Device::Language> language_of(Format format) {
+  if (format == Format::hpgl) return Device::Language::hpgl;
+  if (format == Format::gcode) return Device::Language::gcode;
+  return std::nullopt;
+}
+
+bool has_one_width(Format format) {
+  return format == Format::hpgl || format == Format::gcode || format == Format::dxf;
+}
+
 PenOrder pen_order_for(Format format) {
-  const bool is_for_pen = format == Format::svg || format == Format::ps || format == Format::eps;
+  const bool is_for_pen = format == Format::svg || format == Format::ps || format == Format::eps ||
+                          has_one_width(format);
   return is_for_pen ? PenOrder::sorted : PenOrder::drawing;
 }
 
 bool is_text(Format format) {
   return format == Format::svg || format == Format::ps || format == Format::eps ||
-         format == Format::geojson;
+         format == Format::geojson || has_one_width(format);
 }
 
 const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names{"svg", "pdf", "ps", "eps", "png", "geojson", "gpkg"};
+  static const std::vector<std::string> names{"svg",     "pdf",  "ps",   "eps",   "png",
+                                              "geojson", "gpkg", "hpgl", "gcode", "dxf"};
   return names;
 }
 
@@ -88,7 +133,11 @@ double rounding_mm(const WriteOptions& options) {
   constexpr double kCairoStep_mm = 25.4 / 72 / 256; // fixed point with 8 bits after the point
   switch (options.format) {
   case Format::svg:
+  case Format::dxf:
     return page_rounding_mm();
+  case Format::hpgl:
+  case Format::gcode:
+    return page_rounding_mm() + half_diagonal * device_of(options).step_mm();
   case Format::pdf:
   case Format::ps:
   case Format::eps:
@@ -108,7 +157,7 @@ void check_writable(const std::string& path, const WriteOptions& options) {
   else if (!is_text(options.format))
     throw UsageError(fmt::format("{} can't go to standard output",
                                  format_names()[static_cast<std::size_t>(options.format)]),
-                     "the name of a file, or one of svg, ps, eps, geojson");
+                     "the name of a file, or one of svg, ps, eps, geojson, hpgl, gcode, dxf");
 }
 
 void write_drawing(const Drawing& drawing, const std::string& path, const WriteOptions& options) {
@@ -119,15 +168,19 @@ void write_drawing(const Drawing& drawing, const std::string& path, const WriteO
     return write_to_sink(drawing, options, out);
   }
   OutputFile file(path, options.overwrite);
-  if (options.format == Format::gpkg) {
-    write_geopackage(drawing, file.temporary_path(), path);
-    prove_geopackage(drawing, file.temporary_path(), path);
-  } else {
-    ByteSink out(file.temporary_path(), path);
-    write_to_sink(drawing, options, out);
-    if (options.format == Format::geojson) prove_geojson(drawing, file.temporary_path(), path);
-  }
+  write_to_file(drawing, path, options, file);
   file.commit();
+}
+
+void write_drawings(const std::vector<Drawing>& drawings, const std::vector<std::string>& paths,
+                    const WriteOptions& options) {
+  std::vector<std::unique_ptr<OutputFile>> files;
+  for (std::size_t i = 0; i < drawings.size(); ++i) {
+    check_map_points(drawings[i], options.format);
+    files.push_back(std::make_unique<OutputFile>(paths[i], options.overwrite));
+    write_to_file(drawings[i], paths[i], options, *files.back());
+  }
+  for (const auto& file : files) file->commit();
 }
 
 std::map<std::string, std::string> library_versions() {

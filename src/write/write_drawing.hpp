@@ -5,24 +5,32 @@
 #include "draw/drawing.hpp"
 #include "draw/pen_order.hpp"
 #include "geometry/api.hpp"
+#include "write/device.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace orograph {
 
-enum class Format { svg, pdf, ps, eps, png, geojson, gpkg };
+enum class Format { svg, pdf, ps, eps, png, geojson, gpkg, hpgl, gcode, dxf };
 
 struct WriteOptions {
   Format format = Format::svg;
   double dpi = 300;       ///< PNG only
   bool overwrite = false; ///< may replace an existing file
+  /// What HPGL and G-code are for; none: "generic" and "grbl-servo".
+  std::optional<Device> device = std::nullopt;
 };
 
 /// Whether the format holds map points: the drawing must have them then.
 OROGRAPH_API bool is_tied_to_ground(Format format);
+/// The language of devices that the format speaks; none: no device's.
+OROGRAPH_API std::optional<Device::Language> language_of(Format format);
+/// Whether a pen of one width draws all of it: light shows by how close lines are then.
+OROGRAPH_API bool has_one_width(Format format);
 /// `sorted` for formats that a pen may draw, else `drawing`: what the command takes by default.
 OROGRAPH_API PenOrder pen_order_for(Format format);
 /// Whether the format may be written to standard output (path "-"): text formats only.
@@ -47,6 +55,11 @@ OROGRAPH_API void check_writable(const std::string& path, const WriteOptions& op
 /// Path "-" writes to standard output. The same drawing gives the same bytes.
 OROGRAPH_API void write_drawing(const Drawing& drawing, const std::string& path,
                                 const WriteOptions& options);
+
+/// Writes several to a path each, whole; where one can't be written, none appears.
+OROGRAPH_API void write_drawings(const std::vector<Drawing>& drawings,
+                                 const std::vector<std::string>& paths,
+                                 const WriteOptions& options);
 
 /// Name to version of the libraries that stand behind reading and writing, as found at run time.
 std::map<std::string, std::string> library_versions();

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GeoJSON and GeoPackage through OGR: one layer of line strings with heights, in the terrain's CRS.
+// DXF: the page's polylines.
+#include "draw/round_drawing.hpp"
+#include "geometry/on_all_cores.hpp"
 #include "write/byte_sink.hpp"
 #include "write/format_text.hpp"
+#include "write/sink_filesystem.hpp"
 #include "write/writers.hpp"
 
 #include <cpl_conv.h>
@@ -16,10 +20,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -73,79 +77,6 @@ void OgrMessages::take(bool is_failure, const char* text) {
   if (const std::size_t found = reason_.rfind(before_reason); found != std::string::npos)
     reason_.erase(0, found + before_reason.size());
   std::ranges::replace(reason_, '\n', ' ');
-}
-
-thread_local ByteSink* current_sink = nullptr;
-
-ByteSink* sink_of(void* file) {
-  return static_cast<ByteSink*>(file);
-}
-
-void* open_sink(void*, const char*, const char* access) {
-  return access[0] == 'w' ? current_sink : nullptr;
-}
-
-// GDAL looks whether the file is there before it creates it.
-int find_no_file(void*, const char*, VSIStatBufL*, int) {
-  return -1;
-}
-
-std::size_t write_to_sink(void* file, const void* data, std::size_t size, std::size_t count) {
-  const std::string_view bytes(static_cast<const char*>(data), size * count);
-  return sink_of(file)->append(bytes) ? count : 0;
-}
-
-vsi_l_offset position(void* file) {
-  return sink_of(file)->size();
-}
-
-int seek_nowhere(void* file, vsi_l_offset offset, int whence) {
-  const vsi_l_offset end = position(file);
-  return (whence == SEEK_SET ? offset : end + offset) == end ? 0 : -1;
-}
-
-int leave_open(void*) {
-  return 0;
-}
-
-// A ByteSink as a file that GDAL can write, since its GeoJSON writer doesn't look whether its own
-// writes succeed. As long as it lives, what GDAL writes in this thread to a file in kFolder goes to
-// the sink of the youngest one. Such a file can be written from begin to end and nothing
-// else.
-class SinkFilesystem {
-public:
-  static constexpr const char* kFolder = "/vsiorograph/";
-
-  explicit SinkFilesystem(ByteSink& out);
-  ~SinkFilesystem();
-  SinkFilesystem(const SinkFilesystem&) = delete;
-  SinkFilesystem& operator=(const SinkFilesystem&) = delete;
-
-private:
-  ByteSink* before_;
-};
-
-void install() {
-  VSIFilesystemPluginCallbacksStruct* const callbacks = VSIAllocFilesystemPluginCallbacksStruct();
-  callbacks->stat = find_no_file;
-  callbacks->open = open_sink;
-  callbacks->tell = position;
-  callbacks->seek = seek_nowhere;
-  callbacks->write = write_to_sink;
-  callbacks->flush = leave_open;
-  callbacks->close = leave_open;
-  VSIInstallPluginHandler(SinkFilesystem::kFolder, callbacks);
-  VSIFreeFilesystemPluginCallbacksStruct(callbacks);
-}
-
-SinkFilesystem::SinkFilesystem(ByteSink& out) : before_(current_sink) {
-  static const bool installed = (install(), true);
-  static_cast<void>(installed);
-  current_sink = &out;
-}
-
-SinkFilesystem::~SinkFilesystem() {
-  current_sink = before_;
 }
 
 constexpr const char* kLayerName = "strokes";
@@ -317,6 +248,70 @@ void set_text(CPLStringList& options, const char* name, const std::string& text)
   if (!text.empty()) options.SetNameValue(name, clean_utf8(text).c_str());
 }
 
+// As CAD has them: Y up, a layer and a colour for each line.
+std::unique_ptr<OGRFeature> polyline_of(const Stroke& stroke, const Layer& from, double height_mm,
+                                        OGRLayer& to) {
+  auto feature = std::make_unique<OGRFeature>(to.GetLayerDefn());
+  feature->SetField("Layer", clean_utf8(from.name).c_str());
+  feature->SetStyleString(fmt::format("PEN(c:{})", hex_colour(from)).c_str());
+  auto line = std::make_unique<OGRLineString>();
+  const std::span<const Vec2> points = from.points(stroke);
+  line->setNumPoints(static_cast<int>(points.size()), FALSE);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    line->setPoint(static_cast<int>(i), points[i].x, rounded_to_page_step(height_mm - points[i].y));
+  feature->SetGeometryDirectly(line.release());
+  return feature;
+}
+
+bool write_polylines(const std::string& path, const Drawing& drawing) {
+  GDALAllRegister();
+  GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName("DXF");
+  if (driver == nullptr)
+    throw Error("GDAL has no DXF here", "a GDAL that has it", ErrorCode::output);
+  Dataset dataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  OGRLayer* const layer = dataset ? dataset->CreateLayer("entities") : nullptr;
+  if (layer == nullptr) return false;
+  std::size_t step = 0;
+  for (const Layer& from : drawing.layers)
+    for (const Stroke& stroke : from.strokes) {
+      throw_if_stopped(step++);
+      const auto feature = polyline_of(stroke, from, drawing.page.height_mm, *layer);
+      if (layer->CreateFeature(feature.get()) != OGRERR_NONE) return false;
+    }
+  return true;
+}
+
+// A file in memory, that goes with it.
+class MemoryFile {
+public:
+  MemoryFile() : path_(fmt::format("/vsimem/orograph-{}.dxf", fmt::ptr(this))) {}
+  ~MemoryFile() { VSIUnlink(path_.c_str()); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  std::string_view text() const {
+    vsi_l_offset size = 0;
+    const auto* bytes = VSIGetMemFileBuffer(path_.c_str(), &size, FALSE);
+    return {reinterpret_cast<const char*>(bytes), bytes == nullptr ? 0 : size};
+  }
+
+private:
+  std::string path_;
+};
+
+// GDAL's header says inches.
+void append_in_mm(std::string_view text, ByteSink& out) {
+  constexpr std::string_view unit = "$INSUNITS\n 70\n", mm = "     4\n";
+  const std::size_t found = text.find(unit);
+  if (found != std::string_view::npos) {
+    out.append(text.substr(0, found + unit.size()));
+    out.append(mm);
+    text.remove_prefix(text.find('\n', found + unit.size()) + 1);
+  }
+  out.append(text);
+}
+
 std::size_t stroke_count(const Drawing& drawing) {
   std::size_t count = 0;
   for (const Layer& layer : drawing.layers) count += layer.strokes.size();
@@ -355,6 +350,16 @@ void write_geopackage(const Drawing& drawing, const std::string& path, const std
   set_text(options, "DESCRIPTION", drawing.description);
   ::unlink(path.c_str()); // the driver creates it and nothing else
   if (!write("GPKG", path, drawing, options, messages)) throw gdal_error(name, messages);
+}
+
+// GDAL puts a second file beside it and goes back in the first, so it is made in memory.
+void write_dxf(const Drawing& drawing, ByteSink& out) {
+  const WritingOptions fixed;
+  const OgrMessages messages;
+  const MemoryFile file;
+  if (!write_polylines(file.path(), drawing) || messages.has_failure())
+    throw gdal_error(out.name(), messages);
+  append_in_mm(file.text(), out);
 }
 
 void prove_geojson(const Drawing& drawing, const std::string& path, const std::string& name) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -16,14 +17,9 @@
 namespace orograph {
 namespace {
 
-std::string printed(double value_mm) {
-  std::array<char, kPageNumberBytes> text;
-  return {text.data(), print_page_number(value_mm, text.data())};
-}
-
 std::string header(const Drawing& drawing) {
-  const std::string width = printed(drawing.page.width_mm);
-  const std::string height = printed(drawing.page.height_mm);
+  const std::string width = page_number(drawing.page.width_mm);
+  const std::string height = page_number(drawing.page.height_mm);
   std::string text =
       fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                   "<svg xmlns=\"http://www.w3.org/2000/svg\" "
@@ -35,19 +31,32 @@ std::string header(const Drawing& drawing) {
   return text;
 }
 
-// The number in front of the name is what pen plotters sort layers by; with a % in front of it the
-// layer isn't drawn (AxiDraw's layer control). Ink stands both as
+// At its default resolution, of one percent of its speed.
+constexpr double kAxiDrawSpeed_mm_s = 8.6979 * 25.4 / 110;
+
+// AxiDraw's layer control: the number that stands first is what plotters sort layers by, then speed
+// and height of the pen in percent. A % in front has the layer not drawn, a ! has the plotter wait.
+std::string label_of(const Layer& layer, std::size_t number) {
+  if (!layer.pen) return fmt::format("{}{} {}", layer.is_pen_way ? "%" : "", number, layer.name);
+  const Pen& pen = *layer.pen;
+  std::string label = fmt::format("{}{}", pen.waits ? "!" : "", pen.number);
+  if (pen.speed_mm_s)
+    label += fmt::format("+S{}",
+                         std::clamp(std::lround(*pen.speed_mm_s / kAxiDrawSpeed_mm_s), 1L, 110L));
+  if (pen.height_percent) label += fmt::format("+H{}", std::lround(*pen.height_percent));
+  return label + " " + layer.name;
+}
+
+// Ink stands both as
 // attributes and as style, since some readers know only one of them.
 std::string layer_start(const Layer& layer, std::size_t number) {
-  const int level = static_cast<int>(std::lround(255 * layer.grey));
-  const std::string colour = fmt::format("#{0:02x}{0:02x}{0:02x}", level);
-  const std::string width = printed(layer.pen_width_mm);
-  return fmt::format(
-      "<g id=\"layer{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{4}{0} {1}\" "
-      "fill=\"none\" stroke=\"{2}\" stroke-width=\"{3}\" "
-      "style=\"fill:none;stroke:{2};stroke-width:{3};"
-      "stroke-linecap:round;stroke-linejoin:round\">\n",
-      number, xml_escaped(layer.name), colour, width, layer.is_pen_way ? "%" : "");
+  const std::string colour = hex_colour(layer);
+  const std::string width = page_number(layer.pen_width_mm);
+  return fmt::format("<g id=\"layer{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{1}\" "
+                     "fill=\"none\" stroke=\"{2}\" stroke-width=\"{3}\" "
+                     "style=\"fill:none;stroke:{2};stroke-width:{3};"
+                     "stroke-linecap:round;stroke-linejoin:round\">\n",
+                     number, xml_escaped(label_of(layer, number)), colour, width);
 }
 
 // Texts of up to so many points are made side by side.

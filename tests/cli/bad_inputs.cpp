@@ -70,6 +70,17 @@ void write_settings(const MadeFolder& folder) {
   folder.write("set-nested.json", std::string(1'000'000, '[') + std::string(1'000'000, ']'));
 }
 
+// Devices and pens, sound but for those that begin with bad-.
+void write_plotters(const MadeFolder& folder) {
+  const std::string device = "language = 'hpgl'\nname = 'mine'\nunit = 0.025\n";
+  folder.write("small-device.toml", device + "pens = 2\nwindow = [0, 0, 4000, 8000]\n");
+  folder.write("bad-device.toml", device + "pens = 'two'\n");
+  folder.write("bad-syntax.toml", "language = hpgl\n");
+  folder.write("one-pen.toml", "[[pen]]\nnumber = 3\nwidth = 0.2\nlayers = ['profiles']\n");
+  folder.write("bad-pens.toml", "[[pen]]\nnumber = 1\nwidth = 0\n");
+  folder.write("waiting-pen.toml", "[[pen]]\nnumber = 1\nwidth = 0.2\npause = true\n");
+}
+
 } // namespace
 
 void make_bad_inputs(const MadeFolder& folder) {
@@ -116,6 +127,7 @@ void make_bad_inputs(const MadeFolder& folder) {
                }));
   make_scenes(folder);
   write_settings(folder);
+  write_plotters(folder);
   folder.write("old.svg", "an older drawing");
   fs::create_directory(folder.path("folder.svg"));
   fs::create_symlink("hill.asc", folder.path("link.asc"));

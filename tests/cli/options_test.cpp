@@ -270,12 +270,26 @@ TEST_CASE("output options") {
   check_refused({"--pen-order", "greedy"}, "drawing|sorted|best");
   check_refused({"--of", "gpkg", "--pen-order", "sorted"}, "--of svg");
 
-  check_refused({"--of", "dxf"}, "geojson");
+  CHECK(given({"--of", "hpgl"}).map.pen_order == PenOrder::sorted);
+  CHECK(given({"--of", "gcode"}).map.style.light->by_density);
+  CHECK(given({"--of", "dxf"}).map.style.light->by_density);
+  CHECK(!given({}).map.style.light->by_density);
+  CHECK(given({"--of", "hpgl", "--device", "dxy"}).write.device->name == "Roland DXY");
+  CHECK(given({"--clip-to", "100x80"}).clip_to_mm == Vec2{100, 80});
+  CHECK(given({"--clip-to", "100x80"}).map.pen_order == PenOrder::drawing);
+  CHECK(given({"--clip-to", "100x80"}).finishing_order == PenOrder::sorted);
+  CHECK(!given({}).finishing_order);
+  const auto sheets = given({"--sheets", "2x3", "--overlap", "8mm", "--landscape"});
+  CHECK(sheets.sheet.width_mm == 297);
+  CHECK(sheets.map.page.width_mm == 2 * 277 - 8 + 20);
+  CHECK(sheets.map.page.height_mm == 3 * 190 - 2 * 8 + 20);
+
+  check_refused({"--of", "dwg"}, "geojson");
   check_refused({"--dpi", "300"}, "--of png");
   check_refused({"--of", "png", "--dpi", "5"}, "10 to 4800");
   check_refused({"--of", "png", "--dpi", "4800", "--page", "a0"}, "or less");
   check_refused({"--report", ""}, "a file name");
-  CHECK(refusal_of({"in.tif", "out.dxf"}).find("svg") != std::string::npos);
+  CHECK(refusal_of({"in.tif", "out.dwg"}).find("svg") != std::string::npos);
   CHECK(refusal_of({"in.tif", "-"}).find("--of svg") != std::string::npos);
   CHECK(refusal_of({"in.tif", "-", "--of", "pdf"}).find("text format") != std::string::npos);
   CHECK(refusal_of({"in.tif", ""}).find("OUTPUT '' can't be used") != std::string::npos);

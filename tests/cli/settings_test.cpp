@@ -98,8 +98,14 @@ TEST_CASE("a drawing is made again from the settings in its report alone") {
         "--of geojson --min-stroke 2 --view-from 100/10",
         "--of png --dpi 60",
         "--pen-order best",
-        "--of ps --pen-order drawing"}) {
+        "--of ps --pen-order drawing",
+        "--of hpgl --device hp7475a --margin 14",
+        "--pens pens.toml --pause-between-pens",
+        "--clip-to 100x90",
+        "--of gcode --device grbl-z --page 100x80"}) {
     INFO(options);
+    folder.write("pens.toml",
+                 "[[pen]]\nnumber = 1\nwidth = 0.1\n[[pen]]\nnumber = 2\nwidth = 0.2\n");
     folder.write("flat.toml", "projection = 'parallel'\nvrp = [200, 200, 100]\nvpn = [0, -1, 1]\n"
                               "prp = [0, 0, 100]\nwindow = [-200, -200, 200, 200]\n");
     const std::string name = std::to_string(++number);
@@ -121,7 +127,8 @@ TEST_CASE("a drawing is made again from the settings in its report alone") {
     // Nothing is lost on the way, and nothing more is found.
     const auto settings = [&](const std::string& path) {
       nlohmann::json all = nlohmann::json::parse(folder.read(path))["settings"];
-      for (const char* file : {"scene", "view"}) all.erase(file); // each from its report's folder
+      for (const char* file : {"scene", "view", "pens"})
+        all.erase(file); // each from its report's folder
       return all;
     };
     CHECK(settings(report) == settings(name + "-again.json"));
@@ -146,11 +153,12 @@ TEST_CASE("defaults are written out as values, or in words that no option takes 
   std::set<std::string> written;
   for (const auto& [name, its_values] : given({}).options) written.insert("--" + name);
   for (const Option& option : command.options) {
-    const bool is_chosen =
-        option.by_default.empty() || option.by_default.find(' ') != std::string::npos ||
-        std::set<std::string>{"--pitch", "--eye-height", "--hidden", "--dpi", "--max-edge"}
-            .contains(option.name) ||
-        option.group == "General" || option.name == "--check";
+    const bool is_chosen = option.by_default.empty() ||
+                           option.by_default.find(' ') != std::string::npos ||
+                           std::set<std::string>{"--pitch", "--eye-height", "--hidden",
+                                                 "--dpi",   "--max-edge",   "--overlap"}
+                               .contains(option.name) ||
+                           option.group == "General" || option.name == "--check";
     INFO(option.name);
     CHECK(written.contains(option.name) != is_chosen);
   }

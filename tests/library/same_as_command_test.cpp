@@ -45,6 +45,7 @@ void check_same(const Words& inputs, const std::function<Session()>& open,
     const WriteOptions options{.format = format_of_path(path), .overwrite = true};
     spec.ground_points = is_tied_to_ground(options.format);
     spec.pen_order = pen_order_for(options.format);
+    if (has_one_width(options.format)) spec.style.light->by_density = true;
     write_drawing(session.draw(spec).drawing, path, options);
     CHECK(folder.read("library." + format).size() > 400);
     CHECK((folder.read("library." + format) == folder.read("command." + format)));
@@ -55,7 +56,8 @@ void check_same(const Words& inputs, const std::function<Session()>& open,
 
 TEST_CASE("the default view in every format") {
   std::vector<Request> requests;
-  for (const char* format : {"svg", "pdf", "ps", "eps", "png", "geojson", "gpkg"})
+  for (const char* format :
+       {"svg", "pdf", "ps", "eps", "png", "geojson", "gpkg", "hpgl", "gcode", "dxf"})
     requests.push_back({format, {}, {}});
   const std::string dem = kData + "volcano.tif";
   check_same(

@@ -25,15 +25,15 @@ std::string message_of(const auto& act) {
 } // namespace
 
 TEST_CASE("formats by name and by path") {
-  REQUIRE(format_names().size() == 7);
+  REQUIRE(format_names().size() == 10);
   for (const std::string& name : format_names()) {
     CHECK(format_names()[static_cast<std::size_t>(format_of_name(name))] == name);
     CHECK(format_of_path("/some.where/map." + name) == format_of_name(name));
   }
   CHECK(format_of_name("GeoJSON") == Format::geojson);
   CHECK(format_of_path("MAP.SVG") == Format::svg);
-  CHECK(message_of([] { format_of_name("dxf"); }) ==
-        "unknown format 'dxf': one of svg, pdf, ps, eps, png, geojson, gpkg");
+  CHECK(message_of([] { format_of_name("dwg"); }) ==
+        "unknown format 'dwg': one of svg, pdf, ps, eps, png, geojson, gpkg, hpgl, gcode, dxf");
   CHECK_THROWS_AS(format_of_name(""), UsageError);
   CHECK_THROWS_AS(format_of_path("map"), UsageError);
   CHECK_THROWS_AS(format_of_path("map."), UsageError);

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/options/check_plotting.hpp"
+
+#include "geometry/error.hpp"
+#include "map/layer_table.hpp"
+#include "write/pens_file.hpp"
+#include "write/write_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace orograph {
+namespace {
+
+const std::string& name_of(Format format) {
+  return format_names()[static_cast<std::size_t>(format)];
+}
+
+void check_pen_order(RenderSettings& settings, const GivenOptions& given) {
+  const Format format = settings.write.format;
+  settings.map.pen_order = settings.pen_order.value_or(pen_order_for(format));
+  if (!is_tied_to_ground(format)) return;
+  if (settings.map.pen_order != PenOrder::drawing && insists_on(given, "--pen-order"))
+    throw UsageError(
+        "--pen-order has no meaning in a format tied to the ground, which no pen draws",
+        "leave it out, or write a picture, as in --of svg");
+  settings.map.pen_order = PenOrder::drawing;
+  if (settings.map.style.asks_for("pen-up") && insists_on(given, "--layers"))
+    throw UsageError("--layers has no pen-up in a format tied to the ground, which no pen draws",
+                     "leave it out, or write a picture, as in --of svg");
+  std::erase_if(settings.map.style.layers, [](const LayerSpec& of) { return of.name == "pen-up"; });
+}
+
+void check_device(RenderSettings& settings, const GivenOptions& given) {
+  const Format format = settings.write.format;
+  const auto language = language_of(format);
+  if (!language) {
+    if (insists_on(given, "--device"))
+      throw UsageError(
+          fmt::format("--device has no meaning in {}, which no device reads", name_of(format)),
+          "leave it out, or give --of hpgl or --of gcode");
+    return;
+  }
+  if (settings.device.empty()) return; // the format's own
+  settings.write.device = read_device(settings.device);
+  if (settings.write.device->language == language) return;
+  const bool speaks_hpgl = settings.write.device->language == Device::Language::hpgl;
+  throw UsageError(fmt::format("--device {} doesn't speak {}", settings.device, name_of(format)),
+                   fmt::format("give --of {}, or another device", speaks_hpgl ? "hpgl" : "gcode"));
+}
+
+// Light is shown by what pens there are.
+void check_light(RenderSettings& settings, const GivenOptions& given) {
+  Style& style = settings.map.style;
+  std::vector<double> widths_mm;
+  for (const Pen& pen : pens_of("profiles", settings.pens)) widths_mm.push_back(pen.width_mm);
+  std::sort(widths_mm.begin(), widths_mm.end());
+  if (!widths_mm.empty()) {
+    style.light_widths.reset();
+    style.pen_width_mm = std::sqrt(widths_mm.front() * widths_mm.back());
+    if (widths_mm.front() < widths_mm.back())
+      style.light_widths = LineWidths{widths_mm.front(), widths_mm.back()};
+  }
+  const bool has_one = widths_mm.empty() ? has_one_width(settings.write.format)
+                                         : widths_mm.front() == widths_mm.back();
+  if (!style.light || style.light->by_density || !has_one) return;
+  if (insists_on(given, "--light-by"))
+    throw UsageError(widths_mm.empty()
+                         ? fmt::format("--light-by width has no meaning in {} without pens of "
+                                       "several widths",
+                                       name_of(settings.write.format))
+                         : "--light-by width needs profiles with pens of several widths",
+                     "leave it out, or give --pens that have them");
+  style.light->by_density = true;
+}
+
+void check_pens(RenderSettings& settings, const GivenOptions& given) {
+  if (settings.pens_file.empty()) {
+    if (insists_on(given, "--pause-between-pens"))
+      throw UsageError("--pause-between-pens has no meaning without pens", "give --pens FILE too");
+    return;
+  }
+  if (is_tied_to_ground(settings.write.format)) {
+    if (insists_on(given, "--pens"))
+      throw UsageError("--pens has no meaning in a format tied to the ground, which no pen draws",
+                       "leave it out, or write a picture, as in --of svg");
+    return;
+  }
+  if (insists_on(given, "--pen-width"))
+    throw UsageError("--pen-width has no meaning beside pens, which have widths of their own",
+                     "leave it out");
+  std::vector<std::string_view> layers;
+  for (const LayerRow& row : layer_table())
+    if (row.source != LineSource::pen_way) layers.push_back(row.name);
+  settings.pens = read_pens(settings.pens_file, layers);
+  const auto& device = settings.write.device;
+  if (!device || !device->pens) return;
+  for (const PenOfLayers& one : settings.pens)
+    if (one.pen.number > *device->pens)
+      throw UsageError(fmt::format("{}: pen {} of the {}, which has {}", settings.pens_file,
+                                   one.pen.number, device->name, *device->pens),
+                       fmt::format("give numbers up to {}", *device->pens));
+}
+
+void check_sheets(RenderSettings& settings, const GivenOptions& given) {
+  const bool is_tied = is_tied_to_ground(settings.write.format);
+  for (const char* option : {"--clip-to", "--sheets"})
+    if (is_tied && insists_on(given, option))
+      throw UsageError(fmt::format("{} has no meaning in a format tied to the ground", option),
+                       "leave it out, or write a picture, as in --of svg");
+  if (is_tied) {
+    settings.clip_to_mm.reset();
+    settings.sheets.reset();
+  }
+  if (!settings.sheets) {
+    if (insists_on(given, "--overlap"))
+      throw UsageError("--overlap has no meaning without sheets", "give --sheets 2x3 or the like");
+    return;
+  }
+  PageRequest& page = settings.map.page;
+  if (page.ends_with_picture())
+    throw UsageError("--sheets are as large as they are, whatever the picture",
+                     "leave --crop out, and give --page a height");
+  if (settings.output == "-")
+    throw UsageError("--sheets can't go to standard output, which is one file",
+                     "give OUTPUT a file name");
+  const bool turns =
+      (page.orientation == Orientation::landscape && *page.height_mm > page.width_mm) ||
+      (page.orientation == Orientation::portrait && *page.height_mm < page.width_mm);
+  if (turns) std::swap(page.width_mm, *page.height_mm);
+  page.orientation = Orientation::as_given;
+  settings.sheet = {page.width_mm, *page.height_mm, page.margin_mm};
+  settings.sheets->overlap_mm = settings.overlap_mm;
+  const Page whole = page_of_sheets(settings.sheet, *settings.sheets);
+  page.width_mm = whole.width_mm;
+  page.height_mm = whole.height_mm;
+}
+
+void check_pen_time(const RenderSettings& settings, const GivenOptions& given) {
+  const bool has_speed = std::any_of(settings.pens.begin(), settings.pens.end(),
+                                     [](const auto& of) { return of.pen.speed_mm_s.has_value(); });
+  if (settings.pen_speed_mm_s || has_speed) return;
+  for (const char* option : {"--pen-up-speed", "--pen-lift-s"})
+    if (insists_on(given, option))
+      throw UsageError(fmt::format("{} has no meaning without --pen-speed", option),
+                       "give --pen-speed MM/S too");
+}
+
+} // namespace
+
+void check_plotting(RenderSettings& settings, const GivenOptions& given) {
+  check_pen_order(settings, given);
+  check_device(settings, given);
+  check_pens(settings, given);
+  check_light(settings, given);
+  check_sheets(settings, given);
+  check_pen_time(settings, given);
+  if (settings.pens.empty() && !settings.clip_to_mm && !settings.sheets) return;
+  settings.finishing_order = settings.map.pen_order;
+  settings.map.pen_order = PenOrder::drawing;
+}
+
+} // namespace orograph

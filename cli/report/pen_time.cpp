@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/report/pen_time.hpp"
+
+#include <cstddef>
+
+namespace orograph {
+namespace {
+
+std::optional<PenSpeed> speed_of(const Layer& layer, const RenderSettings& settings) {
+  if (!layer.pen || !layer.pen->speed_mm_s) return settings.pen_speed();
+  const double down_mm_s = *layer.pen->speed_mm_s;
+  const double up_mm_s = settings.pen_speed_mm_s.value_or(down_mm_s);
+  return PenSpeed{down_mm_s, settings.pen_up_speed_mm_s.value_or(up_mm_s),
+                  settings.pen_lift_s.value_or(0)};
+}
+
+} // namespace
+
+std::vector<std::optional<double>> minutes_by_layer(const Drawing& drawing,
+                                                    const RenderSettings& settings) {
+  const std::vector<PenTravel> travel = pen_travel_by_layer(drawing);
+  std::vector<std::optional<double>> minutes;
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    const auto speed = speed_of(drawing.layers[i], settings);
+    minutes.push_back(speed ? std::optional(pen_minutes(travel[i], *speed)) : std::nullopt);
+    if (drawing.layers[i].is_pen_way) minutes.back() = 0;
+  }
+  return minutes;
+}
+
+std::optional<double> sum_of(const std::vector<std::optional<double>>& minutes) {
+  if (minutes.empty()) return std::nullopt;
+  double sum = 0;
+  for (const std::optional<double>& one : minutes) {
+    if (!one) return std::nullopt;
+    sum += *one;
+  }
+  return sum;
+}
+
+} // namespace orograph

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace orograph {
+
+/// A plotter's pen: where it is held, what its ink is like, how it is led.
+struct Pen {
+  int number = 1; ///< of its holder, from 1
+  std::string name = {};
+  std::array<std::uint8_t, 3> colour{}; ///< red, green, blue
+  double width_mm = 0;
+  std::optional<double> speed_mm_s = {};     ///< none: the plotter's own
+  std::optional<double> height_percent = {}; ///< while it draws, 0 to 100; none: the plotter's own
+  bool waits = false;                        ///< until somebody has put it in
+};
+
+} // namespace orograph

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "write/pens_file.hpp"
+
+#include "geometry/error.hpp"
+#include "text/nesting.hpp"
+#include "text/text_of_file.hpp"
+#include "text/toml_table.hpp"
+#include "text/words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace orograph {
+namespace {
+
+constexpr auto kPensRight =
+    "give each pen a table [[pen]] with lines such as number = 1 and width = 0.2";
+constexpr int kGreatestNumber = 1000; // AxiDraw's
+
+constexpr std::array<TomlKey, 1> kPensKeys{{{"pen", "tables", "[[pen]]"}}};
+constexpr std::array<TomlKey, 8> kPenKeys{{
+    {"number", "a whole number from 1 to 1000", "1"},
+    {"name", "text", "\"black 0.2\""},
+    {"colour", "red, green and blue in hexadecimal digits", "\"#1a1a1a\""},
+    {"width", "mm, 0.01 to 10", "0.2"},
+    {"speed", "mm/s, above 0", "40"},
+    {"height", "percent, 0 to 100", "30"},
+    {"pause", "true or false", "true"},
+    {"layers", "a list of names", "[\"profiles\", \"shores\"]"},
+}};
+
+std::array<std::uint8_t, 3> colour_of(const TomlTable& table) {
+  const std::string& text = table.text("colour");
+  std::array<std::uint8_t, 3> colour{};
+  bool is_one = text.size() == 7 && text[0] == '#';
+  for (std::size_t i = 0; is_one && i < 3; ++i) {
+    const char* const begin = text.data() + 1 + 2 * i;
+    is_one = std::from_chars(begin, begin + 2, colour[i], 16).ptr == begin + 2;
+  }
+  if (!is_one) table.refuse("colour", table.at("colour"));
+  return colour;
+}
+
+double number_within(const TomlTable& table, std::string_view key, double low, double high) {
+  const double number = table.number(key);
+  if (!(number >= low && number <= high)) table.refuse(key, table.at(key));
+  return number;
+}
+
+std::vector<std::string> layers_of(const TomlTable& table,
+                                   std::span<const std::string_view> known) {
+  std::vector<std::string> layers;
+  for (const TomlValue& item : table.list("layers")) {
+    const auto* name = std::get_if<std::string>(&item.value);
+    if (name == nullptr) table.refuse("layers", item);
+    if (std::ranges::find(known, *name) == known.end()) {
+      const std::string_view nearest = nearest_word(*name, known);
+      throw Error(fmt::format("{}: there is no layer '{}'", table.place(item), *name),
+                  nearest.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                                  : fmt::format("did you mean {}?", nearest));
+    }
+    layers.push_back(*name);
+  }
+  if (layers.empty()) table.refuse("layers", table.at("layers"));
+  return layers;
+}
+
+PenOfLayers pen_of(const TomlTable& table, std::span<const std::string_view> known) {
+  PenOfLayers one;
+  Pen& pen = one.pen;
+  pen.number = static_cast<int>(table.whole("number"));
+  if (pen.number < 1 || pen.number > kGreatestNumber) table.refuse("number", table.at("number"));
+  pen.width_mm = number_within(table, "width", 0.01, 10);
+  if (table.has("name")) pen.name = table.text("name");
+  if (table.has("colour")) pen.colour = colour_of(table);
+  if (table.has("speed")) pen.speed_mm_s = number_within(table, "speed", 1e-3, 1e4);
+  if (table.has("height")) pen.height_percent = number_within(table, "height", 0, 100);
+  if (table.has("pause")) pen.waits = table.truth("pause");
+  if (table.has("layers")) one.layers = layers_of(table, known);
+  return one;
+}
+
+} // namespace
+
+std::vector<PenOfLayers> read_pens(const std::string& path,
+                                   std::span<const std::string_view> layers) {
+  const std::string text =
+      text_of_file(path, {.most_bytes = 1'000'000, .noun = "pens", .right = kPensRight});
+  check_toml_nesting(text, path, kPensRight);
+  const TomlValue root{1, parse_toml(text, path, kPensRight)};
+  const TomlTable table(path, root, "a file of pens", kPensKeys);
+  if (!table.has("pen")) throw Error(path + " holds no pen", kPensRight);
+  std::vector<PenOfLayers> pens;
+  for (const TomlValue& value : table.list("pen")) {
+    const TomlTable one(path, value, "a pen", kPenKeys);
+    const PenOfLayers pen = pen_of(one, layers);
+    if (std::ranges::any_of(
+            pens, [&](const PenOfLayers& other) { return other.pen.number == pen.pen.number; }))
+      throw Error(fmt::format("{}: a second pen {}", one.place(one.at("number")), pen.pen.number),
+                  "give each a number of its own");
+    pens.push_back(pen);
+  }
+  if (pens.empty()) throw Error(path + " holds no pen", kPensRight);
+  return pens;
+}
+
+} // namespace orograph

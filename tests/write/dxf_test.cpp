@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// DXF as GDAL reads it: the page's lines in millimetres, y up, with their layers and colours.
+#include "tests/catch.hpp"
+#include "tests/draw/made_drawing.hpp"
+#include "write/write_drawing.hpp"
+
+#include <ogrsf_frmts.h>
+
+#include <memory>
+
+using namespace orograph;
+
+TEST_CASE("DXF keeps points, layers and colours") {
+  Drawing drawing = made_drawing();
+  drawing.layers[1].pen = Pen{.number = 2, .name = "red", .colour = {255, 0, 0}};
+  drawing.layers[0].grey = 0;
+  const TemporaryFolder folder;
+  write_drawing(drawing, folder.file("map.dxf"), {.format = Format::dxf});
+  CHECK(content_of(folder.file("map.dxf")).find("$INSUNITS\n 70\n     4\n") != std::string::npos);
+  GDALAllRegister();
+  const std::unique_ptr<GDALDataset> dataset(
+      GDALDataset::Open(folder.file("map.dxf").c_str(), GDAL_OF_VECTOR));
+  REQUIRE(dataset);
+  OGRLayer& read = *dataset->GetLayer(0);
+  for (const Layer& layer : drawing.layers)
+    for (const Stroke& stroke : layer.strokes) {
+      const OGRFeatureUniquePtr feature(read.GetNextFeature());
+      REQUIRE(feature);
+      CHECK(feature->GetFieldAsString("Layer") == layer.name);
+      CHECK(std::string(feature->GetStyleString()).find(layer.pen ? "#ff0000" : "#000000") !=
+            std::string::npos);
+      const OGRLineString& line = *feature->GetGeometryRef()->toLineString();
+      REQUIRE(line.getNumPoints() == static_cast<int>(stroke.point_count));
+      int different = 0;
+      for (int i = 0; i < line.getNumPoints(); ++i) {
+        const Vec2 p = layer.points(stroke)[static_cast<std::size_t>(i)];
+        different +=
+            std::abs(line.getX(i) - p.x) > 1e-9 || std::abs(line.getY(i) - (297 - p.y)) > 1e-9;
+      }
+      CHECK(different == 0);
+    }
+  CHECK(OGRFeatureUniquePtr(read.GetNextFeature()) == nullptr);
+}
