@@ -2,10 +2,9 @@
 // Running the built program as a user does.
 #include "tests/cli/run_program.hpp"
 
-#include <fcntl.h>
 #include <signal.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,15 +29,29 @@ std::string content(int descriptor) {
 /// In the child, where only system calls are safe and a failure shows as exit code 125.
 [[noreturn]] void become(char* const* arguments, const RunConditions& conditions, int out,
                          int err) {
-  if (!conditions.folder.empty() && ::chdir(conditions.folder.c_str()) != 0) ::_exit(125);
-  if (!conditions.out_path.empty()) out = ::open(conditions.out_path.c_str(), O_WRONLY);
-  if (::dup2(out, STDOUT_FILENO) < 0 || ::dup2(err, STDERR_FILENO) < 0) ::_exit(125);
-  if (conditions.largest_file_bytes) {
-    const rlimit limit{*conditions.largest_file_bytes, *conditions.largest_file_bytes};
-    if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(125);
-  }
-  ::execvp(arguments[0], arguments);
+  if (take_on(conditions, out, err)) ::execvp(arguments[0], arguments);
   ::_exit(125);
+}
+
+ProgramRun ended(int status, int out, int err) {
+  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), content(out),
+          content(err)};
+}
+
+/// The process that forks the runs (fork_orograph.cpp); it ends with its end of the socket.
+int forking_process() {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw std::runtime_error("can't make a socket");
+  const pid_t process = ::fork();
+  if (process == 0) {
+    ::dup2(ends[1], kRunsSocket);
+    ::execl(OROGRAPH_FORKING_PROGRAM, OROGRAPH_FORKING_PROGRAM, nullptr);
+    ::_exit(125);
+  }
+  ::close(ends[1]);
+  if (process < 0) throw std::runtime_error("can't start a program");
+  return ends[0];
 }
 
 } // namespace
@@ -77,15 +90,21 @@ ProgramRun RunningProgram::wait() {
   int status = 0;
   if (!status_ && ::waitpid(process_, &status, 0) == process_) status_ = status;
   status = status_.value_or(0);
-  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), content(out_),
-          content(err_)};
+  return ended(status, out_, err_);
 }
 
 ProgramRun run_orograph(const std::vector<std::string>& arguments,
                         const RunConditions& conditions) {
-  std::vector<std::string> command{OROGRAPH_PROGRAM};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  return RunningProgram(command, conditions).wait();
+  static const int socket = forking_process();
+  const int out = ::memfd_create("out", MFD_CLOEXEC), err = ::memfd_create("err", MFD_CLOEXEC);
+  int status = 0;
+  if (!ask_for_run(socket, {arguments, conditions, out, err}) ||
+      ::read(socket, &status, sizeof status) != sizeof status)
+    throw std::runtime_error("can't start orograph");
+  const ProgramRun run = ended(status, out, err);
+  ::close(out);
+  ::close(err);
+  return run;
 }
 
 std::string fault_of_message(const std::string& err) {

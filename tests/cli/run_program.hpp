@@ -2,9 +2,10 @@
 // Running the built program as a user does.
 #pragma once
 
+#include "tests/cli/asked_run.hpp"
+
 #include <sys/types.h>
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,12 +15,6 @@ namespace orograph {
 struct ProgramRun {
   int exit_code = -1; ///< 128 + signal where a signal ended it
   std::string out, err;
-};
-
-struct RunConditions {
-  std::string folder;                                ///< to run in; empty: the test's own
-  std::optional<std::uint64_t> largest_file_bytes{}; ///< RLIMIT_FSIZE of the program
-  std::string out_path{};                            ///< standard output goes there
 };
 
 /// A program that runs while the test goes on; ended and waited for by the destructor.
@@ -41,7 +36,8 @@ private:
   std::optional<int> status_;
 };
 
-/// orograph with these arguments, to its end.
+/// orograph with these arguments, to its end: from a process that has its libraries loaded and has
+/// done nothing else (fork_orograph.cpp).
 ProgramRun run_orograph(const std::vector<std::string>& arguments, const RunConditions& conditions);
 
 /// What is wrong with how an error was told, or nothing: one line "orograph: error: wrong: right"

@@ -78,12 +78,13 @@ TerrainData tin_terrain(const TerrainData& as_grid) {
 } // namespace
 
 TEST_CASE("all samples, ten views each", "[slow]") {
+  constexpr int kViews = last_seed(10);
   Compared compared;
   for (const char* name : sample_names()) {
     const TerrainData as_grid =
         read_raster(std::string(OROGRAPH_SOURCE_DIR "/data_samples/") + name + ".tif");
     const TerrainData as_tin = tin_terrain(as_grid);
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < kViews; ++i) {
       MapSpec spec;
       spec.view.from_azimuth = Angle::degrees(i % 5 == 0 ? 45.0 * i : 37.3 * i);
       spec.view.from_elevation = Angle::degrees(i % 2 ? 8 + 3 * i : 40 - 3 * i);
@@ -97,7 +98,7 @@ TEST_CASE("all samples, ten views each", "[slow]") {
     }
   }
   report(compared);
-  CHECK(compared.views == 10 * sample_names().size());
+  CHECK(compared.views == kViews * sample_names().size());
   CHECK(compared.lines > enough<500000>);
 }
 

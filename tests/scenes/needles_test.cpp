@@ -105,10 +105,12 @@ void ask(const TerrainData& terrain, const MapSpec& spec, const Instruments& how
 } // namespace
 
 TEST_CASE("needles hide what is behind them, seen from straight above", "[slow]") {
+  std::uint64_t views = 0;
   for (const int side : {17, 30})
     for (const double highest_m : {1e6, 1e5})
       for (const double elevation : {90.0, 89.999})
         for (const double azimuth : {225.0, 90.0, 45.0, 0.0}) {
+          if (++views > last_seed(32)) return;
           const TerrainData terrain = needles(side, highest_m, 1);
           const MapSpec spec = from_above(azimuth, elevation);
           for (const bool in_list : {false, true}) {
