@@ -18,7 +18,7 @@ struct Ink {
   const char* name;
   double pen_width_mm, grey;
 };
-// In the order of Pen.
+// In the order of LineOf.
 constexpr std::array<Ink, kPens> kInks{{{"cut-away", 0.16, 0.62},
                                         {"turned-away", 0.14, 0.45},
                                         {"rays", 0.14, 0.5},
@@ -92,7 +92,7 @@ void LinePicture::write(const std::string& path, const std::string& title,
   }
   for (const Vec2 dot : dots_) {
     const Vec2 at = page_mm(dot), across{kDot_mm, 0}, upward{0, kDot_mm};
-    add_stroke(drawing.layers[static_cast<std::size_t>(Pen::house)],
+    add_stroke(drawing.layers[static_cast<std::size_t>(LineOf::house)],
                {at - across, at - upward, at + across, at + upward, at - across});
   }
   for (Layer& layer : drawing.layers) round_to_page_step(layer);

@@ -13,13 +13,13 @@
 namespace orograph {
 
 /// From the faintest to the heaviest, in drawing order.
-enum class Pen { cut_away, turned_away, ray, volume, window, section, axis, house };
+enum class LineOf { cut_away, turned_away, ray, volume, window, section, axis, house };
 constexpr std::size_t kPens = 8;
 
 /// A line on the picture plane, x to the right and y up.
 struct PictureLine {
   Vec2 from, to;
-  Pen pen = Pen::house;
+  LineOf pen = LineOf::house;
   bool arrow = false; ///< with a head at its end
 };
 
@@ -29,7 +29,7 @@ Vec2 picture_of(const Eigen::Matrix4d& matrix, Vec3 p);
 class LinePicture {
 public:
   void add(const PictureLine& line) { lines_.push_back(line); }
-  void add(const Eigen::Matrix4d& matrix, Vec3 from, Vec3 to, Pen pen, bool arrow = false) {
+  void add(const Eigen::Matrix4d& matrix, Vec3 from, Vec3 to, LineOf pen, bool arrow = false) {
     add({picture_of(matrix, from), picture_of(matrix, to), pen, arrow});
   }
   /// A dot.

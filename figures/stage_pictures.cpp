@@ -46,9 +46,9 @@ void add_volume(LinePicture& picture, const CanonicalVolume& volume,
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 a = kAround[i], b = kAround[(i + 1) % 4];
     for (const double z : {-1.0, front})
-      picture.add(to_picture, corner(volume, a, z), corner(volume, b, z), Pen::volume);
-    picture.add(to_picture, corner(volume, a, -1), corner(volume, a, front), Pen::volume);
-    if (is_perspective(volume)) picture.add(to_picture, {}, corner(volume, a, front), Pen::ray);
+      picture.add(to_picture, corner(volume, a, z), corner(volume, b, z), LineOf::volume);
+    picture.add(to_picture, corner(volume, a, -1), corner(volume, a, front), LineOf::volume);
+    if (is_perspective(volume)) picture.add(to_picture, {}, corner(volume, a, front), LineOf::ray);
   }
 }
 
@@ -60,20 +60,20 @@ bool shows(const Face& face, const Eigen::Matrix4d& to_picture) {
 
 // A part of a line from t_begin to t_end, if that has a length.
 void add_part(LinePicture& picture, const Eigen::Matrix4d& to_picture, const Segment& line,
-              double t_begin, double t_end, Pen pen) {
+              double t_begin, double t_end, LineOf pen) {
   const auto at = [&](double t) { return line.from + t * (line.to - line.from); };
   if (t_begin < t_end) picture.add(to_picture, at(t_begin), at(t_end), pen);
 }
 
 void add_clipped(LinePicture& picture, const CanonicalVolume& volume,
-                 const Eigen::Matrix4d& to_picture, const Segment& line, Pen pen,
+                 const Eigen::Matrix4d& to_picture, const Segment& line, LineOf pen,
                  bool also_cut_away) {
   const auto part = clip_to_volume(homogeneous(line.from), homogeneous(line.to), volume);
   const double begin = part ? part->t_begin : 1, end = part ? part->t_end : 1;
   add_part(picture, to_picture, line, begin, end, pen);
   if (!also_cut_away) return;
-  add_part(picture, to_picture, line, 0, begin, Pen::cut_away);
-  add_part(picture, to_picture, line, end, 1, Pen::cut_away);
+  add_part(picture, to_picture, line, 0, begin, LineOf::cut_away);
+  add_part(picture, to_picture, line, end, 1, LineOf::cut_away);
 }
 
 // A line of the house in the canonical volume.
@@ -106,17 +106,17 @@ void add_house(LinePicture& picture, const Stages& stages, const Eigen::Matrix4d
   for (const Face& face : model.faces) seen.push_back(shows(face, from_world));
   for (const HouseLine& line : model.lines)
     add_clipped(picture, stages.volume, to_picture, mapped(stages, line),
-                seen[line.faces[0]] || seen[line.faces[1]] ? Pen::house : Pen::turned_away,
+                seen[line.faces[0]] || seen[line.faces[1]] ? LineOf::house : LineOf::turned_away,
                 also_cut_away);
   for (std::size_t face = 0; face < model.faces.size(); ++face)
     if (const auto line = section(stages, model, face))
       add_clipped(picture, stages.volume, to_picture, *line,
-                  seen[face] ? Pen::section : Pen::turned_away, false);
+                  seen[face] ? LineOf::section : LineOf::turned_away, false);
 }
 
 void add_axes(LinePicture& picture, const Eigen::Matrix4d& to_picture, double reach) {
   for (const Vec3 end : {Vec3{reach, 0, 0}, Vec3{0, reach, 0}, Vec3{0, 0, reach}})
-    picture.add(to_picture, {}, end, Pen::axis, true);
+    picture.add(to_picture, {}, end, LineOf::axis, true);
 }
 
 // In a canonical volume that a matrix maps the view's own one to.
@@ -155,11 +155,11 @@ LinePicture world_picture(const Stages& stages, const Eigen::Matrix4d& aside) {
     return Vec3{centre.x + direction.x * half.x, centre.y + direction.y * half.y, 0};
   };
   for (std::size_t i = 0; i < 4; ++i)
-    picture.add(from_uvn, on_window(kAround[i]), on_window(kAround[(i + 1) % 4]), Pen::window);
+    picture.add(from_uvn, on_window(kAround[i]), on_window(kAround[(i + 1) % 4]), LineOf::window);
   add_axes(picture, from_uvn, 3.5);
   picture.mark(picture_of(from_uvn, view.prp_m));
   if (!is_perspective(stages.volume))
-    picture.add(from_uvn, view.prp_m, on_window({0, 0}), Pen::ray, true);
+    picture.add(from_uvn, view.prp_m, on_window({0, 0}), LineOf::ray, true);
   return picture;
 }
 
@@ -181,7 +181,7 @@ LinePicture page_picture(const Stages& stages) {
   LinePicture picture;
   add_house(picture, stages, upright * to_page * stages.to_parallel, false);
   const std::array<Vec2, 4> frame{{{0, 0}, {width, 0}, {width, -height}, {0, -height}}};
-  for (std::size_t i = 0; i < 4; ++i) picture.add({frame[i], frame[(i + 1) % 4], Pen::volume});
+  for (std::size_t i = 0; i < 4; ++i) picture.add({frame[i], frame[(i + 1) % 4], LineOf::volume});
   return picture;
 }
 

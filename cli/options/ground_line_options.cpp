@@ -140,7 +140,7 @@ void add_ground_line_options(std::vector<Option>& options, RenderSettings& s) {
                                  .value = "M",
                                  .help = "How much higher than the ground they are drawn",
                                  .by_default = "0"},
-                                {.unit = "m", .low = -10000, .high = 10000},
+                                {.unit = "m", .low = 0, .high = 10000},
                                 [&style](double above_m) { style.overlay_above_m = above_m; }));
   options.push_back(
       adding_layer({.group = kGroup,

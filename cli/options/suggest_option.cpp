@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::string_view kBoth = "azimuth and elevation";
 constexpr std::string_view kLight = "where light falls from";
-constexpr std::string_view kNoContours =
-    "there are no contours yet, but --light shows relief and --spacing sets how close profiles are";
+constexpr std::string_view kNoHachures =
+    "there are no hachures yet, but --light shows relief and --contours draws heights";
 constexpr std::string_view kNoNames = "there are no names on the picture yet";
 constexpr std::string_view kNoPanorama =
     "there is no panorama yet, but --eye with --fov below 180 degrees";
@@ -93,7 +93,6 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"hidden3d", "--occluder", "hidden lines are always gone"},
     {"mesh", "--layers", "edges are those of the terrain's triangles"},
     {"wireframe", "--layers", "edges are those of the terrain's triangles"},
-    {"grid", "--layers", "edges are those of the terrain's triangles"},
     {"outlines", "--layers", {}},
     {"water", "--flat", {}},
     {"sea", "--flat", {}},
@@ -101,12 +100,17 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"lake-flatness", "--flat", {}},
     {"smooth", "--simplify", {}},
     {"tolerance", "--simplify", {}},
-    {"contours", {}, kNoContours},
-    {"contour", {}, kNoContours},
-    {"contour-interval", {}, kNoContours},
-    {"isolines", {}, kNoContours},
-    {"hachures", {}, kNoContours},
-    {"levels", {}, kNoContours},
+    {"contour", "--contours", {}},
+    {"contour-interval", "--contours", {}},
+    {"isolines", "--contours", {}},
+    {"levels", "--contours", {}},
+    {"hachures", {}, kNoHachures},
+    {"fishnet", "--mesh", {}},
+    {"meridians", "--graticule", {}},
+    {"roads", "--drape", {}},
+    {"rivers", "--drape", {}},
+    {"vector", "--drape", {}},
+    {"overlay", "--drape", {}},
     {"labels", {}, kNoNames},
     {"label", {}, kNoNames},
     {"names", {}, kNoNames},

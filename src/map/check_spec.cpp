@@ -104,6 +104,24 @@ void check_layers(const std::vector<LayerSpec>& layers) {
   }
 }
 
+void check_ground_lines(const Style& style) {
+  const ContourSpec& contours = style.contours;
+  if (contours.interval) check_above_0("contours.interval", *contours.interval, kNone);
+  if (contours.unit_m) check_above_0("contours.unit_m", *contours.unit_m, kNone, " m");
+  check_range("contours.offset", contours.offset, -1e9, 1e9);
+  check_range("contours.index_every", contours.index_every, 0, 1000);
+  for (std::size_t i = 0; i < contours.levels.size(); ++i) {
+    check_range("contours.levels", contours.levels[i], -1e9, 1e9);
+    if (i > 0 && !(contours.levels[i - 1] < contours.levels[i]))
+      throw UsageError("`contours.levels` don't rise", "each above the one before it");
+  }
+  if (style.mesh.spacing_m) check_above_0("mesh.spacing_m", *style.mesh.spacing_m, kNone, " m");
+  check_range("mesh.count", style.mesh.count, 1, 10000);
+  if (style.graticule_deg) check_above_0("graticule_deg", *style.graticule_deg, 180, " degrees");
+  if (style.grid_m) check_above_0("grid_m", *style.grid_m, kNone, " m");
+  check_range("overlay_above_m", style.overlay_above_m, 0, 10000, " m");
+}
+
 void check_style(const Style& style, bool has_solids) {
   if (style.plan) check_plan(*style.plan);
   check_range("visibility_tolerance_mm", style.visibility_tolerance_mm, 0, 10);
@@ -125,6 +143,7 @@ void check_style(const Style& style, bool has_solids) {
   }
   check_range("haze", style.haze.value_or(0), 0, 1);
   check_layers(style.layers);
+  check_ground_lines(style);
   if (has_solids && style.occluder == Occluder::profiles)
     throw UsageError("solids stand in front of the surface and behind it, not of profiles",
                      "Occluder::surface");

@@ -116,7 +116,6 @@ struct ContourSpec {
   double offset = 0;              ///< a level; the others are whole intervals from it
   std::optional<double> unit_m;   ///< of all of these, in metres; none: that of the file's heights
   int index_every = 5;            ///< every how many-th interval has index contours; 0: none
-  bool ticks = false;             ///< downhill, on contours around a pit
 };
 
 /// A mesh of lines on the ground, as far apart everywhere in plan.

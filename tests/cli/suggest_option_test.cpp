@@ -65,7 +65,8 @@ TEST_CASE("meaning goes before spelling, and spelling before nothing") {
   names(render, "--zscale", "--exaggeration");
   names(render, "--width", "--pen-width");
   names(render, "--sun", "--light");
-  names(render, "--contours", "no contours yet");
+  names(render, "--contour-interval", "--contours");
+  names(render, "--hachures", "no hachures yet");
   names(render, "--labels", "no names");
   names(render, "--panorama", "no panorama yet");
   names(render, "--output", "did you mean OUTPUT (named without an option)?");

@@ -7,6 +7,7 @@
 #include "map/check.hpp"
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/terrain_facts.hpp"
 #include "reference/judge.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/asked_scenes.hpp"
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace orograph::ground_lines_test {
 namespace {
@@ -51,7 +53,8 @@ RandomScene flooded(std::uint64_t seed, Random& random) {
 RandomScene with_lines(std::uint64_t seed, Random& random) {
   RandomScene scene = random_scene(seed, 40);
   Style& style = scene.spec.style;
-  style.layers.insert(style.layers.end(), {"contours", "mesh"});
+  style.layers.insert(style.layers.end(), {"contours", "mesh", "drape"});
+  if (random.chance(0.3)) style.overlay_above_m = random.between(0, 20);
   style.join_mm = scene.spec.style.min_stroke_mm.emplace(0);
   style.contours.index_every = random.whole(0, 3);
   if (random.chance(0.3)) { // many of them through vertices
@@ -69,6 +72,21 @@ RandomScene with_lines(std::uint64_t seed, Random& random) {
   if (seed % 3 == 1) look_down(scene.spec, scene.terrain, random);
   if (seed % 3 == 2) put_eye(scene.spec, grid_of(scene.terrain), random);
   return scene;
+}
+
+// Some lines across the terrain, and points.
+Overlay overlay_for(const TerrainData& terrain, Random& random) {
+  const Box2 box = map_bounds(terrain);
+  Overlay out;
+  for (int i = 0; i < 6; ++i) {
+    const std::size_t first = out.places.size();
+    for (int k = i < 4 ? random.whole(2, 6) : 1; k > 0; --k)
+      out.places.push_back({random.between(box.low.x - 0.2 * box.width(), box.high.x),
+                            random.between(box.low.y, box.high.y)});
+    out.features.push_back({{}, out.lines.size(), 1});
+    out.lines.push_back({first, out.places.size() - first});
+  }
+  return out;
 }
 
 // The lines on the ground alone: with others, few of the points asked would be on them.
@@ -142,7 +160,9 @@ void ask_ray_walk(const char* what, std::uint64_t scenes, const MakeScene& make)
     }
     INFO("seed " << seed << ": " << scene.what);
     try {
-      const PlacedView placed = placed_view(scene.terrain, scene.spec);
+      PlacedView placed = placed_view(scene.terrain, scene.spec);
+      const Overlay overlay = overlay_for(scene.terrain, random);
+      placed.overlays = std::span(&overlay, 1);
       GroundCheck check(scene.terrain, placed, random);
       Instruments instruments{.hidden_ground = true, .order_always = seed % 4 == 1};
       instruments.observers = {&check};
