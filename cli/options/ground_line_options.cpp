@@ -72,8 +72,7 @@ void add_ground_line_options(std::vector<Option>& options, RenderSettings& s) {
        .value = "INTERVAL|LIST|auto",
        .help = "Draw contours, every so many metres or feet, or at the heights of a list",
        .allowed = "an interval above 0, 100m or 200ft or 50 in the unit of the file's heights, or "
-                  "different heights with commas between, 500,1000,1500m",
-       .by_default = "none"},
+                  "different heights with commas between, 500,1000,1500m"},
       s, "contours",
       [&style](const std::string& text) { return take_contours(text, style.contours); }));
   options.push_back(with_number({.group = kGroup,
@@ -96,8 +95,7 @@ void add_ground_line_options(std::vector<Option>& options, RenderSettings& s) {
        .value = "SPACING|COUNT|auto",
        .help = "Draw a mesh on the ground, a line every so many metres, or so many lines across "
                "its longer side",
-       .allowed = "a length above 0 as in 500m, or a whole number from 1 to 10000",
-       .by_default = "none"},
+       .allowed = "a length above 0 as in 500m, or a whole number from 1 to 10000"},
       s, "mesh", [&style](const std::string& text) { return take_mesh(text, style.mesh); }));
   options.push_back({.group = kGroup,
                      .name = "--mesh-lines",
@@ -147,8 +145,7 @@ void add_ground_line_options(std::vector<Option>& options, RenderSettings& s) {
                     .name = "--graticule",
                     .value = "STEP|auto",
                     .help = "Draw meridians and parallels, whatever the terrain's CRS",
-                    .allowed = "degrees, minutes or seconds above 0, as in 0.5, 10' or 30''",
-                    .by_default = "none"},
+                    .allowed = "degrees, minutes or seconds above 0, as in 0.5, 10' or 30''"},
                    s, "graticule", [&style](const std::string& text) {
                      style.graticule_deg = parse_arc_deg(text);
                      return style.graticule_deg && *style.graticule_deg > 0;
@@ -157,8 +154,7 @@ void add_ground_line_options(std::vector<Option>& options, RenderSettings& s) {
                                   .name = "--grid",
                                   .value = "SPACING|auto",
                                   .help = "Draw lines of the map's eastings and northings",
-                                  .allowed = "a length above 0, as in 1000m",
-                                  .by_default = "none"},
+                                  .allowed = "a length above 0, as in 1000m"},
                                  s, "grid", [&style](const std::string& text) {
                                    style.grid_m = parse_metres(text);
                                    return style.grid_m && *style.grid_m > 0;

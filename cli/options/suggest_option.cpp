@@ -91,7 +91,6 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"line-spacing", "--spacing", {}},
     {"density", "--spacing", {}},
     {"hidden3d", "--occluder", "hidden lines are always gone"},
-    {"mesh", "--layers", "edges are those of the terrain's triangles"},
     {"wireframe", "--layers", "edges are those of the terrain's triangles"},
     {"outlines", "--layers", {}},
     {"water", "--flat", {}},
