@@ -101,6 +101,14 @@ Crs crs_from_text(const std::string& text) {
   return crs;
 }
 
+Crs plane_of(Crs crs) {
+  if (!crs) return nullptr;
+  crs->StripVertical();
+  crs->DemoteTo2D(nullptr);
+  crs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return crs;
+}
+
 bool tells_place(const OGRSpatialReference* crs) {
   if (!crs || crs->IsEmpty() || (crs->IsVertical() && !crs->IsCompound())) return false;
   const char* name = crs->GetName(); // GeoPackage's rows for "none"

@@ -20,6 +20,9 @@ using Crs = std::unique_ptr<OGRSpatialReference, ReleaseCrs>;
 /// From WKT, "EPSG:32632" and the like; null if it can't be understood.
 Crs crs_from_text(const std::string& text);
 
+/// A CRS as its plane alone, with its axes in the order that files have. Null stays null.
+Crs plane_of(Crs crs);
+
 /// False where there is none, or one of heights only, or one that only says that none is known.
 bool tells_place(const OGRSpatialReference* crs);
 

@@ -16,21 +16,11 @@ namespace {
 
 enum class Way { to_lonlat, to_map };
 
-// A CRS as its plane alone, with its axes in the order that files have.
-Crs plane_of(const std::string& text) {
-  Crs crs = crs_from_text(text);
-  if (!crs) return nullptr;
-  crs->StripVertical();
-  crs->DemoteTo2D(nullptr);
-  crs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  return crs;
-}
-
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
 Transformation make_transformation(const std::string& crs_wkt, const Crs& earth, Way way) {
   if (crs_wkt.empty()) return nullptr;
-  const Crs map = plane_of(crs_wkt);
+  const Crs map = plane_of(crs_from_text(crs_wkt));
   if (!map || !earth || map->IsLocal()) return nullptr;
   Transformation there(OGRCreateCoordinateTransformation(map.get(), earth.get()));
   if (way == Way::to_lonlat || !there) return there;
@@ -46,7 +36,7 @@ OGRCoordinateTransformation* transformation(const std::string& crs_wkt, Way way)
   };
   // Made before `kept`, it is freed after it, and after both what GDAL keeps for the thread. Freed
   // earlier, that would be made again by the freeing of `kept`, and leak.
-  thread_local const Crs earth = plane_of("EPSG:4326");
+  thread_local const Crs earth = plane_of(crs_from_text("EPSG:4326"));
   thread_local std::array<Kept, 2> kept; // by way
   Kept& last = kept[way == Way::to_lonlat ? 0 : 1];
   if (!last.transform || last.crs_wkt != crs_wkt)

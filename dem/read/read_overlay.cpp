@@ -3,6 +3,7 @@
 
 #include "dem/read/crs_frame.hpp"
 #include "dem/read/gdal.hpp"
+#include "dem/read/vector_layer.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
 
@@ -23,32 +24,9 @@ namespace {
 
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
-OGRLayer& layer_of(GDALDataset& dataset, const OverlayInput& input) {
-  std::vector<std::string> names;
-  for (OGRLayer* layer : dataset.GetLayers()) {
-    if (layer->GetName() == input.layer) return *layer;
-    if (layer->GetGeomType() != wkbNone) names.emplace_back(layer->GetName());
-  }
-  if (names.empty())
-    throw Error(fmt::format("{} has no layer with geometries", input.path),
-                "see 'ogrinfo' for what it holds");
-  if (!input.layer.empty())
-    throw Error(fmt::format("{} has no layer '{}'", input.path, input.layer),
-                fmt::format("its layers are {}", fmt::join(names, ", ")));
-  if (names.size() > 1)
-    throw Error(
-        fmt::format("{} has {} layers: {}", input.path, names.size(), fmt::join(names, ", ")),
-        fmt::format("name one, as in {}:{}", input.path, names.front()));
-  return *dataset.GetLayerByName(names.front().c_str());
-}
-
-void filter(OGRLayer& layer, const OverlayInput& input, const GdalMessages& messages) {
-  if (input.where.empty()) return;
-  if (layer.SetAttributeFilter(input.where.c_str()) == OGRERR_NONE) return;
-  std::vector<std::string> fields;
-  const OGRFeatureDefn& of_layer = *layer.GetLayerDefn();
-  for (int i = 0; i < of_layer.GetFieldCount(); ++i)
-    fields.emplace_back(of_layer.GetFieldDefn(i)->GetNameRef());
+[[noreturn]] void refuse_condition(OGRLayer& layer, const OverlayInput& input,
+                                   const GdalMessages& messages) {
+  const std::vector<std::string> fields = field_names(layer);
   throw Error(fmt::format("'{}' is no condition for {} ({})", input.where, input.path,
                           messages.last_failure()),
               fields.empty() ? "it has no fields"
@@ -69,13 +47,7 @@ public:
                                             has_place ? "The terrain" : input.path, input.path));
       return;
     }
-    const auto plane = [](Crs crs) {
-      crs->StripVertical();
-      crs->DemoteTo2D(nullptr);
-      crs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-      return crs;
-    };
-    const Crs from = plane(Crs(given->Clone())), to = plane(crs_from_text(map.crs_wkt));
+    const Crs from = plane_of(Crs(given->Clone())), to = plane_of(crs_from_text(map.crs_wkt));
     if (from->IsSame(to.get())) return;
     there_.reset(OGRCreateCoordinateTransformation(from.get(), to.get()));
     if (there_) back_.reset(there_->GetInverse());
@@ -127,7 +99,6 @@ public:
       out_.features.push_back({attributes_of(feature), first, out_.lines.size() - first});
   }
   bool is_over_terrain() const { return over_terrain_; }
-  const Box2& box() const { return box_; }
 
 private:
   static Attributes attributes_of(const OGRFeature& feature) {
@@ -231,11 +202,14 @@ private:
   }
 
   void store(Vec2 place) {
+    Box2 reached; // a line may go over the terrain between two places beside it
+    reached.include(place);
+    if (out_.lines.back().place_count > 0) reached.include(out_.places.back());
+    over_terrain_ =
+        over_terrain_ || (reached.low.x <= bounds_.high.x && reached.high.x >= bounds_.low.x &&
+                          reached.low.y <= bounds_.high.y && reached.high.y >= bounds_.low.y);
     out_.places.push_back(place);
     ++out_.lines.back().place_count;
-    box_.include(place);
-    over_terrain_ = over_terrain_ || (place.x >= bounds_.low.x && place.x <= bounds_.high.x &&
-                                      place.y >= bounds_.low.y && place.y <= bounds_.high.y);
   }
 
   const Way& way_;
@@ -244,7 +218,6 @@ private:
   std::optional<double> turn_;
   Overlay& out_;
   Vec2 last_given_{};
-  Box2 box_;
   bool over_terrain_ = false;
 };
 
@@ -264,10 +237,12 @@ Overlay read_overlay(const OverlayInput& input, const MapFrame& map, const Box2&
     throw Error(fmt::format("{} can't be opened as a vector file ({})", input.path,
                             messages.last_failure()),
                 "give layers that GDAL reads, such as GeoPackage, Shapefile or GeoJSON");
-  OGRLayer& layer = layer_of(*dataset, input);
+  OGRLayer& layer = layer_of(*dataset, input.path, input.layer,
+                             fmt::format("name one, as in {}:LAYER", input.path));
   Overlay out;
   out.source = fmt::format("{} ({})", input.path, layer.GetName());
-  filter(layer, input, messages);
+  if (!input.where.empty() && layer.SetAttributeFilter(input.where.c_str()) != OGRERR_NONE)
+    refuse_condition(layer, input, messages);
   const Way way(layer, input, map, out);
   const std::optional<double> turn = whole_turn(map.crs_wkt);
   if (const auto box = box_there(bounds, way); box && !turn)
@@ -278,6 +253,8 @@ Overlay read_overlay(const OverlayInput& input, const MapFrame& map, const Box2&
     throw_if_stopped();
     reader.add(*feature);
   }
+  // Databases take any condition, and fail when they are asked.
+  if (messages.has_failure() && !input.where.empty()) refuse_condition(layer, input, messages);
   if (messages.has_failure())
     throw Error(
         fmt::format("{} can't be read to its end ({})", input.path, messages.last_failure()),

@@ -4,6 +4,7 @@
 #include "dem/read/gdal.hpp"
 #include "dem/read/length_units.hpp"
 #include "dem/read/map_shapes.hpp"
+#include "dem/read/vector_layer.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
 
@@ -193,27 +194,6 @@ Dataset open(const std::string& path, unsigned kind, const ReadOptions& options)
                                    nullptr, open_options.List(), nullptr));
 }
 
-OGRLayer& layer_of(GDALDataset& dataset, const std::string& path, const std::string& wanted) {
-  std::vector<OGRLayer*> layers;
-  for (OGRLayer* layer : dataset.GetLayers())
-    if (layer->GetGeomType() != wkbNone) layers.push_back(layer);
-  std::vector<std::string> names;
-  for (OGRLayer* layer : layers) names.emplace_back(layer->GetName());
-  for (std::size_t i = 0; i < layers.size(); ++i)
-    if (names[i] == wanted) return *layers[i];
-  if (layers.empty())
-    throw Error(fmt::format("{} has no layer with geometries", path),
-                "see 'ogrinfo' for what it holds");
-  if (!wanted.empty())
-    throw Error(fmt::format("{} has no layer '{}'", path, wanted),
-                fmt::format("its layers are {}", fmt::join(names, ", ")));
-  if (layers.size() > 1)
-    throw Error(fmt::format("{} has {} layers: {}", path, layers.size(), fmt::join(names, ", ")),
-                "name one with `layer`, or copy it to a file of its own: ogr2ogr one.gpkg " + path +
-                    " LAYER");
-  return *layers.front();
-}
-
 // GeoJSON's own rule is degrees when it names no CRS, and GDAL follows it; surveys in it often have
 // metres or feet all the same.
 bool is_local_geojson(GDALDataset& dataset, const OGRSpatialReference* crs, const Box2& extent) {
@@ -247,9 +227,7 @@ int height_field(OGRLayer& layer, const std::string& path, const std::string& na
   OGRFeatureDefn& fields = *layer.GetLayerDefn();
   const int index = fields.GetFieldIndex(name.c_str());
   if (index < 0) {
-    std::vector<std::string> names;
-    for (int i = 0; i < fields.GetFieldCount(); ++i)
-      names.emplace_back(fields.GetFieldDefn(i)->GetNameRef());
+    const std::vector<std::string> names = field_names(layer);
     throw Error(fmt::format("{} has no field '{}'", path, name),
                 names.empty() ? "it has no fields"
                               : fmt::format("its fields are {}", fmt::join(names, ", ")));
@@ -332,7 +310,10 @@ MapShapes read_vector(const std::string& path, VectorUse use, const ReadOptions&
         fmt::format("{} can't be opened as a vector file ({})", path, messages.last_failure()),
         "give layers that GDAL reads, such as GeoPackage, Shapefile or GeoJSON");
   const bool is_terrain = use == VectorUse::terrain;
-  OGRLayer& layer = layer_of(*dataset, path, is_terrain ? options.layer : "");
+  OGRLayer& layer =
+      layer_of(*dataset, path, is_terrain ? options.layer : "",
+               "name one with `layer`, or copy it to a file of its own: ogr2ogr one.gpkg " + path +
+                   " LAYER");
   MapShapes shapes;
   shapes.path = path;
   for (const std::string& warning : messages.warnings())
