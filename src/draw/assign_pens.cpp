@@ -47,11 +47,12 @@ std::size_t nearest_in_width(double width_mm, std::span<const std::size_t> candi
   return nearest;
 }
 
-// In the pen's own width.
+// In the pen's own width; what it is a line of is its old layer's to tell.
 void append_stroke(Layer& to, const Layer& from, const Stroke& stroke) {
   to.strokes.push_back(stroke);
   to.strokes.back().first_point = static_cast<std::uint32_t>(to.page_mm.size());
   to.strokes.back().width_mm = 0;
+  to.strokes.back().feature = -1;
   const std::span<const Vec2> points = from.points(stroke);
   to.page_mm.insert(to.page_mm.end(), points.begin(), points.end());
 }

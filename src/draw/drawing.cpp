@@ -15,11 +15,14 @@ namespace orograph {
 
 void append(Layer& layer, const Layer& other) {
   const auto offset = static_cast<std::uint32_t>(layer.page_mm.size());
+  const auto features = static_cast<std::int32_t>(layer.features.size());
+  layer.features.insert(layer.features.end(), other.features.begin(), other.features.end());
   layer.page_mm.insert(layer.page_mm.end(), other.page_mm.begin(), other.page_mm.end());
   layer.map.insert(layer.map.end(), other.map.begin(), other.map.end());
   layer.depths_m.insert(layer.depths_m.end(), other.depths_m.begin(), other.depths_m.end());
   for (Stroke stroke : other.strokes) {
     stroke.first_point += offset;
+    if (stroke.feature >= 0) stroke.feature += features;
     layer.strokes.push_back(stroke);
   }
 }

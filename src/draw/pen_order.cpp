@@ -20,7 +20,7 @@ namespace {
 
 // All that is told of a stroke besides its points. Its depth goes with its profile.
 auto kind_of(const Stroke& stroke) {
-  return std::tuple(stroke.width_mm, stroke.profile, stroke.level,
+  return std::tuple(stroke.width_mm, stroke.profile, stroke.level, stroke.feature,
                     std::isnan(stroke.darkness) ? -1.0F : stroke.darkness);
 }
 
@@ -81,6 +81,7 @@ Layer without_strokes(const Layer& layer) {
   out.grey = layer.grey;
   out.is_hidden = layer.is_hidden;
   out.pen = layer.pen;
+  out.features = layer.features;
   return out;
 }
 

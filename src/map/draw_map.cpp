@@ -304,8 +304,8 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     if (task.of_solids)
       draw_edges(placed.solids, placed.view, task.parts, builder);
     else if (task.is_on_ground)
-      draw_features(terrain.surface, placed.view, lines.on_ground, first_on_ground, task.parts,
-                    task.layer, builder);
+      draw_features(terrain.surface, placed.view, found.lines(), lines.on_ground, first_on_ground,
+                    task.parts, task.layer, builder);
     else
       draw_parts(terrain.surface, lines.on_ground.points, placed.view, found.lines(), task.parts,
                  builder);

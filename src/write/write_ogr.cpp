@@ -123,14 +123,21 @@ Error gdal_error(const std::string& name, const OgrMessages& messages) {
           "a disk with room for it, and a folder that you may write to"};
 }
 
-// The fields of all things that strokes are lines of: a name each, and the type that holds every
-// value.
-using MoreFields = std::map<std::string, OGRFieldType>;
+struct IgnoresCase {
+  bool operator()(const std::string& a, const std::string& b) const {
+    return STRCASECMP(a.c_str(), b.c_str()) < 0;
+  }
+};
+// The fields of all things that strokes are lines of: a name each, in whatever case, since OGR and
+// SQL don't tell cases apart; and the type that holds every value.
+using MoreFields = std::map<std::string, OGRFieldType, IgnoresCase>;
 
-// Names that strokes' own fields have get a mark.
+// Names that strokes' own fields have, or GeoPackage's, get a mark.
 std::string field_name(const std::string& attribute) {
-  const bool is_own = std::ranges::any_of(
-      kFields, [&](const auto& field) { return EQUAL(field.first, attribute.c_str()); });
+  const auto is_called = [&](const char* name) { return EQUAL(name, attribute.c_str()); };
+  const bool is_own =
+      std::ranges::any_of(kFields, [&](const auto& field) { return is_called(field.first); }) ||
+      is_called("fid") || is_called("geom");
   return is_own ? attribute + "_" : attribute;
 }
 
