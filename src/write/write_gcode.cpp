@@ -2,8 +2,8 @@
 // G-code: straight moves in absolute coordinates; what lifts and lowers the pen are the machine's
 // own lines.
 #include "geometry/error.hpp"
-#include "geometry/on_all_cores.hpp"
 #include "write/device_words.hpp"
+#include "write/draw_on_device.hpp"
 #include "write/format_text.hpp"
 #include "write/writers.hpp"
 
@@ -117,17 +117,7 @@ private:
 void write_gcode(const Drawing& drawing, const Device& device, const OnDevice& on_device,
                  ByteSink& out) {
   GcodeText text(device, on_device, out);
-  std::size_t step = 0;
-  for (const Layer& layer : drawing.layers) {
-    if (layer.is_pen_way || layer.strokes.empty()) continue;
-    text.take_pen(layer.pen);
-    for (const Stroke& stroke : layer.strokes) {
-      throw_if_stopped(step++);
-      text.draw(layer.points(stroke));
-      if (!text.hand_on()) return;
-    }
-  }
-  text.end();
+  draw_on_device(drawing, text);
 }
 
 } // namespace orograph

@@ -2,8 +2,8 @@
 // HPGL: points are snapped to the plotter's units before their differences are taken, so that these
 // add up to where the pen should be.
 #include "geometry/error.hpp"
-#include "geometry/on_all_cores.hpp"
 #include "write/device_words.hpp"
+#include "write/draw_on_device.hpp"
 #include "write/writers.hpp"
 
 #include <fmt/format.h>
@@ -126,17 +126,7 @@ void write_hpgl(const Drawing& drawing, const Device& device, const OnDevice& on
   HpglText text(device, on_device, out);
   text.say(device.start);
   if (const DevicePaper* paper = on_device.paper()) text.say(paper->choose);
-  std::size_t step = 0;
-  for (const Layer& layer : drawing.layers) {
-    if (layer.is_pen_way || layer.strokes.empty()) continue;
-    text.take_pen(layer.pen);
-    for (const Stroke& stroke : layer.strokes) {
-      throw_if_stopped(step++);
-      text.draw(layer.points(stroke));
-      if (!text.hand_on()) return;
-    }
-  }
-  text.end();
+  draw_on_device(drawing, text);
 }
 
 } // namespace orograph
