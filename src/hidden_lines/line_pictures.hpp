@@ -15,7 +15,7 @@
 
 namespace orograph {
 
-/// Which layer a line is drawn in, if it is drawn.
+/// Which layer a line is drawn in, if it is drawn: edges of the surface, then lines on the ground.
 enum class LineKind : std::uint8_t {
   silhouette,
   shore,
@@ -31,7 +31,7 @@ enum class LineKind : std::uint8_t {
   drape
 };
 
-/// Whether lines of a kind are lines on the ground, which may run along edges or not.
+/// Whether they are lines on the ground, which may run along edges or not.
 inline bool is_on_ground(LineKind kind) {
   return kind >= LineKind::waterline;
 }

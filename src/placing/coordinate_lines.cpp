@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -143,6 +144,21 @@ std::vector<CoordinateLines> mesh_lines(const TerrainData& terrain, const View& 
 
 namespace {
 
+// NaN where the CRS has no such place.
+Vec2 lonlat_on_map(const MapFrame& map, Vec3 ground_m) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  const Vec3 on_map = map.to_map(ground_m);
+  return lonlat_of_map(map.crs_wkt, {on_map.x, on_map.y}).value_or(Vec2{kNaN, kNaN});
+}
+
+// Longitudes within half a turn of one of them, so that none jumps between neighbours.
+void in_one_turn(std::vector<Vec2>& places) {
+  const auto known = std::ranges::find_if(places, [](Vec2 place) { return !std::isnan(place.x); });
+  if (known == places.end()) return;
+  const double middle = known->x;
+  for (Vec2& place : places) place.x -= 360 * std::round((place.x - middle) / 360);
+}
+
 // Longitudes and latitudes at places some cells apart, between which they are linear.
 class CoarseLonLat {
 public:
@@ -153,14 +169,11 @@ public:
     on_all_cores(static_cast<std::size_t>(rows_), [&](std::size_t row) {
       for (int c = 0; c < columns_; ++c) {
         const Vec2 at = grid.plane().position_m(c * kCells, static_cast<int>(row) * kCells);
-        const Vec3 on_map = map.to_map({at.x, at.y, 0});
-        constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
         places_[row * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c)] =
-            lonlat_of_map(map.crs_wkt, {on_map.x, on_map.y}).value_or(Vec2{kNaN, kNaN});
+            lonlat_on_map(map, {at.x, at.y, 0});
       }
     });
-    const double middle = places_[places_.size() / 2].x;
-    for (Vec2& place : places_) place.x -= 360 * std::round((place.x - middle) / 360);
+    in_one_turn(places_);
   }
 
   Vec2 at(std::size_t vertex) const {
@@ -185,36 +198,33 @@ private:
   std::vector<Vec2> places_;
 };
 
-VertexValues lonlat_values(const TerrainData& terrain, MapAxis axis) {
-  const auto of = [axis](Vec2 place) { return axis == MapAxis::x ? place.x : place.y; };
-  if (const Grid* grid = std::get_if<Grid>(&terrain.surface)) {
-    const auto coarse = std::make_shared<const CoarseLonLat>(*grid, terrain.map);
-    return [coarse, grid, of](std::size_t first, std::span<double> out) {
-      std::visit(
-          [&](const auto& heights) {
-            for (std::size_t i = 0; i < out.size(); ++i)
-              out[i] = std::isnan(heights[first + i]) ? std::numeric_limits<double>::quiet_NaN()
-                                                      : of(coarse->at(first + i));
-          },
-          grid->heights_m);
+// At every vertex, whether it has a height or not.
+std::function<Vec2(std::size_t)> lonlat_of_vertices(const TerrainData& terrain) {
+  if (const Grid* grid = std::get_if<Grid>(&terrain.surface))
+    return [coarse = std::make_shared<const CoarseLonLat>(*grid, terrain.map)](std::size_t vertex) {
+      return coarse->at(vertex);
     };
-  }
   const auto& vertices = std::get<Tin>(terrain.surface).vertices_m;
-  auto values = std::make_shared<std::vector<double>>(vertices.size());
-  on_all_cores((vertices.size() + 4095) / 4096, [&](std::size_t task) {
-    for (std::size_t i = 4096 * task; i < std::min(vertices.size(), 4096 * (task + 1)); ++i) {
-      const Vec3 on_map = terrain.map.to_map(vertices[i]);
-      const auto place = lonlat_of_map(terrain.map.crs_wkt, {on_map.x, on_map.y});
-      (*values)[i] = place ? of(*place) : std::numeric_limits<double>::quiet_NaN();
-    }
+  const auto places = std::make_shared<std::vector<Vec2>>(vertices.size());
+  constexpr std::size_t kOfTask = 4096;
+  on_all_cores((vertices.size() + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+    for (std::size_t i = task * kOfTask; i < std::min(vertices.size(), (task + 1) * kOfTask); ++i)
+      (*places)[i] = lonlat_on_map(terrain.map, vertices[i]);
   });
-  if (axis == MapAxis::x && !values->empty()) {
-    const double middle = values->front();
-    for (double& lon : *values) lon -= 360 * std::round((lon - middle) / 360);
-  }
-  return [values = std::shared_ptr<const std::vector<double>>(std::move(values))](
-             std::size_t first, std::span<double> out) {
-    std::copy_n(values->begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+  in_one_turn(*places);
+  return [places](std::size_t vertex) { return (*places)[vertex]; };
+}
+
+// One of both coordinates, NaN where there is no height.
+VertexValues lonlat_values(const TerrainData& terrain,
+                           const std::function<Vec2(std::size_t)>& lonlat, MapAxis axis) {
+  return [heights = heights_of(terrain), lonlat, axis](std::size_t first, std::span<double> out) {
+    heights(first, out);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      if (std::isnan(out[i])) continue;
+      const Vec2 place = lonlat(first + i);
+      out[i] = axis == MapAxis::x ? place.x : place.y;
+    }
   };
 }
 
@@ -232,8 +242,9 @@ std::vector<CoordinateLines> graticule_lines(const TerrainData& terrain,
       throw Error("a graticule needs to know where on the earth the terrain is: it has no CRS that "
                   "tells",
                   "give the file's CRS, or draw a mesh");
-    lon = lonlat_values(terrain, MapAxis::x);
-    lat = lonlat_values(terrain, MapAxis::y);
+    const auto lonlat = lonlat_of_vertices(terrain);
+    lon = lonlat_values(terrain, lonlat, MapAxis::x);
+    lat = lonlat_values(terrain, lonlat, MapAxis::y);
   }
   const auto of_lon = range_of(terrain.surface, lon), of_lat = range_of(terrain.surface, lat);
   const double longest = std::max(span(of_lon), span(of_lat));

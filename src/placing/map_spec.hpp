@@ -111,11 +111,13 @@ struct LineWidths {
 
 /// Contours: lines of one height.
 struct ContourSpec {
-  std::vector<double> levels;     ///< just these, rising; empty: every `interval`
-  std::optional<double> interval; ///< none: so that there are about 25 over the terrain's relief
-  double offset = 0;              ///< a level; the others are whole intervals from it
-  std::optional<double> unit_m;   ///< of all of these, in metres; none: that of the file's heights
-  int index_every = 5;            ///< every how many-th interval has index contours; 0: none
+  std::vector<double> levels = {}; ///< just these, rising; empty: every `interval`
+  std::optional<double> interval =
+      {};            ///< none: so that there are about 25 over the terrain's relief
+  double offset = 0; ///< a level; the others are whole intervals from it
+  std::optional<double> unit_m =
+      {};              ///< of all of these, in metres; none: that of the file's heights
+  int index_every = 5; ///< every how many-th interval has index contours; 0: none
 };
 
 /// A mesh of lines on the ground, as far apart everywhere in plan.

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which heights have contours; where meridians, parallels and a mesh's lines are; what strokes say
+// of themselves.
+#include "dem/read/lonlat.hpp"
+#include "geometry/error.hpp"
+#include "hidden_lines/ground_lines.hpp"
+#include "map/draw_map.hpp"
+#include "placing/contours.hpp"
+#include "placing/placed_view.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/made_grid.hpp"
+#include "tests/support/random.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace orograph::ground_line_levels_test {
+namespace {
+
+// 40 x 30 vertices, 1 km apart, in UTM zone 32; heights 100 to 2000.
+TerrainData terrain_of(Random& random) {
+  TerrainData terrain;
+  GridLattice lattice{40, 30};
+  lattice.column_step_m = {1000, 30};
+  lattice.row_step_m = {30, -1000};
+  Grid grid = made_grid(random, lattice, {.low = 100, .high = 2000});
+  const auto heights = std::get<Heights<float>>(grid.heights_m).own();
+  heights[0] = 100;
+  heights[1] = 2000;
+  terrain.surface = std::move(grid);
+  terrain.map.crs_wkt = "EPSG:32632";
+  terrain.map.origin = {600000, 5200000};
+  return terrain;
+}
+
+ContourLevels levels(const TerrainData& terrain, const ContourSpec& spec) {
+  return contour_levels(terrain, spec);
+}
+
+} // namespace
+
+TEST_CASE("contours are at whole intervals, or where a list says, in the unit asked for") {
+  Random random(1);
+  TerrainData terrain = terrain_of(random);
+  const ContourLevels every = levels(terrain, {.interval = 300, .unit_m = 1});
+  CHECK(every.heights_m == std::vector<double>{300, 600, 900, 1200, 1500, 1800});
+  CHECK(every.is_index == std::vector<bool>{false, false, false, false, true, false});
+  // The greatest height has ground below it, the least has none.
+  CHECK(levels(terrain, {.interval = 950, .offset = 100, .unit_m = 1}).heights ==
+        std::vector<double>{1050, 2000});
+  const ContourLevels below = levels(terrain, {.interval = 500, .offset = -400, .unit_m = 1});
+  CHECK(below.heights == std::vector<double>{600, 1100, 1600});
+  const ContourLevels feet = levels(terrain, {.interval = 1000, .unit_m = 0.3048});
+  CHECK(feet.heights == std::vector<double>{1000, 2000, 3000, 4000, 5000, 6000});
+  CHECK(feet.heights_m[1] == 2000 * 0.3048);
+  terrain.map.height_unit_m = 0.3048;
+  CHECK(levels(terrain, {.interval = 1000}).heights_m == feet.heights_m);
+  CHECK(levels(terrain, {.levels = {-5, 400, 1500, 9000}, .unit_m = 1}).heights ==
+        std::vector<double>{400, 1500});
+  CHECK(levels(terrain, {.interval = 5000, .unit_m = 1}).heights.empty());
+  CHECK_THROWS_AS(levels(terrain, {.interval = 1e-6, .unit_m = 1}), Error);
+}
+
+TEST_CASE("contours nobody chose are 1, 2 or 5 times a power of ten apart, some 25 of them") {
+  for (double value = 0.003; value < 3e5; value *= 1.07) {
+    const double step = round_step(value);
+    INFO(value << " " << step);
+    const double mantissa = step / std::pow(10, std::floor(std::log10(step) + 1e-9));
+    CHECK(std::min({std::abs(mantissa - 1), std::abs(mantissa - 2), std::abs(mantissa - 5)}) <
+          1e-9);
+    CHECK(std::max(step / value, value / step) < 1.6); // the root of 2.5
+  }
+  Random random(2);
+  const std::size_t count = levels(terrain_of(random), {}).heights.size();
+  CHECK(count > 15);
+  CHECK(count < 41);
+}
+
+TEST_CASE(
+    "meridians, parallels, eastings and a mesh's lines are where PROJ and the map have them") {
+  Random random(3);
+  const TerrainData terrain = terrain_of(random);
+  MapSpec spec;
+  spec.style.layers = {"graticule", "grid", "mesh"};
+  spec.style.mesh.spacing_m = 2500;
+  spec.style.graticule_deg = 0.05;
+  spec.style.grid_m = 4000;
+  const PlacedView placed = placed_view(terrain, spec);
+  const GroundLines lines = ground_lines_of(terrain, placed, spec.style);
+  const auto first_point = static_cast<std::uint32_t>(vertex_count(terrain.surface));
+  std::set<std::string> seen;
+  for (const GroundLine& line : lines.lines) {
+    const auto& [kind, attributes] = lines.features[line.feature];
+    const std::string& name = attributes.front().name;
+    const double level = std::get<double>(attributes.front().value);
+    seen.insert(name);
+    if (line.ends.to < first_point) continue;
+    const ProfilePoint at = lines.points[line.ends.to - first_point];
+    const Vec3 on_map = terrain.map.to_map(to_ground_m(placed.view, at));
+    if (kind == LineKind::graticule) {
+      const Vec2 lonlat = lonlat_of_map(terrain.map.crs_wkt, {on_map.x, on_map.y}).value();
+      // Cells of a kilometre: 16 of them bend by 4 m or so, 5e-5 degrees.
+      REQUIRE(std::abs((name == "longitude" ? lonlat.x : lonlat.y) - level) < 1e-4);
+      REQUIRE(std::abs(level / 0.05 - std::round(level / 0.05)) < 1e-6);
+    } else {
+      const bool is_x = name == "x" || name == "easting";
+      REQUIRE(std::abs((is_x ? on_map.x : on_map.y) - level) < 1e-5);
+      const double step = kind == LineKind::grid ? 4000 : 2500;
+      REQUIRE(std::abs(level / step - std::round(level / step)) < 1e-6);
+    }
+  }
+  CHECK(seen == std::set<std::string>{"easting", "latitude", "longitude", "northing", "x", "y"});
+}
+
+TEST_CASE("strokes of contours and draped lines tell what they are lines of") {
+  Random random(4);
+  const TerrainData terrain = terrain_of(random);
+  MapSpec spec;
+  spec.ground_points = true;
+  spec.style.layers = {"contours", "drape"};
+  spec.style.contours.interval = 100;
+  PlacedView placed = placed_view(terrain, spec);
+  Overlay overlay;
+  overlay.places = {{605000, 5195000}, {625000, 5180000}};
+  overlay.lines = {{0, 2}};
+  overlay.features = {{{{"name", std::string("way")}}, 0, 1}};
+  placed.overlays = std::span(&overlay, 1);
+  const Map map = draw_map(terrain, placed, spec, {});
+  std::size_t told = 0;
+  for (const Layer& layer : map.drawing.layers)
+    for (const Stroke& stroke : layer.strokes) {
+      REQUIRE(stroke.feature >= 0);
+      const Attribute& attribute =
+          layer.features.at(static_cast<std::size_t>(stroke.feature)).front();
+      ++told;
+      if (layer.name == "drape") {
+        CHECK(attribute == Attribute{"name", std::string("way")});
+        continue;
+      }
+      const double elevation = std::get<double>(attribute.value);
+      CHECK((std::fmod(elevation, 500) == 0) == (layer.name == "index-contours"));
+      for (std::uint32_t i = 0; i < stroke.point_count; ++i)
+        REQUIRE(std::abs(layer.map[stroke.first_point + i].z - elevation) < 1e-9);
+    }
+  CHECK(told > 100);
+  CHECK(map.facts.counts.draped == 1);
+}
+
+} // namespace orograph::ground_line_levels_test
