@@ -4,49 +4,17 @@
 #include "cli/options/options.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
+#include "tests/cli/given_options.hpp"
 #include "tests/cli/made_files.hpp"
 
 #include <array>
 #include <cmath>
 #include <filesystem>
 
-using namespace orograph;
-using Arguments = std::vector<std::string>;
-
+namespace orograph::options_test {
 namespace {
 
-Arguments with_names(Arguments options) {
-  options.insert(options.end(), {"in.tif", "out.svg"});
-  return options;
-}
-
-RenderSettings given(const Arguments& options) {
-  const auto settings = parse_render(with_names(options));
-  REQUIRE(settings);
-  return *settings;
-}
-
-/// The message of the UsageError that these options get, or "accepted".
-std::string refusal_of(const Arguments& arguments) {
-  try {
-    parse_render(arguments);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
-std::string refusal(const Arguments& options) {
-  return refusal_of(with_names(options));
-}
-
-void check_refused(const Arguments& options, const std::string& fragment) {
-  const std::string message = refusal(options);
-  INFO(options.front() << ": " << message);
-  CHECK(message.find(fragment) != std::string::npos);
-  CHECK(message.find(": ") != std::string::npos);
-  CHECK(message.find('\n') == std::string::npos);
-}
+using namespace given_options;
 
 /// Whether the option stores this value, an exception (for --of) being a no.
 bool takes(const Option& option, const std::string& text) {
@@ -251,40 +219,6 @@ TEST_CASE("output options") {
   CHECK(given({"--no-progress", "-q"}).progress == false);
   CHECK(parse_render({"in.tif", "-", "--of", "svg"})->output == "-");
 
-  CHECK(given({}).map.pen_order == PenOrder::sorted);
-  CHECK(given({"--of", "eps"}).map.pen_order == PenOrder::sorted);
-  CHECK(given({"--of", "pdf"}).map.pen_order == PenOrder::drawing);
-  CHECK(given({"--of", "geojson"}).map.pen_order == PenOrder::drawing);
-  CHECK(given({"--of", "geojson", "--pen-order", "drawing"}).map.pen_order == PenOrder::drawing);
-  CHECK(given({"--pen-order", "drawing"}).map.pen_order == PenOrder::drawing);
-  CHECK(given({"--of", "pdf", "--pen-order", "best"}).map.pen_order == PenOrder::best);
-  CHECK(!given({}).pen_speed());
-  const auto speed = given({"--pen-speed", "40", "--pen-up-speed", "90", "--pen-lift-s", "0.4"});
-  REQUIRE(speed.pen_speed());
-  CHECK(speed.pen_speed()->down_mm_s == 40);
-  CHECK(speed.pen_speed()->up_mm_s == 90);
-  CHECK(speed.pen_speed()->lift_s == 0.4);
-  CHECK(given({"--pen-speed", "40"}).pen_speed()->up_mm_s == 40);
-  check_refused({"--pen-speed", "0"}, "above 0");
-  check_refused({"--pen-lift-s", "1"}, "--pen-speed");
-  check_refused({"--of", "geojson", "--layers", "profiles,pen-up"}, "--of svg");
-  check_refused({"--pen-order", "greedy"}, "drawing|sorted|best");
-  check_refused({"--of", "gpkg", "--pen-order", "sorted"}, "--of svg");
-
-  CHECK(given({"--of", "hpgl"}).map.pen_order == PenOrder::sorted);
-  CHECK(given({"--of", "gcode"}).map.style.light->by_density);
-  CHECK(given({"--of", "dxf"}).map.style.light->by_density);
-  CHECK(!given({}).map.style.light->by_density);
-  CHECK(given({"--of", "hpgl", "--device", "dxy"}).write.device->name == "Roland DXY");
-  CHECK(given({"--clip-to", "100x80"}).clip_to_mm == Vec2{100, 80});
-  CHECK(given({"--clip-to", "100x80"}).map.pen_order == PenOrder::drawing);
-  CHECK(given({"--clip-to", "100x80"}).finishing_order == PenOrder::sorted);
-  CHECK(!given({}).finishing_order);
-  const auto sheets = given({"--sheets", "2x3", "--overlap", "8mm", "--landscape"});
-  CHECK(sheets.sheet.width_mm == 297);
-  CHECK(sheets.map.page.width_mm == 2 * 277 - 8 + 20);
-  CHECK(sheets.map.page.height_mm == 3 * 190 - 2 * 8 + 20);
-
   check_refused({"--of", "dwg"}, "geojson");
   check_refused({"--dpi", "300"}, "--of png");
   check_refused({"--of", "png", "--dpi", "5"}, "10 to 4800");
@@ -433,3 +367,5 @@ TEST_CASE("options of info") {
   CHECK_FALSE(parse_info({"--help"}));
   CHECK_THROWS_AS(parse_info({"in.tif", "--fov", "30"}), UsageError);
 }
+
+} // namespace orograph::options_test
