@@ -98,7 +98,7 @@ TEST_CASE("what is stopped before it begins does nothing") {
   }
 }
 
-TEST_CASE("stopped in the midst of the profiles, a session draws as before") {
+TEST_CASE("stopped in the midst of the profiles, a session draws as before", "[unsanitized]") {
   const Session session = small_session();
   for (const MapSpec& spec : many_specs(kSmallSide)) {
     const std::string drawn = drawn_bytes(session, spec);

@@ -3,6 +3,7 @@
 #include "tests/catch.hpp"
 #include "tests/dem/temp_folder.hpp"
 #include "tests/library/made_ground.hpp"
+#include "tests/support/random.hpp"
 
 #include <cpl_string.h>
 #include <dlfcn.h>
@@ -17,6 +18,7 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -344,8 +346,8 @@ TEST_CASE("wherever a session was stopped, it draws as before") {
       count = looks.count;
     }
     // The first ones are in the search for the terrain's facts.
-    for (const std::size_t at : {std::size_t{2}, std::size_t{3}, std::size_t{4}, std::size_t{6},
-                                 count / 4, count / 2, count - count / 4, count}) {
+    const std::array<std::size_t, 8> looks{2, count / 2, count, count / 4, 3, 4, 6, count - count / 4};
+    for (const std::size_t at : std::span(looks).first(last_seed(looks.size()))) {
       const Session session(terrain);
       latency_s([&](const Control& control) { session.draw(spec, control); }, at);
       INFO("stopped at look " << at << " of " << count);

@@ -164,7 +164,8 @@ TEST_CASE("a source that comes piece by piece is one piece") {
   CHECK(horizon.pieces()[1].x_end == 1);
 }
 
-TEST_CASE("collapse keeps the least size, ties apart; without it there are fragments") {
+TEST_CASE("collapse keeps the least size, ties apart; without it there are fragments",
+          "[unsanitized]") {
   for (const SceneKind& kind : scene_kinds())
     for (const Role role : {Role::drawn_occluder, Role::occluder})
       for (std::uint64_t seed = 1; seed <= 8; ++seed) {
@@ -189,7 +190,7 @@ TEST_CASE("collapse keeps the least size, ties apart; without it there are fragm
       }
 }
 
-TEST_CASE("collapse keeps the least size on hard scenes, ties apart") {
+TEST_CASE("collapse keeps the least size on hard scenes, ties apart", "[unsanitized]") {
   std::size_t ties = 0;
   for (const HardKind& kind : hard_kinds())
     for (std::uint64_t seed = 1; seed <= 15; ++seed) {

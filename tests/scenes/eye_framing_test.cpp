@@ -50,6 +50,8 @@ EyeScene eye_scene(std::uint64_t seed) {
   out.spec.view.field_of_view = Angle::degrees(random.pick({20.0, 60.0, 110.0}));
   out.spec.view.exaggeration = random.pick({1.0, 2.0});
   out.spec.view.curvature = random.pick({Curvature::on, Curvature::off});
+  out.spec.style.light.reset(); // tone takes most of the time, and frames nothing
+  out.spec.style.spread = Spread::planes;
   if (random.chance(0.3)) out.spec.page.crop = true;
   if (random.chance(0.2)) {
     out.spec.page.height_mm.reset();

@@ -270,11 +270,12 @@ void check_tilted_planes(double elevation_deg) {
 
 } // namespace
 
-TEST_CASE("a tilted plane is equally dark all over, though levels change across it") {
+TEST_CASE("a tilted plane is equally dark all over, though levels change across it",
+          "[unsanitized]") {
   check_tilted_planes(20);
 }
 
-TEST_CASE("and seen straight down, ahead of the eye and behind it") {
+TEST_CASE("and seen straight down, ahead of the eye and behind it", "[unsanitized]") {
   check_tilted_planes(90);
 }
 

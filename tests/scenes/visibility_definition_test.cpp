@@ -28,7 +28,9 @@ FlatScene cut_all(const TerrainData& terrain, const PlacedView& scene) {
   return flat;
 }
 
-Tally check(const TerrainData& terrain, const MapSpec& spec, std::uint64_t seed) {
+Tally check(const TerrainData& terrain, MapSpec spec, std::uint64_t seed) {
+  spec.style.light.reset(); // tone takes most of the time, whichever profiles there are
+  spec.style.spread = Spread::planes;
   const PlacedView scene = placed_view(terrain, spec);
   const TieTolerance tolerance =
       tie_tolerance(scene.sectors.front(), spec.style.visibility_tolerance_mm);
@@ -38,10 +40,10 @@ Tally check(const TerrainData& terrain, const MapSpec& spec, std::uint64_t seed)
 
 } // namespace
 
-TEST_CASE("every piece of 600 made scenes is above all nearer profiles, or is not, as it claims",
+TEST_CASE("every piece of 400 made scenes is above all nearer profiles, or is not, as it claims",
           "[slow]") {
   Tally sum;
-  for (std::uint64_t seed = 1; seed <= last_seed(600); ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(400); ++seed) {
     const RandomScene scene = random_scene(seed);
     CAPTURE(seed, scene.what);
     const Tally tally = check(scene.terrain, scene.spec, seed);
@@ -69,7 +71,7 @@ TEST_CASE("and of the samples, from eight sides", "[slow]") {
       spec.view.from_azimuth = Angle::degrees(45.0 * side + (side % 2 ? 3.7 : 0));
       spec.view.from_elevation = Angle::degrees(5 + 7 * side);
       if (side >= 5) spec.view.projection = Projection::orthographic;
-      spec.style.plan = ProfileCount{30};
+      spec.style.plan = ProfileCount{14};
       const Tally tally = check(terrain, spec, static_cast<std::uint64_t>(side));
       REQUIRE(tally.wrong == 0);
       REQUIRE(tally.asked > enough<1000>);
