@@ -8,6 +8,7 @@
 #include "cli/options/named_fields.hpp"
 #include "cli/options/options.hpp"
 #include "cli/render.hpp"
+#include "cli/say.hpp"
 #include "cli/sweep/ranks.hpp"
 #include "cli/tin.hpp"
 #include "dem/read/gdal.hpp"
@@ -15,10 +16,13 @@
 #include "geometry/on_all_cores.hpp"
 #include "write/output_file.hpp"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -29,19 +33,34 @@
 namespace orograph {
 namespace {
 
+// A file that is opened takes the lowest free number; where that is one of these three, what is
+// said would go into it. Nothing can be written to the standard output that wasn't there.
+void keep_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF &&
+        ::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) < 0)
+      return; // the numbers above are taken no sooner
+}
+
 extern "C" void remove_all_and_exit(int signal_number) {
   remove_temporary_files();
   _exit(128 + signal_number);
 }
 
-// From now on SIGINT and SIGTERM remove temporary files and exit with 130 and 143; SIGXFSZ and
-// SIGPIPE are ignored, so that a file-size limit or a closed pipe shows as a write error.
+// From now on SIGHUP, SIGINT and SIGTERM remove temporary files and exit with 129, 130 and 143,
+// unless they are ignored, as by nohup; SIGXFSZ and SIGPIPE are ignored, so that a file-size limit
+// or a closed pipe shows as a write error.
 void remove_output_files_on_signals() {
+  constexpr std::array<int, 3> kInterrupting{SIGHUP, SIGINT, SIGTERM};
   struct sigaction action {};
   action.sa_handler = remove_all_and_exit;
   sigemptyset(&action.sa_mask);
-  for (const int interrupting : {SIGINT, SIGTERM}) sigaddset(&action.sa_mask, interrupting);
-  for (const int interrupting : {SIGINT, SIGTERM}) sigaction(interrupting, &action, nullptr);
+  for (const int interrupting : kInterrupting) sigaddset(&action.sa_mask, interrupting);
+  for (const int interrupting : kInterrupting) {
+    struct sigaction before {};
+    sigaction(interrupting, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(interrupting, &action, nullptr);
+  }
   for (const int of_writing : {SIGXFSZ, SIGPIPE}) signal(of_writing, SIG_IGN);
 }
 
@@ -121,11 +140,17 @@ void run(std::vector<std::string> rest) {
     throw Error("can't write to standard output", "make room on the device, or keep it open");
 }
 
+int fail_without_memory() {
+  say_without_memory("error: not enough memory: use --overview, --bbox or fewer --profiles");
+  return 1;
+}
+
 int fail(const std::string& told, int exit_code) {
-  std::string message = with_options(told);
-  std::replace_if(
-      message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  std::fprintf(stderr, "orograph: error: %s\n", message.c_str());
+  try {
+    say("error: {}", with_options(told));
+  } catch (const std::bad_alloc&) {
+    return fail_without_memory();
+  }
   return exit_code;
 }
 
@@ -133,6 +158,7 @@ int fail(const std::string& told, int exit_code) {
 
 int run_command_line(int argc, char** argv) {
   try {
+    keep_standard_streams();
     remove_output_files_on_signals();
     set_gdal_for_this_program();
     run({argv + std::min(argc, 1), argv + argc});
@@ -147,7 +173,7 @@ int run_command_line(int argc, char** argv) {
   } catch (const Error& error) {
     return fail(error.what(), 1);
   } catch (const std::bad_alloc&) {
-    return fail("not enough memory: use --overview, --bbox or fewer --profiles", 1);
+    return fail_without_memory();
   } catch (const std::exception& error) {
     return fail(std::string("internal: ") + error.what() + ": please report it", 1);
   }

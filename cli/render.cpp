@@ -5,6 +5,7 @@
 #include "cli/progress.hpp"
 #include "cli/report/closing_lines.hpp"
 #include "cli/report/run_report.hpp"
+#include "cli/say.hpp"
 #include "cli/tell_placing.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
@@ -17,7 +18,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
+#include <string>
 #include <vector>
 
 namespace orograph {
@@ -37,10 +38,9 @@ void check_outputs(const RenderSettings& settings) {
 
 void tell_check(const std::optional<CheckCounts>& check) {
   if (check)
-    fmt::print(stderr,
-               "orograph: check: {} points asked, {} tied, {} drawn but hidden, {} visible but not "
-               "drawn\n",
-               check->asked, check->ties, check->hidden, check->missing);
+    say("check: {} points asked, {} tied, {} drawn but hidden, {} visible but not "
+        "drawn",
+        check->asked, check->ties, check->hidden, check->missing);
 }
 
 } // namespace
@@ -103,7 +103,8 @@ void render(const RenderSettings& settings) {
     write_report(run_report(map, settings), settings.report, settings.write.overwrite);
   }
   if (!settings.quiet)
-    fmt::print(stderr, "{}", closing_lines(map, placed, settings, seconds_since(start)));
+    for (const std::string& line : closing_lines(map, placed, settings, seconds_since(start)))
+      say_line(line);
 }
 
 } // namespace orograph

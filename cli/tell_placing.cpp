@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/tell_placing.hpp"
 
+#include "cli/say.hpp"
+
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <string>
 
 namespace orograph {
 namespace {
 
 void tell_chosen_view(const ChosenView& chosen) {
-  fmt::print(stderr,
-             "orograph: seen from {0}/{1}, which shows most ground with most relief (--view-from "
-             "{0}/{1})\n",
-             chosen.azimuth.in_degrees(), chosen.elevation.in_degrees());
+  say("seen from {0}/{1}, which shows most ground with most relief (--view-from "
+      "{0}/{1})",
+      chosen.azimuth.in_degrees(), chosen.elevation.in_degrees());
 }
 
 void tell_near_skyline(const NearSkyline& near, const ViewSpec& view) {
@@ -24,21 +24,19 @@ void tell_near_skyline(const NearSkyline& near, const ViewSpec& view) {
   right += near.clear_of_height_m
                ? fmt::format("--eye-height {:.3g} looks over it", *near.clear_of_height_m)
                : "a greater --eye-height, or another place, may look over it";
-  fmt::print(stderr,
-             "orograph: ground within {:.3g} m hides most of what is beyond it from an eye {:.3g} "
-             "m high ({})\n",
-             near.within_m, near.eye_height_m, right);
+  say("ground within {:.3g} m hides most of what is beyond it from an eye {:.3g} "
+      "m high ({})",
+      near.within_m, near.eye_height_m, right);
 }
 
 } // namespace
 
 void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts) {
   for (const Overlay& overlay : overlays)
-    for (const std::string& note : overlay.notes) fmt::print(stderr, "orograph: {}\n", note);
+    for (const std::string& note : overlay.notes) say_line(note);
   if (counts.not_draped + counts.draped_in_part > 0)
-    fmt::print(stderr,
-               "orograph: of {} features to drape {} aren't on the terrain, and {} only in part\n",
-               counts.draped + counts.not_draped, counts.not_draped, counts.draped_in_part);
+    say("of {} features to drape {} aren't on the terrain, and {} only in part",
+        counts.draped + counts.not_draped, counts.not_draped, counts.draped_in_part);
 }
 
 void tell_placing(const PlacedView& placed, const ViewSpec& view) {

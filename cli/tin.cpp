@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/tin.hpp"
 
+#include "cli/say.hpp"
 #include "dem/approximate/approximate_grid.hpp"
 #include "dem/read/asked_window.hpp"
 #include "dem/read/read_options.hpp"
@@ -10,8 +11,6 @@
 #include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
-
-#include <cstdio>
 
 namespace orograph {
 namespace {
@@ -42,10 +41,6 @@ void approximate_surface(TerrainData& terrain, const TinSettings& settings) {
       grid.columns, grid.rows, approximated.tin.vertices_m.size(), approximated.greatest_m,
       approximated.greatest_at_vertices_m));
   terrain.surface = std::move(approximated.tin);
-}
-
-void say(const std::string& text) {
-  fmt::print(stderr, "orograph: {}\n", text);
 }
 
 std::string told(const TriangulationCounts& counts) {
@@ -80,10 +75,10 @@ void tin(const TinSettings& settings) {
   place.commit();
   if (settings.quiet) return;
   const Tin& made = std::get<Tin>(terrain.surface);
-  if (terrain.triangulation) say(told(*terrain.triangulation));
-  for (const std::string& note : terrain.notes) say(note);
-  say(fmt::format("{} vertices and {} triangles in {}", made.vertices_m.size(),
-                  made.triangles.size(), settings.output));
+  if (terrain.triangulation) say_line(told(*terrain.triangulation));
+  for (const std::string& note : terrain.notes) say_line(note);
+  say("{} vertices and {} triangles in {}", made.vertices_m.size(), made.triangles.size(),
+      settings.output);
 }
 
 } // namespace orograph

@@ -86,7 +86,8 @@ void add_man_entry(std::string& page, const Option& option) {
 }
 
 constexpr std::string_view kExitStatus =
-    "0 on success, 2 for a wrong command line, 1 for any other error, 130 and 143 when interrupted "
+    "0 on success, 2 for a wrong command line, 1 for any other error, 129, 130 and 143 when "
+    "interrupted "
     "or terminated. Errors are one line on stderr, and leave no output file.";
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "cli/report/run_report.hpp"
 #include "geometry/error.hpp"
 #include "text/nesting.hpp"
+#include "text/printable.hpp"
 #include "text/text_of_file.hpp"
 #include "text/words.hpp"
 

@@ -10,6 +10,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace orograph {
 namespace {
@@ -49,21 +53,21 @@ std::string heights_in_words(const PlacedView& placed) {
 }
 
 // Straight down in a parallel picture heights move nothing: profiles are straight lines.
-std::string of_plan(const PlacedView& placed, const MapSpec& spec) {
+std::optional<std::string> of_plan(const PlacedView& placed, const MapSpec& spec) {
   const bool is_plan = !placed.view.is_perspective() && placed.view.y_per_z == 0;
-  if (!is_plan || placed.depths_m.empty() || !spec.style.asks_for("profiles")) return "";
+  if (!is_plan || placed.depths_m.empty() || !spec.style.asks_for("profiles")) return std::nullopt;
   const char* what = spec.ground_points ? ": --view-from with less than 90 shows relief"
                      : spec.style.light
                          ? ", and only light on them shows relief (--light)"
                          : ": --light shows relief by their widths, --view-from with "
                            "less than 90 by their shapes";
-  return fmt::format("orograph: from straight above profiles are straight lines{}\n", what);
+  return std::string("from straight above profiles are straight lines") + what;
 }
 
 } // namespace
 
-std::string closing_lines(const Map& map, const PlacedView& placed, const RenderSettings& settings,
-                          double seconds) {
+std::vector<std::string> closing_lines(const Map& map, const PlacedView& placed,
+                                       const RenderSettings& settings, double seconds) {
   const std::uint64_t strokes = map.facts.counts.strokes;
   const PenTravel travel = pen_travel(map.drawing);
   const auto known = sum_of(minutes_by_layer(map.drawing, settings));
@@ -74,11 +78,13 @@ std::string closing_lines(const Map& map, const PlacedView& placed, const Render
                               : names.size() == 1
                                   ? settings.output
                                   : fmt::format("{} to {}", names.front(), names[names.size() - 2]);
-  return of_plan(placed, settings.map) +
-         fmt::format("orograph: {}: {} {}, {:.1f} m of ink{}, {}, {}, {:.1f} s\n", written,
-                     grouped(strokes), strokes == 1 ? "stroke" : "strokes", 1e-3 * travel.down_mm,
-                     minutes, view_in_words(placed, settings.map.view), heights_in_words(placed),
-                     seconds);
+  std::vector<std::string> lines;
+  if (auto plan = of_plan(placed, settings.map)) lines.push_back(std::move(*plan));
+  lines.push_back(
+      fmt::format("{}: {} {}, {:.1f} m of ink{}, {}, {}, {:.1f} s", written, grouped(strokes),
+                  strokes == 1 ? "stroke" : "strokes", 1e-3 * travel.down_mm, minutes,
+                  view_in_words(placed, settings.map.view), heights_in_words(placed), seconds));
+  return lines;
 }
 
 } // namespace orograph

@@ -7,12 +7,13 @@
 #include "placing/placed_view.hpp"
 
 #include <string>
+#include <vector>
 
 namespace orograph {
 
 /// A line with strokes, ink, view, exaggeration and seconds; before it one where profiles can't
 /// show relief, since they are seen from straight above. REQUIRES a map of this placed view.
-std::string closing_lines(const Map& map, const PlacedView& placed, const RenderSettings& settings,
-                          double seconds);
+std::vector<std::string> closing_lines(const Map& map, const PlacedView& placed,
+                                       const RenderSettings& settings, double seconds);
 
 } // namespace orograph

@@ -5,6 +5,7 @@
 #include "geometry/error.hpp"
 #include "placing/view_entries.hpp"
 #include "text/nesting.hpp"
+#include "text/printable.hpp"
 #include "text/text_of_file.hpp"
 #include "text/words.hpp"
 

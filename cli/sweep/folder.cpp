@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/folder.hpp"
 
+#include "cli/say.hpp"
 #include "cli/sweep/journal.hpp"
 #include "cli/sweep/page.hpp"
 #include "cli/text_file.hpp"
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <initializer_list>
 #include <utility>
@@ -146,7 +146,7 @@ std::vector<std::size_t> open_folder(const SweepSettings& settings, const Plan& 
 
   const SweepState state = state_of(out_dir, plan);
   for (const std::string& path : state.corrupt)
-    fmt::print(stderr, "orograph: {} can't be read: its view is drawn again\n", path);
+    say("{} can't be read: its view is drawn again", path);
   std::vector<std::size_t> waiting = state.missing;
   waiting.insert(waiting.end(), state.failed.begin(), state.failed.end());
   std::sort(waiting.begin(), waiting.end());
@@ -175,10 +175,10 @@ void check_done(const SweepState& state, const std::string& out_dir, const Plan&
                 "the column error of the table tells of each");
   if (quiet) return;
   if (shard.count == 1)
-    fmt::print(stderr, "orograph: {} views; open {}/index.html to see them\n", all, out_dir);
+    say("{} views; open {}/index.html to see them", all, out_dir);
   else
-    fmt::print(stderr, "orograph: {} views of shard {}/{}; orograph merge {} makes the tables\n",
-               all, shard.index, shard.count, out_dir);
+    say("{} views of shard {}/{}; orograph merge {} makes the tables", all, shard.index,
+        shard.count, out_dir);
 }
 
 } // namespace orograph

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/say.hpp"
 #include "cli/sweep/folder.hpp"
 #include "cli/sweep/journal.hpp"
 #include "cli/sweep/sweep.hpp"
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 namespace orograph {
@@ -40,8 +40,7 @@ void copy_views(const std::string& from, const std::string& to, const Plan& plan
   enum State { missing, failed, done };
   const auto states = [&](const std::string& folder) {
     const SweepState state = state_of(folder, plan);
-    for (const std::string& path : state.corrupt)
-      fmt::print(stderr, "orograph: {} can't be read\n", path);
+    for (const std::string& path : state.corrupt) say("{} can't be read", path);
     std::vector<State> of(plan.views.size(), done);
     for (const std::size_t view : state.failed) of[view] = failed;
     for (const std::size_t view : state.missing) of[view] = missing;

@@ -5,6 +5,7 @@
 
 #include "geometry/api.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -24,13 +25,19 @@ enum class ErrorCode {
 class OROGRAPH_API Error : public std::runtime_error {
 public:
   Error(const std::string& wrong, const std::string& right, ErrorCode code = ErrorCode::input)
-      : runtime_error(wrong + ": " + right), wrong_length_(wrong.size()), code_(code) {}
+      : runtime_error(whole(wrong + ": " + right)), wrong_length_(wrong.size()), code_(code) {}
 
   ErrorCode code() const { return code_; }
   std::string wrong() const { return std::string(what()).substr(0, wrong_length_); }
   std::string right() const { return std::string(what()).substr(wrong_length_ + 2); }
 
 private:
+  // `what()` ends at the first null character.
+  static std::string whole(std::string text) {
+    std::replace(text.begin(), text.end(), '\0', '?');
+    return text;
+  }
+
   std::size_t wrong_length_;
   ErrorCode code_;
 };

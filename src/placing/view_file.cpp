@@ -5,7 +5,7 @@
 #include "geometry/error.hpp"
 #include "placing/view_entries.hpp"
 #include "text/nesting.hpp"
-#include "text/words.hpp"
+#include "text/printable.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

@@ -4,6 +4,7 @@
 #include "geometry/error.hpp"
 #include "solids/build_solid.hpp"
 #include "solids/shapes.hpp"
+#include "text/printable.hpp"
 #include "text/text_of_file.hpp"
 #include "text/words.hpp"
 

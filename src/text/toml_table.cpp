@@ -3,6 +3,7 @@
 #include "text/toml_table.hpp"
 
 #include "geometry/error.hpp"
+#include "text/printable.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>

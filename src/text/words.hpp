@@ -22,14 +22,6 @@ inline std::string in_lower_case(std::string_view text) {
   return lower;
 }
 
-/// On one line: a library's words may quote what stands in a file.
-inline std::string printable(std::string_view text) {
-  std::string line(text);
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return line;
-}
-
 /// Of a file's name, with its dot and in lower case; empty where there is none.
 inline std::string extension_of(const std::string& path) {
   return in_lower_case(std::filesystem::path(path).extension().string());

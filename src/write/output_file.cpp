@@ -132,6 +132,17 @@ void flush_to_disk(const std::string& temporary, const std::string& path) {
   if (error_number != 0) throw write_error(path, error_number);
 }
 
+// The new file is its owner's and readable as the old one was, as far as this process may give
+// files away.
+void take_over_rights(const std::string& temporary, const std::string& path) {
+  struct stat old {};
+  if (::stat(path.c_str(), &old) != 0) return;
+  const bool given = ::chown(temporary.c_str(), old.st_uid, old.st_gid) == 0;
+  // Its own group isn't to read what was another's.
+  const mode_t rights = old.st_mode & (given ? 07777U : 0707U);
+  if (::chmod(temporary.c_str(), rights) != 0) throw write_error(path, errno);
+}
+
 // Renames without replacing a file that has appeared meanwhile. 0 or an errno.
 int rename_to_free_place(const char* temporary, const char* path) {
   if (::renameat2(AT_FDCWD, temporary, AT_FDCWD, path, RENAME_NOREPLACE) == 0) return 0;
@@ -157,6 +168,7 @@ OutputFile::~OutputFile() {
 
 void OutputFile::commit() {
   flush_to_disk(temporary_path_, path_);
+  if (overwrite_) take_over_rights(temporary_path_, path_);
   const char *const from = temporary_path_.c_str(), *const to = path_.c_str();
   const int error_number = !overwrite_               ? rename_to_free_place(from, to)
                            : ::rename(from, to) == 0 ? 0

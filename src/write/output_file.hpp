@@ -22,7 +22,8 @@ public:
 
   const std::string& temporary_path() const { return temporary_path_; }
   /// Flushes the file to the disk and renames it to its place. Throws Error, also where a file has
-  /// appeared there meanwhile and `overwrite` is off.
+  /// appeared there meanwhile and `overwrite` is off. What replaces a file has its rights, and its
+  /// owner where this process may give files away.
   void commit();
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/error.hpp"
 #include "text/nesting.hpp"
+#include "text/printable.hpp"
 #include "text/text_of_file.hpp"
 #include "text/toml_table.hpp"
 #include "text/words.hpp"

@@ -20,6 +20,11 @@ constexpr std::uint64_t last_seed(std::uint64_t count) {
 #endif
 }
 
+/// The same of rounds with one engine's random numbers.
+constexpr int rounds(int count) {
+  return static_cast<int>(last_seed(static_cast<std::uint64_t>(count)));
+}
+
 /// How often a test must have met what it is about, in as many scenes as asked for. Fewer scenes
 /// needn't have met it.
 #ifdef NDEBUG

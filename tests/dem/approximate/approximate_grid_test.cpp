@@ -260,7 +260,8 @@ TEST_CASE("the bound holds everywhere on rough ground too") {
   }
 }
 
-TEST_CASE("mountains are approximated with few triangles, islands with a level sea") {
+TEST_CASE("mountains are approximated with few triangles, islands with a level sea",
+          "[unsanitized]") {
   for (const MadeTerrain terrain : {MadeTerrain::fractal_alps, MadeTerrain::islands}) {
     const Grid grid = make_terrain(terrain, 60);
     const auto of_grid = in_columns_and_rows(grid);

@@ -194,7 +194,7 @@ TEST_CASE("triangles thrown together at random") {
 TEST_CASE("heaps on a small lattice, where much is level and much coincides") {
   Tried tried;
   std::vector<std::uint64_t> seeds{597}; // in which a point comes out twice, an ulp apart
-  for (std::uint64_t seed = 25; seed <= 45; ++seed) seeds.push_back(seed);
+  for (std::uint64_t seed = 25; seed < 25 + last_seed(21); ++seed) seeds.push_back(seed);
   for (const std::uint64_t seed : seeds) {
     Random random(seed);
     INFO("seed " << seed);

@@ -48,7 +48,7 @@ TEST_CASE("a Hilbert curve visits the cells of a square one beside the other") {
 
 TEST_CASE("equal places stand together, and every number is there once") {
   Random random(1);
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < rounds(200); ++round) {
     std::vector<Vec2> places;
     const int count = random.whole(0, 60), side = random.whole(0, 5);
     for (int k = 0; k < count; ++k)

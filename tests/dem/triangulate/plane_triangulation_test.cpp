@@ -58,7 +58,7 @@ void check_lines(const Lines& lines, double tolerance_m) {
 TEST_CASE("lines a few units in the last place apart stay whole and straight") {
   Random random(1);
   constexpr double origin = 1e9, unit = 0x1p-23;
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < rounds(400); ++round) {
     Lines lines;
     const int side = random.whole(2, 40);
     const double step = random.pick({1., 30., 1e6}) * unit;

@@ -96,7 +96,7 @@ void check_cut(Random& random, const Survey& survey, double half_m, int places) 
 
 TEST_CASE("a boundary without heights cuts the surface as scissors do") {
   Random random(1);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < rounds(60); ++round) {
     Survey survey{random_points(random, random.whole(10, 120), 100), {}, {}, {}};
     for (int k = random.whole(0, 3); k > 0; --k)
       survey.breaklines_m.push_back(random_points(random, 3, 100));
@@ -112,7 +112,7 @@ TEST_CASE("a boundary without heights cuts the surface as scissors do") {
 TEST_CASE("rings on a lattice: along edges, through vertices, touching, crossing themselves") {
   Random random(2);
   int cut = 0;
-  for (int round = 0; round < 90; ++round) {
+  for (int round = 0; round < rounds(90); ++round) {
     Survey survey;
     for (int x = -5; x <= 5; ++x)
       for (int y = -5; y <= 5; ++y)
@@ -133,7 +133,7 @@ TEST_CASE("rings on a lattice: along edges, through vertices, touching, crossing
       }
     }
   }
-  CHECK(cut > 60);
+  CHECK(cut > enough<60>);
 }
 
 TEST_CASE("what a ring keeps has the ring's area") {
@@ -176,7 +176,7 @@ TEST_CASE("a ring with heights is a breakline, and may reach beyond the points")
 
 TEST_CASE("long triangles go from the border inwards until none is left there") {
   Random random(4);
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < rounds(100); ++round) {
     Survey survey{random_points(random, random.whole(10, 80), 100), {}, {}, {}};
     if (random.chance(0.5)) survey.boundary = {star(random, {0, 0}, 50, 100, 9)};
     if (random.chance(0.3)) survey.boundary.push_back(star(random, {0, 0}, 10, 40, 7));

@@ -177,7 +177,7 @@ bool on_one_line(const std::vector<Vec3>& points) {
 TEST_CASE(
     "every stretch of a breakline is an edge, crossings are vertices with the lines' height") {
   Random random(1);
-  for (int round = 0; round < 700; ++round) {
+  for (int round = 0; round < rounds(700); ++round) {
     const int side = random.whole(2, 15);
     Survey survey{random_points(random, random.whole(3, 25), side), {}, {}, {}};
     if (on_one_line(survey.points_m)) continue;
@@ -195,7 +195,7 @@ TEST_CASE(
 
 TEST_CASE("where many lines meet at one place that no double is, there is one vertex") {
   Random random(5);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < rounds(40); ++round) {
     const int side = random.whole(3, 6);
     Survey survey{{{-9, -9, 0}, {9, -8, 0}, {8, 9, 0}}, {}, {}, {}};
     for (int k = 0; k < 25; ++k) survey.breaklines_m.push_back(random_points(random, 2, side));
@@ -205,7 +205,7 @@ TEST_CASE("where many lines meet at one place that no double is, there is one ve
 
 TEST_CASE("breaklines that don't cross leave the rest Delaunay") {
   Random random(2);
-  for (int round = 0; round < 500; ++round) {
+  for (int round = 0; round < rounds(500); ++round) {
     Survey survey{random_points(random, random.whole(3, 60), 12), {}, {}, {}};
     if (on_one_line(survey.points_m)) continue;
     survey.breaklines_m = {random_points(random, 2, 12)};
@@ -240,7 +240,7 @@ TEST_CASE("where two lines cross the height is their mean, to the last bit where
 
 TEST_CASE("lines that differ by a few units in the last place make a valid TIN") {
   Random random(3);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < rounds(300); ++round) {
     const int side = random.whole(2, 40), lines = random.whole(3, 40);
     const double step =
         0x1p-23 * (round % 2 ? 1 : 1e6); // one unit at 1e9, or much longer than wide

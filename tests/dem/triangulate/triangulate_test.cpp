@@ -109,7 +109,7 @@ Survey square() {
 
 TEST_CASE("the triangulation of points is Delaunay, over their hull, with each place a vertex") {
   Random random(1);
-  for (int round = 0; round < 2000; ++round) {
+  for (int round = 0; round < rounds(2000); ++round) {
     const auto points = random_points(random, random.whole(3, 40), random.whole(1, 12));
     if (on_one_line(points))
       CHECK_THROWS(triangulate({points, {}, {}, {}}));
@@ -173,7 +173,7 @@ TEST_CASE("far from the origin and very near to each other") {
 
 TEST_CASE("the order of the points makes no difference, and neither does their sign of zero") {
   Random random(4);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < rounds(40); ++round) {
     Survey survey;
     survey.points_m = random_points(random, 200, 9);
     for (int k = 0; k < 10; ++k)
@@ -239,7 +239,7 @@ TEST_CASE("the least longest edge is told, and keeps something") {
   CHECK(complaint(survey) == "");
 
   Random random(1);
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < rounds(200); ++round) {
     Survey scattered{random_points(random, 30, 1000), {}, {}, {}};
     for (Vec3& p : scattered.points_m) p = std::pow(10, random.whole(-6, 5)) * p;
     scattered.max_edge_m = 1e-12;
