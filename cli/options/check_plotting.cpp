@@ -107,6 +107,44 @@ void check_pens(RenderSettings& settings, const GivenOptions& given) {
                        fmt::format("give numbers up to {}", *device->pens));
 }
 
+// A layer that comes with another, as index contours do, has no entry in the style's list.
+void give_colour(Style& style, const std::string& layer, const Colour& colour,
+                 const GivenOptions& given) {
+  const auto asked = std::ranges::find(style.layers, layer, &LayerSpec::name);
+  if (asked != style.layers.end()) {
+    asked->colour = colour;
+    return;
+  }
+  const auto row = std::ranges::find(layer_table(), layer, &LayerRow::name);
+  if (layer_of(*row, style))
+    style.layers.emplace_back(layer).colour = colour;
+  else if (insists_on(given, "--colour"))
+    throw UsageError(fmt::format("--colour names the layer {}, which isn't drawn", layer),
+                     "leave it out, or have the layer drawn, by --layers or an option of its own");
+}
+
+void check_colours(RenderSettings& settings, const GivenOptions& given) {
+  const Format format = settings.write.format;
+  const bool has_language = language_of(format).has_value();
+  Style& style = settings.map.style;
+  if (!has_language && settings.pens.empty()) {
+    for (const auto& [layer, colour] : settings.colours) give_colour(style, layer, colour, given);
+    return;
+  }
+  for (const char* option : {"--colour", "--palette"}) {
+    if (!insists_on(given, option)) continue;
+    if (!settings.pens.empty())
+      throw UsageError(
+          fmt::format("{} has no meaning beside pens, which have colours of their own", option),
+          "leave it out, and give the pens in the file of --pens a colour");
+    throw UsageError(fmt::format("{} has no meaning in {}, where colours are the pens' that are "
+                                 "put in",
+                                 option, name_of(format)),
+                     "leave it out, or say by --pens which pen draws which layers");
+  }
+  style.palette = Palette::mono;
+}
+
 void check_sheets(RenderSettings& settings, const GivenOptions& given) {
   const bool is_tied = is_tied_to_ground(settings.write.format);
   for (const char* option : {"--clip-to", "--sheets"})
@@ -157,6 +195,7 @@ void check_plotting(RenderSettings& settings, const GivenOptions& given) {
   check_pen_order(settings, given);
   check_device(settings, given);
   check_pens(settings, given);
+  check_colours(settings, given);
   check_light(settings, given);
   check_sheets(settings, given);
   check_pen_time(settings, given);

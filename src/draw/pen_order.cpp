@@ -79,6 +79,7 @@ Layer without_strokes(const Layer& layer) {
   out.name = layer.name;
   out.pen_width_mm = layer.pen_width_mm;
   out.grey = layer.grey;
+  out.colour = layer.colour;
   out.is_hidden = layer.is_hidden;
   out.pen = layer.pen;
   out.features = layer.features;
