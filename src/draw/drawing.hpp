@@ -58,6 +58,7 @@ struct Layer {
   std::vector<float> depths_m; ///< one for one beside page points, while they are still asked for
   std::vector<Stroke> strokes;
   std::vector<Attributes> features; ///< what strokes are lines of, where they tell
+  std::vector<std::string> fields;  ///< that features may have, beside those that they have
 
   std::span<const Vec2> points(const Stroke& s) const {
     return std::span(page_mm).subspan(s.first_point, s.point_count);
