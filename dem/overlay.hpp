@@ -28,7 +28,7 @@ struct Overlay {
   std::vector<Line> lines;
   std::vector<Feature> features;
   std::vector<std::string> fields; ///< that attributes may have; one without a value isn't there
-  std::vector<std::string> notes; ///< what its reader assumed, a sentence each
+  std::vector<std::string> notes;  ///< what its reader assumed, a sentence each
 };
 
 } // namespace orograph

@@ -111,11 +111,11 @@ std::size_t nearest_in_width(double width_mm, std::span<const std::size_t> candi
 [[noreturn]] void refuse(const Layer& layer, std::span<const PenOfLayers> pens) {
   const bool has_fields = std::ranges::any_of(
       pens, [&](const PenOfLayers& one) { return may_have_field(one, layer.name); });
-  throw UsageError(fmt::format("no pen draws {}the layer '{}'", has_fields ? "all of " : "",
-                               layer.name),
-                   fmt::format("name it in a pen's layers{}, or give a pen without layers for all "
-                               "others",
-                               has_fields ? ", without a field" : ""));
+  throw UsageError(
+      fmt::format("no pen draws {}the layer '{}'", has_fields ? "all of " : "", layer.name),
+      fmt::format("name it in a pen's layers{}, or give a pen without layers for all "
+                  "others",
+                  has_fields ? ", without a field" : ""));
 }
 
 // In the pen's own width; what it is a line of is its old layer's to tell.

@@ -34,7 +34,7 @@ constexpr std::array<TomlKey, 11> kPenKeys{{
     {"layers", "a list of names", "[\"profiles\", \"shores\"]"},
     {"field", "the name of a field", "\"class\""},
     {"values", "a list of texts or numbers", "[\"river\", \"stream\"]"},
-    {"dash", "the lengths of a dash and of a gap, mm, above 0", "[2, 1]"},
+    {"dash", "the lengths of a dash and of a gap, mm, 0.01 to 1000", "[2, 1]"},
 }};
 
 Colour pen_colour(const TomlTable& table) {
@@ -97,7 +97,9 @@ Dash dash_of(const TomlTable& table) {
 PenOfLayers pen_of(const TomlTable& table, int next, std::span<const std::string_view> known) {
   PenOfLayers one;
   Pen& pen = one.pen;
-  pen.number = table.has("number") ? static_cast<int>(table.whole("number")) : next;
+  pen.number = table.has("number") || next > kGreatestNumber
+                   ? static_cast<int>(table.whole("number"))
+                   : next;
   if (pen.number < 1 || pen.number > kGreatestNumber) table.refuse("number", table.at("number"));
   pen.width_mm = number_within(table, "width", 0.01, 10);
   if (table.has("name")) pen.name = table.text("name");
@@ -132,7 +134,9 @@ std::vector<PenOfLayers> read_pens(const std::string& path,
     pen.place = one.place(value);
     if (std::ranges::any_of(
             pens, [&](const PenOfLayers& other) { return other.pen.number == pen.pen.number; }))
-      throw Error(fmt::format("{}: a second pen {}", one.place(one.has("number") ? one.at("number") : value), pen.pen.number),
+      throw Error(fmt::format("{}: a second pen {}",
+                              one.place(one.has("number") ? one.at("number") : value),
+                              pen.pen.number),
                   "give each a number of its own");
     pens.push_back(std::move(pen));
   }
