@@ -59,6 +59,8 @@ struct RenderSettings {
   bool quiet = false;
   std::optional<bool> progress; ///< none: where stderr is a terminal
 
+  /// Whether layers have colours of their own, those beside pens too.
+  bool has_colours() const { return map.style.palette != Palette::mono || !colours.empty(); }
   /// None without a speed. The pen is as fast up as down unless told.
   std::optional<PenSpeed> pen_speed() const {
     if (!pen_speed_mm_s) return std::nullopt;

@@ -91,7 +91,7 @@ void check_pens(RenderSettings& settings, const GivenOptions& given) {
                        "leave it out, or write a picture, as in --of svg");
     return;
   }
-  if (insists_on(given, "--pen-width"))
+  if (insists_on(given, "--pen-width") && !settings.has_colours())
     throw UsageError("--pen-width has no meaning beside pens, which have widths of their own",
                      "leave it out");
   std::vector<std::string_view> layers;
@@ -123,26 +123,35 @@ void give_colour(Style& style, const std::string& layer, const Colour& colour,
                      "leave it out, or have the layer drawn, by --layers or an option of its own");
 }
 
+// Pens go before: colours are of layers that none draws.
 void check_colours(RenderSettings& settings, const GivenOptions& given) {
   const Format format = settings.write.format;
-  const bool has_language = language_of(format).has_value();
   Style& style = settings.map.style;
-  if (!has_language && settings.pens.empty()) {
-    for (const auto& [layer, colour] : settings.colours) give_colour(style, layer, colour, given);
+  if (language_of(format)) {
+    for (const char* option : {"--colour", "--palette"})
+      if (insists_on(given, option))
+        throw UsageError(fmt::format("{} has no meaning in {}, where colours are the pens' that "
+                                     "are put in",
+                                     option, name_of(format)),
+                         "leave it out, or say by --pens which pen draws which layers");
+    style.palette = Palette::mono;
+    settings.colours.clear();
     return;
   }
-  for (const char* option : {"--colour", "--palette"}) {
-    if (!insists_on(given, option)) continue;
-    if (!settings.pens.empty())
-      throw UsageError(
-          fmt::format("{} has no meaning beside pens, which have colours of their own", option),
-          "leave it out, and give the pens in the file of --pens a colour");
-    throw UsageError(fmt::format("{} has no meaning in {}, where colours are the pens' that are "
-                                 "put in",
-                                 option, name_of(format)),
-                     "leave it out, or say by --pens which pen draws which layers");
+  const bool have_all = std::ranges::any_of(settings.pens, [](const PenOfLayers& one) {
+    return one.layers.empty() && one.field.empty();
+  });
+  if (have_all && insists_on(given, "--palette"))
+    throw UsageError(
+        "--palette has no meaning beside a pen for all layers that no other draws",
+        fmt::format("leave it out, or give each pen of {} its layers", settings.pens_file));
+  for (const auto& [layer, colour] : settings.colours) {
+    if (pens_of(layer, settings.pens).empty())
+      give_colour(style, layer, colour, given);
+    else if (insists_on(given, "--colour"))
+      throw UsageError(fmt::format("--colour names the layer {}, which a pen draws", layer),
+                       fmt::format("leave it out, or change the pens of {}", settings.pens_file));
   }
-  style.palette = Palette::mono;
 }
 
 void check_sheets(RenderSettings& settings, const GivenOptions& given) {

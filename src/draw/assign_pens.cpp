@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
@@ -118,12 +119,9 @@ std::size_t nearest_in_width(double width_mm, std::span<const std::size_t> candi
                   has_fields ? ", without a field" : ""));
 }
 
-// In the pen's own width; what it is a line of is its old layer's to tell.
 void append_stroke(Layer& to, const Layer& from, const Stroke& stroke) {
   to.strokes.push_back(stroke);
   to.strokes.back().first_point = static_cast<std::uint32_t>(to.page_mm.size());
-  to.strokes.back().width_mm = 0;
-  to.strokes.back().feature = -1;
   const std::span<const Vec2> points = from.points(stroke);
   to.page_mm.insert(to.page_mm.end(), points.begin(), points.end());
 }
@@ -136,8 +134,8 @@ std::vector<Pen> pens_of(std::string_view layer, std::span<const PenOfLayers> pe
   return out;
 }
 
-void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens) {
-  std::vector<Layer> by_pen, ways;
+void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens, WithoutPen rest) {
+  std::vector<Layer> kept, by_pen, ways;
   for (const PenOfLayers& one : pens) {
     by_pen.push_back(layer_of(one.pen));
     if (!one.field.empty()) check_field(one, drawing);
@@ -150,16 +148,26 @@ void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens) {
     }
     const std::vector<std::size_t> of_layer = numbers_of(layer.name, pens);
     const std::vector<std::vector<std::size_t>> by_feature = numbers_by_feature(layer, pens);
+    Layer of_no_pen = layer;
+    of_no_pen.clear();
     for (const Stroke& stroke : layer.strokes) {
       throw_if_stopped(step++);
       const bool has_own =
           stroke.feature >= 0 && !by_feature[static_cast<std::size_t>(stroke.feature)].empty();
       const std::vector<std::size_t>& candidates =
           has_own ? by_feature[static_cast<std::size_t>(stroke.feature)] : of_layer;
-      if (candidates.empty()) refuse(layer, pens);
+      if (candidates.empty()) {
+        if (rest == WithoutPen::refused) refuse(layer, pens);
+        append_stroke(of_no_pen, layer, stroke);
+        continue;
+      }
       const double width_mm = stroke.width_mm > 0 ? stroke.width_mm : layer.pen_width_mm;
-      append_stroke(by_pen[nearest_in_width(width_mm, candidates, pens)], layer, stroke);
+      Layer& to = by_pen[nearest_in_width(width_mm, candidates, pens)];
+      append_stroke(to, layer, stroke);
+      to.strokes.back().width_mm = 0; // the pen's own
+      to.strokes.back().feature = -1; // which is its old layer's to tell
     }
+    if (!of_no_pen.strokes.empty()) kept.push_back(std::move(of_no_pen));
   }
   for (std::size_t i = 0; i < pens.size(); ++i) {
     if (!pens[i].dash) continue;
@@ -167,9 +175,9 @@ void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens) {
     round_to_page_step(by_pen[i]);
   }
   std::erase_if(by_pen, [](const Layer& layer) { return layer.strokes.empty(); });
-  by_pen.insert(by_pen.end(), std::make_move_iterator(ways.begin()),
-                std::make_move_iterator(ways.end()));
-  drawing.layers = std::move(by_pen);
+  drawing.layers = std::move(kept);
+  for (std::vector<Layer>* layers : {&by_pen, &ways})
+    std::ranges::move(*layers, std::back_inserter(drawing.layers));
 }
 
 } // namespace orograph

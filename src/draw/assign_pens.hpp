@@ -34,13 +34,20 @@ struct PenOfLayers {
 /// Of those pens, in their order, that draw a layer whatever its features.
 OROGRAPH_API std::vector<Pen> pens_of(std::string_view layer, std::span<const PenOfLayers> pens);
 
+/// What becomes of strokes that no pen draws.
+enum class WithoutPen {
+  refused, ///< a UsageError: they would be missed when the map is plotted
+  kept     ///< in their layers, beneath those of pens, as a picture may have them
+};
+
 /// Makes one layer for each pen that has something to draw, in the pens' order: it has the pen's
 /// name, or "pen 3", and its width. A stroke goes to a pen with a field that its feature meets, or
 /// else to one that names its layer, or else to one without layers; of several to the one whose
 /// width is nearest to its own, by their ratio. Dashes are strokes of their own, of lines that
-/// touch as one. What shows a pen's way stays, as the last layer. Throws UsageError where no pen
-/// draws a stroke, and for a field that no feature of the layers may have, if there are any.
-/// REQUIRES strokes without map points, on the page's step.
-OROGRAPH_API void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens);
+/// touch as one. What shows a pen's way stays, as the last layer. Throws UsageError for a field
+/// that no feature of the layers may have, if there are any. REQUIRES strokes without map points,
+/// on the page's step.
+OROGRAPH_API void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens,
+                              WithoutPen rest = WithoutPen::refused);
 
 } // namespace orograph

@@ -139,6 +139,15 @@ TEST_CASE("colours in a drawing, in a settings file, and beside pens") {
   const auto by_pen = colours_of(drawn({"--settings", "colours.toml", "--pens", "pens.toml"}));
   REQUIRE(by_pen.size() == 1);
   CHECK(by_pen.begin()->second == "#000080");
+  // Pens go before the palette, which has what no pen draws.
+  folder.write("fine.toml", "[[pen]]\nwidth = 0.2\ncolour = 'navy'\nname = 'fine'\n"
+                            "layers = ['contours', 'profiles']\n");
+  const auto beside = colours_of(drawn({"--contours", "auto", "--palette", "map", "--colour",
+                                        "skyline=red", "--pens", "fine.toml"}));
+  CHECK(beside.at("fine") == "#000080");
+  CHECK(!beside.contains("contours"));
+  CHECK(is_brown(colour_of(beside.at("index-contours"))));
+  CHECK(beside.at("skyline") == "#ff0000");
   // But for the colours it is the same ink.
   std::string coloured = drawn({"--contours", "auto", "--palette", "map"}), grey = plain;
   CHECK((coloured != grey));

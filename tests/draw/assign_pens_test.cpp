@@ -222,6 +222,40 @@ TEST_CASE("a stroke goes to a pen of its feature's field before one of its layer
   CHECK(by_field > enough<500>);
 }
 
+TEST_CASE("strokes without a pen stay in their layers beneath, where they may") {
+  Drawing drawing;
+  drawing.layers = {empty_layer("profiles", 0.3), empty_layer("drape", 0.4),
+                    empty_layer("skyline", 0.5)};
+  for (Layer& layer : drawing.layers) {
+    add_stroke(layer, {{10, 10}, {20, 20}});
+    add_stroke(layer, {{30, 10}, {40, 20}});
+    layer.strokes[1].width_mm = 0.12;
+  }
+  Layer& drape = drawing.layers[1];
+  drape.colour = Colour{1, 2, 3};
+  drape.features = {{{"class", std::string("river")}}, {{"class", std::string("road")}}};
+  drape.strokes[0].feature = 0;
+  drape.strokes[1].feature = 1;
+  const std::vector<PenOfLayers> pens{
+      {.pen = {.number = 1, .name = "blue", .width_mm = 0.2},
+       .field = "class",
+       .values = {"river"}},
+      {.pen = {.number = 2, .name = "black", .width_mm = 0.2}, .layers = {"profiles"}}};
+  Drawing refused = drawing;
+  CHECK_THROWS_AS(assign_pens(refused, pens), UsageError);
+  assign_pens(drawing, pens, WithoutPen::kept);
+  std::vector<std::string> names;
+  for (const Layer& layer : drawing.layers) names.push_back(layer.name);
+  REQUIRE(names == std::vector<std::string>{"drape", "skyline", "blue", "black"});
+  REQUIRE(drawing.layers[0].strokes.size() == 1);
+  CHECK(drawing.layers[0].points(drawing.layers[0].strokes[0])[0] == Vec2{30, 10});
+  CHECK(drawing.layers[0].strokes[0].width_mm == 0.12);
+  CHECK(drawing.layers[0].ink() == Colour{1, 2, 3});
+  CHECK(drawing.layers[1].strokes.size() == 2);
+  CHECK(drawing.layers[2].strokes.size() == 1);
+  CHECK(drawing.layers[3].strokes.size() == 2);
+}
+
 TEST_CASE("a pen with dashes draws real ones, along lines that touch as along one") {
   Drawing drawing;
   drawing.layers = {empty_layer("drape"), empty_layer("profiles")};
