@@ -89,10 +89,10 @@ void check_field(const PenOfLayers& one, const Drawing& drawing) {
     return in_lower_case(name) == in_lower_case(one.field);
   };
   if (fields.empty() || std::ranges::any_of(fields, is_meant)) return;
-  throw UsageError(
-      fmt::format("{}{}no line has a field '{}'", one.place, one.place.empty() ? "" : ": ",
-                  one.field),
-      fmt::format("there {} {}", fields.size() == 1 ? "is" : "are", fmt::join(fields, ", ")));
+  throw UsageError(fmt::format("{}{}no line has a field '{}'", one.place,
+                               one.place.empty() ? "" : ": ", printable(one.field)),
+                   fmt::format("there {} {}", fields.size() == 1 ? "is" : "are",
+                               printable(fmt::format("{}", fmt::join(fields, ", ")))));
 }
 
 std::size_t nearest_in_width(double width_mm, std::span<const std::size_t> candidates,
@@ -148,8 +148,11 @@ void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens, WithoutPen
     }
     const std::vector<std::size_t> of_layer = numbers_of(layer.name, pens);
     const std::vector<std::vector<std::size_t>> by_feature = numbers_by_feature(layer, pens);
-    Layer of_no_pen = layer;
-    of_no_pen.clear();
+    Layer of_no_pen;
+    if (rest == WithoutPen::kept) {
+      of_no_pen = layer;
+      of_no_pen.clear();
+    }
     for (const Stroke& stroke : layer.strokes) {
       throw_if_stopped(step++);
       const bool has_own =

@@ -58,10 +58,10 @@ std::optional<Layer> layer_of(const LayerRow& row, const Style& style) {
   layer.pen_width_mm =
       (spec ? spec->weight : std::nullopt).value_or(row.weight) * style.pen_width_mm;
   layer.grey = (spec ? spec->grey : std::nullopt).value_or(row.grey);
-  if (const LayerSpec* const like = spec && spec->colour ? spec : companion_of(row, style))
+  const bool is_told = spec && (spec->colour || spec->grey);
+  if (const LayerSpec* const like = is_told ? spec : companion_of(row, style))
     layer.colour = like->colour;
-  if (!layer.colour && style.palette == Palette::map && !(spec && spec->grey))
-    layer.colour = row.map;
+  if (!layer.colour && !is_told && style.palette == Palette::map) layer.colour = row.map;
   layer.is_hidden = row.source == LineSource::hidden_solids;
   layer.is_pen_way = row.source == LineSource::pen_way;
   return layer;

@@ -112,6 +112,11 @@ TEST_CASE("a colour goes before the palette, and with a layer to what comes with
   const auto row = std::ranges::find(layer_table(), "shores", &LayerRow::name);
   CHECK(!layer_of(*row, style)->ink());
   CHECK(layer_of(*row, style)->grey == 0.3);
+  style.layers[0].colour = blue;
+  CHECK(layer_of(*row, style)->ink() == blue);
+  style.layers.emplace_back("waterlines").grey = 0.4;
+  const auto water = std::ranges::find(layer_table(), "waterlines", &LayerRow::name);
+  CHECK(!layer_of(*water, style)->ink());
 }
 
 TEST_CASE("colours in a drawing, in a settings file, and beside pens") {
