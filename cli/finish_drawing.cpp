@@ -30,7 +30,9 @@ void order_pens(Drawing& drawing, const RenderSettings& settings) {
 void finish_drawing(Map& map, const RenderSettings& settings) {
   if (!settings.finishing_order) return; // it is finished
   Drawing& drawing = map.drawing;
-  if (!settings.pens.empty()) assign_pens(drawing, settings.pens);
+  if (!settings.pens.empty())
+    assign_pens(drawing, settings.pens,
+                settings.has_colours() ? WithoutPen::kept : WithoutPen::refused);
   if (settings.clip_to_mm) cut_to(drawing, middle_of(drawing.page, *settings.clip_to_mm));
   order_pens(drawing, settings);
   Counts& counts = map.facts.counts;

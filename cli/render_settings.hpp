@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -34,7 +35,8 @@ struct RenderSettings {
   // Layers that switches of their own add to those of `map`.
   bool void_edges = false;
   std::vector<std::string> added_layers;
-  bool dashes_hidden = false; ///< hidden edges of solids
+  bool dashes_hidden = false;                          ///< hidden edges of solids
+  std::vector<std::pair<std::string, Colour>> colours; ///< of layers, by their names
 
   std::optional<PenOrder> pen_order; ///< none: as the format wants
   // Of the pen that will draw; none: no minutes are told, and the like.
@@ -57,6 +59,8 @@ struct RenderSettings {
   bool quiet = false;
   std::optional<bool> progress; ///< none: where stderr is a terminal
 
+  /// Whether layers have colours of their own, those beside pens too.
+  bool has_colours() const { return map.style.palette != Palette::mono || !colours.empty(); }
   /// None without a speed. The pen is as fast up as down unless told.
   std::optional<PenSpeed> pen_speed() const {
     if (!pen_speed_mm_s) return std::nullopt;

@@ -27,7 +27,8 @@ struct Overlay {
   std::vector<Vec2> places;
   std::vector<Line> lines;
   std::vector<Feature> features;
-  std::vector<std::string> notes; ///< what its reader assumed, a sentence each
+  std::vector<std::string> fields; ///< that attributes may have; one without a value isn't there
+  std::vector<std::string> notes;  ///< what its reader assumed, a sentence each
 };
 
 } // namespace orograph

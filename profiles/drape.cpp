@@ -28,7 +28,7 @@ void cut(double at_from, double at_to, double& begin, double& end) {
 
 } // namespace
 
-Draper::Draper(const Surface& surface, const View& view) : surface_(surface), view_(view) {
+Draper::Draper(const Surface& surface, const View& view) : surface_(surface), ends_(surface, view) {
   if (const Tin* tin = std::get_if<Tin>(&surface)) index_.emplace(*tin);
 }
 
@@ -136,7 +136,7 @@ void Draper::find_on_tin(const Tin& tin, Vec2 from, Vec2 to) {
 }
 
 ProfilePoint Draper::vertex(std::uint32_t number) const {
-  return line_of(surface_, view_, {number, number}).from;
+  return ends_({number, number}).from;
 }
 
 // As a weighted mean of the corners as the view has them, since the triangle is flat there.

@@ -51,7 +51,7 @@ private:
   ProfilePoint vertex(std::uint32_t number) const;
 
   const Surface& surface_;
-  const View& view_;
+  EdgeEnds ends_;
   std::optional<TinIndex> index_;
   std::vector<InTriangle> found_; ///< along one straight line, in order
   std::vector<double> shares_;

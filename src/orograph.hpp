@@ -21,6 +21,7 @@
 #include "dem/read/read_options.hpp"
 #include "dem/read/terrain_input.hpp"
 #include "draw/assign_pens.hpp"
+#include "draw/colour.hpp"
 #include "draw/cut_drawing.hpp"
 #include "draw/drawing.hpp"
 #include "draw/pen_order.hpp"

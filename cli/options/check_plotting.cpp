@@ -91,7 +91,7 @@ void check_pens(RenderSettings& settings, const GivenOptions& given) {
                        "leave it out, or write a picture, as in --of svg");
     return;
   }
-  if (insists_on(given, "--pen-width"))
+  if (insists_on(given, "--pen-width") && !settings.has_colours())
     throw UsageError("--pen-width has no meaning beside pens, which have widths of their own",
                      "leave it out");
   std::vector<std::string_view> layers;
@@ -105,6 +105,53 @@ void check_pens(RenderSettings& settings, const GivenOptions& given) {
       throw UsageError(fmt::format("{}: pen {} of the {}, which has {}", settings.pens_file,
                                    one.pen.number, device->name, *device->pens),
                        fmt::format("give numbers up to {}", *device->pens));
+}
+
+// A layer that comes with another, as index contours do, has no entry in the style's list.
+void give_colour(Style& style, const std::string& layer, const Colour& colour,
+                 const GivenOptions& given) {
+  const auto asked = std::ranges::find(style.layers, layer, &LayerSpec::name);
+  if (asked != style.layers.end()) {
+    asked->colour = colour;
+    return;
+  }
+  const auto row = std::ranges::find(layer_table(), layer, &LayerRow::name);
+  if (layer_of(*row, style))
+    style.layers.emplace_back(layer).colour = colour;
+  else if (insists_on(given, "--colour"))
+    throw UsageError(fmt::format("--colour names the layer {}, which isn't drawn", layer),
+                     "leave it out, or have the layer drawn, by --layers or an option of its own");
+}
+
+// Pens go before: colours are of layers that none draws.
+void check_colours(RenderSettings& settings, const GivenOptions& given) {
+  const Format format = settings.write.format;
+  Style& style = settings.map.style;
+  if (language_of(format)) {
+    for (const char* option : {"--colour", "--palette"})
+      if (insists_on(given, option))
+        throw UsageError(fmt::format("{} has no meaning in {}, where colours are the pens' that "
+                                     "are put in",
+                                     option, name_of(format)),
+                         "leave it out, or say by --pens which pen draws which layers");
+    style.palette = Palette::mono;
+    settings.colours.clear();
+    return;
+  }
+  const bool have_all = std::ranges::any_of(settings.pens, [](const PenOfLayers& one) {
+    return one.layers.empty() && one.field.empty();
+  });
+  if (have_all && insists_on(given, "--palette"))
+    throw UsageError(
+        "--palette has no meaning beside a pen for all layers that no other draws",
+        fmt::format("leave it out, or give each pen of {} its layers", settings.pens_file));
+  for (const auto& [layer, colour] : settings.colours) {
+    if (pens_of(layer, settings.pens).empty())
+      give_colour(style, layer, colour, given);
+    else if (insists_on(given, "--colour"))
+      throw UsageError(fmt::format("--colour names the layer {}, which a pen draws", layer),
+                       fmt::format("leave it out, or change the pens of {}", settings.pens_file));
+  }
 }
 
 void check_sheets(RenderSettings& settings, const GivenOptions& given) {
@@ -157,6 +204,7 @@ void check_plotting(RenderSettings& settings, const GivenOptions& given) {
   check_pen_order(settings, given);
   check_device(settings, given);
   check_pens(settings, given);
+  check_colours(settings, given);
   check_light(settings, given);
   check_sheets(settings, given);
   check_pen_time(settings, given);

@@ -2,13 +2,18 @@
 // Which lines are drawn of the ground, and how exactly; which solids stand on it.
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
+#include "draw/colour.hpp"
+#include "geometry/error.hpp"
 #include "map/layer_table.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -37,6 +42,27 @@ bool are_layers(const std::vector<std::string>& names) {
     return std::count(names.begin(), names.end(), name) == 1 &&
            std::count(known.begin(), known.end(), name) == 1;
   });
+}
+
+// "LAYER=COLOUR", with commas between several; each layer once.
+bool take_colours(const std::string& text, std::vector<std::pair<std::string, Colour>>& colours) {
+  for (const std::string& part : split(text, ',')) {
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos) return false;
+    const std::string layer = part.substr(0, equals);
+    std::vector<std::string_view> known;
+    for (const LayerRow& row : layer_table()) known.push_back(row.name);
+    if (std::ranges::find(known, layer) == known.end()) {
+      const std::string_view nearest = nearest_word(layer, known);
+      throw UsageError(fmt::format("--colour: there is no layer '{}'", layer),
+                       nearest.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                                       : fmt::format("did you mean {}?", nearest));
+    }
+    if (std::ranges::find(colours, layer, &std::pair<std::string, Colour>::first) != colours.end())
+      throw UsageError(fmt::format("--colour gives the layer {} two colours", layer), "give one");
+    colours.emplace_back(layer, colour_of(part.substr(equals + 1)));
+  }
+  return true;
 }
 
 } // namespace
@@ -212,6 +238,22 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                        s.map.style.layers.assign(names.begin(), names.end());
                        return are_layers(names);
                      }});
+  options.push_back(with_choice<Palette>(
+      {.group = kGroup,
+       .name = "--palette",
+       .help = "What layers are drawn in: black and greys, or the colours that maps have (brown "
+               "contours, blue shores, lines of --drape red)",
+       .by_default = "mono"},
+      {{"mono", Palette::mono}, {"map", Palette::map}}, s.map.style.palette));
+  options.push_back(
+      {.group = kGroup,
+       .name = "--colour",
+       .value = "LAYER=COLOUR",
+       .help = "Draw a layer in this colour, whatever the palette",
+       .allowed = "a layer and a colour as in shores=#2a6fa8 or contours=brown, with "
+                  "commas between several",
+       .repeatable = true,
+       .take = [&s](const std::string& text) { return take_colours(text, s.colours); }});
 }
 
 void add_scene_options(std::vector<Option>& options, RenderSettings& s) {

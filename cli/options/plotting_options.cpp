@@ -17,9 +17,11 @@ void add_plotting_options(std::vector<Option>& options, RenderSettings& s) {
       {.group = kGroup,
        .name = "--pens",
        .value = "FILE",
-       .help = "Draw with these pens: a TOML file with number, width, colour, speed, height and "
-               "layers of each (docs/plotters.md). Where several of them draw profiles, light is "
-               "shown by their widths",
+       .help =
+           "Draw with these pens: a TOML file with width, colour, dash, number, speed and height "
+           "of each, and what it draws: layers, or lines of --drape by a field "
+           "(docs/plotters.md). Where several of them draw profiles, light is shown by their "
+           "widths",
        .allowed = "a file name",
        .take = stored_name(s.pens_file)});
   options.push_back({.group = kGroup,

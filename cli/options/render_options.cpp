@@ -31,7 +31,8 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
   if (option == "dpi") return settings.write.format == Format::png;
   if (option == "device") return language_of(settings.write.format).has_value();
   if (option == "overlap") return settings.sheets.has_value();
-  if (option == "pen-width") return settings.pens.empty();
+  if (option == "pen-width") return settings.pens.empty() || settings.has_colours();
+  if (option == "palette" || option == "colour") return !language_of(settings.write.format);
   if (option == "hidden") return settings.solids != nullptr;
   if (option.starts_with("light-") || option == "haze") return settings.map.style.light.has_value();
   return true;

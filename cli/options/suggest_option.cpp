@@ -18,8 +18,7 @@ constexpr std::string_view kNoHachures =
 constexpr std::string_view kNoNames = "there are no names on the picture yet";
 constexpr std::string_view kNoPanorama =
     "there is no panorama yet, but --eye with --fov below 180 degrees";
-constexpr std::string_view kNoColour =
-    "lines are black and grey; layers of an SVG can be coloured in an editor";
+constexpr std::string_view kNoGround = "lines have colours (--colour), and the ground none";
 
 // Words of GMT and PyGMT, PLplot, gnuplot, matplotlib, GRASS, QGIS, rayshader, ridge_map and GDAL.
 constexpr auto kWords = std::to_array<OtherWord>({
@@ -150,12 +149,12 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"padding", "--margin", {}},
     {"border", "--margin", "--layers border draws where the terrain ends"},
     {"caption", "--title", {}},
-    {"color", {}, kNoColour},
-    {"colour", {}, kNoColour},
-    {"line-color", {}, kNoColour},
-    {"palette", {}, kNoColour},
-    {"cmap", {}, kNoColour},
-    {"background", {}, kNoColour},
+    {"color", "--colour", {}},
+    {"colors", "--colour", {}},
+    {"line-color", "--colour", {}},
+    {"stroke", "--colour", {}},
+    {"cmap", {}, kNoGround},
+    {"background", {}, kNoGround},
     // Terrain
     {"region", "--bbox", {}},
     {"extent", "--bbox", {}},

@@ -155,11 +155,13 @@ Json row_json(const std::vector<Column>& columns, const std::vector<Cell>& row) 
 
 Json json_of(const Preview& preview) {
   Json json{{"size_mm", {preview.width_mm, preview.height_mm}}, {"layers", Json::array()}};
-  for (const PreviewLayer& layer : preview.layers)
+  for (const PreviewLayer& layer : preview.layers) {
     json["layers"].push_back({{"name", layer.name},
                               {"pen_mm", layer.pen_mm},
                               {"grey", layer.grey},
                               {"path", layer.path}});
+    if (!layer.colour.empty()) json["layers"].back()["colour"] = layer.colour;
+  }
   return json;
 }
 

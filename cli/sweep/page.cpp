@@ -142,8 +142,10 @@ Preview draw(const Drawing& drawing, const Coarseness& coarseness,
     }
     end_line();
     std::string path = writer.take();
+    const auto ink = layer.ink();
     if (!path.empty())
-      preview.layers.push_back({layer.name, layer.pen_width_mm, layer.grey, std::move(path)});
+      preview.layers.push_back({layer.name, layer.pen_width_mm, layer.grey,
+                                ink ? hex_of(*ink) : std::string(), std::move(path)});
   }
   return preview;
 }

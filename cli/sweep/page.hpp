@@ -15,6 +15,7 @@ namespace orograph {
 struct PreviewLayer {
   std::string name;
   double pen_mm = 0, grey = 0;
+  std::string colour; ///< "#rrggbb", instead of the grey; empty: none
   /// Moves and lines of SVG path data in whole tenths of a millimetre, relative but for the first:
   /// "m120 340l3-2 4 1m…".
   std::string path;
@@ -50,9 +51,10 @@ std::string_view sweep_page_template();
 /// The page as HTML, with both texts inside it: `table_json` is that of `sweep.json`,
 /// `previews_json` an array in the order of its views, each null or
 /// {"size_mm": [297, 210], "layers": [{"name", "pen_mm", "grey", "path"}]}, where `path` is SVG
-/// path data in tenths of a millimetre. A table of some of a sweep's views may say as
-/// `views_planned` how many it has in all; without it the page counts the gaps that it can see.
-/// Both are valid JSON; nothing in their strings can end the script that holds them.
+/// path data in tenths of a millimetre, and a layer may have a "colour". A table of some of a
+/// sweep's views may say as `views_planned` how many it has in all; without it the page counts the
+/// gaps that it can see. Both are valid JSON; nothing in their strings can end the script that
+/// holds them.
 std::string sweep_page(const std::string& table_json, const std::string& previews_json);
 
 } // namespace orograph

@@ -241,6 +241,9 @@ Overlay read_overlay(const OverlayInput& input, const MapFrame& map, const Box2&
                              fmt::format("name one, as in {}:LAYER", input.path));
   Overlay out;
   out.source = fmt::format("{} ({})", input.path, layer.GetName());
+  OGRFeatureDefn& kind = *layer.GetLayerDefn();
+  for (int i = 0; i < kind.GetFieldCount(); ++i)
+    out.fields.emplace_back(kind.GetFieldDefn(i)->GetNameRef());
   if (!input.where.empty() && layer.SetAttributeFilter(input.where.c_str()) != OGRERR_NONE)
     refuse_condition(layer, input, messages);
   const Way way(layer, input, map, out);

@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "draw/assign_pens.hpp"
 
+#include "draw/pen_order.hpp"
+#include "draw/round_drawing.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <utility>
+#include <variant>
 
 namespace orograph {
 namespace {
@@ -22,15 +30,69 @@ Layer layer_of(const Pen& pen) {
   return layer;
 }
 
-// Where those that draw a layer stand among the pens.
+bool names(const PenOfLayers& one, std::string_view layer) {
+  return std::ranges::find(one.layers, layer) != one.layers.end();
+}
+
+// Where those that draw a layer, whatever its features, stand among the pens.
 std::vector<std::size_t> numbers_of(std::string_view layer, std::span<const PenOfLayers> pens) {
   std::vector<std::size_t> named, others;
   for (std::size_t i = 0; i < pens.size(); ++i) {
-    const std::vector<std::string>& layers = pens[i].layers;
-    if (layers.empty()) others.push_back(i);
-    if (std::ranges::find(layers, layer) != layers.end()) named.push_back(i);
+    if (!pens[i].field.empty()) continue;
+    if (pens[i].layers.empty()) others.push_back(i);
+    if (names(pens[i], layer)) named.push_back(i);
   }
   return named.empty() ? others : named;
+}
+
+bool may_have_field(const PenOfLayers& one, std::string_view layer) {
+  return !one.field.empty() && (one.layers.empty() || names(one, layer));
+}
+
+std::string text_of(const Attribute& attribute) {
+  return std::visit([](const auto& value) { return fmt::format("{}", value); }, attribute.value);
+}
+
+bool meets(const Attributes& feature, const PenOfLayers& one) {
+  const std::string field = in_lower_case(one.field);
+  return std::ranges::any_of(feature, [&](const Attribute& attribute) {
+    return in_lower_case(attribute.name) == field &&
+           std::ranges::find(one.values, text_of(attribute)) != one.values.end();
+  });
+}
+
+// For each feature of a layer where its own pens stand among the pens; none: it is drawn as the
+// layer is.
+std::vector<std::vector<std::size_t>> numbers_by_feature(const Layer& layer,
+                                                         std::span<const PenOfLayers> pens) {
+  std::vector<std::vector<std::size_t>> out(layer.features.size());
+  for (std::size_t i = 0; i < pens.size(); ++i) {
+    if (!may_have_field(pens[i], layer.name)) continue;
+    for (std::size_t f = 0; f < out.size(); ++f) {
+      throw_if_stopped(f);
+      if (meets(layer.features[f], pens[i])) out[f].push_back(i);
+    }
+  }
+  return out;
+}
+
+// A field that no feature can have is a slip of the pens.
+void check_field(const PenOfLayers& one, const Drawing& drawing) {
+  std::set<std::string, std::less<>> fields;
+  for (const Layer& layer : drawing.layers) {
+    if (!may_have_field(one, layer.name)) continue;
+    fields.insert(layer.fields.begin(), layer.fields.end());
+    for (const Attributes& feature : layer.features)
+      for (const Attribute& attribute : feature) fields.insert(attribute.name);
+  }
+  const auto is_meant = [&](const std::string& name) {
+    return in_lower_case(name) == in_lower_case(one.field);
+  };
+  if (fields.empty() || std::ranges::any_of(fields, is_meant)) return;
+  throw UsageError(fmt::format("{}{}no line has a field '{}'", one.place,
+                               one.place.empty() ? "" : ": ", printable(one.field)),
+                   fmt::format("there {} {}", fields.size() == 1 ? "is" : "are",
+                               printable(fmt::format("{}", fmt::join(fields, ", ")))));
 }
 
 std::size_t nearest_in_width(double width_mm, std::span<const std::size_t> candidates,
@@ -47,12 +109,19 @@ std::size_t nearest_in_width(double width_mm, std::span<const std::size_t> candi
   return nearest;
 }
 
-// In the pen's own width; what it is a line of is its old layer's to tell.
+[[noreturn]] void refuse(const Layer& layer, std::span<const PenOfLayers> pens) {
+  const bool has_fields = std::ranges::any_of(
+      pens, [&](const PenOfLayers& one) { return may_have_field(one, layer.name); });
+  throw UsageError(
+      fmt::format("no pen draws {}the layer '{}'", has_fields ? "all of " : "", layer.name),
+      fmt::format("name it in a pen's layers{}, or give a pen without layers for all "
+                  "others",
+                  has_fields ? ", without a field" : ""));
+}
+
 void append_stroke(Layer& to, const Layer& from, const Stroke& stroke) {
   to.strokes.push_back(stroke);
   to.strokes.back().first_point = static_cast<std::uint32_t>(to.page_mm.size());
-  to.strokes.back().width_mm = 0;
-  to.strokes.back().feature = -1;
   const std::span<const Vec2> points = from.points(stroke);
   to.page_mm.insert(to.page_mm.end(), points.begin(), points.end());
 }
@@ -65,29 +134,53 @@ std::vector<Pen> pens_of(std::string_view layer, std::span<const PenOfLayers> pe
   return out;
 }
 
-void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens) {
-  std::vector<Layer> by_pen, ways;
-  for (const PenOfLayers& one : pens) by_pen.push_back(layer_of(one.pen));
+void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens, WithoutPen rest) {
+  std::vector<Layer> kept, by_pen, ways;
+  for (const PenOfLayers& one : pens) {
+    by_pen.push_back(layer_of(one.pen));
+    if (!one.field.empty()) check_field(one, drawing);
+  }
   std::size_t step = 0;
   for (Layer& layer : drawing.layers) {
     if (layer.is_pen_way) {
       ways.push_back(std::move(layer));
       continue;
     }
-    const std::vector<std::size_t> candidates = numbers_of(layer.name, pens);
-    if (candidates.empty() && !layer.strokes.empty())
-      throw UsageError(fmt::format("no pen draws the layer '{}'", layer.name),
-                       "name it in a pen's layers, or give a pen without layers for all others");
+    const std::vector<std::size_t> of_layer = numbers_of(layer.name, pens);
+    const std::vector<std::vector<std::size_t>> by_feature = numbers_by_feature(layer, pens);
+    Layer of_no_pen;
+    if (rest == WithoutPen::kept) {
+      of_no_pen = layer;
+      of_no_pen.clear();
+    }
     for (const Stroke& stroke : layer.strokes) {
       throw_if_stopped(step++);
+      const bool has_own =
+          stroke.feature >= 0 && !by_feature[static_cast<std::size_t>(stroke.feature)].empty();
+      const std::vector<std::size_t>& candidates =
+          has_own ? by_feature[static_cast<std::size_t>(stroke.feature)] : of_layer;
+      if (candidates.empty()) {
+        if (rest == WithoutPen::refused) refuse(layer, pens);
+        append_stroke(of_no_pen, layer, stroke);
+        continue;
+      }
       const double width_mm = stroke.width_mm > 0 ? stroke.width_mm : layer.pen_width_mm;
-      append_stroke(by_pen[nearest_in_width(width_mm, candidates, pens)], layer, stroke);
+      Layer& to = by_pen[nearest_in_width(width_mm, candidates, pens)];
+      append_stroke(to, layer, stroke);
+      to.strokes.back().width_mm = 0; // the pen's own
+      to.strokes.back().feature = -1; // which is its old layer's to tell
     }
+    if (!of_no_pen.strokes.empty()) kept.push_back(std::move(of_no_pen));
+  }
+  for (std::size_t i = 0; i < pens.size(); ++i) {
+    if (!pens[i].dash) continue;
+    by_pen[i] = dashed(merged(by_pen[i]), pens[i].dash->dash_mm, pens[i].dash->gap_mm);
+    round_to_page_step(by_pen[i]);
   }
   std::erase_if(by_pen, [](const Layer& layer) { return layer.strokes.empty(); });
-  by_pen.insert(by_pen.end(), std::make_move_iterator(ways.begin()),
-                std::make_move_iterator(ways.end()));
-  drawing.layers = std::move(by_pen);
+  drawing.layers = std::move(kept);
+  for (std::vector<Layer>* layers : {&by_pen, &ways})
+    std::ranges::move(*layers, std::back_inserter(drawing.layers));
 }
 
 } // namespace orograph

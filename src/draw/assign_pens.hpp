@@ -6,6 +6,7 @@
 #include "draw/pen.hpp"
 #include "geometry/api.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,20 +14,40 @@
 
 namespace orograph {
 
-/// A pen, and which layers it draws, by their names; none: those that no other pen names.
-struct PenOfLayers {
-  Pen pen;
-  std::vector<std::string> layers = {};
+struct Dash {
+  double dash_mm = 0, gap_mm = 0; ///< above 0
 };
 
-/// Of those pens, in their order, that draw a layer.
+/// A pen, and what it draws.
+struct PenOfLayers {
+  Pen pen;
+  /// By their names; none: those that no other pen names. With a field, none are all.
+  std::vector<std::string> layers = {};
+  /// Of their strokes those alone that are lines of features of which this field has one of the
+  /// values, as text; empty: all. Letters' case tells fields not apart, but values.
+  std::string field = {};
+  std::vector<std::string> values = {};
+  std::optional<Dash> dash = {};
+  std::string place = {}; ///< for messages: "pens.toml, line 3"
+};
+
+/// Of those pens, in their order, that draw a layer whatever its features.
 OROGRAPH_API std::vector<Pen> pens_of(std::string_view layer, std::span<const PenOfLayers> pens);
 
+/// What becomes of strokes that no pen draws.
+enum class WithoutPen {
+  refused, ///< a UsageError: they would be missed when the map is plotted
+  kept     ///< in their layers, beneath those of pens, as a picture may have them
+};
+
 /// Makes one layer for each pen that has something to draw, in the pens' order: it has the pen's
-/// name, or "pen 3", and its width. Of several that draw a layer a stroke goes to the one whose
-/// width is nearest to its own, by their ratio. What shows a pen's way stays, as the last layer.
-/// Throws UsageError where no pen draws a layer that has strokes. REQUIRES strokes without map
-/// points.
-OROGRAPH_API void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens);
+/// name, or "pen 3", and its width. A stroke goes to a pen with a field that its feature meets, or
+/// else to one that names its layer, or else to one without layers; of several to the one whose
+/// width is nearest to its own, by their ratio. Dashes are strokes of their own, of lines that
+/// touch as one. What shows a pen's way stays, as the last layer. Throws UsageError for a field
+/// that no feature of the layers may have, if there are any. REQUIRES strokes without map points,
+/// on the page's step.
+OROGRAPH_API void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens,
+                              WithoutPen rest = WithoutPen::refused);
 
 } // namespace orograph

@@ -2,6 +2,7 @@
 // A drawing: layers of strokes on a page, in millimetres, and where each lies on the ground.
 #pragma once
 
+#include "draw/colour.hpp"
 #include "draw/pen.hpp"
 #include "geometry/api.hpp"
 #include "geometry/attributes.hpp"
@@ -46,8 +47,9 @@ struct Stroke {
 struct Layer {
   std::string name;
   double pen_width_mm = 0.15;
-  double grey = 0;         ///< 0 black to 1 white
-  bool is_hidden = false;  ///< lines that the eye doesn't see
+  double grey = 0;                             ///< 0 black to 1 white
+  std::optional<Colour> colour = std::nullopt; ///< instead of the grey
+  bool is_hidden = false;                      ///< lines that the eye doesn't see
   bool is_pen_way = false; ///< no ink: shows where a pen goes between the other layers' strokes
   /// What draws it, where that is known: then its name, width and colour are the layer's.
   std::optional<Pen> pen = std::nullopt;
@@ -56,10 +58,13 @@ struct Layer {
   std::vector<float> depths_m; ///< one for one beside page points, while they are still asked for
   std::vector<Stroke> strokes;
   std::vector<Attributes> features; ///< what strokes are lines of, where they tell
+  std::vector<std::string> fields;  ///< that features may have, beside those that they have
 
   std::span<const Vec2> points(const Stroke& s) const {
     return std::span(page_mm).subspan(s.first_point, s.point_count);
   }
+  /// Its pen's, or else its own; none: it is grey.
+  std::optional<Colour> ink() const { return pen ? pen->colour : colour; }
   /// Takes the strokes away.
   void clear() {
     page_mm.clear();

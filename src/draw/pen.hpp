@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include "draw/colour.hpp"
+
 #include <optional>
 #include <string>
 
@@ -12,7 +12,7 @@ namespace orograph {
 struct Pen {
   int number = 1; ///< of its holder, from 1
   std::string name = {};
-  std::array<std::uint8_t, 3> colour{}; ///< red, green, blue
+  Colour colour{};
   double width_mm = 0;
   std::optional<double> speed_mm_s = {};     ///< none: the plotter's own
   std::optional<double> height_percent = {}; ///< while it draws, 0 to 100; none: the plotter's own

@@ -79,26 +79,11 @@ Layer without_strokes(const Layer& layer) {
   out.name = layer.name;
   out.pen_width_mm = layer.pen_width_mm;
   out.grey = layer.grey;
+  out.colour = layer.colour;
   out.is_hidden = layer.is_hidden;
   out.pen = layer.pen;
   out.features = layer.features;
-  return out;
-}
-
-// Strokes of one kind that share a place as one.
-Layer merged(const Layer& layer) {
-  Layer out = without_strokes(layer);
-  out.page_mm.reserve(layer.page_mm.size());
-  const Chains chains = chain(meetings(layer, Meeting::of_one_kind));
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    throw_if_stopped(i);
-    bool goes_on = false;
-    for (const auto& [piece, turned] : chains[i]) {
-      const Stroke& stroke = layer.strokes[piece];
-      draw_on(out, layer.points(stroke), turned, goes_on, stroke);
-      goes_on = true;
-    }
-  }
+  out.fields = layer.fields;
   return out;
 }
 
@@ -190,6 +175,22 @@ std::size_t nearest_layer(const Drawing& drawing, std::size_t first, Vec2 pen) {
 }
 
 } // namespace
+
+Layer merged(const Layer& layer) {
+  Layer out = without_strokes(layer);
+  out.page_mm.reserve(layer.page_mm.size());
+  const Chains chains = chain(meetings(layer, Meeting::of_one_kind));
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    throw_if_stopped(i);
+    bool goes_on = false;
+    for (const auto& [piece, turned] : chains[i]) {
+      const Stroke& stroke = layer.strokes[piece];
+      draw_on(out, layer.points(stroke), turned, goes_on, stroke);
+      goes_on = true;
+    }
+  }
+  return out;
+}
 
 void order_for_pen(Drawing& drawing, PenOrder order) {
   if (order == PenOrder::drawing) return;

@@ -7,6 +7,10 @@
 
 namespace orograph {
 
+/// The layer with those strokes as one whose ends share a place, and of which all but the points is
+/// alike. REQUIRES what `order_for_pen` does.
+Layer merged(const Layer& layer);
+
 enum class PenOrder {
   drawing, ///< as they were found: front to back
   sorted,  ///< always to the nearest end of what is left

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map/draw_map.hpp"
 
+#include "dem/overlay.hpp"
 #include "draw/close_outline.hpp"
 #include "draw/drawing.hpp"
 #include "draw/join_strokes.hpp"
@@ -214,6 +215,10 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     case LineSource::ground:
       added.parts = of_kind(found.lines(), visible, row.kind);
       added.is_on_ground = true;
+      if (row.kind == LineKind::drape)
+        for (const Overlay& overlay : placed.overlays)
+          added.layer.fields.insert(added.layer.fields.end(), overlay.fields.begin(),
+                                    overlay.fields.end());
       added.shade = haze_alone(shade);
       break;
     case LineSource::skyline:

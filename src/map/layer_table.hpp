@@ -20,14 +20,17 @@ struct LayerRow {
   std::string_view name;
   LineSource source;
   double weight = 1; ///< of its pen, beside the profiles'
-  double grey = 0;   ///< 0 black to 1 white
+  double grey = 0;   ///< in Palette::mono: 0 black to 1 white
   LineKind kind{};   ///< which of the edges, or of the lines on the ground
+  Colour map = {};   ///< in Palette::map
 };
 
 /// All layers, in drawing order: what is drawn last lies on top.
 std::span<const LayerRow> layer_table();
 
-/// The layer that a style asks for by a row's name, without strokes; none where it doesn't ask.
+/// The layer that a style asks for by a row's name, without strokes; none where it doesn't ask. A
+/// grey or a colour that is asked for goes before the palette's. Index contours that come with
+/// contours have the colour that those are asked for in, and waterlines that of shores.
 std::optional<Layer> layer_of(const LayerRow& row, const Style& style);
 
 } // namespace orograph

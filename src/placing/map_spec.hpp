@@ -2,6 +2,7 @@
 // What is asked of a map: its view, its lines and its page, whatever the terrain.
 #pragma once
 
+#include "draw/colour.hpp"
 #include "draw/page_request.hpp"
 #include "draw/pen_order.hpp"
 #include "geometry/angle.hpp"
@@ -67,7 +68,8 @@ struct ViewSpec {
 struct LayerSpec {
   std::string name;
   std::optional<double> weight; ///< of its pen beside the profiles'; none: the table's
-  std::optional<double> grey;   ///< 0 black to 1 white; none: the table's
+  std::optional<double> grey;   ///< 0 black to 1 white; none: the palette's
+  std::optional<Colour> colour; ///< instead of any grey; none: the palette's
 
   bool operator==(const LayerSpec&) const = default;
 
@@ -93,6 +95,9 @@ enum class Spread { even, planes };
 /// Whether terrain's border, where it is the horizon, is drawn as skyline, or as border as
 /// elsewhere.
 enum class Outline { one, by_layer };
+
+/// What layers are drawn in, unless they are told: black and greys, or the colours that maps have.
+enum class Palette { mono, map };
 
 /// Where light falls from on the ground.
 struct LightSpec {
@@ -153,6 +158,7 @@ struct Style {
   std::optional<double> grid_m;        ///< between eastings, and northings; none: some six of them
   Outline outline = Outline::one;
   std::vector<LayerSpec> layers{"profiles", "shores", "border", "silhouettes", "skyline", "solids"};
+  Palette palette = Palette::mono;
   double pen_width_mm = 0.15;
   std::optional<LineWidths> light_widths; ///< none: half and double the pen's
   std::optional<LightSpec> light = LightSpec{};

@@ -137,12 +137,8 @@ std::string page_number(double value_mm) {
 }
 
 std::string hex_colour(const Layer& layer) {
-  if (layer.pen) {
-    const auto [red, green, blue] = layer.pen->colour;
-    return fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
-  }
-  const int level = static_cast<int>(std::lround(255 * layer.grey));
-  return fmt::format("#{0:02x}{0:02x}{0:02x}", level);
+  const auto level = static_cast<std::uint8_t>(std::lround(255 * layer.grey));
+  return hex_of(layer.ink().value_or(Colour{level, level, level}));
 }
 
 } // namespace orograph

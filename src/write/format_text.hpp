@@ -27,7 +27,7 @@ std::string clean_utf8(std::string_view text);
 /// `clean_utf8` with the characters escaped that mean something in XML text or attributes.
 std::string xml_escaped(std::string_view text);
 
-/// "#rrggbb", of its pen or else its grey.
+/// "#rrggbb", of its ink or else its grey.
 std::string hex_colour(const Layer& layer);
 
 } // namespace orograph

@@ -12,7 +12,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <utility>
+#include <variant>
 
 namespace orograph {
 namespace {
@@ -22,27 +23,28 @@ constexpr auto kPensRight =
 constexpr int kGreatestNumber = 1000; // AxiDraw's
 
 constexpr std::array<TomlKey, 1> kPensKeys{{{"pen", "tables", "[[pen]]"}}};
-constexpr std::array<TomlKey, 8> kPenKeys{{
+constexpr std::array<TomlKey, 11> kPenKeys{{
     {"number", "a whole number from 1 to 1000", "1"},
     {"name", "text", "\"black 0.2\""},
-    {"colour", "red, green and blue in hexadecimal digits", "\"#1a1a1a\""},
+    {"colour", "red, green and blue in hexadecimal digits, or a name", "\"#1a1a1a\""},
     {"width", "mm, 0.01 to 10", "0.2"},
     {"speed", "mm/s, above 0", "40"},
     {"height", "percent, 0 to 100", "30"},
     {"pause", "true or false", "true"},
     {"layers", "a list of names", "[\"profiles\", \"shores\"]"},
+    {"field", "the name of a field", "\"class\""},
+    {"values", "a list of texts or numbers", "[\"river\", \"stream\"]"},
+    {"dash", "the lengths of a dash and of a gap, mm, 0.01 to 1000", "[2, 1]"},
 }};
 
-std::array<std::uint8_t, 3> colour_of(const TomlTable& table) {
+Colour pen_colour(const TomlTable& table) {
   const std::string& text = table.text("colour");
-  std::array<std::uint8_t, 3> colour{};
-  bool is_one = text.size() == 7 && text[0] == '#';
-  for (std::size_t i = 0; is_one && i < 3; ++i) {
-    const char* const begin = text.data() + 1 + 2 * i;
-    is_one = std::from_chars(begin, begin + 2, colour[i], 16).ptr == begin + 2;
+  try {
+    return colour_of(text);
+  } catch (const UsageError& error) {
+    throw Error(fmt::format("{}: {}", table.place(table.at("colour")), error.wrong()),
+                error.right());
   }
-  if (!is_one) table.refuse("colour", table.at("colour"));
-  return colour;
 }
 
 double number_within(const TomlTable& table, std::string_view key, double low, double high) {
@@ -69,18 +71,49 @@ std::vector<std::string> layers_of(const TomlTable& table,
   return layers;
 }
 
-PenOfLayers pen_of(const TomlTable& table, std::span<const std::string_view> known) {
+std::vector<std::string> values_of(const TomlTable& table) {
+  std::vector<std::string> values;
+  for (const TomlValue& item : table.list("values")) {
+    if (const auto* text = std::get_if<std::string>(&item.value))
+      values.push_back(*text);
+    else if (const auto* number = std::get_if<double>(&item.value))
+      values.push_back(fmt::format("{}", *number));
+    else
+      table.refuse("values", item);
+  }
+  if (values.empty()) table.refuse("values", table.at("values"));
+  return values;
+}
+
+Dash dash_of(const TomlTable& table) {
+  constexpr double kLongest_mm = 1000;
+  const std::vector<double> mm = table.numbers("dash", 2, 2);
+  for (const double length_mm : mm)
+    if (!(length_mm >= 0.01 && length_mm <= kLongest_mm)) table.refuse("dash", table.at("dash"));
+  return {mm[0], mm[1]};
+}
+
+// `next`: its number, unless it is told.
+PenOfLayers pen_of(const TomlTable& table, int next, std::span<const std::string_view> known) {
   PenOfLayers one;
   Pen& pen = one.pen;
-  pen.number = static_cast<int>(table.whole("number"));
+  pen.number = table.has("number") || next > kGreatestNumber
+                   ? static_cast<int>(table.whole("number"))
+                   : next;
   if (pen.number < 1 || pen.number > kGreatestNumber) table.refuse("number", table.at("number"));
   pen.width_mm = number_within(table, "width", 0.01, 10);
   if (table.has("name")) pen.name = table.text("name");
-  if (table.has("colour")) pen.colour = colour_of(table);
+  if (table.has("colour")) pen.colour = pen_colour(table);
   if (table.has("speed")) pen.speed_mm_s = number_within(table, "speed", 1e-3, 1e4);
   if (table.has("height")) pen.height_percent = number_within(table, "height", 0, 100);
   if (table.has("pause")) pen.waits = table.truth("pause");
   if (table.has("layers")) one.layers = layers_of(table, known);
+  if (table.has("field") || table.has("values")) {
+    one.field = table.text("field");
+    if (one.field.empty()) table.refuse("field", table.at("field"));
+    one.values = values_of(table);
+  }
+  if (table.has("dash")) one.dash = dash_of(table);
   return one;
 }
 
@@ -97,12 +130,15 @@ std::vector<PenOfLayers> read_pens(const std::string& path,
   std::vector<PenOfLayers> pens;
   for (const TomlValue& value : table.list("pen")) {
     const TomlTable one(path, value, "a pen", kPenKeys);
-    const PenOfLayers pen = pen_of(one, layers);
+    PenOfLayers pen = pen_of(one, pens.empty() ? 1 : pens.back().pen.number + 1, layers);
+    pen.place = one.place(value);
     if (std::ranges::any_of(
             pens, [&](const PenOfLayers& other) { return other.pen.number == pen.pen.number; }))
-      throw Error(fmt::format("{}: a second pen {}", one.place(one.at("number")), pen.pen.number),
+      throw Error(fmt::format("{}: a second pen {}",
+                              one.place(one.has("number") ? one.at("number") : value),
+                              pen.pen.number),
                   "give each a number of its own");
-    pens.push_back(pen);
+    pens.push_back(std::move(pen));
   }
   if (pens.empty()) throw Error(path + " holds no pen", kPensRight);
   return pens;

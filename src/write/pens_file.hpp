@@ -12,12 +12,12 @@
 
 namespace orograph {
 
-/// TOML with a table [[pen]] for each pen: number and width in mm; name, colour as "#rrggbb"
-/// (black), speed in mm/s, height in percent, pause, and layers, which may be left out
-/// (docs/plotters.md). `layers` are those that there are. Throws Error of one line that begins with
-/// the file's name, and line where there is one, for a file that can't be read, isn't TOML or has
-/// no pen, for other keys, values that make no pen, unknown layers and a number that is given
-/// twice.
+/// TOML with a table [[pen]] for each pen: width in mm; number (without it one more than the pen
+/// before has), name, colour as `colour_of` reads it (black), speed in mm/s, height in percent,
+/// pause, layers, field with values, and dash, which may be left out (docs/plotters.md). `layers`
+/// are those that there are. Throws Error of one line that begins with the file's name, and line
+/// where there is one, for a file that can't be read, isn't TOML or has no pen, for other keys,
+/// values that make no pen, unknown layers and a number that is given twice.
 OROGRAPH_API std::vector<PenOfLayers> read_pens(const std::string& path,
                                                 std::span<const std::string_view> layers);
 

@@ -23,7 +23,7 @@ constexpr double kPointsPerMm = 72 / kMmPerInch;
 // Cairo keeps a page until it is shown, 1 kB for each path and 9 bytes for each point: with a path
 // for each stroke, 400 MB for 400,000 strokes of six points; with these paths, 25 MB.
 constexpr std::size_t kMostPointsInPath = 500;
-constexpr double kLargestPixels = 1e8;      // a byte each
+constexpr double kLargestPixels = 1e8;      // a byte each, or four with colours
 constexpr double kLargestPixelSide = 32767; // Cairo's own limit
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
@@ -77,8 +77,9 @@ void finish(cairo_surface_t* surface, const ByteSink& out) {
 }
 
 void set_colour(cairo_t* pen, const Layer& layer) {
-  if (!layer.pen) return cairo_set_source_rgb(pen, layer.grey, layer.grey, layer.grey);
-  const auto [red, green, blue] = layer.pen->colour;
+  const auto ink = layer.ink();
+  if (!ink) return cairo_set_source_rgb(pen, layer.grey, layer.grey, layer.grey);
+  const auto [red, green, blue] = *ink;
   cairo_set_source_rgb(pen, red / 255.0, green / 255.0, blue / 255.0);
 }
 
@@ -131,13 +132,16 @@ void check_pixels(const Page& page, double dpi, double width, double height) {
 // the memory of a colour image. SOURCE mixes the old level with the new by how much of a pixel the
 // pen covers, which is what painting with an opaque grey does.
 void set_level(cairo_t* pen, const Layer& layer) {
-  double grey = layer.grey;
-  if (layer.pen) {
-    const auto [red, green, blue] = layer.pen->colour;
-    grey = (0.299 * red + 0.587 * green + 0.114 * blue) / 255; // as bright as the colour
-  }
+  const auto ink = layer.ink();
   cairo_set_operator(pen, CAIRO_OPERATOR_SOURCE);
-  cairo_set_source_rgba(pen, 0, 0, 0, grey);
+  cairo_set_source_rgba(pen, 0, 0, 0, ink ? (*ink)[0] / 255.0 : layer.grey);
+}
+
+bool is_all_grey(const Drawing& drawing) {
+  return std::ranges::all_of(drawing.layers, [](const Layer& layer) {
+    const auto ink = layer.ink();
+    return !ink || is_grey(*ink);
+  });
 }
 
 void write_png(const Drawing& drawing, double dpi, ByteSink& out) {
@@ -145,18 +149,21 @@ void write_png(const Drawing& drawing, double dpi, ByteSink& out) {
   const double width = std::round(drawing.page.width_mm * scale);
   const double height = std::round(drawing.page.height_mm * scale);
   check_pixels(drawing.page, dpi, width, height);
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, static_cast<int>(width),
-                                                   static_cast<int>(height)),
-                        cairo_surface_destroy);
+  const bool has_levels = is_all_grey(drawing);
+  const auto set_ink = has_levels ? set_level : set_colour;
+  const Surface surface(
+      cairo_image_surface_create(has_levels ? CAIRO_FORMAT_A8 : CAIRO_FORMAT_RGB24,
+                                 static_cast<int>(width), static_cast<int>(height)),
+      cairo_surface_destroy);
   check(cairo_surface_status(surface.get()), out);
   {
     const Context paper(cairo_create(surface.get()), cairo_destroy);
     Layer white;
     white.grey = 1;
-    set_level(paper.get(), white);
+    set_ink(paper.get(), white);
     cairo_paint(paper.get());
   }
-  draw(surface.get(), drawing, scale, set_level, out);
+  draw(surface.get(), drawing, scale, set_ink, out);
   PngResolution png(out, dpi);
   Append append = [&](std::string_view bytes) { return png.append(bytes); };
   check(cairo_surface_write_to_png_stream(surface.get(), call_append, &append), out);

@@ -90,6 +90,15 @@ constexpr auto kFields =
                                                          {"level", OFTInteger},
                                                          {"darkness", OFTReal}});
 
+// As simplestyle calls it, and programs that show GeoJSON: "#rrggbb". It is there where a layer has
+// a colour of its own.
+constexpr const char* kColourField = "stroke";
+
+bool tells_colours(const Drawing& drawing) {
+  return std::ranges::any_of(drawing.layers,
+                             [](const Layer& layer) { return layer.ink().has_value(); });
+}
+
 // As long as it lives, an option of GDAL's has a value in this thread; then what it had before.
 class ThreadOption {
 public:
@@ -133,15 +142,16 @@ struct IgnoresCase {
 using MoreFields = std::map<std::string, OGRFieldType, IgnoresCase>;
 
 // Names that strokes' own fields have, or GeoPackage's, get a mark.
-std::string field_name(const std::string& attribute) {
+std::string field_name(const std::string& attribute, bool has_colours) {
   const auto is_called = [&](const char* name) { return EQUAL(name, attribute.c_str()); };
   const bool is_own =
       std::ranges::any_of(kFields, [&](const auto& field) { return is_called(field.first); }) ||
-      is_called("fid") || is_called("geom");
+      is_called("fid") || is_called("geom") || (has_colours && is_called(kColourField));
   return is_own ? attribute + "_" : attribute;
 }
 
 MoreFields fields_of(const Drawing& drawing) {
+  const bool has_colours = tells_colours(drawing);
   MoreFields out;
   for (const Layer& layer : drawing.layers)
     for (const Attributes& attributes : layer.features)
@@ -149,16 +159,16 @@ MoreFields fields_of(const Drawing& drawing) {
         const OGRFieldType type = std::holds_alternative<std::int64_t>(value) ? OFTInteger64
                                   : std::holds_alternative<double>(value)     ? OFTReal
                                                                               : OFTString;
-        const auto [field, is_new] = out.emplace(field_name(name), type);
+        const auto [field, is_new] = out.emplace(field_name(name, has_colours), type);
         if (is_new || field->second == type) continue;
         field->second = field->second != OFTString && type != OFTString ? OFTReal : OFTString;
       }
   return out;
 }
 
-void set_attributes(const Attributes& attributes, OGRFeature& feature) {
+void set_attributes(const Attributes& attributes, bool has_colours, OGRFeature& feature) {
   for (const auto& [name, value] : attributes) {
-    const int field = feature.GetFieldIndex(field_name(name).c_str());
+    const int field = feature.GetFieldIndex(field_name(name, has_colours).c_str());
     if (const auto* whole = std::get_if<std::int64_t>(&value))
       feature.SetField(field, static_cast<GIntBig>(*whole));
     else if (const auto* real = std::get_if<double>(&value))
@@ -180,6 +190,10 @@ OGRLayer* add_layer(GDALDataset& dataset, const Drawing& drawing, CPLStringList 
     OGRFieldDefn field(name, type);
     if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
   }
+  if (tells_colours(drawing)) {
+    OGRFieldDefn field(kColourField, OFTString);
+    if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
+  }
   for (const auto& [name, type] : fields_of(drawing)) {
     OGRFieldDefn field(name.c_str(), type);
     if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
@@ -187,7 +201,8 @@ OGRLayer* add_layer(GDALDataset& dataset, const Drawing& drawing, CPLStringList 
   return layer;
 }
 
-std::unique_ptr<OGRFeature> feature_of(const Stroke& stroke, const Layer& from, OGRLayer& to) {
+std::unique_ptr<OGRFeature> feature_of(const Stroke& stroke, const Layer& from, bool has_colours,
+                                       OGRLayer& to) {
   auto feature = std::make_unique<OGRFeature>(to.GetLayerDefn());
   feature->SetField("layer", from.name.c_str());
   feature->SetField("profile", stroke.profile);
@@ -197,7 +212,8 @@ std::unique_ptr<OGRFeature> feature_of(const Stroke& stroke, const Layer& from, 
     feature->SetField("depth", stroke.depth_m);
   feature->SetField("visible", from.is_hidden ? 0 : 1);
   if (stroke.feature >= 0)
-    set_attributes(from.features[static_cast<std::size_t>(stroke.feature)], *feature);
+    set_attributes(from.features[static_cast<std::size_t>(stroke.feature)], has_colours, *feature);
+  if (has_colours) feature->SetField(kColourField, hex_colour(from).c_str());
   if (stroke.profile < 0)
     feature->SetFieldNull(feature->GetFieldIndex("level"));
   else
@@ -225,11 +241,13 @@ bool add_strokes(GDALDataset& dataset, const Drawing& drawing, OGRLayer& layer) 
   const auto commit = [&] {
     return !in_transactions || dataset.CommitTransaction() == OGRERR_NONE;
   };
+  const bool has_colours = tells_colours(drawing);
   std::size_t count = 0;
   if (!start()) return false;
   for (const Layer& from : drawing.layers)
     for (const Stroke& stroke : from.strokes) {
-      if (layer.CreateFeature(feature_of(stroke, from, layer).get()) != OGRERR_NONE) return false;
+      if (layer.CreateFeature(feature_of(stroke, from, has_colours, layer).get()) != OGRERR_NONE)
+        return false;
       if (++count % kStrokesInTransaction == 0 && !(commit() && start())) return false;
     }
   return commit();
@@ -307,8 +325,44 @@ private:
   std::string path_;
 };
 
+bool has_colours(const Drawing& drawing) {
+  return std::ranges::any_of(drawing.layers, [](const Layer& layer) {
+    const auto ink = layer.ink();
+    return ink && !is_grey(*ink);
+  });
+}
+
+// Up to and including the next of such places; false where there is none.
+bool append_up_to(std::string_view place, std::string_view& text, ByteSink& out) {
+  const std::size_t found = text.find(place);
+  if (found == std::string_view::npos) return false;
+  out.append(text.substr(0, found + place.size()));
+  text.remove_prefix(found + place.size());
+  return true;
+}
+
+// With the colours themselves behind the nearest of AutoCAD's table, which is all that GDAL writes.
+// Greys have none: black of the table is white on a black screen, and should be.
+void append_with_true_colours(std::string_view text, const Drawing& drawing, ByteSink& out) {
+  std::size_t step = 0;
+  for (const Layer& layer : drawing.layers) {
+    const Colour ink = layer.ink().value_or(Colour{});
+    const std::string true_colour =
+        is_grey(ink) ? "" : fmt::format("420\n{:>9}\n", ink[0] << 16 | ink[1] << 8 | ink[2]);
+    for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+      throw_if_stopped(step++);
+      // No layer's name, which is free, can hold these lines.
+      if (append_up_to("  0\nLWPOLYLINE\n", text, out) && !true_colour.empty() &&
+          append_up_to("100\nAcDbPolyline\n", text, out) && append_up_to("\n 62\n", text, out) &&
+          append_up_to("\n", text, out))
+        out.append(true_colour);
+    }
+  }
+  out.append(text);
+}
+
 // GDAL's header says inches.
-void append_in_mm(std::string_view text, ByteSink& out) {
+void append_in_mm(std::string_view text, const Drawing& drawing, ByteSink& out) {
   constexpr std::string_view unit = "$INSUNITS\n 70\n", mm = "     4\n";
   const std::size_t found = text.find(unit);
   if (found != std::string_view::npos) {
@@ -316,6 +370,7 @@ void append_in_mm(std::string_view text, ByteSink& out) {
     out.append(mm);
     text.remove_prefix(text.find('\n', found + unit.size()) + 1);
   }
+  if (has_colours(drawing)) return append_with_true_colours(text, drawing, out);
   out.append(text);
 }
 
@@ -366,7 +421,7 @@ void write_dxf(const Drawing& drawing, ByteSink& out) {
   const MemoryFile file;
   if (!write_polylines(file.path(), drawing) || messages.has_failure())
     throw gdal_error(out.name(), messages);
-  append_in_mm(file.text(), out);
+  append_in_mm(file.text(), drawing, out);
 }
 
 void prove_geojson(const Drawing& drawing, const std::string& path, const std::string& name) {

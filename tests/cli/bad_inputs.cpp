@@ -78,6 +78,10 @@ void write_plotters(const MadeFolder& folder) {
   folder.write("bad-syntax.toml", "language = hpgl\n");
   folder.write("one-pen.toml", "[[pen]]\nnumber = 3\nwidth = 0.2\nlayers = ['profiles']\n");
   folder.write("bad-pens.toml", "[[pen]]\nnumber = 1\nwidth = 0\n");
+  const std::string field = "[[pen]]\nwidth = 0.2\nfield = 'elevatoin'\n";
+  folder.write("field-pens.toml", field + "values = [30]\n[[pen]]\nwidth = 0.2\n");
+  folder.write("bad-field-pens.toml", field);
+  folder.write("bad-dash-pens.toml", "[[pen]]\nwidth = 0.2\ndash = 2\n");
   folder.write("waiting-pen.toml", "[[pen]]\nnumber = 1\nwidth = 0.2\npause = true\n");
 }
 

@@ -93,9 +93,19 @@ TEST_CASE("views, styles and pages of a terrain with solids on it") {
                                  spec.page = {200, 100, Orientation::as_given, 7};
                                  spec.style.pen_width_mm = 0.3;
                                }};
+  const Request coloured{"png",
+                         {"--contours", "auto", "--palette", "map", "--colour",
+                          "profiles=#123456,index-contours=brown", "--dpi", "300"},
+                         [](MapSpec& spec) {
+                           spec.style.palette = Palette::map;
+                           spec.style.layers.emplace_back("contours");
+                           spec.style.layers.emplace_back("index-contours").colour =
+                               colour_of("brown");
+                           spec.style.layers.front().colour = Colour{0x12, 0x34, 0x56};
+                         }};
   check_same({dem, "--scene", scene},
              [&] { return Session(Terrain::read({dem}), Solids::read(scene)); },
-             {{"svg", {}, {}}, all_layers});
+             {{"svg", {}, {}}, all_layers, coloured});
   check_same({dem}, [&] { return Session(Terrain::read({dem})); }, {profiles_alone});
 }
 

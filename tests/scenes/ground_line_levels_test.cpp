@@ -13,7 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -147,6 +150,68 @@ TEST_CASE("strokes of contours and draped lines tell what they are lines of") {
     }
   CHECK(told > 100);
   CHECK(map.facts.counts.draped == 1);
+}
+
+TEST_CASE("of many features each is draped as it is alone, in their order") {
+  Random random(5);
+  const TerrainData terrain = terrain_of(random);
+  MapSpec spec;
+  PlacedView placed = placed_view(terrain, spec);
+  // Several tasks' work, some of it beside the terrain, and points.
+  std::vector<Overlay> overlays(2), each;
+  for (Overlay& overlay : overlays)
+    for (std::int64_t i = 0; i < 25; ++i) {
+      Overlay one;
+      Vec2 at{random.between(590000, 640000), random.between(5170000, 5200000)};
+      const int count = i % 5 == 0 ? 1 : random.whole(500, 1500);
+      for (int k = 0; k < count; ++k) {
+        one.places.push_back(at);
+        at = at + Vec2{random.between(-200, 200), random.between(-200, 200)};
+      }
+      one.lines = {{0, one.places.size()}};
+      one.features = {{{{"number", i}}, 0, 1}};
+      overlay.features.push_back({{{"number", i}}, overlay.lines.size(), 1});
+      overlay.lines.push_back({overlay.places.size(), one.places.size()});
+      overlay.places.insert(overlay.places.end(), one.places.begin(), one.places.end());
+      each.push_back(one);
+    }
+  const auto draped = [&](std::span<const Overlay> which) {
+    GroundLines out;
+    placed.overlays = which;
+    add_overlays(terrain, placed, 0, out);
+    return out;
+  };
+  const GroundLines all = draped(overlays);
+  const std::size_t vertices = vertex_count(terrain.surface);
+  const auto end_of = [&](const GroundLines& lines, std::uint32_t number) {
+    const ProfilePoint p = lines.points.at(number - vertices);
+    return Vec3{p.u, p.v, p.z};
+  };
+  std::size_t at = 0, feature = 0, in_part = 0, beside = 0;
+  for (const Overlay& one : each) {
+    const GroundLines alone = draped(std::span(&one, 1));
+    in_part += alone.draped_in_part;
+    beside += alone.not_draped;
+    if (alone.features.empty()) continue;
+    REQUIRE(feature < all.features.size());
+    CHECK(all.features[feature].attributes == one.features[0].attributes);
+    std::size_t different = 0;
+    for (const GroundLine& line : alone.lines) {
+      REQUIRE(at < all.lines.size());
+      const GroundLine& other = all.lines[at++];
+      different += other.triangle != line.triangle || other.feature != feature ||
+                   end_of(all, other.ends.from) != end_of(alone, line.ends.from) ||
+                   end_of(all, other.ends.to) != end_of(alone, line.ends.to);
+    }
+    CHECK(different == 0);
+    ++feature;
+  }
+  CHECK(at == all.lines.size());
+  CHECK(feature == all.features.size());
+  CHECK(all.draped_in_part == in_part);
+  CHECK(all.not_draped == beside);
+  CHECK(beside > 0);
+  CHECK(feature > 30);
 }
 
 } // namespace orograph::ground_line_levels_test

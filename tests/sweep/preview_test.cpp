@@ -97,6 +97,7 @@ Drawing random_drawing(Random& random, int profiles, int walks, int points) {
     }
     add(others, line, -1);
   }
+  others.colour = Colour{0x12, 0xab, 0};
   drawing.layers = {waves, others, layer_called("border")};
   return drawing;
 }
@@ -125,6 +126,7 @@ TEST_CASE("a small drawing is whole in its preview, within a pixel") {
       const PreviewLayer& small = preview.layers[at++];
       CHECK(small.name == layer.name);
       CHECK(small.grey == layer.grey);
+      CHECK(small.colour == (layer.colour ? "#12ab00" : ""));
       CHECK(small.pen_mm == layer.pen_width_mm);
       const Lines drawn = strokes_of(layer), read = parsed(small.path);
       CHECK(read.size() == drawn.size());

@@ -35,9 +35,11 @@ TEST_CASE("a file of pens, all that may stand in it") {
   fill_file(folder.file("p.toml"),
             "[[pen]]\nnumber = 3\nname = 'red'\ncolour = '#fF0a00'\nwidth = 0.25\nspeed = 30\n"
             "height = 45\npause = true\nlayers = ['border', 'profiles']\n"
-            "[[pen]]\nnumber = 1\nwidth = 0.1\n");
+            "[[pen]]\nnumber = 1\nwidth = 0.1\n"
+            "[[pen]]\nwidth = 0.2\ncolour = 'darkred'\nlayers = ['shores']\nfield = 'class'\n"
+            "values = ['path', 3, 2.5]\ndash = [2, 0.5]\n");
   const auto pens = read_pens(folder.file("p.toml"), kLayers);
-  REQUIRE(pens.size() == 2);
+  REQUIRE(pens.size() == 3);
   CHECK(pens[0].pen.number == 3);
   CHECK(pens[0].pen.name == "red");
   CHECK(pens[0].pen.colour == std::array<std::uint8_t, 3>{255, 10, 0});
@@ -49,7 +51,17 @@ TEST_CASE("a file of pens, all that may stand in it") {
   CHECK(pens[1].pen.name.empty());
   CHECK(!pens[1].pen.speed_mm_s);
   CHECK(!pens[1].pen.waits);
-  CHECK(pens_of("shores", pens).size() == 1);
+  CHECK(pens[1].field.empty());
+  CHECK(!pens[1].dash);
+  CHECK(pens[1].place == folder.file("p.toml") + ", line 10");
+  CHECK(pens[2].pen.number == 2);
+  CHECK(pens[2].pen.colour == Colour{139, 0, 0});
+  CHECK(pens[2].field == "class");
+  CHECK(pens[2].values == std::vector<std::string>{"path", "3", "2.5"});
+  REQUIRE(pens[2].dash);
+  CHECK(pens[2].dash->dash_mm == 2);
+  CHECK(pens[2].dash->gap_mm == 0.5);
+  CHECK(pens_of("shores", pens).size() == 1); // but for those with a field
   CHECK(pens_of("shores", pens)[0].number == 1);
   CHECK(pens_of("border", pens)[0].number == 3);
 }
@@ -61,14 +73,15 @@ TEST_CASE("what is wrong with a file of pens is told with its line") {
            {"[pen]\nnumber = 1", ", line 1: pen is a table: give tables, as in pen = [[pen]]"},
            {"pen = []", " holds no pen"},
            {"[[pens]]", ", line 1: unknown key 'pens': did you mean pen?"},
-           {"[[pen]]\nwidth = 1", ", line 1: a pen has no number"},
            {"[[pen]]\nnumber = 1", ", line 1: a pen has no width"},
            {"[[pen]]\nnumber = 0\nwidth = 1", ", line 2: number is the number 0"},
            {"[[pen]]\nnumber = 1001\nwidth = 1", ", line 2: number is the number 1001"},
            {one + "widht = 2", ", line 4: unknown key 'widht': did you mean width?"},
            {"[[pen]]\nnumber = 1\nwidth = 11", ", line 3: width is the number 11"},
-           {one + "colour = 'red'", ", line 4: colour is text: give red, green and blue"},
-           {one + "colour = '#12345g'", ", line 4: colour is text"},
+           {one + "colour = 'rde'", ", line 4: there is no colour 'rde': did you mean red?"},
+           {one + "colour = '#12345g'",
+            ", line 4: there is no colour '#12345g': give red, green and blue"},
+           {one + "colour = 7", ", line 4: colour is the number 7: give red, green and blue"},
            {one + "speed = 0", ", line 4: speed is the number 0"},
            {one + "height = 101", ", line 4: height is the number 101"},
            {one + "pause = 1", ", line 4: pause is the number 1: give true or false"},
@@ -79,6 +92,27 @@ TEST_CASE("what is wrong with a file of pens is told with its line") {
            {one + "layers = ['names']", ", line 4: there is no layer 'names'"},
            {one + "layers = [1]", ", line 4: a value in layers is the number 1"},
            {one + one, ", line 5: a second pen 1: give each a number of its own"},
+           {"[[pen]]\nnumber = 2\nwidth = 1\n[[pen]]\nnumber = 1\nwidth = 1\n[[pen]]\nwidth = 1",
+            ", line 7: a second pen 2: give each a number of its own"},
+           {"[[pen]]\nnumber = 1000\nwidth = 1\n[[pen]]\nwidth = 1",
+            ", line 4: a pen has no number: give a whole number from 1 to 1000"},
+           {one + "values = ['river']", ", line 1: a pen has no field: give the name of a field"},
+           {one + "field = 'class'",
+            ", line 1: a pen has no values: give a list of texts or numbers, as in values = "
+            "[\"river\", \"stream\"]"},
+           {one + "field = ''\nvalues = ['river']", ", line 4: field is text"},
+           {one + "field = ['class']\nvalues = ['river']", ", line 4: field is a list of 1 value"},
+           {one + "field = 'class'\nvalues = 'river'", ", line 5: values is text"},
+           {one + "field = 'class'\nvalues = []", ", line 5: values is a list of 0 values"},
+           {one + "field = 'class'\nvalues = [['a']]", ", line 5: a value in values is a list"},
+           {one + "felid = 'class'", ", line 4: unknown key 'felid': did you mean field?"},
+           {one + "dash = 2", ", line 4: dash is the number 2: give the lengths of a dash and of a "
+                              "gap, mm, 0.01 to 1000, as in dash = [2, 1]"},
+           {one + "dash = [2]", ", line 4: dash is a list of 1 value"},
+           {one + "dash = [2, 1, 2]", ", line 4: dash is a list of 3 values"},
+           {one + "dash = [2, 0]", ", line 4: dash is a list of 2 values"},
+           {one + "dash = [-2, 1]", ", line 4: dash is a list of 2 values"},
+           {one + "dash = ['2', 1]", ", line 4: a value in dash is text"},
            {"[[pen]\n", ", line 1: this isn't TOML"}}) {
     INFO(toml << message_of(toml));
     CHECK(message_of(toml).find(message) == 0);

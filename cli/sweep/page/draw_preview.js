@@ -16,12 +16,13 @@ function setCanvasPixels(canvas) {
 }
 
 // A line drawn wider than its pen gets paler by as much, but not faint: tones stay true.
-function strokeLayer(context, layer, scale, leastInk) {
+function strokeLayer(context, layer, scale, leastInk, themeInk) {
   const pen_px = layer.pen_mm * previewUnits_per_mm * scale;
   const width_px = Math.max(pen_px, leastLine_px);
   context.lineWidth = width_px / scale;
   const ink = Math.max(leastInk, Math.min(1, pen_px / width_px));
-  context.globalAlpha = (1 - (layer.grey ?? 0)) * ink;
+  context.strokeStyle = layer.colour ?? themeInk;
+  context.globalAlpha = (layer.colour ? 1 : 1 - (layer.grey ?? 0)) * ink;
   context.stroke(new Path2D(layer.path));
 }
 
@@ -34,8 +35,8 @@ function drawPreview(canvas, preview, leastInk) {
     (canvas.width - width_mm * previewUnits_per_mm * scale) / 2,
     (canvas.height - height_mm * previewUnits_per_mm * scale) / 2);
   context.lineCap = context.lineJoin = 'round';
-  context.strokeStyle = themeColour('--ink');
-  for (const layer of preview.layers) strokeLayer(context, layer, scale, leastInk);
+  const themeInk = themeColour('--ink');
+  for (const layer of preview.layers) strokeLayer(context, layer, scale, leastInk, themeInk);
 }
 
 function clearCanvas(canvas) {
