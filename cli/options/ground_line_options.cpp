@@ -56,7 +56,8 @@ bool take_mesh(const std::string& text, MeshSpec& mesh) {
 // A file may have colons in its own name.
 OverlayInput parse_overlay(const std::string& text) {
   const std::size_t colon = text.rfind(':');
-  if (colon == std::string::npos || colon == 0 || std::filesystem::exists(text) ||
+  std::error_code ignored;
+  if (colon == std::string::npos || colon == 0 || std::filesystem::exists(text, ignored) ||
       text.find('/', colon) != std::string::npos)
     return {text, "", ""};
   return {text.substr(0, colon), text.substr(colon + 1), ""};

@@ -106,6 +106,23 @@ SweepState write_tables(const std::string& out_dir, const Plan& plan) {
   return state;
 }
 
+void refuse_links(const std::string& out_dir, const Plan& plan) {
+  const fs::path folder(out_dir);
+  const auto refuse = [](const fs::path& path) {
+    std::error_code ignored;
+    if (fs::is_symlink(path, ignored))
+      throw Error(path.string() + " is a symbolic link, which no sweep makes",
+                  "put the file itself there, or remove the link and draw its view again");
+  };
+  refuse(folder / "rows");
+  refuse(plan_path(out_dir));
+  for (const char* table : kTables) refuse(folder / table);
+  for (std::size_t view = 0; view < plan.views.size(); ++view) {
+    refuse(folder / plan.file(view));
+    refuse(record_path(out_dir, plan, view));
+  }
+}
+
 void begin_folder(const std::string& out_dir, const Plan& plan) {
   try {
     refuse_strangers(out_dir, plan);
@@ -137,10 +154,12 @@ std::vector<std::size_t> open_folder(const SweepSettings& settings, const Plan& 
     remove_sweep(out_dir, *old_plan);
     old_plan.reset();
   }
-  if (old_plan)
+  if (old_plan) {
     check_same(*old_plan, plan, out_dir);
-  else
+    refuse_links(out_dir, plan);
+  } else {
     begin_folder(out_dir, plan);
+  }
   if ((settings.resume || settings.render.write.overwrite) && settings.shard.count == 1)
     remove_leftovers(out_dir);
 

@@ -39,6 +39,10 @@ SweepState state_of(const std::string& out_dir, const Plan& plan);
 /// left out. Tells what it found. Throws Error where they can't be written.
 SweepState write_tables(const std::string& out_dir, const Plan& plan);
 
+/// Throws Error where a symbolic link stands for a file of the sweep or for its folder of rows: it
+/// would lead out of the sweep's folder.
+void refuse_links(const std::string& out_dir, const Plan& plan);
+
 /// Tells on stderr, unless quiet, how many views there are and where to look. Throws Error where
 /// views of the shard have failed or are missing.
 void check_done(const SweepState& state, const std::string& out_dir, const Plan& plan,

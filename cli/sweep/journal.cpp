@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/journal.hpp"
 
+#include "cli/report/measurements.hpp"
 #include "cli/sweep/fingerprint.hpp"
 #include "cli/text_file.hpp"
 #include "cli/version.hpp"
@@ -207,19 +208,12 @@ std::optional<RecordParts> parts_of(std::string_view text) {
   return parts;
 }
 
-std::string quoted_csv(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
-
 std::string csv_line(const std::vector<Cell>& row) {
   std::string line;
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (i > 0) line += ',';
     if (const auto* text = std::get_if<std::string>(&row[i]))
-      line += quoted_csv(*text);
+      line += csv_text(*text);
     else if (!std::holds_alternative<std::monostate>(row[i]))
       line += dump(json_of(row[i]));
   }

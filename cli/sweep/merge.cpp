@@ -59,8 +59,10 @@ void copy_views(const std::string& from, const std::string& to, const Plan& plan
 
 void merge(const MergeSettings& settings) {
   const Plan plan = open_target(settings);
+  refuse_links(settings.out_dir, plan);
   for (const std::string& shard : settings.shard_dirs) {
     check_same(plan_in(shard), plan, shard);
+    refuse_links(shard, plan);
     copy_views(shard, settings.out_dir, plan);
   }
   // Where nothing is missing, nobody draws any more.

@@ -95,7 +95,8 @@ enum class Kind { mesh, landxml, text_points, vector, raster };
 
 Kind kind_of(const std::string& path, const ReadOptions& options) {
   const std::string extension = extension_of(path), begin = first_bytes(path);
-  const bool is_file = std::filesystem::is_regular_file(path); // GDAL has names of its own
+  std::error_code ignored;
+  const bool is_file = std::filesystem::is_regular_file(path, ignored); // GDAL has names of its own
   if (is_one_of(extension, ".las", ".laz") || begin.starts_with("LASF")) refuse_lidar(path);
   if (is_file && mesh_format(path, begin)) return Kind::mesh;
   if (is_file && is_landxml(extension, begin)) return Kind::landxml;

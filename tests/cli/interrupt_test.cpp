@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ctrl-C and termination in the middle of a run.
+// Ctrl-C, termination and a terminal that is closed, in the middle of a run.
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"
 #include "tests/cli/run_program.hpp"
@@ -49,7 +49,8 @@ TEST_CASE("an interrupted run leaves nothing but what was there", "[slow]") {
   const std::vector<std::string> command{OROGRAPH_PROGRAM, "render",      "big.bil",
                                          "map.svg",        "--overwrite", "--profiles",
                                          "3000",           "--simplify",  "0"};
-  for (const auto& [signal_number, exit_code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+  for (const auto& [signal_number, exit_code] :
+       {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
     int interrupted = 0;
     for (const int after_ms : {30, 100, 300, 1000, -1}) {
       folder.write("map.svg", old);

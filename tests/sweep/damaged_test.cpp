@@ -210,3 +210,32 @@ TEST_CASE("plans that are none, or reach beyond their folder", "[slow]") {
   run_well(folder, sweep_into("out", words("--resume")));
   CHECK(differences(expected, contents(folder, "out")) == "");
 }
+
+TEST_CASE("neither a sweep nor a merge follows links out of its folder") {
+  const MadeFolder folder;
+  make_terrains(folder);
+  run_well(folder, sweep_into("out"));
+  run_well(folder, sweep_into("whole"));
+  folder.write("precious", "mine");
+  const auto links = [&](const std::string& name) {
+    INFO(name);
+    const fs::path path = folder.path("out/" + name);
+    const fs::path kept = folder.path("kept");
+    fs::rename(path, kept);
+    fs::create_symlink(folder.path(fs::is_directory(kept) ? "whole/" + name : "precious"), path);
+    check_line(run(folder, sweep_into("out", {"--resume", "-q"})), "is a symbolic link");
+    check_line(run(folder, {"merge", "out"}), "is a symbolic link");
+    check_line(run(folder, {"merge", "merged", "out"}), "is a symbolic link");
+    CHECK(folder.read("precious") == "mine");
+    fs::remove(path);
+    fs::rename(kept, path);
+    fs::remove_all(folder.path("merged"));
+  };
+  std::string drawing;
+  for (const auto& [path, bytes] : contents(folder, "out"))
+    if (path.ends_with(".svg")) drawing = path;
+  for (const std::string& name : {drawing, std::string("sweep.csv"), std::string("rows")})
+    links(name);
+  run_well(folder, {"merge", "out", "-q"});
+  CHECK(differences(contents(folder, "whole"), contents(folder, "out")) == "");
+}
