@@ -34,7 +34,8 @@ struct RenderSettings {
   // Layers that switches of their own add to those of `map`.
   bool void_edges = false;
   std::vector<std::string> added_layers;
-  bool dashes_hidden = false; ///< hidden edges of solids
+  std::optional<bool> dashes_hidden;      ///< none: if there are names of layers
+  std::vector<std::string> hidden_layers; ///< whose hidden lines are dashed; empty: solids
 
   std::optional<PenOrder> pen_order; ///< none: as the format wants
   // Of the pen that will draw; none: no minutes are told, and the like.

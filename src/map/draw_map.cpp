@@ -111,6 +111,15 @@ public:
                    std::max(0.0, placed_.sectors.front().view.drawn_from_m), all);
     return all;
   }
+  /// Of lines: what two sectors show of one, and what they hide, meets in the strip between them.
+  std::vector<LinePart> hidden() const {
+    std::vector<LinePart> hidden = of(&SectorLines::hidden);
+    if (sectors_.size() < 2 || hidden.empty()) return hidden;
+    std::vector<LinePart> shown = of(&SectorLines::visible);
+    append(of(&SectorLines::skyline), shown);
+    join(shown);
+    return without(hidden, shown);
+  }
   std::vector<LinePart> of(std::vector<LinePart> SolidParts::*kind) const {
     std::vector<LinePart> all;
     for (const SectorLines& sector : sectors_) append(sector.solids.*kind, all);
@@ -180,8 +189,9 @@ void close_outlines(std::vector<LineLayer>& layers) {
 // All layers that are asked for, in drawing order; `profiles` is drawn already.
 std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& placed,
                                  const Style& style, const std::optional<LineShade>& shade,
-                                 Layer profiles) {
+                                 Layer profiles, Layer hidden_profiles) {
   const std::vector<LinePart> visible = found.of(&SectorLines::visible);
+  const std::vector<LinePart> hidden = found.hidden();
   const auto solids = [&](std::vector<LinePart> SolidParts::*kind,
                           const std::vector<LinePart>& beneath) {
     std::vector<LinePart> parts = found.of(kind);
@@ -199,12 +209,12 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     added.of_solids = of_solids;
     switch (row.source) {
     case LineSource::profiles:
-      added.layer = std::move(profiles);
-      added.is_rounded = true;
+      added.layer = std::move(row.is_hidden() ? hidden_profiles : profiles);
+      added.is_rounded = !row.is_hidden();
       tell_darkness(added.layer, placed);
       break;
     case LineSource::edges:
-      added.parts = of_kind(found.lines(), visible, row.kind);
+      added.parts = of_kind(found.lines(), row.is_hidden() ? hidden : visible, row.kind);
       added.is_joined = row.kind != LineKind::edge;
       if (row.kind == LineKind::silhouette) added.shade = shade;
       if (row.kind == LineKind::border || row.kind == LineKind::void_edge)
@@ -212,7 +222,7 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       added.is_shore = row.kind == LineKind::shore || row.kind == LineKind::waterline;
       break;
     case LineSource::ground:
-      added.parts = of_kind(found.lines(), visible, row.kind);
+      added.parts = of_kind(found.lines(), row.is_hidden() ? hidden : visible, row.kind);
       added.is_on_ground = true;
       added.shade = haze_alone(shade);
       break;
@@ -230,6 +240,7 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     case LineSource::pen_way: // known when all strokes are in order
       break;
     }
+    if (row.is_hidden()) added.shade.reset(); // which would break the dashes' rhythm
   }
   return layers;
 }
@@ -257,14 +268,19 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     instruments.hidden_ground = true; // points are asked of it as well
   }
   const StrokeSettings strokes = stroke_settings(terrain, placed, spec);
-  std::optional<Layer> profiles = layer_of(layer_table().front(), style);
+  std::optional<Layer> profiles = layer_of(layer_row("profiles"), style),
+                       hidden_profiles = layer_of(layer_row("hidden-profiles"), style);
   std::optional<ProfileLayer> profile_layer;
-  if (profiles) profile_layer.emplace(strokes, *profiles);
+  if (profiles)
+    profile_layer.emplace(strokes, *profiles, hidden_profiles ? &*hidden_profiles : nullptr);
+  const HiddenKinds hidden = hidden_kinds(style);
+  if (hidden.any() || hidden_profiles) instruments.hidden_ground = true;
   const std::vector<SeenGround> ground = ground_of_sectors(terrain, placed, style, instruments);
   const std::optional<SeenGround> all_ground = looked_at_by_any(ground);
   LinesOfView lines;
   if (on_ground)
-    lines = lines_of_view(terrain, placed, style, instruments, all_ground ? &*all_ground : nullptr);
+    lines = lines_of_view(terrain, placed, style, instruments, all_ground ? &*all_ground : nullptr,
+                          hidden);
   if (all_ground) counts.looked_at = all_ground->share();
   counts.draped_in_part = lines.on_ground.draped_in_part;
   counts.not_draped = lines.on_ground.not_draped;
@@ -293,7 +309,8 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   const std::optional<LineShade> shade =
       spec.ground_points ? std::nullopt : placed.ridge_shade; // shading cuts strokes
   std::vector<LineLayer> layers =
-      layers_of(found, placed, style, shade, profiles ? std::move(*profiles) : Layer{});
+      layers_of(found, placed, style, shade, profiles ? std::move(*profiles) : Layer{},
+                hidden_profiles ? std::move(*hidden_profiles) : Layer{});
   on_all_cores(layers.size(), [&](std::size_t i) {
     LineLayer& task = layers[i];
     // What is joined is simplified and judged afterwards.
@@ -343,7 +360,8 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     counts.dropped_strokes += profile_layer->dropped_strokes;
   }
   for (LineLayer& of_lines : layers) {
-    left_out.min_stroke_mm += of_lines.left_out_mm;
+    const bool is_unseen = of_lines.layer.is_hidden && !of_lines.of_solids;
+    if (!is_unseen) left_out.min_stroke_mm += of_lines.left_out_mm;
     const RoundingCounts& dropped = of_lines.dropped;
     counts.dropped_strokes += dropped.empty_strokes + dropped.repeated_strokes;
     drawing.layers.push_back(std::move(of_lines.layer));
