@@ -29,19 +29,22 @@ public:
       if (!sides) return std::nullopt; // a void
       auto [in, on] = *sides;
       if (!is_first && triangles_.across(triangle, in) != came_from) std::swap(in, on);
-      const EdgePoint at = point_on(triangle, in, level);
-      out.line.push_back({at, triangle});
-      low_on_left += cross(place_m(point_on(triangle, on, level)) - place_m(at),
-                           low_corner_m(triangle, level) - place_m(at));
+      out.line.push_back({point_on(triangle, in, level), triangle});
+      const Vec2 from_m = middle_m(triangle, in);
+      low_on_left +=
+          cross(middle_m(triangle, on) - from_m, low_corner_m(triangle, level) - from_m);
       came_from = triangle;
       triangle = triangles_.across(triangle, on);
       if (triangle == kNoTriangle) return std::nullopt;
       if (triangle == first) break;
       if (!passed_.insert(key(level, triangle)).second) return std::nullopt; // an open one
     }
-    const double area_m2 = area_of(out);
-    out.area_m2 = std::abs(area_m2);
-    return area_m2 * low_on_left > 0 ? std::optional(std::move(out)) : std::nullopt;
+    out.area_m2 = std::abs(area_of(out, [&](const EdgePoint& at) { return place_m(at); }));
+    // Around a ridge whose top is the level a line may go there and back. Through the middles of the
+    // edges that it crosses it goes round the same vertices, and well apart from itself.
+    const double through_middles = area_of(
+        out, [&](const EdgePoint& at) { return place_m({at.edge, 0.5}); });
+    return through_middles * low_on_left > 0 ? std::optional(std::move(out)) : std::nullopt;
   }
 
 private:
@@ -82,12 +85,19 @@ private:
           return !is_above(triangles_.value(vertex), level);
         }));
   }
-  double area_of(const Hollow& hollow) const { // above 0: with the inside on its left
-    const Vec2 first = place_m(hollow.line.front().at);
+  Vec2 middle_m(std::uint32_t triangle, std::size_t side) const {
+    const auto corners = triangles_.corners(triangle);
+    return 0.5 * (triangles_.place_m(corners[(side + 1) % 3]) +
+                  triangles_.place_m(corners[(side + 2) % 3]));
+  }
+  // Above 0 with the inside on its left.
+  template <class PlaceOf>
+  static double area_of(const Hollow& hollow, const PlaceOf& place_of) {
+    const Vec2 first = place_of(hollow.line.front().at);
     Vec2 last{0, 0};
     double twice = 0;
     for (const Hollow::Crossing& crossing : hollow.line) {
-      const Vec2 next = place_m(crossing.at) - first;
+      const Vec2 next = place_of(crossing.at) - first;
       twice += cross(last, next);
       last = next;
     }
