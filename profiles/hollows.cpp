@@ -31,8 +31,7 @@ public:
       if (!is_first && triangles_.across(triangle, in) != came_from) std::swap(in, on);
       out.line.push_back({point_on(triangle, in, level), triangle});
       const Vec2 from_m = middle_m(triangle, in);
-      low_on_left +=
-          cross(middle_m(triangle, on) - from_m, low_corner_m(triangle, level) - from_m);
+      low_on_left += cross(middle_m(triangle, on) - from_m, low_corner_m(triangle, level) - from_m);
       came_from = triangle;
       triangle = triangles_.across(triangle, on);
       if (triangle == kNoTriangle) return std::nullopt;
@@ -40,10 +39,11 @@ public:
       if (!passed_.insert(key(level, triangle)).second) return std::nullopt; // an open one
     }
     out.area_m2 = std::abs(area_of(out, [&](const EdgePoint& at) { return place_m(at); }));
-    // Around a ridge whose top is the level a line may go there and back. Through the middles of the
-    // edges that it crosses it goes round the same vertices, and well apart from itself.
-    const double through_middles = area_of(
-        out, [&](const EdgePoint& at) { return place_m({at.edge, 0.5}); });
+    // Around a ridge whose top is the level a line may go there and back. Through the middles of
+    // the edges that it crosses it goes round the same vertices, and well apart from itself.
+    const double through_middles = area_of(out, [&](const EdgePoint& at) {
+      return place_m({at.edge, 0.5});
+    });
     return through_middles * low_on_left > 0 ? std::optional(std::move(out)) : std::nullopt;
   }
 
@@ -80,10 +80,8 @@ private:
   }
   Vec2 low_corner_m(std::uint32_t triangle, std::uint32_t level) const {
     const auto corners = triangles_.corners(triangle);
-    return triangles_.place_m(
-        *std::ranges::find_if(corners, [&](std::uint32_t vertex) {
-          return !is_above(triangles_.value(vertex), level);
-        }));
+    return triangles_.place_m(*std::ranges::find_if(
+        corners, [&](std::uint32_t vertex) { return !is_above(triangles_.value(vertex), level); }));
   }
   Vec2 middle_m(std::uint32_t triangle, std::size_t side) const {
     const auto corners = triangles_.corners(triangle);

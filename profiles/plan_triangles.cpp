@@ -26,9 +26,8 @@ std::array<std::uint32_t, 3> PlanTriangles::corners(std::uint32_t triangle) cons
   std::array<std::uint32_t, 3> out;
   for (std::size_t k = 0; k < 3; ++k) {
     const grid_mesh::Offset offset = grid_mesh::kCorners[triangle % 2][k];
-    out[k] = static_cast<std::uint32_t>(
-        grid_->index(static_cast<int>(cell % cells) + offset.column,
-                     static_cast<int>(cell / cells) + offset.row));
+    out[k] = static_cast<std::uint32_t>(grid_->index(static_cast<int>(cell % cells) + offset.column,
+                                                     static_cast<int>(cell / cells) + offset.row));
   }
   return out;
 }

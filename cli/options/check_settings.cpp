@@ -119,12 +119,16 @@ void check_eye(RenderSettings& settings, const GivenOptions& given) {
 }
 
 // A layer that has a switch of its own may be named in the list of layers as well.
-void add_layers(RenderSettings& settings) {
+void add_layers(RenderSettings& settings, const GivenOptions& given) {
   Style& style = settings.map.style;
   if (settings.void_edges && !style.asks_for("voids")) style.layers.push_back("voids");
   for (OverlayInput& overlay : settings.overlays) overlay.where = settings.overlays_where;
   for (const std::string& layer : settings.added_layers)
     if (!style.asks_for(layer)) style.layers.push_back(layer);
+  if (insists_on(given, "--contour-ticks") && !style.asks_for("contours") &&
+      !style.draws_index_contours())
+    throw UsageError("--contour-ticks has no meaning without contours",
+                     "give --contours INTERVAL too");
 }
 
 // Those of layers that are drawn.
@@ -277,6 +281,7 @@ void take_scene(RenderSettings& settings, const GivenOptions& given) {
       throw UsageError("--hidden has no meaning without solids",
                        "give --scene FILE too, or --hidden-layers for other lines");
     std::erase(settings.map.style.layers, LayerSpec("hidden"));
+    std::erase(settings.hidden_layers, "solids");
     return;
   }
   if (settings.map.style.occluder == Occluder::profiles)
@@ -318,7 +323,7 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
 }
 
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given) {
-  add_layers(settings);
+  add_layers(settings, given);
   add_hidden_layers(settings, given);
   settings.map.ground_points = is_tied_to_ground(settings.write.format);
   check_view(settings, given);

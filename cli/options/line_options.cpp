@@ -226,17 +226,18 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
        .help = "Lines that aren't seen: leave them out, or dash those of --hidden-layers",
        .by_default = "omit"},
       {{"omit", false}, {"dash", true}}, s.dashes_hidden));
-  options.push_back({.group = kGroup,
-                     .name = "--hidden-layers",
-                     .value = "LIST",
-                     .help = "Layers whose hidden lines are dashed, each in a layer of its own, such "
-                             "as hidden-contours; those of solids in the layer hidden",
-                     .allowed = fmt::format("each once of {}", fmt::join(names_with_hidden(), ", ")),
-                     .by_default = "solids",
-                     .take = [&s](const std::string& text) {
-                       s.hidden_layers = split(text, ',');
-                       return are_among(names_with_hidden(), s.hidden_layers);
-                     }});
+  options.push_back(
+      {.group = kGroup,
+       .name = "--hidden-layers",
+       .value = "LIST",
+       .help = "Layers whose hidden lines are dashed, each in a layer of its own, such "
+               "as hidden-contours; those of solids in the layer hidden",
+       .allowed = fmt::format("each once of {}", fmt::join(names_with_hidden(), ", ")),
+       .by_default = "solids",
+       .take = [&s](const std::string& text) {
+         s.hidden_layers = split(text, ',');
+         return are_among(names_with_hidden(), s.hidden_layers);
+       }});
 }
 
 void add_scene_options(std::vector<Option>& options, RenderSettings& s) {

@@ -22,7 +22,7 @@ constexpr double kLeastTicks = 4;
 // What of a piece of a contour is in the frame.
 struct PieceInFrame {
   std::size_t piece;
-  double begin, end; ///< shares of it
+  double begin, end;     ///< shares of it
   double w_begin, w_end; ///< in homogeneous page coordinates
   double length_mm;
 };
@@ -47,12 +47,10 @@ public:
         length_mm += piece->length_mm;
       }
     if (!(length_mm > 0)) return;
-    const bool is_whole = std::ranges::all_of(pieces, [](const PieceInFrame& piece) {
-      return piece.begin <= 0 && piece.end >= 1;
-    });
-    const double count =
-        std::max(is_whole && pieces.size() == hollow.line.size() ? kLeastTicks : 1,
-                 std::round(length_mm / kTicksApart_mm));
+    const bool is_whole = std::ranges::all_of(
+        pieces, [](const PieceInFrame& piece) { return piece.begin <= 0 && piece.end >= 1; });
+    const double count = std::max(is_whole && pieces.size() == hollow.line.size() ? kLeastTicks : 1,
+                                  std::round(length_mm / kTicksApart_mm));
     const double apart_mm = length_mm / count;
     double next_mm = 0.5 * apart_mm, done_mm = 0;
     const std::size_t before = out_.lines.size();
@@ -67,10 +65,10 @@ public:
       done_mm += piece.length_mm;
     }
     if (out_.lines.size() > before)
-      out_.features.push_back({levels_.is_index[hollow.level] ? LineKind::index_contour
-                                                              : LineKind::contour,
-                               {{"elevation", levels_.heights[hollow.level]}},
-                               true});
+      out_.features.push_back(
+          {levels_.is_index[hollow.level] ? LineKind::index_contour : LineKind::contour,
+           {{"elevation", levels_.heights[hollow.level]}},
+           true});
   }
 
 private:
@@ -108,13 +106,12 @@ private:
     const double mm_a_metre =
         mm_a_metre_at(placed_, point_between(point_at(from), point_at(to), t));
     if (!(mm_a_metre > 0)) return;
-    const double most_m = std::min(kTick_mm / mm_a_metre,
-                                   kToMiddle * std::sqrt(hollow.area_m2 / std::numbers::pi));
+    const double most_m =
+        std::min(kTick_mm / mm_a_metre, kToMiddle * std::sqrt(hollow.area_m2 / std::numbers::pi));
     const std::vector<double>& heights_m = levels_.heights_m;
-    const double lowest_m =
-        hollow.level == 0
-            ? -std::numeric_limits<double>::infinity()
-            : std::lerp(heights_m[hollow.level], heights_m[hollow.level - 1], kToNext);
+    const double lowest_m = hollow.level == 0 ? -std::numeric_limits<double>::infinity()
+                                              : std::lerp(heights_m[hollow.level],
+                                                          heights_m[hollow.level - 1], kToNext);
     const Vec2 begin_m = place_m(from), end_m = place_m(to);
     const auto pieces = downhill(triangles_, hollow.line[piece].triangle,
                                  begin_m + t * (end_m - begin_m), most_m, lowest_m);
@@ -122,9 +119,8 @@ private:
       if (i == 0) add_point(pieces[i].triangle, pieces[i].from);
       add_point(pieces[i].triangle, pieces[i].to);
       const auto last = vertices_ + static_cast<std::uint32_t>(out_.points.size()) - 1;
-      out_.lines.push_back({{last - 1, last},
-                            pieces[i].triangle,
-                            static_cast<std::uint32_t>(out_.features.size())});
+      out_.lines.push_back(
+          {{last - 1, last}, pieces[i].triangle, static_cast<std::uint32_t>(out_.features.size())});
     }
   }
   void add_point(std::uint32_t triangle, const std::array<double, 3>& shares) {

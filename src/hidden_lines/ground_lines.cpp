@@ -90,8 +90,8 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
 
 double mm_a_metre_at(const PlacedView& placed, ProfilePoint at) {
   const Vec3 here = project_homogeneous(placed.view, at);
-  return placed.to_page.mm_per_step(
-      here, project_homogeneous(placed.view, {at.u + 1, at.v, at.z}) - here);
+  return placed.to_page.mm_per_step(here, project_homogeneous(placed.view, {at.u + 1, at.v, at.z}) -
+                                              here);
 }
 
 void append_to(std::vector<EdgeLine>& lines, const GroundLines& on_ground) {

@@ -35,17 +35,17 @@ constexpr std::array<LayerRow, 17> kSeen{{
 // What may have hidden lines drawn. The skyline, which nothing stands behind, has none.
 constexpr std::string_view kHidden = "hidden-";
 constexpr std::array<std::string_view, 13> kHiddenNames{
-    "hidden-profiles",  "hidden-mesh",       "hidden-contours", "hidden-index-contours",
-    "hidden-graticule", "hidden-grid",       "hidden-edges",    "hidden-waterlines",
-    "hidden-shores",    "hidden-border",     "hidden-drape",    "hidden-voids",
+    "hidden-profiles",   "hidden-mesh",   "hidden-contours", "hidden-index-contours",
+    "hidden-graticule",  "hidden-grid",   "hidden-edges",    "hidden-waterlines",
+    "hidden-shores",     "hidden-border", "hidden-drape",    "hidden-voids",
     "hidden-silhouettes"};
 
 // A hidden line is a little lighter than a visible one of its kind in weight, and much in grey: it
 // is behind the ground that one looks at.
 constexpr LayerRow hidden_row(std::string_view name) {
   constexpr double kWeight = 0.8, kDarkness = 0.55;
-  LayerRow row =
-      *std::ranges::find(kSeen, name.substr(kHidden.size()), [](const LayerRow& r) { return r.name; });
+  LayerRow row = *std::ranges::find(kSeen, name.substr(kHidden.size()),
+                                    [](const LayerRow& r) { return r.name; });
   row.hidden_of = row.name;
   row.name = name;
   row.weight *= kWeight;

@@ -46,7 +46,8 @@ Counted parts_below(const Grid& grid, const std::vector<double>& value, double l
     if (is_there[i] && value[i] < level && is_border[i]) at_border[root(i)] = true;
   Counted out;
   for (std::uint32_t i = 0; i < value.size(); ++i)
-    if (is_there[i] && value[i] < level && root(i) == i) ++(at_border[i] ? out.at_border : out.closed);
+    if (is_there[i] && value[i] < level && root(i) == i)
+      ++(at_border[i] ? out.at_border : out.closed);
   return out;
 }
 
@@ -138,7 +139,8 @@ TEST_CASE("the way down is straight, falls, and stays in its triangles") {
     const VertexValues values = given(value);
     const PlanTriangles triangles(surface, values);
     const auto all = triangles_of(grid);
-    const auto first = static_cast<std::uint32_t>(random.whole(0, static_cast<int>(all.size()) - 1));
+    const auto first =
+        static_cast<std::uint32_t>(random.whole(0, static_cast<int>(all.size()) - 1));
     const auto& corners = all[first].vertices;
     const double a = random.between(0.05, 0.6), b = random.between(0.05, 0.3);
     const auto place_of = [&](const std::array<std::uint32_t, 3>& of,
@@ -161,9 +163,12 @@ TEST_CASE("the way down is straight, falls, and stays in its triangles") {
     Vec2 at = begin;
     double last = height;
     const auto corners_of = [&](const DownhillPiece& piece) {
-      return std::ranges::find_if(all, [&](const GridTriangle& t) {
-               return grid_triangle(grid, t.column, t.row, t.half) == piece.triangle;
-             })->vertices;
+      return std::ranges::find_if(all,
+                                  [&](const GridTriangle& t) {
+                                    return grid_triangle(grid, t.column, t.row, t.half) ==
+                                           piece.triangle;
+                                  })
+          ->vertices;
     };
     const Vec2 end = place_of(corners_of(way.back()), way.back().to);
     for (const DownhillPiece& piece : way) {

@@ -170,7 +170,8 @@ std::vector<ProfilePoint> cut_ends(const Pass& pass, const SectorOnPage& on_page
 }
 
 struct Ends {
-  std::uint64_t all = 0, far = 0, beside_borders = 0; // farther than 1e-6 mm from what cuts them off
+  std::uint64_t all = 0, far = 0,
+                beside_borders = 0; // farther than 1e-6 mm from what cuts them off
   double greatest_mm = 0;
 };
 

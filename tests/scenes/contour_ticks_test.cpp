@@ -30,8 +30,8 @@ TerrainData cone(Vec2 top, double slope) {
       heights.push_back(
           static_cast<float>(500 + slope * kCell_m * std::hypot(c - top.x, r - top.y)));
   TerrainData terrain;
-  terrain.surface = Grid{kSide, kSide, PlaneLattice{{0, 0}, {kCell_m, 0}, {0, -kCell_m}},
-                         std::move(heights)};
+  terrain.surface =
+      Grid{kSide, kSide, PlaneLattice{{0, 0}, {kCell_m, 0}, {0, -kCell_m}}, std::move(heights)};
   return terrain;
 }
 
@@ -96,8 +96,7 @@ TEST_CASE("a pit has ticks, evenly, that point down into it") {
     std::map<double, std::size_t> counts;
     const ProfilePoint bottom = to_profile_frame(placed.view, {40 * kCell_m, -40 * kCell_m, 500});
     for (const Tick& tick : ticks_of(lines, kSide * kSide)) {
-      const double height =
-          std::get<double>(lines.features[tick.feature].attributes.front().value);
+      const double height = std::get<double>(lines.features[tick.feature].attributes.front().value);
       ++counts[height];
       const ProfilePoint first = tick.points.front(), last = tick.points.back();
       CHECK(std::abs(first.z - height) <= 1e-9);

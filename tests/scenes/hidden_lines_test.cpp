@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hidden lines: hidden where the ray walk says so, and together with the visible ones the whole line.
+// Hidden lines: hidden where the ray walk says so, and together with the visible ones the whole
+// line.
 #include "dem/approximate/tin_of_grid.hpp"
 #include "dem/extent.hpp"
 #include "geometry/error.hpp"
 #include "hidden_lines/sector_pass.hpp"
+#include "map/check.hpp"
 #include "map/draw_map.hpp"
 #include "map/layer_table.hpp"
 #include "placing/placed_view.hpp"
 #include "reference/judge.hpp"
-#include "map/check.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/look_down.hpp"
 #include "tests/scenes/put_eye.hpp"
@@ -184,8 +185,8 @@ TEST_CASE("the ray walk sees no hidden line, and hidden and visible parts are th
     placed->overlays = std::span(&overlay, 1);
     two_sectors += placed->sectors.size() > 1 ? 1 : 0;
     const Instruments instruments{.hidden_ground = true, .order_always = seed % 4 == 1};
-    const LinesOfView lines = lines_of_view(scene.terrain, *placed, style, instruments, nullptr,
-                                            hidden_kinds(style));
+    const LinesOfView lines =
+        lines_of_view(scene.terrain, *placed, style, instruments, nullptr, hidden_kinds(style));
     const std::vector<Judge> judges = judges_of(scene.terrain.surface, *placed, 1e-4);
     for (std::size_t i = 0; i < placed->sectors.size(); ++i) {
       const Sector& sector = placed->sectors[i];
@@ -216,8 +217,7 @@ TEST_CASE("the ray walk sees no hidden line, and hidden and visible parts are th
         const ProfileLine whole = pictures.whole(k);
         Within within;
         const double drawn_m = std::max(from_m, sector.view.drawn_from_m);
-        if (sector.view.is_perspective())
-          within.cut(whole.from.v - drawn_m, whole.to.v - drawn_m);
+        if (sector.view.is_perspective()) within.cut(whole.from.v - drawn_m, whole.to.v - drawn_m);
         std::vector<LinePart>& parts = by_line[k];
         std::sort(parts.begin(), parts.end(),
                   [](const LinePart& a, const LinePart& b) { return a.t_begin < b.t_begin; });
@@ -262,13 +262,14 @@ TEST_CASE("visible and hidden ink is that of the line within the frame", "[slow]
     Spans spans(*placed, scene.spec.style);
     Instruments instruments{.order_always = seed % 4 == 1};
     instruments.observers = {&spans};
-    const Map map = draw_map(scene.terrain, *placed, scene.spec, [](double) {}, instruments);
+    const Map map = draw_map(
+        scene.terrain, *placed, scene.spec, [](double) {}, instruments);
     const Drawing& drawing = map.drawing;
     const bool has_all = map.facts.counts.dropped_strokes == 0; // none is another's picture
     scenes += has_all ? 1 : 0;
     const LinesOfView lines =
-        lines_of_view(scene.terrain, *placed, scene.spec.style,
-                      {.hidden_ground = true}, nullptr, hidden_kinds(scene.spec.style));
+        lines_of_view(scene.terrain, *placed, scene.spec.style, {.hidden_ground = true}, nullptr,
+                      hidden_kinds(scene.spec.style));
     std::map<LineKind, double> whole_mm;
     for (const Sector& sector : placed->sectors) {
       const double from_m = std::max(sector.view.near_m, sector.view.drawn_from_m);
@@ -282,8 +283,7 @@ TEST_CASE("visible and hidden ink is that of the line within the frame", "[slow]
             sector.keeps_strip &&
             std::max(std::abs(whole.from.v), std::abs(whole.to.v)) <= sector.view.near_m;
         whole_mm[line.kind] += length_mm(
-            *placed, sector, whole,
-            is_between ? -std::numeric_limits<double>::infinity() : from_m);
+            *placed, sector, whole, is_between ? -std::numeric_limits<double>::infinity() : from_m);
       }
     }
     const auto check = [&](std::vector<std::string> names, double expected_mm) {
@@ -317,7 +317,9 @@ TEST_CASE("visible and hidden ink is that of the line within the frame", "[slow]
     check({"edges"}, whole_mm[LineKind::edge]);
     check({"silhouettes", "skyline"}, whole_mm[LineKind::silhouette]);
   }
-  WARN(hidden_mm << " mm hidden; " << scenes << " scenes in which no stroke is another's picture; sums differ by up to " << greatest_mm << " mm, in " << where);
+  WARN(hidden_mm << " mm hidden; " << scenes
+                 << " scenes in which no stroke is another's picture; sums differ by up to "
+                 << greatest_mm << " mm, in " << where);
   CHECK(hidden_mm > 1000.0 * kScenes);
   CHECK(scenes > kScenes / 2);
 }
