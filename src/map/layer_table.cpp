@@ -40,16 +40,16 @@ constexpr std::array<std::string_view, 13> kHiddenNames{
     "hidden-shores",     "hidden-border", "hidden-drape",    "hidden-voids",
     "hidden-silhouettes"};
 
-// A hidden line is a little lighter than a visible one of its kind in weight, and much in grey: it
-// is behind the ground that one looks at.
+// A hidden line is a little thinner than a visible one of its kind, and much lighter: it is behind
+// the ground that one looks at. Thin dashes lighter than this aren't seen on paper.
 constexpr LayerRow hidden_row(std::string_view name) {
-  constexpr double kWeight = 0.8, kDarkness = 0.55;
+  constexpr double kWeight = 0.8, kDarkness = 0.55, kLightest = 0.6;
   LayerRow row = *std::ranges::find(kSeen, name.substr(kHidden.size()),
                                     [](const LayerRow& r) { return r.name; });
   row.hidden_of = row.name;
   row.name = name;
   row.weight *= kWeight;
-  row.grey = 1 - kDarkness * (1 - row.grey);
+  row.grey = std::min(kLightest, 1 - kDarkness * (1 - row.grey));
   return row;
 }
 

@@ -10,10 +10,12 @@
 #include "map/layer_table.hpp"
 #include "placing/placed_view.hpp"
 #include "reference/judge.hpp"
+#include "reference/sight.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/look_down.hpp"
 #include "tests/scenes/put_eye.hpp"
 #include "tests/scenes/random_scene.hpp"
+#include "tests/scenes/random_solid_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
 #include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
@@ -154,6 +156,39 @@ void ask_parts(const Judge& judge, const LinePictures& lines, XRange range,
   }
 }
 
+struct Faults {
+  std::size_t overlaps = 0, gaps = 0;
+};
+
+// Of what should be one behind another from where a line comes to lie in front of the eye.
+Faults faults_along(const LinePictures& pictures, const LinesOfView& lines,
+                    const std::vector<LinePart>& shown, const std::vector<LinePart>& hidden) {
+  constexpr double kSlit = 2e-9; // what hidden_parts leaves out, and rounding
+  std::map<std::uint32_t, std::vector<LinePart>> by_line;
+  for (const std::vector<LinePart>* parts : {&shown, &hidden})
+    for (const LinePart& part : *parts) by_line[part.line].push_back(part);
+  const View& view = pictures.sector().view;
+  Faults faults;
+  for (std::uint32_t k = 0; k < lines.listed.size(); ++k) {
+    if (!lines.listed[k].drawn) continue;
+    const ProfileLine whole = pictures.whole(k);
+    Within within;
+    const double drawn_m = std::max(view.near_m, view.drawn_from_m);
+    if (view.is_perspective()) within.cut(whole.from.v - drawn_m, whole.to.v - drawn_m);
+    std::vector<LinePart>& parts = by_line[k];
+    std::sort(parts.begin(), parts.end(),
+              [](const LinePart& a, const LinePart& b) { return a.t_begin < b.t_begin; });
+    double at = within.begin;
+    for (const LinePart& part : parts) {
+      faults.overlaps += part.t_begin < at - kSlit ? 1 : 0;
+      faults.gaps += part.t_begin > at + kSlit ? 1 : 0;
+      at = part.t_end;
+    }
+    faults.gaps += at < within.end - kSlit ? 1 : 0;
+  }
+  return faults;
+}
+
 double ink_mm(const Drawing& drawing, const std::string& name, std::size_t& points) {
   double sum = 0;
   for (const Layer& layer : drawing.layers) {
@@ -207,31 +242,9 @@ TEST_CASE("the ray walk sees no hidden line, and hidden and visible parts are th
       CHECK(hidden.wrong == 0);
       CHECK(visible.wrong == 0);
 
-      // One behind another from where the line comes to lie in front of the eye.
-      std::map<std::uint32_t, std::vector<LinePart>> by_line;
-      for (const std::vector<LinePart>* parts : {&shown, &found.hidden})
-        for (const LinePart& part : *parts) by_line[part.line].push_back(part);
-      std::size_t overlaps = 0, gaps = 0;
-      for (std::uint32_t k = 0; k < lines.listed.size(); ++k) {
-        if (!lines.listed[k].drawn) continue;
-        const ProfileLine whole = pictures.whole(k);
-        Within within;
-        const double drawn_m = std::max(from_m, sector.view.drawn_from_m);
-        if (sector.view.is_perspective()) within.cut(whole.from.v - drawn_m, whole.to.v - drawn_m);
-        std::vector<LinePart>& parts = by_line[k];
-        std::sort(parts.begin(), parts.end(),
-                  [](const LinePart& a, const LinePart& b) { return a.t_begin < b.t_begin; });
-        double at = within.begin;
-        for (const LinePart& part : parts) {
-          constexpr double kSlit = 2e-9; // what hidden_parts leaves out, and rounding
-          overlaps += part.t_begin < at - kSlit ? 1 : 0;
-          gaps += part.t_begin > at + kSlit ? 1 : 0;
-          at = part.t_end;
-        }
-        gaps += at < within.end - 2e-9 ? 1 : 0;
-      }
-      CHECK(overlaps == 0);
-      CHECK(gaps == 0);
+      const Faults faults = faults_along(pictures, lines, shown, found.hidden);
+      CHECK(faults.overlaps == 0);
+      CHECK(faults.gaps == 0);
     }
   }
   WARN(hidden.points << " points of hidden parts asked, " << hidden.ties << " tied; "
@@ -241,6 +254,59 @@ TEST_CASE("the ray walk sees no hidden line, and hidden and visible parts are th
   CHECK(hidden.ties < hidden.points / 3);
   CHECK(two_sectors > kScenes / 20);
   CHECK(refused < kScenes / 4);
+}
+
+TEST_CASE("what solids hide of lines is hidden, and all else that isn't seen") {
+  std::size_t by_solids = 0, hidden = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 2; ++seed) {
+    SolidScene made = random_solid_scene(seed);
+    Style& style = made.spec.style;
+    style.silhouette_jump = 0;
+    style.outline = Outline::by_layer;
+    style.layers = {"contours",     "hidden-contours", "edges",
+                    "hidden-edges", "border",          "hidden-border"};
+    PlacedView placed = placed_view(made.terrain, made.spec);
+    placed.solids = made.standing;
+    INFO("seed " << seed << ": " << made.what);
+    const Instruments instruments{.hidden_ground = true};
+    const LinesOfView lines =
+        lines_of_view(made.terrain, placed, style, instruments, nullptr, hidden_kinds(style));
+    const Sector& sector = placed.sectors.front();
+    Counts counts;
+    StageSeconds seconds;
+    const SectorLines found = sector_pass(made.terrain, placed, sector, lines, nullptr, style,
+                                          instruments, nullptr, {counts, seconds}, [] {});
+    const XRange range = page_range(sector);
+    const double from_m = sector.view.is_perspective() ? sector.view.near_m
+                                                       : -std::numeric_limits<double>::infinity();
+    const LinePictures pictures(made.terrain.surface, lines.on_ground.points, sector, lines.listed,
+                                range, from_m);
+    std::vector<LinePart> shown = found.visible;
+    join(shown);
+    const std::vector<LinePart>& parts_hidden = found.hidden;
+    // Silhouettes hide and aren't drawn here; all others are one or the other everywhere.
+    const Faults faults = faults_along(pictures, lines, shown, parts_hidden);
+    CHECK(faults.overlaps == 0);
+    CHECK(faults.gaps == 0);
+    const SolidSight sight(made.standing, sector.view);
+    const std::vector<Judge> judges = judges_of(made.terrain.surface, placed, 1e-4);
+    Random random(seed);
+    for (const LinePart& part : parts_hidden) {
+      const double t = part.t_begin + random.between(0.02, 0.98) * (part.t_end - part.t_begin);
+      const ProfilePoint at = pictures.point(part.line, t);
+      const double x = project(sector.view, at).x;
+      if (!(x >= range.begin && x <= range.end) || !random.chance(0.2)) continue;
+      ++hidden;
+      if (judges.front().verdict(pictures.whole(part.line), t, pictures.is_edge(part.line),
+                                 false) != Verdict::visible)
+        continue;
+      const SightAnswer answer = sight.ask(at, 1e-7L, {});
+      CHECK((answer.hidden || answer.unsure));
+      by_solids += answer.surely_hidden() ? 1 : 0;
+    }
+  }
+  WARN(hidden << " points of hidden parts asked, " << by_solids << " hidden by solids alone");
+  CHECK(by_solids > kScenes);
 }
 
 TEST_CASE("visible and hidden ink is that of the line within the frame", "[slow]") {
@@ -328,7 +394,7 @@ TEST_CASE("visible lines are the same with hidden ones and without") {
   for (std::uint64_t seed = 1; seed <= kScenes / 3; ++seed) {
     Random random(seed);
     RandomScene scene = with_hidden(seed, random);
-    if (seed % 2 == 0) { // as lines go on paper, with even tone and light
+    if (seed % 4 < 2) { // as lines go on paper, with even tone and light
       const Style plain;
       scene.spec.ground_points = false;
       scene.spec.style.light = plain.light;
