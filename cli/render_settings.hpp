@@ -35,7 +35,8 @@ struct RenderSettings {
   // Layers that switches of their own add to those of `map`.
   bool void_edges = false;
   std::vector<std::string> added_layers;
-  bool dashes_hidden = false;                          ///< hidden edges of solids
+  std::optional<bool> dashes_hidden;      ///< none: if there are names of layers
+  std::vector<std::string> hidden_layers; ///< whose hidden lines are dashed; empty: solids
   std::vector<std::pair<std::string, Colour>> colours; ///< of layers, by their names
 
   std::optional<PenOrder> pen_order; ///< none: as the format wants

@@ -7,6 +7,7 @@
 #include "cli/render.hpp"
 #include "cli/report/run_report.hpp"
 #include "geometry/error.hpp"
+#include "map/layer_table.hpp"
 #include "solids/read_scene.hpp"
 #include "write/write_drawing.hpp"
 
@@ -118,13 +119,38 @@ void check_eye(RenderSettings& settings, const GivenOptions& given) {
 }
 
 // A layer that has a switch of its own may be named in the list of layers as well.
-void add_layers(RenderSettings& settings) {
+void add_layers(RenderSettings& settings, const GivenOptions& given) {
   Style& style = settings.map.style;
   if (settings.void_edges && !style.asks_for("voids")) style.layers.push_back("voids");
   for (OverlayInput& overlay : settings.overlays) overlay.where = settings.overlays_where;
   for (const std::string& layer : settings.added_layers)
     if (!style.asks_for(layer)) style.layers.push_back(layer);
-  if (settings.dashes_hidden) style.layers.push_back("hidden");
+  if (insists_on(given, "--contour-ticks") && !style.asks_for("contours") &&
+      !style.draws_index_contours())
+    throw UsageError("--contour-ticks has no meaning without contours",
+                     "give --contours INTERVAL too");
+}
+
+// Those of layers that are drawn.
+void add_hidden_layers(RenderSettings& settings, const GivenOptions& given) {
+  if (settings.hidden_layers.empty() && settings.dashes_hidden.value_or(false))
+    settings.hidden_layers = {"solids"};
+  if (!settings.dashes_hidden.value_or(true)) {
+    if (insists_on(given, "--hidden") && insists_on(given, "--hidden-layers"))
+      throw UsageError("--hidden-layers has no meaning where hidden lines are left out",
+                       "leave --hidden omit out");
+    settings.hidden_layers.clear();
+  }
+  Style& style = settings.map.style;
+  for (const std::string& name : settings.hidden_layers) {
+    const auto row = std::ranges::find(layer_table(), name, &LayerRow::hidden_of);
+    if (name != "solids" && !layer_of(layer_row(name), style)) {
+      if (!insists_on(given, "--hidden-layers")) continue;
+      throw UsageError(fmt::format("--hidden-layers names '{}', which isn't drawn", name),
+                       fmt::format("add {} to --layers, or leave it out", name));
+    }
+    style.layers.emplace_back(std::string(row->name));
+  }
 }
 
 void check_view(RenderSettings& settings, const GivenOptions& given) {
@@ -248,9 +274,14 @@ void take_scene(RenderSettings& settings, const GivenOptions& given) {
   }
   if (settings.scene_file.empty()) {
     if (!settings.map.style.asks_for("hidden")) return;
+    if (insists_on(given, "--hidden-layers"))
+      throw UsageError("--hidden-layers names 'solids', and there are none",
+                       "give --scene FILE too, or leave solids out");
     if (insists_on(given, "--hidden"))
-      throw UsageError("--hidden has no meaning without solids", "give --scene FILE too");
+      throw UsageError("--hidden has no meaning without solids",
+                       "give --scene FILE too, or --hidden-layers for other lines");
     std::erase(settings.map.style.layers, LayerSpec("hidden"));
+    std::erase(settings.hidden_layers, "solids");
     return;
   }
   if (settings.map.style.occluder == Occluder::profiles)
@@ -292,7 +323,8 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
 }
 
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given) {
-  add_layers(settings);
+  add_layers(settings, given);
+  add_hidden_layers(settings, given);
   settings.map.ground_points = is_tied_to_ground(settings.write.format);
   check_view(settings, given);
   check_tone(settings.map.style, given);

@@ -90,6 +90,11 @@ void add_ground_line_options(std::vector<Option>& options, RenderSettings& s) {
        .help = "Every N-th contour is heavier, in the layer index-contours; 0 makes all alike",
        .by_default = fmt::format("{}", ContourSpec{}.index_every)},
       0, 1000, [&style](int every) { style.contours.index_every = every; }));
+  options.push_back({.group = kGroup,
+                     .name = "--contour-ticks",
+                     .help = "Ticks down the slope from closed contours around lower ground, such "
+                             "as pits and craters",
+                     .take = set_to(style.contours.ticks, true)});
   options.push_back(adding_layer(
       {.group = kGroup,
        .name = "--mesh",

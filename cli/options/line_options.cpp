@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,11 +22,19 @@ namespace {
 
 constexpr auto kGroup = "Profiles and lines";
 
-// Of all layers but `hidden`, which is an option of its own.
+// Of all layers but those of hidden lines, which have options of their own.
 std::vector<std::string> layer_names() {
   std::vector<std::string> names;
   for (const LayerRow& row : layer_table())
-    if (row.source != LineSource::hidden_solids) names.emplace_back(row.name);
+    if (!row.is_hidden()) names.emplace_back(row.name);
+  return names;
+}
+
+// Of those whose hidden lines may be drawn.
+std::vector<std::string> names_with_hidden() {
+  std::vector<std::string> names;
+  for (const LayerRow& row : layer_table())
+    if (row.is_hidden()) names.emplace_back(row.hidden_of);
   return names;
 }
 
@@ -36,8 +45,7 @@ std::vector<std::string> names_of(const std::vector<LayerSpec>& layers) {
 }
 
 // Whether each is there, and only once.
-bool are_layers(const std::vector<std::string>& names) {
-  const std::vector<std::string> known = layer_names();
+bool are_among(const std::vector<std::string>& known, const std::vector<std::string>& names) {
   return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
     return std::count(names.begin(), names.end(), name) == 1 &&
            std::count(known.begin(), known.end(), name) == 1;
@@ -236,7 +244,7 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                      .take = [&s](const std::string& text) {
                        const std::vector<std::string> names = split(text, ',');
                        s.map.style.layers.assign(names.begin(), names.end());
-                       return are_layers(names);
+                       return are_among(layer_names(), names);
                      }});
   options.push_back(with_choice<Palette>(
       {.group = kGroup,
@@ -254,6 +262,24 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                   "commas between several",
        .repeatable = true,
        .take = [&s](const std::string& text) { return take_colours(text, s.colours); }});
+  options.push_back(with_choice<std::optional<bool>>(
+      {.group = kGroup,
+       .name = "--hidden",
+       .help = "Lines that aren't seen: leave them out, or dash those of --hidden-layers",
+       .by_default = "omit"},
+      {{"omit", false}, {"dash", true}}, s.dashes_hidden));
+  options.push_back(
+      {.group = kGroup,
+       .name = "--hidden-layers",
+       .value = "LIST",
+       .help = "Layers whose hidden lines are dashed, each in a layer of its own, such "
+               "as hidden-contours; those of solids in the layer hidden",
+       .allowed = fmt::format("each once of {}", fmt::join(names_with_hidden(), ", ")),
+       .by_default = "solids",
+       .take = [&s](const std::string& text) {
+         s.hidden_layers = split(text, ',');
+         return are_among(names_with_hidden(), s.hidden_layers);
+       }});
 }
 
 void add_scene_options(std::vector<Option>& options, RenderSettings& s) {
@@ -265,12 +291,6 @@ void add_scene_options(std::vector<Option>& options, RenderSettings& s) {
                              "scene as INPUT is drawn alone",
                      .allowed = "a scene in TOML",
                      .take = stored_name(s.scene_file)});
-  options.push_back(with_choice<bool>(
-      {.group = kGroup,
-       .name = "--hidden",
-       .help = "Edges of solids that aren't seen: leave them out, or dash them in the layer hidden",
-       .by_default = "omit"},
-      {{"omit", false}, {"dash", true}}, s.dashes_hidden));
 }
 
 } // namespace orograph

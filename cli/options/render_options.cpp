@@ -33,7 +33,12 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
   if (option == "overlap") return settings.sheets.has_value();
   if (option == "pen-width") return settings.pens.empty() || settings.has_colours();
   if (option == "palette" || option == "colour") return !language_of(settings.write.format);
-  if (option == "hidden") return settings.solids != nullptr;
+  if (option == "hidden") { // layers alone say it, too
+    if (!settings.solids) return settings.dashes_hidden && !settings.hidden_layers.empty();
+    return settings.dashes_hidden || settings.hidden_layers.empty();
+  }
+  if (option == "hidden-layers") return !settings.hidden_layers.empty();
+  if (option == "contour-ticks") return settings.map.style.asks_for("contours");
   if (option.starts_with("light-") || option == "haze") return settings.map.style.light.has_value();
   return true;
 }

@@ -103,10 +103,8 @@ private:
     draper_.drape(std::vector<Vec2>{place, place + Vec2{metre.x, 0}}, above_m_, draped_);
     if (draped_.points.empty()) return;
     const ProfilePoint at = draped_.points.front();
-    const Vec3 here = project_homogeneous(placed_.view, at);
-    if (!(placed_.to_page.of(here).z > 0)) return;
-    const double mm_a_metre = placed_.to_page.mm_per_step(
-        here, project_homogeneous(placed_.view, {at.u + 1, at.v, at.z}) - here);
+    if (!(placed_.to_page.of(project_homogeneous(placed_.view, at)).z > 0)) return;
+    const double mm_a_metre = mm_a_metre_at(placed_, at);
     if (!(mm_a_metre > 0)) return;
     const double half_m = 0.5 * kMark_mm / mm_a_metre;
     for (const Vec2 arm : {Vec2{half_m * metre.x, 0}, Vec2{0, half_m * metre.y}}) {

@@ -2,6 +2,7 @@
 #include "hidden_lines/ground_lines.hpp"
 
 #include "geometry/on_all_cores.hpp"
+#include "hidden_lines/contour_ticks.hpp"
 #include "placing/contours.hpp"
 #include "placing/coordinate_lines.hpp"
 #include "placing/place_waterlines.hpp"
@@ -72,6 +73,7 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
                               {{"elevation", levels.heights[i]}}});
     add(surface, placed.view,
         isolines(surface, heights_of(terrain), levels.heights_m, {.seen = ground}), first, out);
+    if (style.contours.ticks) add_contour_ticks(terrain, placed, levels, out);
   }
   if (style.asks_for("mesh"))
     add_coordinate_lines(terrain, placed, ground, LineKind::mesh,
@@ -84,6 +86,12 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
                          map_grid_lines(terrain, style.grid_m), out);
   if (style.asks_for("drape")) add_overlays(terrain, placed, style.overlay_above_m, out);
   return out;
+}
+
+double mm_a_metre_at(const PlacedView& placed, ProfilePoint at) {
+  const Vec3 here = project_homogeneous(placed.view, at);
+  return placed.to_page.mm_per_step(here, project_homogeneous(placed.view, {at.u + 1, at.v, at.z}) -
+                                              here);
 }
 
 void append_to(std::vector<EdgeLine>& lines, const GroundLines& on_ground) {

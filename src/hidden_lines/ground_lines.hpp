@@ -25,6 +25,7 @@ struct GroundLine {
 struct GroundFeature {
   LineKind kind;
   Attributes attributes;
+  bool is_tick = false; ///< of short lines, which are no crumbs
 };
 
 struct GroundLines {
@@ -45,6 +46,9 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
 constexpr double kMark_mm = 1.4;
 void add_overlays(const TerrainData& terrain, const PlacedView& placed, double above_m,
                   GroundLines& out);
+
+/// Of what lies on the ground to the right of a point, which has a picture.
+double mm_a_metre_at(const PlacedView& placed, ProfilePoint at);
 
 /// Adds them to a list of lines, in their order.
 void append_to(std::vector<EdgeLine>& lines, const GroundLines& on_ground);

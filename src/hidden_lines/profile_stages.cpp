@@ -58,7 +58,7 @@ void ProfileStages::cut(TimedProfile& timed, std::size_t index) const {
     over_blocks_->seen_parts(depth_m, asked, *work_.ground, timed.parts);
   else
     timed.parts.assign(1, asked);
-  if (profile.planned.runs && !work_.whole_profiles)
+  if (profile.planned.runs && !work_.whole_profiles && !work_.hidden_profiles)
     timed.parts = parts_in_runs(timed.parts, profile.planned, view, work_.placed.cell_m);
   work_.cutter.cut(depth_m, timed.parts, profile.profile);
   watch.mark(timed.cut_s);

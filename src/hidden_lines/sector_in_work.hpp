@@ -37,6 +37,7 @@ struct ProfileInWork {
   std::vector<std::size_t> horizon_sizes;        ///< of each strip, in front of the profile
   std::vector<VisibleRun> visible;               ///< along all of the profile
   Layer strokes;                                 ///< rounded
+  Layer hidden_strokes;                          ///< of what isn't visible, if it is asked for
   double left_out_mm = 0;
   std::size_t dropped_strokes = 0;
 };
@@ -70,6 +71,7 @@ struct SectorInWork {
   const SilhouetteMarks* silhouettes = nullptr;
   const Folds* folds = nullptr;
   bool draws_silhouettes = false;
+  bool hidden_profiles = false; ///< whether what isn't visible of profiles is drawn as well
 
   /// Of a line on the ground.
   std::uint32_t triangle_of(std::uint32_t line) const {

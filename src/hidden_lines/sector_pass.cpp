@@ -158,12 +158,15 @@ bool goes_in_order(const Grid& grid, const Sector& sector, const Instruments& in
 } // namespace
 
 LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
-                          const Instruments& instruments, const SeenGround* ground) {
+                          const Instruments& instruments, const SeenGround* ground,
+                          const HiddenKinds& hidden) {
   LinesOfView out;
+  out.hidden = hidden;
   out.on_ground = ground_lines_of(terrain, placed, style, ground);
   const Grid* grid = grid_in_order(terrain, style, instruments);
   // Solids are hidden by all lines that hide.
   if (!grid || asks_lines(instruments) || !placed.solids.empty() ||
+      hidden.has(LineKind::silhouette) ||
       !std::all_of(placed.sectors.begin(), placed.sectors.end(), [&](const Sector& sector) {
         return goes_in_order(*grid, sector, instruments);
       })) {
@@ -206,20 +209,33 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
                           instruments.vertices_a_strip,
                           lines.silhouettes ? &*lines.silhouettes : nullptr,
                           &folds,
-                          draws_silhouettes(style)};
+                          draws_silhouettes(style),
+                          profiles && profiles->hidden};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
+  // Tone is given to what is seen: planes between those planned are nowhere else.
+  const auto add_hidden = [&](ProfileInWork& profile, std::span<const VisibleRun> visible) {
+    if (profile.planned.level < 0) return;
+    StrokeBuilder builder(profiles->settings, profile.hidden_strokes);
+    ProfileStrokes(placed.view, sector, style.flat == FlatGround::draw, builder)
+        .add(profile.profile, {profile.planned.depth_m, profile.planned.number},
+             hidden_runs(profile.profile, visible));
+  };
   const LayOut lay_out = [&](ProfileInWork& profile) {
     if (!profiles) return;
     profile.strokes.clear();
     StrokeBuilder builder(profiles->settings, profile.strokes);
     ProfileStrokes strokes(placed.view, sector, style.flat == FlatGround::draw, builder);
+    std::vector<VisibleRun> before_solids;
     if (solids) {
-      std::vector<VisibleRun> runs = profile.visible; // which those who watch want as they are
-      leave_out_behind(*solids, profile.profile, runs);
-      strokes.add(profile.profile, profile.planned, runs);
-    } else {
-      strokes.add(profile.profile, profile.planned, profile.visible);
+      before_solids = profile.visible; // which those who watch want as they are
+      leave_out_behind(*solids, profile.profile, before_solids);
+    }
+    const std::vector<VisibleRun>& runs = solids ? before_solids : profile.visible;
+    strokes.add(profile.profile, profile.planned, runs);
+    if (profiles->hidden) {
+      profile.hidden_strokes.clear();
+      add_hidden(profile, runs);
     }
     profile.left_out_mm = builder.left_out_mm();
     profile.dropped_strokes = round_strokes(profile.strokes).empty_strokes;
@@ -228,6 +244,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     Stopwatch own;
     if (profiles) {
       append(profiles->layer, profile.strokes);
+      if (profiles->hidden) append(*profiles->hidden, profile.hidden_strokes);
       profiles->left_out_mm += profile.left_out_mm;
       profiles->dropped_strokes += profile.dropped_strokes;
     }
@@ -270,6 +287,12 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     join(out.visible);
   else
     sort_by_number(out.visible, [](const LinePart& part) { return part.line; });
+  if (lines.hidden.any()) {
+    std::vector<LinePart> hidden = hidden_parts(
+        every_line, lines.listed.size(), lines.hidden,
+        solids ? not_behind(*solids, every_line, found_parts.visible) : found_parts.visible);
+    out.hidden = without(hidden, folds.among(every_line, hidden));
+  }
   watch.mark(seconds.layout);
   if (solids) {
     for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &folded})

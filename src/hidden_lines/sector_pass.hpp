@@ -6,6 +6,7 @@
 #include "draw/stroke_builder.hpp"
 #include "hidden_lines/counts.hpp"
 #include "hidden_lines/ground_lines.hpp"
+#include "hidden_lines/hidden_parts.hpp"
 #include "hidden_lines/instruments.hpp"
 #include "hidden_lines/line_pass.hpp"
 #include "hidden_lines/solid_lines.hpp"
@@ -25,6 +26,7 @@ struct SectorLines {
   std::vector<EdgeLine> found;   ///< lines that the pass has found, behind those of the list
   std::vector<LinePart> visible; ///< all that is visible, less skyline and folds
   std::vector<LinePart> skyline; ///< visible silhouettes that the last horizon is made of
+  std::vector<LinePart> hidden;  ///< as `hidden_parts`, of kinds that are asked for; less folds
   double folded_mm = 0; ///< length of visible silhouettes left out by `Style::silhouette_jump`
   SolidParts solids;    ///< of edges of solids
 };
@@ -39,6 +41,7 @@ struct PassCounts {
 struct ProfileLayer {
   const StrokeSettings& settings;
   Layer& layer;
+  Layer* hidden = nullptr;         ///< gets what isn't visible of them, not rounded
   double left_out_mm = 0;          ///< strokes that were too short
   std::size_t dropped_strokes = 0; ///< without length when rounded
 };
@@ -49,10 +52,12 @@ struct LinesOfView {
   GroundLines on_ground;
   /// The silhouettes, where they aren't listed; each sector finds those that it looks at.
   std::optional<SilhouetteMarks> silhouettes;
+  HiddenKinds hidden = {}; ///< of which what isn't visible is asked for, too
 };
-/// `ground`: what any sector looks at, where that isn't all.
+/// `ground`: what any sector looks at, where that isn't all. Hidden silhouettes need a list.
 LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
-                          const Instruments& instruments, const SeenGround* ground);
+                          const Instruments& instruments, const SeenGround* ground,
+                          const HiddenKinds& hidden = {});
 
 /// `ground` is what the sector looks at, where that isn't all. The visible parts of profiles go to
 /// `profiles`, if there is one. `profile_done` is called after each profile.

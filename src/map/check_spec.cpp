@@ -88,7 +88,8 @@ void check_plan(const PlanRequest& plan) {
       plan);
 }
 
-void check_layers(const std::vector<LayerSpec>& layers) {
+void check_layers(const Style& style) {
+  const std::vector<LayerSpec>& layers = style.layers;
   for (const LayerSpec& spec : layers) {
     const auto is_named = [&](const auto& other) { return other.name == spec.name; };
     if (std::none_of(layer_table().begin(), layer_table().end(), is_named)) {
@@ -99,6 +100,12 @@ void check_layers(const std::vector<LayerSpec>& layers) {
     }
     if (std::count_if(layers.begin(), layers.end(), is_named) > 1)
       throw UsageError(fmt::format("the layer '{}' is asked for twice", spec.name), "once");
+    const LayerRow& row = layer_row(spec.name);
+    if (row.is_hidden() && row.source != LineSource::hidden_solids &&
+        !layer_of(layer_row(row.hidden_of), style))
+      throw UsageError(
+          fmt::format("the layer '{}' has no meaning without '{}'", spec.name, row.hidden_of),
+          "both");
     if (spec.weight) check_above_0("weight", *spec.weight, kNone);
     if (spec.grey) check_range("grey", *spec.grey, 0, 1);
   }
@@ -142,7 +149,7 @@ void check_style(const Style& style, bool has_solids) {
     check_range("light.smooth_mm", style.light->smooth_mm, 0, 100);
   }
   check_range("haze", style.haze.value_or(0), 0, 1);
-  check_layers(style.layers);
+  check_layers(style);
   check_ground_lines(style);
   if (has_solids && style.occluder == Occluder::profiles)
     throw UsageError("solids stand in front of the surface and behind it, not of profiles",

@@ -10,7 +10,8 @@ namespace orograph {
 
 void draw_features(const Surface& surface, const View& view, const std::vector<EdgeLine>& lines,
                    const GroundLines& on_ground, std::size_t first_line,
-                   const std::vector<LinePart>& parts, Layer& layer, StrokeBuilder& builder) {
+                   const std::vector<LinePart>& parts, Layer& layer, StrokeBuilder& builder,
+                   StrokeBuilder& tick_builder) {
   const auto feature_of = [&](const LinePart& part) {
     return on_ground.lines[part.line - first_line].feature;
   };
@@ -26,8 +27,9 @@ void draw_features(const Surface& surface, const View& view, const std::vector<E
     of_feature.assign(first, end);
     first = end;
     const std::size_t before = layer.strokes.size();
-    draw_parts(surface, on_ground.points, view, lines, of_feature, builder);
-    const Attributes& attributes = on_ground.features[feature].attributes;
+    const auto& [kind, attributes, is_tick] = on_ground.features[feature];
+    draw_parts(surface, on_ground.points, view, lines, of_feature,
+               is_tick ? tick_builder : builder);
     if (layer.strokes.size() == before || attributes.empty()) continue;
     for (std::size_t i = before; i < layer.strokes.size(); ++i)
       layer.strokes[i].feature = static_cast<std::int32_t>(layer.features.size());

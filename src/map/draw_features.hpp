@@ -13,10 +13,11 @@
 namespace orograph {
 
 /// Draws parts, by line, of a view's `lines`, from number `first_line` on those of `on_ground`;
-/// feature by feature, so that no stroke is of two. `layer` is the one that `builder` fills; it
-/// gets the features.
+/// feature by feature, so that no stroke is of two; ticks by a builder of their own. `layer` is the
+/// one that both fill; it gets the features.
 void draw_features(const Surface& surface, const View& view, const std::vector<EdgeLine>& lines,
                    const GroundLines& on_ground, std::size_t first_line,
-                   const std::vector<LinePart>& parts, Layer& layer, StrokeBuilder& builder);
+                   const std::vector<LinePart>& parts, Layer& layer, StrokeBuilder& builder,
+                   StrokeBuilder& tick_builder);
 
 } // namespace orograph

@@ -112,6 +112,15 @@ public:
                    std::max(0.0, placed_.sectors.front().view.drawn_from_m), all);
     return all;
   }
+  /// Of lines: what two sectors show of one, and what they hide, meets in the strip between them.
+  std::vector<LinePart> hidden() const {
+    std::vector<LinePart> hidden = of(&SectorLines::hidden);
+    if (sectors_.size() < 2 || hidden.empty()) return hidden;
+    std::vector<LinePart> shown = of(&SectorLines::visible);
+    append(of(&SectorLines::skyline), shown);
+    join(shown);
+    return without(hidden, shown);
+  }
   std::vector<LinePart> of(std::vector<LinePart> SolidParts::*kind) const {
     std::vector<LinePart> all;
     for (const SectorLines& sector : sectors_) append(sector.solids.*kind, all);
@@ -181,8 +190,9 @@ void close_outlines(std::vector<LineLayer>& layers) {
 // All layers that are asked for, in drawing order; `profiles` is drawn already.
 std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& placed,
                                  const Style& style, const std::optional<LineShade>& shade,
-                                 Layer profiles) {
+                                 Layer profiles, Layer hidden_profiles) {
   const std::vector<LinePart> visible = found.of(&SectorLines::visible);
+  const std::vector<LinePart> hidden = found.hidden();
   const auto solids = [&](std::vector<LinePart> SolidParts::*kind,
                           const std::vector<LinePart>& beneath) {
     std::vector<LinePart> parts = found.of(kind);
@@ -200,12 +210,12 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     added.of_solids = of_solids;
     switch (row.source) {
     case LineSource::profiles:
-      added.layer = std::move(profiles);
-      added.is_rounded = true;
+      added.layer = std::move(row.is_hidden() ? hidden_profiles : profiles);
+      added.is_rounded = !row.is_hidden();
       tell_darkness(added.layer, placed);
       break;
     case LineSource::edges:
-      added.parts = of_kind(found.lines(), visible, row.kind);
+      added.parts = of_kind(found.lines(), row.is_hidden() ? hidden : visible, row.kind);
       added.is_joined = row.kind != LineKind::edge;
       if (row.kind == LineKind::silhouette) added.shade = shade;
       if (row.kind == LineKind::border || row.kind == LineKind::void_edge)
@@ -213,7 +223,7 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       added.is_shore = row.kind == LineKind::shore || row.kind == LineKind::waterline;
       break;
     case LineSource::ground:
-      added.parts = of_kind(found.lines(), visible, row.kind);
+      added.parts = of_kind(found.lines(), row.is_hidden() ? hidden : visible, row.kind);
       added.is_on_ground = true;
       if (row.kind == LineKind::drape)
         for (const Overlay& overlay : placed.overlays)
@@ -235,6 +245,7 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     case LineSource::pen_way: // known when all strokes are in order
       break;
     }
+    if (row.is_hidden()) added.shade.reset(); // which would break the dashes' rhythm
   }
   return layers;
 }
@@ -262,14 +273,19 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     instruments.hidden_ground = true; // points are asked of it as well
   }
   const StrokeSettings strokes = stroke_settings(terrain, placed, spec);
-  std::optional<Layer> profiles = layer_of(layer_table().front(), style);
+  std::optional<Layer> profiles = layer_of(layer_row("profiles"), style),
+                       hidden_profiles = layer_of(layer_row("hidden-profiles"), style);
   std::optional<ProfileLayer> profile_layer;
-  if (profiles) profile_layer.emplace(strokes, *profiles);
+  if (profiles)
+    profile_layer.emplace(strokes, *profiles, hidden_profiles ? &*hidden_profiles : nullptr);
+  const HiddenKinds hidden = hidden_kinds(style);
+  if (hidden.any() || hidden_profiles) instruments.hidden_ground = true;
   const std::vector<SeenGround> ground = ground_of_sectors(terrain, placed, style, instruments);
   const std::optional<SeenGround> all_ground = looked_at_by_any(ground);
   LinesOfView lines;
   if (on_ground)
-    lines = lines_of_view(terrain, placed, style, instruments, all_ground ? &*all_ground : nullptr);
+    lines = lines_of_view(terrain, placed, style, instruments, all_ground ? &*all_ground : nullptr,
+                          hidden);
   if (all_ground) counts.looked_at = all_ground->share();
   counts.draped_in_part = lines.on_ground.draped_in_part;
   counts.not_draped = lines.on_ground.not_draped;
@@ -298,23 +314,26 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   const std::optional<LineShade> shade =
       spec.ground_points ? std::nullopt : placed.ridge_shade; // shading cuts strokes
   std::vector<LineLayer> layers =
-      layers_of(found, placed, style, shade, profiles ? std::move(*profiles) : Layer{});
+      layers_of(found, placed, style, shade, profiles ? std::move(*profiles) : Layer{},
+                hidden_profiles ? std::move(*hidden_profiles) : Layer{});
   on_all_cores(layers.size(), [&](std::size_t i) {
     LineLayer& task = layers[i];
     // What is joined is simplified and judged afterwards.
     StrokeSettings own = strokes;
     if (task.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
     own.keeps_depths = (task.is_joined || task.is_on_ground) && !task.is_shore && shade;
-    StrokeBuilder builder(own, task.layer);
+    StrokeSettings of_ticks = own; // a tick that is longer than it is wide is no crumb
+    of_ticks.min_stroke_mm = std::min(own.min_stroke_mm, task.layer.pen_width_mm);
+    StrokeBuilder builder(own, task.layer), tick_builder(of_ticks, task.layer);
     if (task.of_solids)
       draw_edges(placed.solids, placed.view, task.parts, builder);
     else if (task.is_on_ground)
       draw_features(terrain.surface, placed.view, found.lines(), lines.on_ground, first_on_ground,
-                    task.parts, task.layer, builder);
+                    task.parts, task.layer, builder, tick_builder);
     else
       draw_parts(terrain.surface, lines.on_ground.points, placed.view, found.lines(), task.parts,
                  builder);
-    task.left_out_mm = builder.left_out_mm();
+    task.left_out_mm = builder.left_out_mm() + tick_builder.left_out_mm();
   });
   if (outlines_terrain(style, placed.view)) close_outlines(layers);
   on_all_cores(layers.size(), [&](std::size_t i) {
@@ -348,7 +367,8 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     counts.dropped_strokes += profile_layer->dropped_strokes;
   }
   for (LineLayer& of_lines : layers) {
-    left_out.min_stroke_mm += of_lines.left_out_mm;
+    const bool is_unseen = of_lines.layer.is_hidden && !of_lines.of_solids;
+    if (!is_unseen) left_out.min_stroke_mm += of_lines.left_out_mm;
     const RoundingCounts& dropped = of_lines.dropped;
     counts.dropped_strokes += dropped.empty_strokes + dropped.repeated_strokes;
     drawing.layers.push_back(std::move(of_lines.layer));

@@ -12,7 +12,7 @@ constexpr Colour kRock{0x2b, 0x26, 0x22}, kContour{0x9c, 0x62, 0x33}, kWater{0x2
     kEdge{0x8a, 0x8a, 0x8a}, kNet{0x7f, 0x93, 0xa6}, kDrape{0x9b, 0x22, 0x26};
 
 // Ridges and shores are a little heavier than profiles, border, voids and edges lighter.
-constexpr std::array<LayerRow, 17> kLayers{{
+constexpr std::array<LayerRow, 17> kSeen{{
     {.name = "profiles", .source = LineSource::profiles, .map = kRock},
     {"mesh", LineSource::ground, 0.8, 0, LineKind::mesh, kRock},
     {"contours", LineSource::ground, 0.6, 0.2, LineKind::contour, kContour},
@@ -31,13 +31,62 @@ constexpr std::array<LayerRow, 17> kLayers{{
      .source = LineSource::hidden_solids,
      .weight = 0.8,
      .grey = 0.45,
-     .map = kEdge},
+     .map = kEdge,
+     .hidden_of = "solids"},
     {.name = "solids", .source = LineSource::solids, .weight = 1.4, .map = kRock},
     {.name = "pen-up", .source = LineSource::pen_way, .weight = 0.4, .grey = 0.5, .map = kEdge},
 }};
 
-// What lines look like that come with a layer and aren't asked for themselves.
+// What may have hidden lines drawn. The skyline, which nothing stands behind, has none.
+constexpr std::string_view kHidden = "hidden-";
+constexpr std::array<std::string_view, 13> kHiddenNames{
+    "hidden-profiles",   "hidden-mesh",   "hidden-contours", "hidden-index-contours",
+    "hidden-graticule",  "hidden-grid",   "hidden-edges",    "hidden-waterlines",
+    "hidden-shores",     "hidden-border", "hidden-drape",    "hidden-voids",
+    "hidden-silhouettes"};
+
+// How dark hidden lines are beside those that are seen.
+constexpr double kDarknessOfHidden = 0.55;
+
+constexpr Colour lighter(Colour colour) {
+  for (std::uint8_t& part : colour)
+    part = static_cast<std::uint8_t>(255 - kDarknessOfHidden * (255 - part) + 0.5);
+  return colour;
+}
+
+// A hidden line is a little thinner than a visible one of its kind, and much lighter: it is behind
+// the ground that one looks at. Thin dashes lighter than this aren't seen on paper.
+constexpr LayerRow hidden_row(std::string_view name) {
+  constexpr double kWeight = 0.8, kLightest = 0.6;
+  LayerRow row = *std::ranges::find(kSeen, name.substr(kHidden.size()),
+                                    [](const LayerRow& r) { return r.name; });
+  row.hidden_of = row.name;
+  row.name = name;
+  row.weight *= kWeight;
+  row.grey = std::min(kLightest, 1 - kDarknessOfHidden * (1 - row.grey));
+  row.map = lighter(row.map);
+  return row;
+}
+
+constexpr auto kLayers = [] {
+  std::array<LayerRow, kHiddenNames.size() + kSeen.size()> rows{};
+  std::ranges::copy(kSeen, std::ranges::transform(kHiddenNames, rows.begin(), hidden_row).out);
+  return rows;
+}();
+
+// Whether a layer that isn't asked for by its name is drawn all the same: waterlines as a way of
+// drawing water, index contours among the others, hidden ones too.
+bool goes_with_another(const LayerRow& row, const Style& style) {
+  if (row.kind == LineKind::waterline) return !row.is_hidden() && style.draws_waterlines();
+  return row.kind == LineKind::index_contour && style.draws_index_contours() &&
+         (!row.is_hidden() || style.asks_for("hidden-contours"));
+}
+
+// Which layer's colour one has that isn't told its own: hidden lines that of those that are seen,
+// and lines that come with others that of those.
 const LayerSpec* companion_of(const LayerRow& row, const Style& style) {
+  const LayerSpec* const seen = row.is_hidden() ? style.layer(row.hidden_of) : nullptr;
+  if (seen) return seen;
   if (row.kind == LineKind::index_contour) return style.layer("contours");
   return row.kind == LineKind::waterline ? style.layer("shores") : nullptr;
 }
@@ -48,21 +97,35 @@ std::span<const LayerRow> layer_table() {
   return kLayers;
 }
 
+const LayerRow& layer_row(std::string_view name) {
+  return *std::ranges::find(kLayers, name, &LayerRow::name);
+}
+
+HiddenKinds hidden_kinds(const Style& style) {
+  HiddenKinds kinds;
+  for (const LayerRow& row : kLayers)
+    if (row.is_hidden() && (row.source == LineSource::edges || row.source == LineSource::ground) &&
+        layer_of(row, style))
+      kinds.add(row.kind);
+  return kinds;
+}
+
 std::optional<Layer> layer_of(const LayerRow& row, const Style& style) {
   const LayerSpec* const spec = style.layer(row.name);
-  const bool with_another = (row.kind == LineKind::waterline && style.draws_waterlines()) ||
-                            (row.kind == LineKind::index_contour && style.draws_index_contours());
-  if (!spec && !with_another) return std::nullopt;
+  if (!spec && !goes_with_another(row, style)) return std::nullopt;
   Layer layer;
   layer.name = row.name;
   layer.pen_width_mm =
       (spec ? spec->weight : std::nullopt).value_or(row.weight) * style.pen_width_mm;
   layer.grey = (spec ? spec->grey : std::nullopt).value_or(row.grey);
   const bool is_told = spec && (spec->colour || spec->grey);
-  if (const LayerSpec* const like = is_told ? spec : companion_of(row, style))
-    layer.colour = like->colour;
-  if (!layer.colour && !is_told && style.palette == Palette::map) layer.colour = row.map;
-  layer.is_hidden = row.source == LineSource::hidden_solids;
+  if (is_told)
+    layer.colour = spec->colour;
+  else if (const LayerSpec* const like = companion_of(row, style); like && like->colour)
+    layer.colour = row.is_hidden() ? lighter(*like->colour) : *like->colour;
+  else if (style.palette == Palette::map)
+    layer.colour = row.map;
+  layer.is_hidden = row.is_hidden();
   layer.is_pen_way = row.source == LineSource::pen_way;
   return layer;
 }

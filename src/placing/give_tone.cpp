@@ -138,6 +138,7 @@ void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec) 
   request.greatest_width_mm = widths.greatest_mm;
   request.haze = shows_beside(placed.view) ? 0 : style.haze_in(placed.view.is_perspective());
   request.draws_level = style.flat == FlatGround::draw;
+  request.keeps_unseen = style.asks_for("hidden-profiles");
   std::vector<double> depths_m;
   // What is behind the eye has depths below 0, and comes first.
   for (std::size_t i = placed.sectors.size(); i-- > 0;) {

@@ -123,6 +123,7 @@ struct ContourSpec {
   std::optional<double> unit_m =
       {};              ///< of all of these, in metres; none: that of the file's heights
   int index_every = 5; ///< every how many-th interval has index contours; 0: none
+  bool ticks = false;  ///< down the slope from those around lower ground
 };
 
 /// A mesh of lines on the ground, as far apart everywhere in plan.

@@ -85,7 +85,9 @@ std::vector<TonedProfile> toned_profiles(const SurfaceCutter& cutter, const Tone
       toned[j].darkness.assign(place.darkness.begin(), place.darkness.end());
   });
   if (request.is_even)
-    std::erase_if(toned, [](const TonedProfile& profile) { return profile.runs.empty(); });
+    std::erase_if(toned, [&](const TonedProfile& profile) {
+      return profile.runs.empty() && !(request.keeps_unseen && profile.level >= 0);
+    });
   return toned;
 }
 

@@ -44,7 +44,8 @@ struct TonePage {
 /// The columns of a page in which its ground is looked at, half a millimetre wide.
 PageColumns columns_of(const TonePage& page);
 
-/// Profiles for those planned, front to back; those of which nothing would be drawn are left out.
+/// Profiles for those planned, front to back; those of which nothing would be drawn are left out,
+/// unless the request keeps those planned.
 ///
 /// The ground is sampled in `columns_of` the page, under each planned profile
 /// and under as many more as are needed (`plan_on_page`). With s the distance on the page, across

@@ -29,8 +29,9 @@ struct ToneRequest {
   double pen_width_mm; ///< of lines without light
   double least_width_mm, greatest_width_mm; ///< of lines that carry light
   std::optional<GroundLight> light;
-  double haze = 0;          ///< share of their darkness that the farthest lines lose
-  bool draws_level = false; ///< whether level ground has lines
+  double haze = 0;           ///< share of their darkness that the farthest lines lose
+  bool draws_level = false;  ///< whether level ground has lines
+  bool keeps_unseen = false; ///< planned profiles stay where nothing of them would be drawn
 
   bool is_shown_by(LightShownBy way) const { return light && light->shown_by == way; }
 };

@@ -47,6 +47,25 @@ TEST_CASE("options of pens, plotters and sheets") {
   CHECK(sheets.map.page.height_mm == 3 * 190 - 2 * 8 + 20);
 }
 
+TEST_CASE("options of hidden lines") {
+  const Style some = given({"--contours", "5m", "--hidden-layers", "contours,profiles"}).map.style;
+  CHECK(some.asks_for("hidden-contours"));
+  CHECK(some.asks_for("hidden-profiles"));
+  CHECK_FALSE(some.asks_for("hidden"));
+  const auto omitted = given({"--hidden", "omit"});
+  CHECK(omitted.hidden_layers.empty());
+  CHECK(
+      given({"--hidden", "dash", "--hidden-layers", "border"}).map.style.asks_for("hidden-border"));
+  // Layers that are drawn without being named have hidden lines as well.
+  CHECK(given({"--flat", "waterlines", "--hidden-layers", "waterlines"})
+            .map.style.asks_for("hidden-waterlines"));
+  CHECK(given({"--void-edges", "--hidden-layers", "voids"}).map.style.asks_for("hidden-voids"));
+  check_refused({"--hidden-layers", "mesh"}, "add mesh to --layers");
+  check_refused({"--hidden-layers", "skyline"}, "each once of profiles");
+  check_refused({"--hidden", "omit", "--hidden-layers", "border"}, "leave --hidden omit out");
+  check_refused({"--hidden", "dash"}, "--hidden-layers for other lines");
+}
+
 TEST_CASE("options of lines on the ground") {
   CHECK_FALSE(given({}).map.style.asks_for("contours"));
   const Style every = given({"--contours", "200ft", "--contour-offset", "10"}).map.style;
@@ -64,6 +83,9 @@ TEST_CASE("options of lines on the ground") {
   CHECK_FALSE(given({"--contours", "auto"}).map.style.contours.interval);
   CHECK(given({"--layers", "contours"}).map.style.draws_index_contours());
   CHECK_FALSE(given({"--contours", "5m", "--index-every", "0"}).map.style.draws_index_contours());
+  CHECK_FALSE(given({"--contours", "5m"}).map.style.contours.ticks);
+  CHECK(given({"--contours", "5m", "--contour-ticks"}).map.style.contours.ticks);
+  check_refused({"--contour-ticks"}, "give --contours INTERVAL too");
   check_refused({"--contours", "0m"}, "an interval above 0");
   check_refused({"--contours", "inf"}, "an interval above 0");
   check_refused({"--contours", "5m,"}, "an interval above 0");

@@ -18,8 +18,8 @@ namespace {
 constexpr int kHillSide = 20;
 
 MadeFolder& with_hill(MadeFolder& folder) {
-  folder.write("hill.asc",
-               ascii_grid(kHillSide, kHillSide, [](int x, int y) { return hill_m(x, y, kHillSide); }));
+  folder.write("hill.asc", ascii_grid(kHillSide, kHillSide,
+                                      [](int x, int y) { return hill_m(x, y, kHillSide); }));
   return folder;
 }
 

@@ -90,6 +90,10 @@ TEST_CASE("numbers out of their range, and wishes that exclude each other, are t
        [](MapSpec& s) {
          s.style.layers = {"shores", "shores"};
        }},
+      {"the layer 'hidden-mesh' has no meaning without 'mesh'",
+       [](MapSpec& s) {
+         s.style.layers = {"profiles", "hidden-mesh"};
+       }},
       {"`grey` is 1.5", [](MapSpec& s) { s.style.layers.front().grey = 1.5; }},
       {"`width_mm` is nan", [&](MapSpec& s) { s.page.width_mm = none; }},
       {"margins of 105 mm leave no room", [](MapSpec& s) { s.page.margin_mm = 105; }}};

@@ -106,7 +106,17 @@ TEST_CASE("views, styles and pages of a terrain with solids on it") {
   check_same({dem, "--scene", scene},
              [&] { return Session(Terrain::read({dem}), Solids::read(scene)); },
              {{"svg", {}, {}}, all_layers, coloured});
-  check_same({dem}, [&] { return Session(Terrain::read({dem})); }, {profiles_alone});
+  const Request hidden{
+      "svg",
+      {"--contours", "20m", "--contour-ticks", "--hidden-layers", "contours,border,profiles"},
+      [](MapSpec& spec) {
+        spec.style.contours.interval = 20;
+        spec.style.contours.unit_m = 1;
+        spec.style.contours.ticks = true;
+        spec.style.layers.insert(spec.style.layers.end(), {"contours", "hidden-contours",
+                                                           "hidden-border", "hidden-profiles"});
+      }};
+  check_same({dem}, [&] { return Session(Terrain::read({dem})); }, {profiles_alone, hidden});
 }
 
 TEST_CASE("a terrain in degrees, from its side and from an eye on it") {

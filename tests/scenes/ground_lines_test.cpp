@@ -57,6 +57,7 @@ RandomScene with_lines(std::uint64_t seed, Random& random) {
   if (random.chance(0.3)) style.overlay_above_m = random.between(0, 20);
   style.join_mm = scene.spec.style.min_stroke_mm.emplace(0);
   style.contours.index_every = random.whole(0, 3);
+  style.contours.ticks = seed % 2 == 1;
   if (random.chance(0.3)) { // many of them through vertices
     const auto heights = std::get<Heights<float>>(grid_of(scene.terrain).heights_m).own();
     const float step = random.chance(0.5) ? 1 : 20;
