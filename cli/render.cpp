@@ -18,6 +18,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <span>
 #include <vector>
 
 namespace orograph {
@@ -91,7 +92,10 @@ void render(const RenderSettings& settings) {
   if (!settings.quiet) tell_overlays(overlays, map.facts.counts);
 
   const auto write_start = Clock::now();
-  write_outputs(map.drawing, settings);
+  const std::vector<Drawing> pages = sheets_and_overview(map.drawing, settings);
+  const std::span<const Drawing> sheets =
+      std::span(pages).first(pages.empty() ? 0 : pages.size() - 1);
+  write_outputs(map.drawing, pages, settings);
   StageSeconds& seconds = map.facts.seconds;
   seconds.read = read_s;
   seconds.place = place_s;
@@ -100,10 +104,10 @@ void render(const RenderSettings& settings) {
   if (!settings.report.empty()) {
     seconds.total = seconds_since(start);
     describe_map(map, *terrain, placed, settings.map);
-    write_report(run_report(map, settings), settings.report, settings.write.overwrite);
+    write_report(run_report(map, settings, sheets), settings.report, settings.write.overwrite);
   }
   if (!settings.quiet)
-    fmt::print(stderr, "{}", closing_lines(map, placed, settings, seconds_since(start)));
+    fmt::print(stderr, "{}", closing_lines(map, sheets, placed, settings, seconds_since(start)));
 }
 
 } // namespace orograph

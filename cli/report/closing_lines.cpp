@@ -62,11 +62,10 @@ std::string of_plan(const PlacedView& placed, const MapSpec& spec) {
 
 } // namespace
 
-std::string closing_lines(const Map& map, const PlacedView& placed, const RenderSettings& settings,
-                          double seconds) {
-  const std::uint64_t strokes = map.facts.counts.strokes;
-  const PenTravel travel = pen_travel(map.drawing);
-  const auto known = sum_of(minutes_by_layer(map.drawing, settings));
+std::string closing_lines(const Map& map, std::span<const Drawing> sheets, const PlacedView& placed,
+                          const RenderSettings& settings, double seconds) {
+  const PenWork work = pen_work(sheets.empty() ? std::span(&map.drawing, 1) : sheets, settings);
+  const auto known = sum_of(work.minutes);
   const std::string minutes =
       known ? fmt::format(", {:.0f} minutes for the pen", std::ceil(*known)) : "";
   const std::vector<std::string> names = output_names(settings);
@@ -76,9 +75,9 @@ std::string closing_lines(const Map& map, const PlacedView& placed, const Render
                                   : fmt::format("{} to {}", names.front(), names[names.size() - 2]);
   return of_plan(placed, settings.map) +
          fmt::format("orograph: {}: {} {}, {:.1f} m of ink{}, {}, {}, {:.1f} s\n", written,
-                     grouped(strokes), strokes == 1 ? "stroke" : "strokes", 1e-3 * travel.down_mm,
-                     minutes, view_in_words(placed, settings.map.view), heights_in_words(placed),
-                     seconds);
+                     grouped(work.strokes), work.strokes == 1 ? "stroke" : "strokes",
+                     1e-3 * work.travel().down_mm, minutes,
+                     view_in_words(placed, settings.map.view), heights_in_words(placed), seconds);
 }
 
 } // namespace orograph

@@ -257,10 +257,10 @@ void set_text(CPLStringList& options, const char* name, const std::string& text)
 
 // The nearest of the line weights that DXF knows, in 1/100 mm.
 int dxf_weight(double width_mm) {
-  constexpr int weights[] = {5,  9,  13, 15, 18, 20,  25,  30,  35,  40,  50, 53,
+  constexpr int weights[] = {5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50, 53,
                              60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211};
-  return *std::ranges::min_element(
-      weights, {}, [&](int weight) { return std::abs(weight - 100 * width_mm); });
+  return *std::ranges::min_element(weights, {},
+                                   [&](int weight) { return std::abs(weight - 100 * width_mm); });
 }
 
 // As CAD has them: Y up, a layer, a colour and a weight for each line.

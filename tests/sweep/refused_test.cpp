@@ -80,7 +80,8 @@ TEST_CASE("a sweep goes on only as the same sweep") {
   const Words by_pens = words("sweep hill.asc inked --azimuth 0,90 --pens pens.toml -q");
   run_well(folder, by_pens);
   fs::copy(folder.path("pens.toml"), folder.path("elsewhere/pens.toml"));
-  run_well(folder, words("sweep hill.asc inked --azimuth 0,90 --pens elsewhere/pens.toml --resume"));
+  run_well(folder,
+           words("sweep hill.asc inked --azimuth 0,90 --pens elsewhere/pens.toml --resume"));
   folder.write("pens.toml", "[[pen]]\nnumber = 1\nwidth = 0.2\n");
   refused(by_pens + words("--resume"), "inked holds a sweep with --pens pens.toml ");
 

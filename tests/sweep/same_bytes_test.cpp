@@ -104,7 +104,8 @@ TEST_CASE("by pens, within a rectangle, for a plotter", "[slow]") {
   make_terrains(folder);
   folder.write("pens.toml", "[[pen]]\nnumber = 2\nwidth = 0.1\nlayers = ['profiles']\n"
                             "[[pen]]\nnumber = 1\nwidth = 0.4\nspeed = 30\n");
-  folder.write("mine.toml", "language = 'hpgl'\nname = 'mine'\nunit = 0.05\npens = 2\nwait = 'NR;'\n");
+  folder.write("mine.toml",
+               "language = 'hpgl'\nname = 'mine'\nunit = 0.05\npens = 2\nwait = 'NR;'\n");
   for (const std::string format : {"svg", "hpgl"})
     check_same(folder, {"hill.asc"}, format,
                words("--page 60x45 --margin 2 --pens pens.toml --pause-between-pens --clip-to "
