@@ -97,14 +97,8 @@ void check_pens(RenderSettings& settings, const GivenOptions& given) {
   std::vector<std::string_view> layers;
   for (const LayerRow& row : layer_table())
     if (row.source != LineSource::pen_way) layers.push_back(row.name);
-  settings.pens = read_pens(settings.pens_file, layers);
   const auto& device = settings.write.device;
-  if (!device || !device->pens) return;
-  for (const PenOfLayers& one : settings.pens)
-    if (one.pen.number > *device->pens)
-      throw UsageError(fmt::format("{}: pen {} of the {}, which has {}", settings.pens_file,
-                                   one.pen.number, device->name, *device->pens),
-                       fmt::format("give numbers up to {}", *device->pens));
+  settings.pens = read_pens(settings.pens_file, layers, device ? &*device : nullptr);
 }
 
 void check_sheets(RenderSettings& settings, const GivenOptions& given) {

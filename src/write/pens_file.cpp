@@ -87,7 +87,7 @@ PenOfLayers pen_of(const TomlTable& table, std::span<const std::string_view> kno
 } // namespace
 
 std::vector<PenOfLayers> read_pens(const std::string& path,
-                                   std::span<const std::string_view> layers) {
+                                   std::span<const std::string_view> layers, const Device* device) {
   const std::string text =
       text_of_file(path, {.most_bytes = 1'000'000, .noun = "pens", .right = kPensRight});
   check_toml_nesting(text, path, kPensRight);
@@ -102,6 +102,10 @@ std::vector<PenOfLayers> read_pens(const std::string& path,
             pens, [&](const PenOfLayers& other) { return other.pen.number == pen.pen.number; }))
       throw Error(fmt::format("{}: a second pen {}", one.place(one.at("number")), pen.pen.number),
                   "give each a number of its own");
+    if (device != nullptr && device->pens && pen.pen.number > *device->pens)
+      throw Error(fmt::format("{}: pen {} of the {}, which has {}", one.place(one.at("number")),
+                              pen.pen.number, device->name, *device->pens),
+                  fmt::format("give numbers up to {}", *device->pens));
     pens.push_back(pen);
   }
   if (pens.empty()) throw Error(path + " holds no pen", kPensRight);
