@@ -70,8 +70,8 @@ std::string closing_lines(const Map& map, std::span<const Drawing> sheets, const
       known ? fmt::format(", {:.0f} minutes for the pen", std::ceil(*known)) : "";
   const std::vector<std::string> names = output_names(settings);
   const std::string written = settings.output == "-" ? "standard output"
-                              : names.size() == 1
-                                  ? settings.output
+                              : names.size() <= 2 // a single sheet has an overview too
+                                  ? names.front()
                                   : fmt::format("{} to {}", names.front(), names[names.size() - 2]);
   return of_plan(placed, settings.map) +
          fmt::format("orograph: {}: {} {}, {:.1f} m of ink{}, {}, {}, {:.1f} s\n", written,
