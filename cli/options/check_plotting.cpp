@@ -46,7 +46,10 @@ void check_device(RenderSettings& settings, const GivenOptions& given) {
           "leave it out, or give --of hpgl or --of gcode");
     return;
   }
-  if (settings.device.empty()) return; // the format's own
+  if (settings.device.empty()) {
+    settings.write.device = device_of(settings.write); // the format's own
+    return;
+  }
   settings.write.device = read_device(settings.device);
   if (settings.write.device->language == language) return;
   const bool speaks_hpgl = settings.write.device->language == Device::Language::hpgl;

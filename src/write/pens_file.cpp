@@ -106,6 +106,11 @@ std::vector<PenOfLayers> read_pens(const std::string& path,
       throw Error(fmt::format("{}: pen {} of the {}, which has {}", one.place(one.at("number")),
                               pen.pen.number, device->name, *device->pens),
                   fmt::format("give numbers up to {}", *device->pens));
+    if (device != nullptr && device->language == Device::Language::hpgl && pen.pen.waits &&
+        device->wait.empty())
+      throw Error(fmt::format("{}: the {} has no word to wait for a pen",
+                              one.place(one.at("pause")), device->name),
+                  "give a device with the key wait, or leave pause out");
     pens.push_back(pen);
   }
   if (pens.empty()) throw Error(path + " holds no pen", kPensRight);

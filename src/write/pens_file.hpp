@@ -17,8 +17,8 @@ namespace orograph {
 /// (black), speed in mm/s, height in percent, pause, and layers, which may be left out
 /// (docs/plotters.md). `layers` are those that there are. Throws Error of one line that begins with
 /// the file's name, and line where there is one, for a file that can't be read, isn't TOML or has
-/// no pen, for other keys, values that make no pen, unknown layers, a number that is given twice
-/// and one that `device` hasn't, where there is one.
+/// no pen, for other keys, values that make no pen, unknown layers, a number that is given twice,
+/// and, where there is a device, a pen that it hasn't or can't wait for.
 OROGRAPH_API std::vector<PenOfLayers> read_pens(const std::string& path,
                                                 std::span<const std::string_view> layers,
                                                 const Device* device = nullptr);

@@ -85,7 +85,7 @@ TEST_CASE("what is wrong with a file of pens is told with its line") {
   }
 }
 
-TEST_CASE("a pen that a device hasn't is told with its line") {
+TEST_CASE("a pen that a device hasn't, or can't wait for, is told with its line") {
   const TemporaryFolder folder;
   fill_file(folder.file("p.toml"),
             "[[pen]]\nnumber = 6\nwidth = 1\n[[pen]]\nwidth = 1\nnumber = 7\n");
@@ -96,6 +96,11 @@ TEST_CASE("a pen that a device hasn't is told with its line") {
                                             "numbers up to 6");
   CHECK(read_pens(folder.file("p.toml"), kLayers, &eight).size() == 2);
   CHECK(read_pens(folder.file("p.toml"), kLayers, &hand).size() == 2);
+  fill_file(folder.file("p.toml"), "[[pen]]\nnumber = 6\nwidth = 1\npause = true\n");
+  CHECK_THROWS_WITH(read_pens(folder.file("p.toml"), kLayers, &six),
+                    folder.file("p.toml") + ", line 4: the HP 7475A has no word to wait for a pen: "
+                                            "give a device with the key wait, or leave pause out");
+  CHECK(read_pens(folder.file("p.toml"), kLayers, &hand).size() == 1);
 }
 
 TEST_CASE("SVG's layers carry AxiDraw's words for their pens") {
