@@ -58,12 +58,18 @@ std::vector<std::string> output_names(const RenderSettings& settings) {
   return names;
 }
 
-void write_outputs(const Drawing& drawing, const RenderSettings& settings) {
-  if (!settings.sheets) return write_drawing(drawing, settings.output, settings.write);
-  std::vector<Drawing> drawings = sheets_of(drawing, settings.sheet, *settings.sheets);
-  drawings.push_back(overview_of(drawing, settings.sheet, *settings.sheets));
-  for (Drawing& one : drawings) order_pens(one, settings);
-  write_drawings(drawings, output_names(settings), settings.write);
+std::vector<Drawing> sheets_and_overview(const Drawing& drawing, const RenderSettings& settings) {
+  if (!settings.sheets) return {};
+  std::vector<Drawing> all = sheets_of(drawing, settings.sheet, *settings.sheets);
+  all.push_back(overview_of(drawing, settings.sheet, *settings.sheets));
+  for (Drawing& one : all) order_pens(one, settings);
+  return all;
+}
+
+void write_outputs(const Drawing& drawing, const std::vector<Drawing>& sheets,
+                   const RenderSettings& settings) {
+  if (sheets.empty()) return write_drawing(drawing, settings.output, settings.write);
+  write_drawings(sheets, output_names(settings), settings.write);
 }
 
 } // namespace orograph

@@ -18,7 +18,13 @@ void finish_drawing(Map& map, const RenderSettings& settings);
 /// "map-overview.svg".
 std::vector<std::string> output_names(const RenderSettings& settings);
 
-/// Writes all of them, or none where one can't be written.
-void write_outputs(const Drawing& drawing, const RenderSettings& settings);
+/// The sheets that the settings ask for, each in the pen's order, and behind them the overview;
+/// none where one page is drawn.
+std::vector<Drawing> sheets_and_overview(const Drawing& drawing, const RenderSettings& settings);
+
+/// Writes the drawing, or all of `sheets` where there are any, or nothing where one can't be
+/// written.
+void write_outputs(const Drawing& drawing, const std::vector<Drawing>& sheets,
+                   const RenderSettings& settings);
 
 } // namespace orograph

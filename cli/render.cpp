@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -91,7 +92,10 @@ void render(const RenderSettings& settings) {
   if (!settings.quiet) tell_overlays(overlays, map.facts.counts);
 
   const auto write_start = Clock::now();
-  write_outputs(map.drawing, settings);
+  const std::vector<Drawing> pages = sheets_and_overview(map.drawing, settings);
+  const std::span<const Drawing> sheets =
+      std::span(pages).first(pages.empty() ? 0 : pages.size() - 1);
+  write_outputs(map.drawing, pages, settings);
   StageSeconds& seconds = map.facts.seconds;
   seconds.read = read_s;
   seconds.place = place_s;
@@ -100,10 +104,11 @@ void render(const RenderSettings& settings) {
   if (!settings.report.empty()) {
     seconds.total = seconds_since(start);
     describe_map(map, *terrain, placed, settings.map);
-    write_report(run_report(map, settings), settings.report, settings.write.overwrite);
+    write_report(run_report(map, settings, sheets), settings.report, settings.write.overwrite);
   }
   if (!settings.quiet)
-    for (const std::string& line : closing_lines(map, placed, settings, seconds_since(start)))
+    for (const std::string& line :
+         closing_lines(map, sheets, placed, settings, seconds_since(start)))
       say_line(line);
 }
 

@@ -46,7 +46,10 @@ void check_device(RenderSettings& settings, const GivenOptions& given) {
           "leave it out, or give --of hpgl or --of gcode");
     return;
   }
-  if (settings.device.empty()) return; // the format's own
+  if (settings.device.empty()) {
+    settings.write.device = device_of(settings.write); // the format's own
+    return;
+  }
   settings.write.device = read_device(settings.device);
   if (settings.write.device->language == language) return;
   const bool speaks_hpgl = settings.write.device->language == Device::Language::hpgl;
@@ -97,14 +100,8 @@ void check_pens(RenderSettings& settings, const GivenOptions& given) {
   std::vector<std::string_view> layers;
   for (const LayerRow& row : layer_table())
     if (row.source != LineSource::pen_way) layers.push_back(row.name);
-  settings.pens = read_pens(settings.pens_file, layers);
   const auto& device = settings.write.device;
-  if (!device || !device->pens) return;
-  for (const PenOfLayers& one : settings.pens)
-    if (one.pen.number > *device->pens)
-      throw UsageError(fmt::format("{}: pen {} of the {}, which has {}", settings.pens_file,
-                                   one.pen.number, device->name, *device->pens),
-                       fmt::format("give numbers up to {}", *device->pens));
+  settings.pens = read_pens(settings.pens_file, layers, device ? &*device : nullptr);
 }
 
 // A layer that comes with another, as index contours do, has no entry in the style's list.

@@ -2,6 +2,7 @@
 // A command line against the table of a command's options.
 #include "cli/options/parse_arguments.hpp"
 
+#include "cli/options/options.hpp"
 #include "cli/options/settings_file.hpp"
 #include "cli/options/suggest_option.hpp"
 #include "geometry/error.hpp"
@@ -80,10 +81,17 @@ std::vector<std::string> tie_values(const Command& command,
   return tied;
 }
 
+bool is_of_render(const std::string& name) {
+  RenderSettings settings;
+  return find_option(render_command(settings), name) != nullptr;
+}
+
 [[noreturn]] void refuse_unknown(const Command& command, const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
   const std::string meant = suggestion(command, name);
-  throw UsageError(fmt::format("unknown option {}", name),
+  throw UsageError(command.name == "sweep" && is_of_render(name)
+                       ? fmt::format("{} is an option of orograph render that a sweep hasn't", name)
+                       : fmt::format("unknown option {}", name),
                    meant.empty() ? see_help(command)
                                  : fmt::format("{}{} {}", meant, meant.ends_with('?') ? "" : ";",
                                                see_help(command)));

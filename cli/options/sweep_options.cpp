@@ -8,13 +8,18 @@
 #include "cli/options/option_values.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/parse_arguments.hpp"
+#include "cli/sweep/fingerprint.hpp"
 #include "geometry/error.hpp"
+#include "text/text_of_file.hpp"
+#include "write/device.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
+#include <string_view>
 
 namespace orograph {
 namespace {
@@ -205,14 +210,24 @@ std::vector<Conflict> sweep_conflicts() {
   return conflicts;
 }
 
+// A small text by its name and by what it says.
+std::vector<std::string> what_it_says(const std::string& path) {
+  const std::string text = text_of_file(path, {.most_bytes = 1'000'000, .noun = "a text"});
+  return {std::filesystem::path(path).filename().string(), fingerprint(std::string_view(text))};
+}
+
 // Where the files are, and how the work is done, decides nothing of what is drawn.
-std::map<std::string, std::vector<std::string>> deciding(const GivenOptions& given) {
+std::map<std::string, std::vector<std::string>> deciding(const GivenOptions& given,
+                                                         const RenderSettings& render) {
   std::map<std::string, std::vector<std::string>> values;
   for (const auto& [name, option] : given) values[name] = option.values;
   for (const char* option : {"INPUT", "OUT_DIR", "--overwrite", "--resume", "--jobs", "--shard",
                              "--yes", "--quiet", "--progress", "--no-progress", "--settings",
                              "--eye-path", "--views", "--breaklines", "--boundary", "--scene"})
     values.erase(option);
+  if (values.contains("--pens")) values["--pens"] = what_it_says(render.pens_file);
+  if (values.contains("--device") && is_device_file(render.device))
+    values["--device"] = what_it_says(render.device);
   return values;
 }
 
@@ -282,7 +297,10 @@ Command sweep_command(SweepSettings& settings) {
   add_scene_options(picture, render);
   add_page_options(picture, render);
   add_output_options(picture, render);
-  for (const char* option : {"--view", "--report", "--overwrite"}) taken(picture, option);
+  add_plotting_options(picture, render);
+  // A view is a file.
+  for (const char* option : {"--view", "--report", "--overwrite", "--sheets", "--overlap"})
+    taken(picture, option);
   for (Option& option : picture)
     if (option.name == "--of") {
       option.help = "Format of the drawings";
@@ -329,7 +347,7 @@ std::optional<SweepSettings> parse_sweep(const std::vector<std::string>& argumen
   const auto given = parse_arguments(sweep_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
   check_sweep(settings, given);
-  settings.options = deciding(given);
+  settings.options = deciding(given, settings.render);
   return settings;
 }
 

@@ -66,23 +66,23 @@ std::optional<std::string> of_plan(const PlacedView& placed, const MapSpec& spec
 
 } // namespace
 
-std::vector<std::string> closing_lines(const Map& map, const PlacedView& placed,
-                                       const RenderSettings& settings, double seconds) {
-  const std::uint64_t strokes = map.facts.counts.strokes;
-  const PenTravel travel = pen_travel(map.drawing);
-  const auto known = sum_of(minutes_by_layer(map.drawing, settings));
+std::vector<std::string> closing_lines(const Map& map, std::span<const Drawing> sheets,
+                                       const PlacedView& placed, const RenderSettings& settings,
+                                       double seconds) {
+  const PenWork work = pen_work(sheets.empty() ? std::span(&map.drawing, 1) : sheets, settings);
+  const auto known = sum_of(work.minutes);
   const std::string minutes =
       known ? fmt::format(", {:.0f} minutes for the pen", std::ceil(*known)) : "";
   const std::vector<std::string> names = output_names(settings);
   const std::string written = settings.output == "-" ? "standard output"
-                              : names.size() == 1
-                                  ? settings.output
+                              : names.size() <= 2 // a single sheet has an overview too
+                                  ? names.front()
                                   : fmt::format("{} to {}", names.front(), names[names.size() - 2]);
   std::vector<std::string> lines;
   if (auto plan = of_plan(placed, settings.map)) lines.push_back(std::move(*plan));
   lines.push_back(
-      fmt::format("{}: {} {}, {:.1f} m of ink{}, {}, {}, {:.1f} s", written, grouped(strokes),
-                  strokes == 1 ? "stroke" : "strokes", 1e-3 * travel.down_mm, minutes,
+      fmt::format("{}: {} {}, {:.1f} m of ink{}, {}, {}, {:.1f} s", written, grouped(work.strokes),
+                  work.strokes == 1 ? "stroke" : "strokes", 1e-3 * work.travel().down_mm, minutes,
                   view_in_words(placed, settings.map.view), heights_in_words(placed), seconds));
   return lines;
 }

@@ -38,4 +38,41 @@ std::optional<double> sum_of(const std::vector<std::optional<double>>& minutes) 
   return sum;
 }
 
+PenTravel PenWork::travel() const {
+  PenTravel sum;
+  for (const LayerFacts& layer : layers) {
+    sum.down_mm += layer.ink_mm;
+    sum.up_mm += layer.pen_up_mm;
+    sum.lifts += layer.pen_lifts;
+  }
+  return sum;
+}
+
+PenWork pen_work(std::span<const Drawing> pages, const RenderSettings& settings) {
+  PenWork work;
+  for (const Drawing& page : pages) {
+    const std::vector<PenTravel> travel = pen_travel_by_layer(page);
+    const std::vector<std::optional<double>> minutes = minutes_by_layer(page, settings);
+    work.layers.resize(travel.size());
+    work.minutes.resize(travel.size(), 0.0);
+    for (std::size_t i = 0; i < travel.size(); ++i) {
+      const Layer& layer = page.layers[i];
+      LayerFacts& sum = work.layers[i];
+      sum.name = layer.name;
+      sum.strokes += layer.strokes.size();
+      sum.ink_mm += travel[i].down_mm;
+      sum.pen_up_mm += travel[i].up_mm;
+      sum.pen_lifts += travel[i].lifts;
+      if (work.minutes[i] && minutes[i])
+        *work.minutes[i] += *minutes[i];
+      else
+        work.minutes[i].reset();
+      if (layer.is_pen_way) continue;
+      work.strokes += layer.strokes.size();
+      work.points += layer.page_mm.size();
+    }
+  }
+  return work;
+}
+
 } // namespace orograph

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "cli/render_settings.hpp"
+#include "map/map_facts.hpp"
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace orograph {
@@ -15,5 +18,17 @@ std::vector<std::optional<double>> minutes_by_layer(const Drawing& drawing,
 
 /// Of all layers; none where one isn't known, or there is none.
 std::optional<double> sum_of(const std::vector<std::optional<double>>& minutes);
+
+/// What pages take together that are drawn one after another.
+struct PenWork {
+  std::vector<LayerFacts> layers;
+  std::vector<std::optional<double>> minutes; ///< of each layer
+  std::uint64_t strokes = 0, points = 0;      ///< but those that show the pen's way
+
+  PenTravel travel() const;
+};
+
+/// REQUIRES the same layers on all pages.
+PenWork pen_work(std::span<const Drawing> pages, const RenderSettings& settings);
 
 } // namespace orograph

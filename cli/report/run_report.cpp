@@ -2,6 +2,7 @@
 // The run report as JSON, written.
 #include "cli/report/run_report.hpp"
 
+#include "cli/finish_drawing.hpp"
 #include "cli/render_settings.hpp"
 #include "cli/report/pen_time.hpp"
 #include "cli/version.hpp"
@@ -167,6 +168,36 @@ Json json_of(const std::vector<LayerFacts>& layers,
   return list;
 }
 
+Json json_of(const std::vector<SheetFacts>& sheets) {
+  Json list = Json::array();
+  for (const SheetFacts& sheet : sheets)
+    list.push_back({{"path", sheet.path},
+                    {"strokes", sheet.strokes},
+                    {"ink_mm", sheet.travel.down_mm},
+                    {"pen_up_mm", sheet.travel.up_mm},
+                    {"pen_lifts", sheet.travel.lifts},
+                    {"pen_minutes", or_null(sheet.minutes)}});
+  return list;
+}
+
+void count_sheets(RunReport& report, std::span<const Drawing> sheets,
+                  const RenderSettings& settings) {
+  const std::vector<std::string> names = output_names(settings);
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    const PenWork one = pen_work(sheets.subspan(i, 1), settings);
+    report.sheets.push_back({names[i], one.strokes, one.travel(), sum_of(one.minutes)});
+  }
+  const PenWork all = pen_work(sheets, settings);
+  report.layers = all.layers;
+  report.minutes_of_layers = all.minutes;
+  report.counts.strokes = all.strokes;
+  report.counts.points = all.points;
+  const PenTravel travel = all.travel();
+  report.pen_down_mm = travel.down_mm;
+  report.pen_up_mm = travel.up_mm;
+  report.pen_lifts = travel.lifts;
+}
+
 Json json_of(const CheckCounts& check) {
   return {{"asked", check.asked},
           {"ties", check.ties},
@@ -238,7 +269,8 @@ Json json_of(const NamedValues& settings) {
 
 } // namespace
 
-RunReport run_report(const Map& map, const RenderSettings& settings) {
+RunReport run_report(const Map& map, const RenderSettings& settings,
+                     std::span<const Drawing> sheets) {
   RunReport report;
   static_cast<MapFacts&>(report) = map.facts;
   report.error_budget.rounding_mm = rounding_mm(settings.write);
@@ -248,6 +280,7 @@ RunReport run_report(const Map& map, const RenderSettings& settings) {
   report.settings = settings_of(map.facts, settings);
   report.page = map.drawing.page;
   report.minutes_of_layers = minutes_by_layer(map.drawing, settings);
+  if (!sheets.empty()) count_sheets(report, sheets, settings);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   report.peak_memory_bytes =
@@ -274,6 +307,7 @@ std::string report_text(const RunReport& report) {
                   {"pen_up_mm", report.pen_up_mm},
                   {"pen_lifts", report.pen_lifts},
                   {"pen_minutes", or_null(sum_of(report.minutes_of_layers))},
+                  {"sheets", report.sheets.empty() ? Json() : json_of(report.sheets)},
                   {"error_budget_mm", json_of(report.error_budget)},
                   {"ink_left_out_mm",
                    {{"silhouette_jump", report.left_out.silhouette_jump_mm},

@@ -11,10 +11,19 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace orograph {
+
+/// One of several sheets, and what it takes to draw.
+struct SheetFacts {
+  std::string path;
+  std::uint64_t strokes = 0;
+  PenTravel travel;
+  std::optional<double> minutes;
+};
 
 /// The facts of a run's map, and what the command adds to them. Numbers that are NaN, and optionals
 /// that hold nothing, become null in JSON unless said otherwise.
@@ -24,6 +33,7 @@ struct RunReport : MapFacts {
   NamedValues settings;     ///< options in force, as a settings file takes them
   Page page;
   std::vector<std::optional<double>> minutes_of_layers; ///< as many as layers
+  std::vector<SheetFacts> sheets;                       ///< none: one page
   std::uint64_t peak_memory_bytes = 0;
   std::map<std::string, std::string> libraries; ///< name to version
 };
@@ -32,8 +42,10 @@ struct RenderSettings;
 struct Setting;
 
 /// What a run of `settings` reports of its map: the facts, with the error budget of the drawing's
-/// format, and the process's peak memory so far.
-RunReport run_report(const Map& map, const RenderSettings& settings);
+/// format, and the process's peak memory so far. Of several sheets the layers, strokes and the
+/// pen's way are those of the sheets together.
+RunReport run_report(const Map& map, const RenderSettings& settings,
+                     std::span<const Drawing> sheets = {});
 
 /// The JSON text, `"schema": 1`, with the program's version and commit.
 std::string report_text(const RunReport& report);

@@ -111,4 +111,10 @@ std::string fingerprint(const SceneFile& scene) {
   return text_of(mixer);
 }
 
+std::string fingerprint(std::string_view text) {
+  Mixer mixer;
+  mixer.add_all(text);
+  return text_of(mixer);
+}
+
 } // namespace orograph

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether two terrains, or scenes, are the same, told by a short text.
+// Whether two terrains, scenes or files are the same, told by a short text.
 #pragma once
 
 #include "dem/terrain.hpp"
 #include "solids/scene_file.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace orograph {
 
@@ -16,5 +17,8 @@ std::string fingerprint(const TerrainData& terrain);
 
 /// The same of a scene's solids, places and instances, whatever its parts are called.
 std::string fingerprint(const SceneFile& scene);
+
+/// The same of a file's text, byte for byte.
+std::string fingerprint(std::string_view text);
 
 } // namespace orograph

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/sweep.hpp"
 
+#include "cli/finish_drawing.hpp"
 #include "cli/options/named_fields.hpp"
 #include "cli/progress.hpp"
 #include "cli/render.hpp"
@@ -92,6 +93,7 @@ void draw_view(const SweepRun& run, std::size_t view) {
     Map map = drawn_or_why([&] {
       Map out = draw_map(**terrain, placed, settings.map, [](double) {}, {.observers = {&ground}});
       check_not_empty(out, settings);
+      finish_drawing(out, settings);
       return out;
     });
     write_drawing(map.drawing, settings.output, settings.write);

@@ -106,15 +106,40 @@ void add_digit(Layer& layer, char digit, Vec2 low, double height_mm) {
     add_line(layer, {ends[bar - '0'][0], ends[bar - '0'][1]});
 }
 
+// Of a number whose digits are 1 high.
+double width_of(int number) {
+  return 0.8 * static_cast<double>(std::to_string(number).size() - 1) + 0.5;
+}
+
 void add_number(Layer& layer, int number, Vec2 centre, double height_mm) {
   const std::string digits = std::to_string(number);
   const double step_mm = 0.8 * height_mm; // a digit is half as wide as high
-  const double width_mm = step_mm * static_cast<double>(digits.size() - 1) + 0.5 * height_mm;
+  const double width_mm = height_mm * width_of(number);
   for (std::size_t i = 0; i < digits.size(); ++i)
     add_digit(
         layer, digits[i],
         {centre.x - 0.5 * width_mm + step_mm * static_cast<double>(i), centre.y - 0.5 * height_mm},
         height_mm);
+}
+
+// On a seam, beyond its middle, where paper is cut off or lies under the neighbour; of its ends at
+// the one towards the whole page's edge, which a map seldom fills.
+void number_sheet(Layer& layer, const Tiling& tiling, int column, int row) {
+  const SheetsRequest& request = tiling.request;
+  const int number = row * request.columns + column + 1;
+  const double half_mm = 0.5 * request.overlap_mm;
+  const double height_mm = std::min(3.0, 0.8 * half_mm / std::max(width_of(number), 4.0 / 3));
+  if (request.columns * request.rows == 1 || height_mm < 1) return; // smaller ones are dots
+  const Box2 box = tiling.sheet.inner_mm();
+  const Vec2 from_edge_mm{std::min(0.5 * kFromEdge_mm, 0.5 * box.width()),
+                          std::min(0.5 * kFromEdge_mm, 0.5 * box.height())};
+  Vec2 at{2 * column < request.columns ? box.low.x + from_edge_mm.x : box.high.x - from_edge_mm.x,
+          2 * row < request.rows ? box.low.y + from_edge_mm.y : box.high.y - from_edge_mm.y};
+  if (request.columns > 1)
+    at.x = column + 1 < request.columns ? box.high.x - 0.5 * half_mm : box.low.x + 0.5 * half_mm;
+  else
+    at.y = row + 1 < request.rows ? box.high.y - 0.5 * half_mm : box.low.y + 0.5 * half_mm;
+  add_number(layer, number, at, height_mm);
 }
 
 void add_frame(Layer& layer, const Box2& box) {
@@ -152,6 +177,9 @@ std::vector<Drawing> sheets_of(const Drawing& whole, const Page& sheet,
   Drawing marked = whole;
   std::erase_if(marked.layers, [](const Layer& layer) { return layer.is_pen_way; });
   add_layer(marked, register_marks(whole, tiling));
+  const std::size_t marks = whole.layers.empty() || !whole.layers.front().pen
+                                ? marked.layers.size() - 1
+                                : 0; // where `add_layer` has put them
   for (const Layer& layer : whole.layers)
     if (layer.is_pen_way) marked.layers.push_back(layer);
   std::vector<Drawing> sheets;
@@ -162,6 +190,7 @@ std::vector<Drawing> sheets_of(const Drawing& whole, const Page& sheet,
       const Vec2 corner = tiling.corner_mm(column, row);
       for (Layer& layer : one.layers)
         for (Vec2& p : layer.page_mm) p = rounded(p - corner);
+      number_sheet(one.layers[marks], tiling, column, row);
       one.page = sheet;
       one.title = fmt::format("{}, sheet {} of {}", whole.title, sheets.size(),
                               request.columns * request.rows);

@@ -21,8 +21,9 @@ OROGRAPH_API Page page_of_sheets(const Page& sheet, const SheetsRequest& request
 /// What each sheet shows of a drawing on `page_of_sheets(sheet, request)`, row by row, from the
 /// upper left: strokes are parted at the edges of sheets, a margin from the paper's, and nowhere
 /// else. Two sheets show the same in the overlap, with crosses in its middle that lie upon each
-/// other where the sheets lie right: in a layer of their own, "register", or, where layers have
-/// pens, in the first. REQUIRES strokes without map points.
+/// other where the sheets lie right, and each its number in a half of the overlap that is cut off
+/// or covered, where that has room for it: in a layer of their own, "register", or, where layers
+/// have pens, in the first. REQUIRES strokes without map points.
 OROGRAPH_API std::vector<Drawing> sheets_of(const Drawing& whole, const Page& sheet,
                                             const SheetsRequest& request);
 

@@ -80,6 +80,8 @@ TomlValue::Table parse_toml(const std::string& text, const std::string& path, co
 namespace {
 
 std::string how_to_give(const TomlKey& key) {
+  if (key.example == fmt::format("[[{}]]", key.name)) // tables of its own
+    return fmt::format("give {}, as in {}", key.what, key.example);
   return fmt::format("give {}, as in {} = {}", key.what, key.name, key.example);
 }
 

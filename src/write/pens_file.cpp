@@ -120,7 +120,7 @@ PenOfLayers pen_of(const TomlTable& table, int next, std::span<const std::string
 } // namespace
 
 std::vector<PenOfLayers> read_pens(const std::string& path,
-                                   std::span<const std::string_view> layers) {
+                                   std::span<const std::string_view> layers, const Device* device) {
   const std::string text =
       text_of_file(path, {.most_bytes = 1'000'000, .noun = "pens", .right = kPensRight});
   check_toml_nesting(text, path, kPensRight);
@@ -138,6 +138,16 @@ std::vector<PenOfLayers> read_pens(const std::string& path,
                               one.place(one.has("number") ? one.at("number") : value),
                               pen.pen.number),
                   "give each a number of its own");
+    if (device != nullptr && device->pens && pen.pen.number > *device->pens)
+      throw Error(fmt::format("{}: pen {} of the {}, which has {}",
+                              one.place(one.has("number") ? one.at("number") : value),
+                              pen.pen.number, device->name, *device->pens),
+                  fmt::format("give numbers up to {}", *device->pens));
+    if (device != nullptr && device->language == Device::Language::hpgl && pen.pen.waits &&
+        device->wait.empty())
+      throw Error(fmt::format("{}: the {} has no word to wait for a pen",
+                              one.place(one.at("pause")), device->name),
+                  "give a device with the key wait, or leave pause out");
     pens.push_back(std::move(pen));
   }
   if (pens.empty()) throw Error(path + " holds no pen", kPensRight);

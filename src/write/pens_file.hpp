@@ -4,6 +4,7 @@
 
 #include "draw/assign_pens.hpp"
 #include "geometry/api.hpp"
+#include "write/device.hpp"
 
 #include <span>
 #include <string>
@@ -17,8 +18,10 @@ namespace orograph {
 /// pause, layers, field with values, and dash, which may be left out (docs/plotters.md). `layers`
 /// are those that there are. Throws Error of one line that begins with the file's name, and line
 /// where there is one, for a file that can't be read, isn't TOML or has no pen, for other keys,
-/// values that make no pen, unknown layers and a number that is given twice.
+/// values that make no pen, unknown layers, a number that is given twice, and, where there is a
+/// device, a pen that it hasn't or can't wait for.
 OROGRAPH_API std::vector<PenOfLayers> read_pens(const std::string& path,
-                                                std::span<const std::string_view> layers);
+                                                std::span<const std::string_view> layers,
+                                                const Device* device = nullptr);
 
 } // namespace orograph

@@ -38,17 +38,6 @@ void check_map_points(const Drawing& drawing, Format format) {
                   "a drawing tied to the ground, or a format such as SVG", ErrorCode::request);
 }
 
-Device device_of(const WriteOptions& options) {
-  const auto language = language_of(options.format);
-  if (!options.device)
-    return read_device(language == Device::Language::gcode ? "grbl-servo" : "generic");
-  if (options.device->language != language)
-    throw UsageError(fmt::format("the {} speaks another language than {}", options.device->name,
-                                 format_names()[static_cast<std::size_t>(options.format)]),
-                     "another `device`, or another `format`");
-  return *options.device;
-}
-
 void write_to_sink(const Drawing& drawing, const WriteOptions& options, ByteSink& out) {
   if (language_of(options.format)) {
     const Device device = device_of(options);
@@ -94,6 +83,17 @@ std::optional<Device::Language> language_of(Format format) {
 
 bool has_one_width(Format format) {
   return format == Format::hpgl || format == Format::gcode || format == Format::dxf;
+}
+
+Device device_of(const WriteOptions& options) {
+  const auto language = language_of(options.format);
+  if (!options.device)
+    return read_device(language == Device::Language::gcode ? "grbl-servo" : "generic");
+  if (options.device->language != language)
+    throw UsageError(fmt::format("the {} speaks another language than {}", options.device->name,
+                                 format_names()[static_cast<std::size_t>(options.format)]),
+                     "another `device`, or another `format`");
+  return *options.device;
 }
 
 PenOrder pen_order_for(Format format) {

@@ -29,6 +29,9 @@ struct WriteOptions {
 OROGRAPH_API bool is_tied_to_ground(Format format);
 /// The language of devices that the format speaks; none: no device's.
 OROGRAPH_API std::optional<Device::Language> language_of(Format format);
+/// What HPGL or G-code is for by these options. Throws UsageError for a device of another language.
+/// REQUIRES such a format.
+OROGRAPH_API Device device_of(const WriteOptions& options);
 /// Whether a pen of one width draws all of it: light shows by how close lines are then.
 OROGRAPH_API bool has_one_width(Format format);
 /// `sorted` for formats that a pen may draw, else `drawing`: what the command takes by default.

@@ -273,12 +273,22 @@ void set_text(CPLStringList& options, const char* name, const std::string& text)
   if (!text.empty()) options.SetNameValue(name, clean_utf8(text).c_str());
 }
 
-// As CAD has them: Y up, a layer and a colour for each line.
+// The nearest of the line weights that DXF knows, in 1/100 mm.
+int dxf_weight(double width_mm) {
+  constexpr int weights[] = {5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50, 53,
+                             60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211};
+  return *std::ranges::min_element(weights, {},
+                                   [&](int weight) { return std::abs(weight - 100 * width_mm); });
+}
+
+// As CAD has them: Y up, a layer, a colour and a weight for each line.
 std::unique_ptr<OGRFeature> polyline_of(const Stroke& stroke, const Layer& from, double height_mm,
                                         OGRLayer& to) {
   auto feature = std::make_unique<OGRFeature>(to.GetLayerDefn());
   feature->SetField("Layer", clean_utf8(from.name).c_str());
-  feature->SetStyleString(fmt::format("PEN(c:{})", hex_colour(from)).c_str());
+  const double width_mm = stroke.width_mm > 0 ? stroke.width_mm : from.pen_width_mm;
+  feature->SetStyleString(
+      fmt::format("PEN(c:{},w:{:.2f}g)", hex_colour(from), 0.01 * dxf_weight(width_mm)).c_str());
   auto line = std::make_unique<OGRLineString>();
   const std::span<const Vec2> points = from.points(stroke);
   line->setNumPoints(static_cast<int>(points.size()), FALSE);

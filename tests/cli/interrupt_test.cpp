@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <thread>
 
 using namespace orograph;
@@ -41,6 +42,40 @@ bool has_temporary_file(const MadeFolder& folder) {
 }
 
 } // namespace
+
+TEST_CASE("an interrupted plot leaves no half file, of one sheet or of several", "[slow]") {
+  const MadeFolder folder;
+  make_big_terrain(folder);
+  const std::string old = "an older drawing";
+  int interrupted = 0;
+  for (const std::string format : {"hpgl", "gcode", "dxf"})
+    for (const bool has_sheets : {false, true}) {
+      std::vector<std::string> command{OROGRAPH_PROGRAM, "render", "big.bil",    "map." + format,
+                                       "--overwrite",    "-q",     "--profiles", "2000",
+                                       "--simplify",     "0"};
+      if (has_sheets) command.insert(command.end(), {"--sheets", "2x1"});
+      const std::string name = (has_sheets ? "map-1." : "map.") + format;
+      folder.write(name, old);
+      const auto before = folder.names();
+      RunningProgram program(command, {.folder = folder.path()});
+      while (!program.has_ended() && !has_temporary_file(folder))
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      program.send(has_sheets ? SIGTERM : SIGINT);
+      const auto result = program.wait();
+      INFO(name << ": " << result.err);
+      if (result.exit_code == 0) { // it was quicker
+        CHECK(folder.read(name) != old);
+      } else {
+        ++interrupted;
+        CHECK(result.exit_code == (has_sheets ? 143 : 130));
+        CHECK(folder.names() == before);
+        CHECK(folder.read(name) == old);
+      }
+      for (const std::string& file : folder.names())
+        if (file.starts_with("map")) std::filesystem::remove(folder.path(file));
+    }
+  CHECK(interrupted >= 4);
+}
 
 TEST_CASE("an interrupted run leaves nothing but what was there", "[slow]") {
   const MadeFolder folder;

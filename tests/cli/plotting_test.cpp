@@ -96,4 +96,45 @@ TEST_CASE("sheets are written all or none") {
   CHECK((folder.read("map-1.svg") == first));
 }
 
+TEST_CASE("a report tells what each sheet takes, and all together") {
+  const MadeFolder folder;
+  write_files(folder);
+  for (const std::string pens : {"", "pens.toml"}) {
+    Words words{"--sheets", "2x2",         "--page",       "a6", "--pen-speed", "20", "--report",
+                "r.json",   "--overwrite", "--pen-lift-s", "1"};
+    if (!pens.empty()) words.insert(words.end(), {"--pens", pens});
+    const ProgramRun run = render(folder, "map.svg", words);
+    INFO(run.err);
+    REQUIRE(run.exit_code == 0);
+    const auto report = nlohmann::json::parse(folder.read("r.json"));
+    REQUIRE(report["sheets"].size() == 4);
+    double ink_mm = 0, up_mm = 0, minutes = 0;
+    std::size_t strokes = 0, in_layers = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& sheet = report["sheets"][i];
+      const std::string name = "map-" + std::to_string(i + 1) + ".svg";
+      CHECK(sheet["path"] == name);
+      // What is in the file, by its text.
+      const std::string svg = folder.read(name);
+      std::size_t paths = 0;
+      for (std::size_t at = 0; (at = svg.find("<path", at)) != std::string::npos; ++at) ++paths;
+      CHECK(sheet["strokes"] == paths);
+      strokes += paths;
+      ink_mm += sheet["ink_mm"].get<double>();
+      up_mm += sheet["pen_up_mm"].get<double>();
+      minutes += sheet["pen_minutes"].get<double>();
+    }
+    for (const auto& layer : report["layers"]) in_layers += layer["strokes"].get<std::size_t>();
+    CHECK(report["counts"]["strokes"] == strokes);
+    CHECK(in_layers == strokes);
+    CHECK(std::abs(report["pen_down_mm"].get<double>() - ink_mm) < 1e-6);
+    CHECK(std::abs(report["pen_up_mm"].get<double>() - up_mm) < 1e-6);
+    CHECK(std::abs(report["pen_minutes"].get<double>() - minutes) < 1e-9);
+    CHECK(run.err.find(" " + std::to_string(static_cast<int>(std::ceil(minutes))) +
+                       " minutes for the pen") != std::string::npos);
+  }
+  REQUIRE(render(folder, "one.svg", {"--report", "one.json"}).exit_code == 0);
+  CHECK(nlohmann::json::parse(folder.read("one.json"))["sheets"].is_null());
+}
+
 } // namespace orograph::plotting_test

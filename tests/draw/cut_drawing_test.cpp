@@ -178,6 +178,49 @@ TEST_CASE("crosses of neighbouring sheets lie upon each other") {
   CHECK(draws(2, {17, 10}, {23, 10}));
 }
 
+TEST_CASE("each sheet bears another number, where its neighbour covers it or it is cut off") {
+  for (const auto& [columns, rows] : {std::pair{3, 4}, {1, 2}, {2, 1}, {1, 1}}) {
+    INFO(columns << "x" << rows);
+    const Page sheet{160, 150, 5};
+    const SheetsRequest request{columns, rows, 10};
+    Drawing whole;
+    whole.page = page_of_sheets(sheet, request);
+    const Box2 inner = sheet.inner_mm();
+    std::vector<std::vector<Vec2>> numbers;
+    for (const Drawing& one : sheets_of(whole, sheet, request)) {
+      const Layer& marks = one.layers.back();
+      const std::size_t i = numbers.size();
+      const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
+      // Nearer to an edge than the middle of the overlap is, with a neighbour behind it.
+      const auto is_hidden = [&](Vec2 p) {
+        return (column + 1 < columns && p.x > inner.high.x - 5) ||
+               (column > 0 && p.x < inner.low.x + 5) ||
+               (row + 1 < rows && p.y > inner.high.y - 5) || (row > 0 && p.y < inner.low.y + 5);
+      };
+      std::vector<Vec2>& number = numbers.emplace_back();
+      Vec2 low{1e9, 1e9};
+      for (const Stroke& stroke : marks.strokes) {
+        const auto points = marks.points(stroke);
+        if (length(points.back() - points.front()) > 2) continue; // a cross's
+        for (const Vec2 p : points) {
+          CHECK(is_hidden(p));
+          low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+          number.push_back(p);
+        }
+      }
+      for (Vec2& p : number) p = {std::round(1e3 * (p.x - low.x)), std::round(1e3 * (p.y - low.y))};
+      CHECK(number.empty() == (columns * rows == 1));
+    }
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      for (std::size_t j = i + 1; j < numbers.size(); ++j) CHECK(numbers[i] != numbers[j]);
+  }
+  // An overlap without room for it.
+  Drawing whole;
+  whole.page = page_of_sheets({160, 150, 5}, {2, 1, 2});
+  for (const Drawing& one : sheets_of(whole, {160, 150, 5}, {2, 1, 2}))
+    CHECK(one.layers.back().strokes.size() == 4);
+}
+
 TEST_CASE("no pen is put in twice for what is beside the map") {
   const Page sheet{60, 50, 5};
   const SheetsRequest request{2, 1, 10};

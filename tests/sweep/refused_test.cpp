@@ -76,6 +76,15 @@ TEST_CASE("a sweep goes on only as the same sweep") {
   refused(words("sweep hill.asc walked --eye-path path.csv --resume"),
           "walked holds a sweep of other views");
 
+  folder.write("pens.toml", "[[pen]]\nnumber = 1\nwidth = 0.1\n");
+  const Words by_pens = words("sweep hill.asc inked --azimuth 0,90 --pens pens.toml -q");
+  run_well(folder, by_pens);
+  fs::copy(folder.path("pens.toml"), folder.path("elsewhere/pens.toml"));
+  run_well(folder,
+           words("sweep hill.asc inked --azimuth 0,90 --pens elsewhere/pens.toml --resume"));
+  folder.write("pens.toml", "[[pen]]\nnumber = 1\nwidth = 0.2\n");
+  refused(by_pens + words("--resume"), "inked holds a sweep with --pens pens.toml ");
+
   // Overwriting removes what the old one has made, and nothing else.
   folder.write("out/notes.txt", "mine");
   folder.write("out/azimuth-45.svg", "mine as well");
@@ -111,6 +120,16 @@ TEST_CASE("files that are of no sweep are not replaced") {
   fs::create_directory(folder.path("out"));
   folder.write("out/notes.txt", "mine"); // in nobody's way
   run_well(folder, words("sweep hill.asc out --azimuth 0,90 -q") + kSmall);
+}
+
+TEST_CASE("what render alone can is told so") {
+  const MadeFolder folder;
+  make_terrains(folder);
+  check_refused(folder, words("sweep hill.asc out --azimuth 0,90 --sheets 2x2"), 2,
+                "--sheets is an option of orograph render that a sweep hasn't: orograph sweep "
+                "--help lists what there is");
+  check_refused(folder, words("sweep hill.asc out --view a.toml"), 2,
+                "that a sweep hasn't: did you mean --views?");
 }
 
 TEST_CASE("lists of views that can't be drawn are told of by file and line") {

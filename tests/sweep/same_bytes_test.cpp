@@ -99,6 +99,23 @@ TEST_CASE("distances, fields of view, exaggerations, profiles; crossed and toget
   check_same(folder, {"hill.asc"}, "pdf", kSmall, {}, {{"view", {}}});
 }
 
+TEST_CASE("by pens, within a rectangle, for a plotter", "[slow]") {
+  const MadeFolder folder;
+  make_terrains(folder);
+  folder.write("pens.toml", "[[pen]]\nnumber = 2\nwidth = 0.1\nlayers = ['profiles']\n"
+                            "[[pen]]\nnumber = 1\nwidth = 0.4\nspeed = 30\n");
+  folder.write("mine.toml",
+               "language = 'hpgl'\nname = 'mine'\nunit = 0.05\npens = 2\nwait = 'NR;'\n");
+  for (const std::string format : {"svg", "hpgl"})
+    check_same(folder, {"hill.asc"}, format,
+               words("--page 60x45 --margin 2 --pens pens.toml --pause-between-pens --clip-to "
+                     "40x30 --pen-order best") +
+                   (format == "hpgl" ? words("--device mine.toml") : Words{}),
+               words("--azimuth 20,140"),
+               {{"azimuth-020", words("--view-from 20/25")},
+                {"azimuth-140", words("--view-from 140/25")}});
+}
+
 TEST_CASE("eyes along a path", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);

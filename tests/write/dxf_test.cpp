@@ -7,6 +7,9 @@
 #include <ogrsf_frmts.h>
 
 #include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
 
 using namespace orograph;
 
@@ -40,4 +43,27 @@ TEST_CASE("DXF keeps points, layers and colours") {
       CHECK(different == 0);
     }
   CHECK(OGRFeatureUniquePtr(read.GetNextFeature()) == nullptr);
+}
+
+TEST_CASE("DXF has the nearest of its line weights") {
+  Drawing drawing;
+  drawing.layers.resize(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    drawing.layers[i].name = "pen " + std::to_string(i);
+    drawing.layers[i].pen_width_mm = std::vector{0.1, 0.3, 3.0}[i];
+    add_stroke(drawing.layers[i], {{10, 20}, {30, 40}});
+    add_stroke(drawing.layers[i], {{10, 30}, {30, 50}});
+    drawing.layers[i].strokes.back().width_mm = std::vector{0.44, 0.01, 0.46}[i];
+  }
+  const TemporaryFolder folder;
+  write_drawing(drawing, folder.file("map.dxf"), {.format = Format::dxf});
+  // A line with the group's code, and one with its value, from the entities on.
+  std::istringstream lines(content_of(folder.file("map.dxf")));
+  std::vector<int> weights;
+  bool is_entity = false;
+  for (std::string code, value; std::getline(lines, code) && std::getline(lines, value);) {
+    is_entity = is_entity || value == "ENTITIES";
+    if (is_entity && std::stoi(code) == 370) weights.push_back(std::stoi(value));
+  }
+  CHECK(weights == std::vector{9, 40, 30, 5, 211, 50});
 }

@@ -70,7 +70,7 @@ TEST_CASE("what is wrong with a file of pens is told with its line") {
   const std::string one = "[[pen]]\nnumber = 1\nwidth = 0.1\n";
   for (const auto& [toml, message] : std::initializer_list<std::pair<std::string, std::string>>{
            {"", " holds no pen: give each pen a table [[pen]]"},
-           {"[pen]\nnumber = 1", ", line 1: pen is a table: give tables, as in pen = [[pen]]"},
+           {"[pen]\nnumber = 1", ", line 1: pen is a table: give tables, as in [[pen]]"},
            {"pen = []", " holds no pen"},
            {"[[pens]]", ", line 1: unknown key 'pens': did you mean pen?"},
            {"[[pen]]\nnumber = 1", ", line 1: a pen has no width"},
@@ -117,6 +117,24 @@ TEST_CASE("what is wrong with a file of pens is told with its line") {
     INFO(toml << message_of(toml));
     CHECK(message_of(toml).find(message) == 0);
   }
+}
+
+TEST_CASE("a pen that a device hasn't, or can't wait for, is told with its line") {
+  const TemporaryFolder folder;
+  fill_file(folder.file("p.toml"),
+            "[[pen]]\nnumber = 6\nwidth = 1\n[[pen]]\nwidth = 1\nnumber = 7\n");
+  const Device six = read_device("hp7475a"), eight = read_device("dxy"),
+               hand = read_device("grbl-z");
+  CHECK_THROWS_WITH(read_pens(folder.file("p.toml"), kLayers, &six),
+                    folder.file("p.toml") + ", line 6: pen 7 of the HP 7475A, which has 6: give "
+                                            "numbers up to 6");
+  CHECK(read_pens(folder.file("p.toml"), kLayers, &eight).size() == 2);
+  CHECK(read_pens(folder.file("p.toml"), kLayers, &hand).size() == 2);
+  fill_file(folder.file("p.toml"), "[[pen]]\nnumber = 6\nwidth = 1\npause = true\n");
+  CHECK_THROWS_WITH(read_pens(folder.file("p.toml"), kLayers, &six),
+                    folder.file("p.toml") + ", line 4: the HP 7475A has no word to wait for a pen: "
+                                            "give a device with the key wait, or leave pause out");
+  CHECK(read_pens(folder.file("p.toml"), kLayers, &hand).size() == 1);
 }
 
 TEST_CASE("SVG's layers carry AxiDraw's words for their pens") {
