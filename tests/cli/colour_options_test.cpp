@@ -73,7 +73,7 @@ TEST_CASE("layers are grey unless a palette or a colour is asked for") {
 TEST_CASE("the palette of maps has each layer in the colour that maps have") {
   const RenderSettings map = given(all_layers_and({"--palette", "map"}));
   for (const LayerRow& row : layer_table())
-    if (row.source != LineSource::hidden_solids) CHECK(colour_in(map, row.name));
+    if (!row.is_hidden()) CHECK(colour_in(map, row.name));
   for (const char* water : {"shores", "waterlines"}) CHECK(is_blue(*colour_in(map, water)));
   for (const char* height : {"contours", "index-contours"})
     CHECK(is_brown(*colour_in(map, height)));
@@ -82,6 +82,21 @@ TEST_CASE("the palette of maps has each layer in the colour that maps have") {
     CHECK(is_dark(*colour_in(map, rock)));
   const Colour drape = *colour_in(map, "drape");
   CHECK(drape[0] > 2 * std::max(drape[1], drape[2])); // red
+}
+
+TEST_CASE("hidden lines have the colour of those that are seen, lighter, unless told") {
+  const auto sum = [](const Colour& colour) { return colour[0] + colour[1] + colour[2]; };
+  const RenderSettings map =
+      given({"--palette", "map", "--contours", "auto", "--hidden-layers", "contours,shores"});
+  for (const std::string name : {"contours", "index-contours", "shores"}) {
+    const Colour seen = *colour_in(map, name), hidden = *colour_in(map, "hidden-" + name);
+    CHECK(sum(hidden) > sum(seen));
+    CHECK((hidden[0] < hidden[2]) == (seen[0] < seen[2]));
+  }
+  const RenderSettings told = given({"--contours", "auto", "--hidden-layers", "contours,border",
+                                     "--colour", "contours=#000000,hidden-border=#102030"});
+  CHECK(*colour_in(told, "hidden-contours") == Colour{115, 115, 115}); // 0.55 of black
+  CHECK(*colour_in(told, "hidden-border") == Colour{0x10, 0x20, 0x30});
 }
 
 TEST_CASE("a colour goes before the palette, and with a layer to what comes with it") {
