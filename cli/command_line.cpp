@@ -28,6 +28,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace orograph {
@@ -175,6 +176,11 @@ int run_command_line(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return fail_without_memory();
   } catch (const std::exception& error) {
+    // The words with which TBB tells that the system gives no thread.
+    if (std::string_view(error.what()).starts_with("pthread_create has failed"))
+      return fail("no thread can be started: give -j 1, or the process more memory or threads "
+                  "(ulimit -v, ulimit -u)",
+                  1);
     return fail(std::string("internal: ") + error.what() + ": please report it", 1);
   }
 }

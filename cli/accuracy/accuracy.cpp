@@ -4,6 +4,7 @@
 
 #include "cli/accuracy/accuracy_report.hpp"
 #include "cli/progress.hpp"
+#include "cli/report/measurements.hpp"
 #include "cli/text_file.hpp"
 #include "dem/read/read_raster.hpp"
 #include "dem/read/read_terrain.hpp"
@@ -102,7 +103,10 @@ void accuracy(const AccuracySettings& settings) {
   const RenderSettings& render = settings.render;
   const std::string csv = settings.prefix + ".csv", json = settings.prefix + ".json",
                     svg = settings.prefix + ".svg";
-  for (const std::string& path : {csv, json, svg}) check_writable(path, render.write);
+  if (!settings.prefix.empty()) {
+    check_gnuplot("the curve");
+    for (const std::string& path : {csv, json, svg}) check_writable(path, render.write);
+  }
 
   const TerrainData whole = read_terrain(render.inputs, render.reading);
   const TerrainOfView of_view(whole, render.map.view);
@@ -117,14 +121,16 @@ void accuracy(const AccuracySettings& settings) {
 
   const std::string table = accuracy_table(rows);
   std::fwrite(table.data(), 1, table.size(), stdout);
-  write_text(accuracy_csv(rows), csv, render.write.overwrite);
-  write_text(accuracy_json(rows, terrain.source), json, render.write.overwrite);
-  OutputFile curve(svg, render.write.overwrite);
-  const std::string name = !render.map.title.empty()
-                               ? render.map.title
-                               : std::filesystem::path(terrain.source).filename().string();
-  plot_accuracy(rows, name, curve.temporary_path());
-  curve.commit();
+  if (!settings.prefix.empty()) {
+    write_text(accuracy_csv(rows), csv, render.write.overwrite);
+    write_text(accuracy_json(rows, terrain.source), json, render.write.overwrite);
+    OutputFile curve(svg, render.write.overwrite);
+    const std::string name = !render.map.title.empty()
+                                 ? render.map.title
+                                 : std::filesystem::path(terrain.source).filename().string();
+    plot_accuracy(rows, name, curve.temporary_path());
+    curve.commit();
+  }
   check_promises(rows);
 }
 

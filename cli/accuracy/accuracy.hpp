@@ -17,9 +17,9 @@ struct AccuracySettings {
   RenderSettings render; ///< terrain, view, page; what rows differ in is set row by row
   /// Numbers of profiles; none: as many as the grid has rows.
   std::vector<std::optional<int>> profiles{60, 150, 300, std::nullopt};
-  int probes = 20000;              ///< points asked of the ray walk, each row
-  int repeats = 3;                 ///< runs that are timed, each row; the fastest counts
-  std::string prefix = "accuracy"; ///< of the files written: .csv, .json, .svg
+  int probes = 20000; ///< points asked of the ray walk, each row
+  int repeats = 3;    ///< runs that are timed, each row; the fastest counts
+  std::string prefix; ///< of the files written: .csv, .json, .svg; empty: none
 };
 
 /// How far lines are from those of the same drawing with all its points.

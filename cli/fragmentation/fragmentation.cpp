@@ -5,6 +5,7 @@
 #include "cli/fragmentation/fragmentation_report.hpp"
 #include "cli/fragmentation/worst_cases.hpp"
 #include "cli/progress.hpp"
+#include "cli/report/measurements.hpp"
 #include "cli/text_file.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
@@ -67,7 +68,10 @@ void fragmentation(const FragmentationSettings& settings) {
   const RenderSettings& render = settings.render;
   const std::string csv = settings.prefix + ".csv", series = settings.prefix + "-series.csv",
                     json = settings.prefix + ".json", svg = settings.prefix + ".svg";
-  for (const std::string& path : {csv, series, json, svg}) check_writable(path, render.write);
+  if (!settings.prefix.empty()) {
+    check_gnuplot("the plots");
+    for (const std::string& path : {csv, series, json, svg}) check_writable(path, render.write);
+  }
 
   const TerrainData whole = read_terrain(render.inputs, render.reading);
   const TerrainOfView of_view(whole, render.map.view);
@@ -87,13 +91,15 @@ void fragmentation(const FragmentationSettings& settings) {
   std::string tables = fragmentation_table(rows);
   if (const std::string growth = growth_table(rows); !growth.empty()) tables += "\n" + growth;
   std::fwrite(tables.data(), 1, tables.size(), stdout);
-  write_text(fragmentation_csv(rows), csv, render.write.overwrite);
-  write_text(series_csv(rows), series, render.write.overwrite);
-  write_text(fragmentation_json(rows, terrain.source), json, render.write.overwrite);
-  OutputFile plots(svg, render.write.overwrite);
-  plot_fragmentation(rows, std::filesystem::path(terrain.source).filename().string(),
-                     plots.temporary_path());
-  plots.commit();
+  if (!settings.prefix.empty()) {
+    write_text(fragmentation_csv(rows), csv, render.write.overwrite);
+    write_text(series_csv(rows), series, render.write.overwrite);
+    write_text(fragmentation_json(rows, terrain.source), json, render.write.overwrite);
+    OutputFile plots(svg, render.write.overwrite);
+    plot_fragmentation(rows, std::filesystem::path(terrain.source).filename().string(),
+                       plots.temporary_path());
+    plots.commit();
+  }
   check_promises(rows);
 }
 

@@ -20,11 +20,11 @@ struct FragmentationSettings {
   std::vector<double> elevations_deg{2, 5, 10, 25, 45, 70};
   /// Along the rows of a grid, along its columns, and oddly between.
   std::vector<double> azimuths_deg{90, 180, 217};
-  int exact_segments = 100000;          ///< rows with more occluders aren't run in exact arithmetic
-  int fragmented_segments = 1000000;    ///< and not without collapse
-  int worst_case = 1000;                ///< the largest size of the worst cases; 0: none
-  int repeats = 1;                      ///< runs that are timed, each row; the fastest counts
-  std::string prefix = "fragmentation"; ///< of the files written
+  int exact_segments = 100000;       ///< rows with more occluders aren't run in exact arithmetic
+  int fragmented_segments = 1000000; ///< and not without collapse
+  int worst_case = 1000;             ///< the largest size of the worst cases; 0: none
+  int repeats = 1;                   ///< runs that are timed, each row; the fastest counts
+  std::string prefix;                ///< of the files written; empty: none
 };
 
 /// A run over all profiles. Where the page shows what is behind the eye as well, there are two

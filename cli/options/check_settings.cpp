@@ -347,6 +347,7 @@ void refuse_scenes(const std::vector<std::string>& inputs) {
 
 void check_prefix(const RenderSettings& settings, const std::string& prefix,
                   const std::vector<std::string>& endings) {
+  if (prefix.empty()) return;
   for (const std::string& ending : endings)
     check_no_input(settings, prefix + ending, "--output", "the output");
 }

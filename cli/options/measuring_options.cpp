@@ -65,7 +65,7 @@ void add_accuracy_options(std::vector<Option>& options, AccuracySettings& s) {
                      .value = "PREFIX",
                      .help = "Write PREFIX.csv, PREFIX.json and the curve, PREFIX.svg",
                      .allowed = "a file name without extension",
-                     .by_default = s.prefix,
+                     .by_default = "no files",
                      .take = stored_name(s.prefix)});
   options.push_back({.group = kOutput,
                      .name = "--overwrite",
@@ -155,7 +155,7 @@ void add_fragmentation_options(std::vector<Option>& options, FragmentationSettin
                      .help = "Write PREFIX.csv, PREFIX-series.csv, PREFIX.json and the plots, "
                              "PREFIX.svg",
                      .allowed = "a file name without extension",
-                     .by_default = s.prefix,
+                     .by_default = "no files",
                      .take = stored_name(s.prefix)});
   options.push_back({.group = kOutput,
                      .name = "--overwrite",
@@ -171,7 +171,7 @@ Command accuracy_command(AccuracySettings& settings) {
                   .summary = "Measure what each setting costs in time, and in error on paper",
                   .options = {},
                   .conflicts = picture_conflicts(),
-                  .examples = {{"orograph accuracy dem.tif",
+                  .examples = {{"orograph accuracy dem.tif --output accuracy",
                                 "The table, and accuracy.csv, .json and .svg (the curve)."},
                                {"orograph accuracy dem.tif --view-from 225/10 --profiles 100,200",
                                 "Seen from the south-west, low, with two numbers of profiles."}}};
@@ -203,7 +203,7 @@ Command fragmentation_command(FragmentationSettings& settings) {
       .summary = "Measure how the horizon fragments, and what collapse keeps of it",
       .options = {},
       .conflicts = terrain_conflicts(),
-      .examples = {{"orograph fragmentation dem.tif",
+      .examples = {{"orograph fragmentation dem.tif --output fragmentation",
                     "The tables, and fragmentation.csv, -series.csv, .json and .svg (the plots)."},
                    {"orograph fragmentation dem.tif --profiles 60 --elevations 25 --azimuths 180",
                     "The paper's number of profiles, in one view."}}};

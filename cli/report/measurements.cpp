@@ -5,6 +5,7 @@
 #include "geometry/error.hpp"
 #include "write/output_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 
 namespace orograph {
 namespace {
@@ -117,6 +119,32 @@ std::string quoted_for_gnuplot(const std::string& text) {
   return out + "'";
 }
 
+namespace {
+
+// The exit code; nothing where it can't be started. `silent`: its standard output goes nowhere.
+std::optional<int> exit_code_of_gnuplot(std::string argument, bool silent) {
+  std::string program = "gnuplot";
+  char* arguments[] = {program.data(), argument.data(), nullptr};
+  posix_spawn_file_actions_t streams;
+  posix_spawn_file_actions_init(&streams);
+  if (silent) posix_spawn_file_actions_addopen(&streams, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t process = 0;
+  const int failed = posix_spawnp(&process, program.c_str(), &streams, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&streams);
+  int status = 0;
+  if (failed != 0) return std::nullopt;
+  return waitpid(process, &status, 0) == process && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+} // namespace
+
+void check_gnuplot(const std::string& what) {
+  if (exit_code_of_gnuplot("--version", true) != 0)
+    throw Error(fmt::format("gnuplot, which draws {}, can't be started", what),
+                "install it (Debian package gnuplot-nox), or leave --output out: the table on "
+                "standard output needs none");
+}
+
 void run_gnuplot(const std::string& script, const std::string& path, const std::string& what) {
   // Beside what is drawn, and removed like it where we are interrupted.
   const OutputFile script_file(path + ".gnuplot", true);
@@ -126,14 +154,7 @@ void run_gnuplot(const std::string& script, const std::string& path, const std::
   file.close();
   if (!file) throw Error("can't write '" + script_path + "'", "make room on the disk");
 
-  std::string program = "gnuplot", argument = script_path;
-  char* arguments[] = {program.data(), argument.data(), nullptr};
-  pid_t process = 0;
-  if (posix_spawnp(&process, program.c_str(), nullptr, nullptr, arguments, environ) != 0)
-    throw Error(fmt::format("gnuplot, which draws {}, can't be started", what),
-                "install it (Debian package gnuplot-nox); the table, CSV and JSON are written");
-  int status = 0;
-  if (waitpid(process, &status, 0) != process || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  if (exit_code_of_gnuplot(script_path, false) != 0)
     throw Error(fmt::format("gnuplot failed to draw {}", what),
                 "look at its message above; the table, CSV and JSON are written");
 }

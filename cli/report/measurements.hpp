@@ -48,8 +48,13 @@ std::string json_of(const std::string& terrain, const std::vector<NamedRecords>&
 /// characters are left out.
 std::string quoted_for_gnuplot(const std::string& text);
 
+/// Throws Error where gnuplot can't be started, before anything is measured; `what` is what it
+/// draws
+/// ("the curve").
+void check_gnuplot(const std::string& what);
+
 /// Runs a script that writes to `path`, an existing file or a new one. Throws Error where gnuplot
-/// is missing or fails; `what` is what it draws ("the curve").
+/// fails; `what` as above. REQUIRES `check_gnuplot`.
 void run_gnuplot(const std::string& script, const std::string& path, const std::string& what);
 
 } // namespace orograph

@@ -117,7 +117,13 @@ struct EarlyHeights::Reading {
 EarlyHeights::EarlyHeights() = default;
 
 EarlyHeights::~EarlyHeights() {
-  if (reading_) reading_->task.wait();
+  if (!reading_) return;
+  try {
+    reading_->task.wait();
+  } catch (const std::exception&) {
+    // No thread could be started. The task may still wait for one, and is left all that it needs.
+    static_cast<void>(reading_.release());
+  }
 }
 
 void EarlyHeights::begin(const RasterSource& source, const ReadOptions& options) {

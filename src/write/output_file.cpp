@@ -80,8 +80,11 @@ Error exists_error(const std::string& path) {
 
 // Renaming would replace a symbolic link by the file; what is meant is the file it points to.
 std::string followed(const std::string& path) {
-  std::error_code ignored;
-  return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored).string() : path;
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  const fs::path file = fs::weakly_canonical(path, error);
+  if (error) throw write_error(path, error.value());
+  return file.string();
 }
 
 void check_place(const std::string& path, bool overwrite) {

@@ -204,17 +204,25 @@ TEST_CASE("the program writes all and says so with exit code 0") {
   CHECK(again.out.empty());
 }
 
-TEST_CASE("without gnuplot all but the curve is written") {
+TEST_CASE("without gnuplot there is the table alone, and no curve is promised") {
   const MadeFolder folder;
   RunningProgram program({"/usr/bin/env", "PATH=" + folder.path(), OROGRAPH_PROGRAM, "accuracy",
                           kVolcano, "--profiles", "10", "--probes", "200", "--repeats", "1"},
                          {.folder = folder.path()});
-  const ProgramRun run = program.wait();
+  const ProgramRun table = program.wait();
+  INFO(table.err);
+  CHECK(table.exit_code == 0);
+  CHECK(table.out.find("surface, 10 profiles") != std::string::npos);
+  RunningProgram plotting({"/usr/bin/env", "PATH=" + folder.path(), OROGRAPH_PROGRAM, "accuracy",
+                           kVolcano, "--output", "accuracy"},
+                          {.folder = folder.path()});
+  const ProgramRun run = plotting.wait();
   INFO(run.err);
   CHECK(run.exit_code == 1);
+  CHECK(run.out.empty()); // nothing was measured
   CHECK(run.err.find("gnuplot-nox") != std::string::npos);
   CHECK(fault_of_message(run.err).empty());
-  CHECK(folder.names() == std::vector<std::string>{"accuracy.csv", "accuracy.json"});
+  CHECK(folder.names().empty());
 }
 
 TEST_CASE("wrong settings are refused") {

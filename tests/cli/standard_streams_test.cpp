@@ -8,6 +8,7 @@
 
 #include <sys/stat.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,17 @@ TEST_CASE("messages show no controls and aren't longer than a few lines") {
   check({"render", std::string(3000, 'x') + ".tif", "map.svg"}, 1, "give");
   check({"render", "hill.asc", "map.svg", "--view", "null.toml"}, 1, "null.toml");
   check({"\x1b]0;title\x07"}, 2, "unknown command ?]0;title?");
+}
+
+TEST_CASE("a link that leads to itself is told of as the system does") {
+  MadeFolder folder;
+  with_hill(folder);
+  std::filesystem::create_symlink("loop.svg", folder.path("loop.svg"));
+  const ProgramRun ended =
+      run_orograph({"render", "hill.asc", "loop.svg", "--overwrite"}, {.folder = folder.path()});
+  CHECK(ended.exit_code == 1);
+  CHECK(ended.err.find("loop.svg can't be written (Too many levels of symbolic links)") !=
+        std::string::npos);
 }
 
 TEST_CASE("a drawing that replaces another has its rights") {
