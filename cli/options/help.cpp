@@ -86,9 +86,11 @@ void add_man_entry(std::string& page, const Option& option) {
 }
 
 constexpr std::string_view kExitStatus =
-    "0 on success, 2 for a wrong command line, 1 for any other error, 129, 130 and 143 when "
-    "interrupted "
-    "or terminated. Errors are one line on stderr, and leave no output file.";
+    "0 on success, 2 for a wrong command line, 1 for any other error, 129, 130 and 143 when hung "
+    "up, "
+    "interrupted or terminated. Errors are one line on stderr, and leave no file half-written: "
+    "what "
+    "was there before stays, and so does a drawing that was done when its report failed.";
 
 } // namespace
 
