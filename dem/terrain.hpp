@@ -68,6 +68,8 @@ struct TerrainData {
   std::string source;             ///< what it was read from, in brief
   std::vector<std::string> paths; ///< the files it was read from, as given
   std::vector<std::string> notes; ///< what the reader assumed, a sentence each, for the report
+  /// Those of the notes that leave its place, its CRS or its heights in doubt.
+  std::vector<std::string> doubts;
   std::optional<TriangulationCounts> triangulation; ///< where it was made of points
   /// How far the surface may be, in height, from what it was made to stand for; 0 where it stands
   /// for itself.

@@ -5,6 +5,7 @@
 #include "draw/round_drawing.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "text/printable.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 #include "draw/colour.hpp"
 
 #include "geometry/error.hpp"
+#include "text/printable.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>
