@@ -68,14 +68,14 @@ struct TerrainData {
   std::string source;             ///< what it was read from, in brief
   std::vector<std::string> paths; ///< the files it was read from, as given
   std::vector<std::string> notes; ///< what the reader assumed, a sentence each, for the report
-  /// Those of the notes that leave its place, its CRS or its heights in doubt.
-  std::vector<std::string> doubts;
   std::optional<TriangulationCounts> triangulation; ///< where it was made of points
   /// How far the surface may be, in height, from what it was made to stand for; 0 where it stands
   /// for itself.
   double surface_error_m = 0;
   /// Whether it is an overview of the file's heights, whose distance from them nobody knows.
   bool is_overview = false;
+  /// Those of the notes that leave its place, its CRS or its heights in doubt.
+  std::vector<std::string> doubts = {};
 };
 
 /// Puts the origin of the ground frame to a place (longitude and latitude in degrees, as the

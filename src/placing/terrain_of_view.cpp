@@ -72,7 +72,6 @@ std::optional<TerrainData> cut_by_view(const TerrainData& terrain, const ViewSpe
                   .source = terrain.source,
                   .paths = terrain.paths,
                   .notes = terrain.notes,
-                  .doubts = terrain.doubts,
                   .triangulation = terrain.triangulation,
                   .surface_error_m = terrain.surface_error_m,
                   .is_overview = terrain.is_overview};
