@@ -74,6 +74,7 @@ void render(const RenderSettings& settings) {
   const auto start = Clock::now();
   check_outputs(settings);
   const TerrainData whole = read_ground(settings);
+  if (!settings.quiet) tell_doubts(whole);
   const std::vector<Overlay> overlays = read_overlays(settings.overlays, whole);
   const double read_s = seconds_since(start);
 

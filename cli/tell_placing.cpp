@@ -44,4 +44,8 @@ void tell_placing(const PlacedView& placed, const ViewSpec& view) {
   if (placed.near_skyline) tell_near_skyline(*placed.near_skyline, view);
 }
 
+void tell_doubts(const TerrainData& terrain) {
+  for (const std::string& doubt : terrain.doubts) say_line(doubt);
+}
+
 } // namespace orograph

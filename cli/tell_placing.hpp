@@ -2,6 +2,7 @@
 // What `render` says on stderr of how a map was placed.
 #pragma once
 
+#include "dem/terrain.hpp"
 #include "hidden_lines/counts.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
@@ -16,5 +17,8 @@ void tell_placing(const PlacedView& placed, const ViewSpec& view);
 
 /// What a reader of overlays assumed, and what of them isn't on the terrain.
 void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts);
+
+/// Says what leaves the terrain's place, CRS or heights in doubt.
+void tell_doubts(const TerrainData& terrain);
 
 } // namespace orograph

@@ -74,6 +74,8 @@ struct TerrainData {
   double surface_error_m = 0;
   /// Whether it is an overview of the file's heights, whose distance from them nobody knows.
   bool is_overview = false;
+  /// Those of the notes that leave its place, its CRS or its heights in doubt.
+  std::vector<std::string> doubts = {};
 };
 
 /// Puts the origin of the ground frame to a place (longitude and latitude in degrees, as the

@@ -154,6 +154,8 @@ public:
       }
   }
 
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
 private:
   // To rows that begin `stride` values apart.
   template <class Value>
@@ -175,8 +177,13 @@ private:
              std::ptrdiff_t bytes_a_line) {
     GdalMessages messages;
     if (band.RasterIO(GF_Read, at.pixel, at.line, at.pixels, at.lines, to, at.pixels, at.lines,
-                      type, 0, bytes_a_line, nullptr) == CE_None)
+                      type, 0, bytes_a_line, nullptr) == CE_None &&
+        !messages.has_failure()) {
+      for (const std::string& warning : messages.warnings())
+        if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())
+          warnings_.push_back(warning);
       return;
+    }
     throw Error(fmt::format("{} can't be read ({})", path_, messages.last_failure()),
                 "the file seems to be truncated or damaged, fetch it again");
   }
@@ -186,6 +193,7 @@ private:
   RasterWindow window_;
   const std::string& path_;
   std::vector<unsigned char> mask_tile_;
+  std::vector<std::string> warnings_;
 };
 
 // A raster in memory over the values, which it neither copies nor owns.
@@ -269,11 +277,16 @@ bool has_unwritten_blocks(GDALRasterBand& band, const RasterWindow& window) {
           GDAL_DATA_COVERAGE_STATUS_EMPTY) != 0;
 }
 
-void read_heights(GDALRasterBand& band, const RasterWindow& window, const GridOrder& order,
-                  const HeightCode& code, const std::string& path, ReadHeights& heights,
-                  HeightDifferences* differences) {
-  std::visit(
-      [&](auto& values) { Reader(band, window, path).read(order, code, values, differences); },
+std::vector<std::string> read_heights(GDALRasterBand& band, const RasterWindow& window,
+                                      const GridOrder& order, const HeightCode& code,
+                                      const std::string& path, ReadHeights& heights,
+                                      HeightDifferences* differences) {
+  return std::visit(
+      [&](auto& values) {
+        Reader reader(band, window, path);
+        reader.read(order, code, values, differences);
+        return reader.warnings();
+      },
       heights);
 }
 

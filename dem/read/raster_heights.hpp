@@ -45,11 +45,12 @@ bool has_unwritten_blocks(GDALRasterBand& band, const RasterWindow& window);
 
 /// Reads the window, each of the file's blocks once, to the places in `heights` that the order
 /// names. A mask that the file holds makes NaN as nodata does. With `differences` only places that
-/// are NaN take a height, else all do. Throws Error if a read fails, as it does in a truncated
-/// file.
-void read_heights(GDALRasterBand& band, const RasterWindow& window, const GridOrder& order,
-                  const HeightCode& code, const std::string& path, ReadHeights& heights,
-                  HeightDifferences* differences);
+/// are NaN take a height, else all do. Returns what GDAL warned of, each once. Throws Error if a
+/// read fails, as it does in a truncated file.
+std::vector<std::string> read_heights(GDALRasterBand& band, const RasterWindow& window,
+                                      const GridOrder& order, const HeightCode& code,
+                                      const std::string& path, ReadHeights& heights,
+                                      HeightDifferences* differences);
 
 /// What became of vertices without a height.
 struct FilledVoids {

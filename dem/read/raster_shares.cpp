@@ -44,7 +44,9 @@ bool read_share(const SharedFile& file, const RasterWindow& share, const GridOrd
   const GdalMessages unheard;
   const Dataset dataset = open_directly(file);
   GDALRasterBand& band = *dataset->GetRasterBand(file.band);
-  read_heights(band, share, order, code, file.path, heights, nullptr);
+  const auto warnings = read_heights(band, share, order, code, file.path, heights, nullptr);
+  if (!warnings.empty()) // it is read again where they can be told
+    throw Error(file.path + ": " + warnings.front(), "fetch it again");
   return !code.nodata && has_unwritten_blocks(band, share);
 }
 

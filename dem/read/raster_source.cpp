@@ -162,17 +162,17 @@ bool has_georeference(GDALDataset& dataset) {
 }
 
 // From the geotransform: vertices at cell centres, in map coordinates. Without one, cells of size
-// 1 with line 0 in the north, and a note. Throws Error where the place is told by control points,
+// 1 with line 0 in the north, and a doubt. Throws Error where the place is told by control points,
 // RPCs or geolocation arrays only, or the geotransform doesn't span a plane.
 RasterLattice raster_lattice(GDALDataset& dataset, const std::string& path,
-                             std::vector<std::string>& notes) {
+                             std::vector<std::string>& doubts) {
   std::array<double, 6> gt{};
   dataset.GetGeoTransform(gt.data());
   if (!has_georeference(dataset)) {
     if (dataset.GetGCPCount() > 0) refuse_place(path, "ground control points", "-tps ");
     if (dataset.GetMetadata("RPC")) refuse_place(path, "rational polynomials (RPC)", "-rpc ");
     if (dataset.GetMetadata("GEOLOCATION")) refuse_place(path, "geolocation arrays", "-geoloc ");
-    notes.push_back(
+    doubts.push_back(
         "The file has no georeference: cells are taken as 1 m, with the first row in the north.");
     gt = {0, 1, 0, 0, 0, -1};
   }
@@ -209,6 +209,27 @@ RasterLattice coarser(const RasterLattice& full, int pixels, int lines) {
           down * full.line_step};
 }
 
+// Of GeoTIFF, as GDAL names them when it ignores one that is cut off or of a wrong type.
+constexpr std::array<std::string_view, 9> kTagsOfPlaceAndHeights{
+    "GeoPixelScale",   "GeoTiePoints",    "TransformationMatrix",
+    "GeoKeyDirectory", "GeoDoubleParams", "GeoASCIIParams",
+    "GDALNoDataValue", "GDALMetadata",    "GeoTIFF tags"};
+
+[[noreturn]] void refuse_damaged(const std::string& path, const std::string& reason) {
+  throw Error(
+      fmt::format("{}: what tells its place or its heights is damaged ({})", path, reason),
+      "fetch it again, or set what is lost: gdal_edit.py with -a_ullr, -a_srs or -a_nodata");
+}
+
+// A warning about one of the tags is refused; the others become doubts.
+void take_warnings(const GdalMessages& messages, RasterSource& source) {
+  for (const std::string& warning : messages.warnings()) {
+    for (const std::string_view tag : kTagsOfPlaceAndHeights)
+      if (warning.find(tag) != std::string::npos) refuse_damaged(source.path, warning);
+    source.doubts.push_back("GDAL warns: " + warning + ".");
+  }
+}
+
 GDALRasterBand& band_of(const RasterSource& source, const ReadOptions& options) {
   const Dataset& dataset = source.overview ? source.overview : source.full;
   return *dataset->GetRasterBand(options.band);
@@ -239,17 +260,21 @@ RasterSource open_source(const std::string& path, const ReadOptions& options,
   RasterSource source;
   source.path = path;
   source.full = open_raster(path, options.open_options, messages);
-  for (const std::string& warning : messages.warnings())
-    source.notes.push_back("GDAL warns: " + warning + ".");
+  take_warnings(messages, source);
+  messages.forget(); // drivers that were asked before may have failed
   GDALRasterBand& band = height_band(*source.full, path, options.band);
   source.has_place = has_georeference(*source.full);
-  source.lattice = raster_lattice(*source.full, path, source.notes);
+  source.lattice = raster_lattice(*source.full, path, source.doubts);
   source.order = grid_order(source.lattice);
   source.in_float = fits_float(band);
   if (on_lattice) on_lattice(source);
   source.map = raster_map_frame(*source.full, band, path, box_of(source.lattice).centre(),
                                 options.height_unit, source.notes);
   source.code = height_code(band, source.map.height_unit_m);
+  // GDAL looks at place and CRS only when it is asked for them.
+  take_warnings(messages, source);
+  if (messages.has_failure()) refuse_damaged(path, messages.last_failure());
+  source.notes.insert(source.notes.begin(), source.doubts.begin(), source.doubts.end());
   if (options.overview) {
     source.overview = open_overview(path, options.open_options, band, *options.overview, messages);
     source.lattice = coarser(source.lattice, source.overview->GetRasterXSize(),
@@ -286,7 +311,11 @@ void read_part(RasterSource& source, const ReadOptions& options, const RasterWin
     return;
   }
   GDALRasterBand& band = band_of(source, options);
-  read_heights(band, window, order, source.code, source.path, heights, differences);
+  for (const std::string& warning :
+       read_heights(band, window, order, source.code, source.path, heights, differences)) {
+    source.doubts.push_back("GDAL warns: " + warning + ".");
+    source.notes.push_back(source.doubts.back());
+  }
   if (!source.code.nodata && has_unwritten_blocks(band, window)) note_unwritten(source);
 }
 

@@ -24,9 +24,12 @@ struct RasterSource {
   bool in_float = true;   ///< float holds all its heights
   bool has_place = false; ///< its georeference is told
   std::vector<std::string> notes;
+  std::vector<std::string> doubts; ///< as a terrain's: they are among the notes too
 };
 
-/// Opens a raster. Throws Error as `read_raster` does, before any height is read. `on_lattice` is
+/// Opens a raster. Throws Error as `read_raster` does, before any height is read, and where GDAL
+/// ignores what tells the place, the CRS or the heights because it is damaged. What else GDAL warns
+/// of is a doubt. `on_lattice` is
 /// called once the file's lattice is known, before its CRS is looked at: understanding one takes
 /// GDAL 20 ms, in which other cores can do something.
 RasterSource open_source(const std::string& path, const ReadOptions& options,

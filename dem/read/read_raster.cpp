@@ -77,14 +77,15 @@ void check_same_terrain(std::vector<RasterSource>& sources) {
 }
 
 // Each note once; with the files that it is about, where it isn't about all.
-std::vector<std::string> notes_of(const std::vector<RasterSource>& sources) {
+std::vector<std::string> notes_of(const std::vector<RasterSource>& sources,
+                                  std::vector<std::string> RasterSource::*kind) {
   struct Note {
     std::string text;
     std::vector<std::string> paths;
   };
   std::vector<Note> notes;
   for (const RasterSource& source : sources)
-    for (const std::string& text : source.notes) {
+    for (const std::string& text : source.*kind) {
       auto note =
           std::find_if(notes.begin(), notes.end(), [&](const Note& n) { return n.text == text; });
       if (note == notes.end()) note = notes.insert(notes.end(), {text, {}});
@@ -251,7 +252,8 @@ TerrainData read_listening(const std::vector<std::string>& paths, const ReadOpti
   HeightDifferences differences;
   if (!take_early(early, sources.front(), grid))
     differences = read_joined(sources, joined, window, options, grid);
-  terrain.notes = notes_of(sources);
+  terrain.notes = notes_of(sources, &RasterSource::notes);
+  terrain.doubts = notes_of(sources, &RasterSource::doubts);
   note_differences(differences, terrain.notes);
   if (options.fill_voids)
     note_filled(fill_voids(grid, *options.fill_voids), *options.fill_voids, terrain.notes);

@@ -93,11 +93,11 @@ void check_counts(const SceneGraph& graph, const std::vector<Index>& order,
     all.to_shapes += counts[place.part].to_shapes;
     all.to_parts += counts[place.part].to_parts;
     if (all.to_shapes > most)
-      throw Error(fmt::format("{}: with this place the scene has more than 1,000,000 instances",
+      throw Error(fmt::format("{}: with this place the scene has more than 200,000 instances",
                               place_in(path, place.line)),
                   "use parts less often");
     if (all.to_parts > 10 * most)
-      throw Error(fmt::format("{}: with this place parts are met more than 10,000,000 times",
+      throw Error(fmt::format("{}: with this place parts are met more than 2,000,000 times",
                               place_in(path, place.line)),
                   "let parts use others less deeply");
   }

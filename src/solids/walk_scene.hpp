@@ -34,7 +34,8 @@ struct SceneGraph {
   std::vector<PartUse> places; ///< its roots, by place
 };
 
-constexpr std::size_t kMostInstances = 1'000'000;
+/// Each box among them takes some 5 kB on its way to the page.
+constexpr std::size_t kMostInstances = 200'000;
 
 /// Every path from a place to a part with a shape, as an instance of that shape: depth first, a
 /// part's own shape before what it uses, with a stack of matrices (Paoluzzi 2003, section 8.3). The

@@ -116,6 +116,9 @@ void make_bad_inputs(const MadeFolder& folder) {
   const std::string tiff = geotiff(kSize, kSize, small_hill_m);
   folder.write("cut.tif", tiff.substr(0, tiff.size() / 2));
   folder.write("stub.tif", tiff.substr(0, 20));
+  std::string lost = tiff; // the last of 13 fields tells where the tie-point is
+  lost.replace(8 + 2 + 12 * 12 + 8, 4, std::string("\xF0\xFF\xFF\x7F", 4));
+  folder.write("lost-place.tif", lost);
   write_view(folder, "flat.toml", {});
   write_view(folder, "parallel-vup.toml", {"vup = [0, -2, 2]"});
   write_view(folder, "empty-window.toml", {"window = [-200, 50, 200, 50]"});

@@ -121,4 +121,22 @@ TEST_CASE("numbers are read as they were written, however many there are") {
   CHECK(points_in(text).points == wanted);
 }
 
+TEST_CASE("a line of too many columns or bytes is refused by its limit") {
+  const TempFolder folder;
+  std::string names = "x,y,z";
+  for (int i = 0; i < 1000; ++i) names += ",a";
+  std::ofstream(folder.file("wide.csv")) << names << "\n";
+  std::ofstream(folder.file("long.csv")) << "x,y,z\n" << std::string(1'000'001, '1') << "\n";
+  const auto told = [&](const char* name) -> std::string {
+    try {
+      read_points(folder.file(name), {"x", "y", "z"});
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(told("wide.csv").find("1003 columns, more than 1000") != std::string::npos);
+  CHECK(told("long.csv").find("line 2 has more than 1,000,000 bytes") != std::string::npos);
+}
+
 } // namespace orograph::read_points_test

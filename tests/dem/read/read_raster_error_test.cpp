@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <utility>
 
 namespace orograph::read_raster_error_test {
 namespace {
@@ -174,6 +176,54 @@ TEST_CASE("an open option without a value is refused") {
   const TempFolder folder;
   write_raster(counting_raster(4, 4), folder.file("dem.tif"));
   CHECK(raster_message(folder.file("dem.tif"), options).empty());
+}
+
+// Bytes of a little-endian TIFF, in which the value of a tag lies beyond the end of the file.
+std::string with_lost_tag(std::string bytes, unsigned tag) {
+  const auto number = [&](std::size_t at, int count) {
+    std::size_t value = 0;
+    for (int i = count; i-- > 0;)
+      value = value << 8 | static_cast<unsigned char>(bytes.at(at + static_cast<std::size_t>(i)));
+    return value;
+  };
+  const std::size_t fields = number(4, 4);
+  for (std::size_t i = 0; i < number(fields, 2); ++i)
+    if (const std::size_t field = fields + 2 + 12 * i; number(field, 2) == tag) {
+      bytes.replace(field + 8, 4, std::string("\xF0\xFF\xFF\x7F", 4));
+      return bytes;
+    }
+  return "";
+}
+
+TEST_CASE("tags of place, CRS or nodata that are cut off are refused, not drawn without them") {
+  const TempFolder folder;
+  RasterFile raster = counting_raster(20, 20);
+  raster.nodata = -9999;
+  raster.creation_options = {"COMPRESS=NONE"};
+  write_raster(raster, folder.file("dem.tif"));
+  std::ifstream file(folder.file("dem.tif"), std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(file), {}};
+  CHECK(read_raster(folder.file("dem.tif")).doubts.empty());
+  for (const auto& [tag, name] : {std::pair{33550u, "GeoPixelScale"},
+                                  {33922u, "GeoTiePoints"},
+                                  {34735u, "GeoKeyDirectory"},
+                                  {42113u, "GDALNoDataValue"}}) {
+    const std::string bytes = with_lost_tag(whole, tag);
+    REQUIRE(bytes.size() == whole.size());
+    std::ofstream(folder.file("lost.tif"), std::ios::binary) << bytes;
+    check_message(raster_message(folder.file("lost.tif")), {"lost.tif", "damaged", name});
+  }
+}
+
+TEST_CASE("a file without a place leaves a doubt, which is a note as well") {
+  const TempFolder folder;
+  RasterFile raster = counting_raster(4, 4);
+  raster.geotransform.reset();
+  write_raster(raster, folder.file("dem.tif"));
+  const TerrainData terrain = read_raster(folder.file("dem.tif"));
+  REQUIRE(terrain.doubts.size() == 1);
+  CHECK(terrain.doubts.front().find("no georeference") != std::string::npos);
+  CHECK(terrain.notes.front() == terrain.doubts.front());
 }
 
 } // namespace orograph::read_raster_error_test
