@@ -13,11 +13,11 @@
 namespace orograph {
 
 /// Draws parts, by line, of a view's `lines`, from number `first_line` on those of `on_ground`;
-/// feature by feature, so that no stroke is of two; ticks by a builder of their own. `layer` is the
-/// one that both fill; it gets the features.
-void draw_features(const Surface& surface, const View& view, const std::vector<EdgeLine>& lines,
-                   const GroundLines& on_ground, std::size_t first_line,
-                   const std::vector<LinePart>& parts, Layer& layer, StrokeBuilder& builder,
-                   StrokeBuilder& tick_builder);
+/// feature by feature, so that no stroke is of two. `layer` gets strokes and features. Returns the
+/// length of what was too short, in mm. On all cores, with the same strokes on any number of them.
+double draw_features(const Surface& surface, const View& view, const std::vector<EdgeLine>& lines,
+                     const GroundLines& on_ground, std::size_t first_line,
+                     const std::vector<LinePart>& parts, const StrokeSettings& settings,
+                     const StrokeSettings& of_ticks, Layer& layer);
 
 } // namespace orograph

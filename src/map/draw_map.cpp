@@ -322,18 +322,20 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     StrokeSettings own = strokes;
     if (task.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
     own.keeps_depths = (task.is_joined || task.is_on_ground) && !task.is_shore && shade;
-    StrokeSettings of_ticks = own; // a tick that is longer than it is wide is no crumb
-    of_ticks.min_stroke_mm = std::min(own.min_stroke_mm, task.layer.pen_width_mm);
-    StrokeBuilder builder(own, task.layer), tick_builder(of_ticks, task.layer);
+    if (task.is_on_ground) {
+      StrokeSettings of_ticks = own; // a tick that is longer than it is wide is no crumb
+      of_ticks.min_stroke_mm = std::min(own.min_stroke_mm, task.layer.pen_width_mm);
+      task.left_out_mm = draw_features(terrain.surface, placed.view, found.lines(), lines.on_ground,
+                                       first_on_ground, task.parts, own, of_ticks, task.layer);
+      return;
+    }
+    StrokeBuilder builder(own, task.layer);
     if (task.of_solids)
       draw_edges(placed.solids, placed.view, task.parts, builder);
-    else if (task.is_on_ground)
-      draw_features(terrain.surface, placed.view, found.lines(), lines.on_ground, first_on_ground,
-                    task.parts, task.layer, builder, tick_builder);
     else
       draw_parts(terrain.surface, lines.on_ground.points, placed.view, found.lines(), task.parts,
                  builder);
-    task.left_out_mm = builder.left_out_mm() + tick_builder.left_out_mm();
+    task.left_out_mm = builder.left_out_mm();
   });
   if (outlines_terrain(style, placed.view)) close_outlines(layers);
   on_all_cores(layers.size(), [&](std::size_t i) {
