@@ -39,7 +39,7 @@ Clipped within(const SeenProfile& seen) {
 Check::Check(const Surface& surface, const PlacedView& placed, double tolerance_mm,
              std::uint64_t points)
     : surface_(surface), tolerance_mm_(tolerance_mm),
-      a_profile_(points / 2 / placed.depths_m.size() + 1),
+      a_profile_(points / 2 / std::max<std::size_t>(1, placed.depths_m.size()) + 1),
       a_sector_(points / 2 / placed.sectors.size()) {}
 
 void Check::begin(const Sector& sector) {

@@ -3,6 +3,8 @@
 // nothing visible is missing, in any layer.
 #include "dem/read/read_raster.hpp"
 #include "geometry/error.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/asked_scenes.hpp"
 #include "tests/scenes/put_eye.hpp"
@@ -29,6 +31,20 @@ TEST_CASE("the ray walk agrees with every line of made scenes", "[slow]") {
   }
   report("made scenes", sum);
   CHECK(sum.ties < sum.asked / 20);
+}
+
+TEST_CASE("a map without profiles is checked, too") {
+  const RandomScene scene = random_scene(1);
+  MapSpec spec = scene.spec;
+  spec.check = 500;
+  PlacedView placed = placed_view(scene.terrain, spec);
+  placed.depths_m.clear();
+  for (Sector& sector : placed.sectors) sector.profiles.clear();
+  const Map map = draw_map(scene.terrain, placed, spec, {}, {});
+  REQUIRE(map.facts.check);
+  CHECK(map.facts.check->asked > 0);
+  CHECK(map.facts.check->hidden == 0);
+  CHECK(map.facts.check->missing == 0);
 }
 
 TEST_CASE("and with profiles along rows, columns and diagonals, through their vertices", "[slow]") {
