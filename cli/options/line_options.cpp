@@ -54,12 +54,12 @@ bool are_among(const std::vector<std::string>& known, const std::vector<std::str
 
 // "LAYER=COLOUR", with commas between several; each layer once.
 bool take_colours(const std::string& text, std::vector<std::pair<std::string, Colour>>& colours) {
+  std::vector<std::string_view> known; // hidden ones, too
+  for (const LayerRow& row : layer_table()) known.push_back(row.name);
   for (const std::string& part : split(text, ',')) {
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos) return false;
     const std::string layer = part.substr(0, equals);
-    std::vector<std::string_view> known;
-    for (const LayerRow& row : layer_table()) known.push_back(row.name);
     if (std::ranges::find(known, layer) == known.end()) {
       const std::string_view nearest = nearest_word(layer, known);
       throw UsageError(fmt::format("--colour: there is no layer '{}'", layer),

@@ -29,9 +29,8 @@ struct RasterSource {
 
 /// Opens a raster. Throws Error as `read_raster` does, before any height is read, and where GDAL
 /// ignores what tells the place, the CRS or the heights because it is damaged. What else GDAL warns
-/// of is a doubt. `on_lattice` is
-/// called once the file's lattice is known, before its CRS is looked at: understanding one takes
-/// GDAL 20 ms, in which other cores can do something.
+/// of is a doubt. `on_lattice` is called once the file's lattice is known, before its CRS is looked
+/// at: understanding one takes GDAL 20 ms, in which other cores can do something.
 RasterSource open_source(const std::string& path, const ReadOptions& options,
                          const std::function<void(const RasterSource&)>& on_lattice = {});
 

@@ -13,6 +13,13 @@
 
 namespace orograph {
 
+bool is_all_grey(const Drawing& drawing) {
+  return std::ranges::all_of(drawing.layers, [](const Layer& layer) {
+    const auto ink = layer.ink();
+    return !ink || is_grey(*ink);
+  });
+}
+
 void append(Layer& layer, const Layer& other) {
   const auto offset = static_cast<std::uint32_t>(layer.page_mm.size());
   const auto features = static_cast<std::int32_t>(layer.features.size());

@@ -90,6 +90,9 @@ struct Drawing {
   std::vector<Layer> layers; ///< in drawing order
 };
 
+/// Whether no layer has a colour that isn't a grey.
+bool is_all_grey(const Drawing& drawing);
+
 /// Of a polyline.
 double line_length_mm(std::span<const Vec2> points);
 

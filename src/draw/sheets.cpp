@@ -60,12 +60,15 @@ Layer layer_called(const char* name, const Drawing& whole) {
   return layer;
 }
 
-// No pen is put in twice: what one draws stays in one layer.
-void add_layer(Drawing& drawing, Layer layer) {
-  if (layer.pen)
+// No pen is put in twice: what one draws stays in one layer. Returns the number of the layer that
+// it is in.
+std::size_t add_layer(Drawing& drawing, Layer layer) {
+  if (layer.pen) {
     append(drawing.layers.front(), layer);
-  else
-    drawing.layers.push_back(std::move(layer));
+    return 0;
+  }
+  drawing.layers.push_back(std::move(layer));
+  return drawing.layers.size() - 1;
 }
 
 void add_cross(Layer& layer, Vec2 at) {
@@ -176,10 +179,7 @@ std::vector<Drawing> sheets_of(const Drawing& whole, const Page& sheet,
   const Tiling tiling{sheet, request};
   Drawing marked = whole;
   std::erase_if(marked.layers, [](const Layer& layer) { return layer.is_pen_way; });
-  add_layer(marked, register_marks(whole, tiling));
-  const std::size_t marks = whole.layers.empty() || !whole.layers.front().pen
-                                ? marked.layers.size() - 1
-                                : 0; // where `add_layer` has put them
+  const std::size_t marks = add_layer(marked, register_marks(whole, tiling));
   for (const Layer& layer : whole.layers)
     if (layer.is_pen_way) marked.layers.push_back(layer);
   std::vector<Drawing> sheets;

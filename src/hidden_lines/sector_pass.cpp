@@ -226,12 +226,12 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     profile.strokes.clear();
     StrokeBuilder builder(profiles->settings, profile.strokes);
     ProfileStrokes strokes(placed.view, sector, style.flat == FlatGround::draw, builder);
-    std::vector<VisibleRun> before_solids;
+    std::vector<VisibleRun> not_behind_solids;
     if (solids) {
-      before_solids = profile.visible; // which those who watch want as they are
-      leave_out_behind(*solids, profile.profile, before_solids);
+      not_behind_solids = profile.visible; // which those who watch want as they are
+      leave_out_behind(*solids, profile.profile, not_behind_solids);
     }
-    const std::vector<VisibleRun>& runs = solids ? before_solids : profile.visible;
+    const std::vector<VisibleRun>& runs = solids ? not_behind_solids : profile.visible;
     strokes.add(profile.profile, profile.planned, runs);
     if (profiles->hidden) {
       profile.hidden_strokes.clear();

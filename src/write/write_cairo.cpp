@@ -137,13 +137,6 @@ void set_level(cairo_t* pen, const Layer& layer) {
   cairo_set_source_rgba(pen, 0, 0, 0, ink ? (*ink)[0] / 255.0 : layer.grey);
 }
 
-bool is_all_grey(const Drawing& drawing) {
-  return std::ranges::all_of(drawing.layers, [](const Layer& layer) {
-    const auto ink = layer.ink();
-    return !ink || is_grey(*ink);
-  });
-}
-
 void write_png(const Drawing& drawing, double dpi, ByteSink& out) {
   const double scale = dpi / kMmPerInch;
   const double width = std::round(drawing.page.width_mm * scale);

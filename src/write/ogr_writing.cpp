@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "write/ogr_writing.hpp"
+
+#include <cpl_conv.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace orograph {
+
+OgrMessages::OgrMessages()
+    : last_(CPLGetLastErrorType()), last_number_(CPLGetLastErrorNo()),
+      last_text_(CPLGetLastErrorMsg()) {
+  CPLPushErrorHandlerEx(keep, this);
+  CPLErrorReset();
+}
+
+OgrMessages::~OgrMessages() {
+  CPLPopErrorHandler();
+  CPLErrorSetState(last_, last_number_, last_text_.c_str());
+}
+
+void OgrMessages::keep(CPLErr level, CPLErrorNum, const char* text) {
+  if (level >= CE_Warning)
+    static_cast<OgrMessages*>(CPLGetErrorHandlerUserData())->take(level >= CE_Failure, text);
+}
+
+void OgrMessages::take(bool is_failure, const char* text) {
+  constexpr std::string_view before_reason = " failed: ";
+  if (has_failure_) return;
+  has_failure_ = is_failure;
+  reason_ = text;
+  if (const std::size_t found = reason_.rfind(before_reason); found != std::string::npos)
+    reason_.erase(0, found + before_reason.size());
+  std::ranges::replace(reason_, '\n', ' ');
+}
+
+ThreadOption::ThreadOption(const char* name, const char* value) : name_(name) {
+  if (const char* before = CPLGetThreadLocalConfigOption(name, nullptr)) before_ = before;
+  CPLSetThreadLocalConfigOption(name, value);
+}
+
+ThreadOption::~ThreadOption() {
+  CPLSetThreadLocalConfigOption(name_, before_ ? before_->c_str() : nullptr);
+}
+
+Dataset create_dataset(const char* driver_name, const std::string& path) {
+  GDALAllRegister();
+  GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName(driver_name);
+  if (driver == nullptr)
+    throw Error(fmt::format("GDAL has no {} here", driver_name), "a GDAL that has it",
+                ErrorCode::output);
+  return Dataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+}
+
+Error gdal_error(const std::string& name, const OgrMessages& messages) {
+  const std::string reason = messages.reason().empty() ? "GDAL gives no reason" : messages.reason();
+  return {fmt::format("{} can't be written ({})", name, reason),
+          "a disk with room for it, and a folder that you may write to"};
+}
+
+} // namespace orograph
