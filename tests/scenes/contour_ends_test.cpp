@@ -2,15 +2,14 @@
 // Where a silhouette cuts a contour off, the contour ends on it: in memory, before anything is
 // rounded to the page's step.
 #include "dem/approximate/tin_of_grid.hpp"
-#include "geometry/error.hpp"
 #include "hidden_lines/sector_pass.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/sector.hpp"
 #include "profiles/cut_surface.hpp"
 #include "tests/catch.hpp"
-#include "tests/scenes/look_down.hpp"
-#include "tests/scenes/put_eye.hpp"
 #include "tests/scenes/random_scene.hpp"
+#include "tests/scenes/sector_found.hpp"
+#include "tests/scenes/vary_view.hpp"
 #include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
 
@@ -38,8 +37,7 @@ RandomScene with_contours(std::uint64_t seed, double tolerance_mm, Random& rando
   style.outline = Outline::by_layer;
   style.visibility_tolerance_mm = tolerance_mm;
   style.silhouette_jump = 0; // what is no fold is left out else, though it hides
-  if (seed % 3 == 1) look_down(scene.spec, scene.terrain, random);
-  if (seed % 3 == 2) put_eye(scene.spec, grid_of(scene.terrain), random);
+  vary_view(seed, scene.terrain, scene.spec, random);
   if (seed % 2 == 0) {
     const Grid grid = grid_of(scene.terrain);
     scene.terrain.surface = tin_of(grid);
@@ -62,30 +60,10 @@ double distance_mm(Vec2 p, const PageSegment& s) {
   return length(p - (s.from + t * way));
 }
 
-// What a sector's pass has found, with the lines' numbers.
-struct Pass {
-  const LinesOfView& lines;
-  SectorLines found;
-  std::vector<LinePart> visible; // skyline and all
-
-  Pass(const TerrainData& terrain, const PlacedView& placed, const Sector& sector,
-       const LinesOfView& of_view, const Style& style, const Instruments& instruments)
-      : lines(of_view) {
-    Counts counts;
-    StageSeconds seconds;
-    found = sector_pass(terrain, placed, sector, lines, nullptr, style, instruments, nullptr,
-                        {counts, seconds}, [] {});
-    visible = found.visible;
-    visible.insert(visible.end(), found.skyline.begin(), found.skyline.end());
-    join(visible);
-  }
-  const EdgeLine& line(std::uint32_t i) const {
-    return i < lines.listed.size() ? lines.listed[i] : found.found[i - lines.listed.size()];
-  }
-  const GroundLine& piece(std::uint32_t i) const {
-    return lines.on_ground.lines[i - (lines.listed.size() - lines.on_ground.lines.size())];
-  }
-};
+// The piece that is line number `i`.
+const GroundLine& piece_of(const LinesOfView& lines, std::uint32_t i) {
+  return lines.on_ground.lines[i - (lines.listed.size() - lines.on_ground.lines.size())];
+}
 
 class SectorOnPage {
 public:
@@ -122,11 +100,11 @@ private:
 
 // All visible lines that hide, and the section where the near plane cuts the ground.
 std::vector<PageSegment> cutting_lines(const TerrainData& terrain, const PlacedView& placed,
-                                       const Sector& sector, const Pass& pass,
+                                       const Sector& sector, const SectorFound& pass,
                                        const SectorOnPage& on_page) {
   std::vector<PageSegment> out;
   for (const LinePart& part : pass.visible) {
-    const EdgeLine& line = pass.line(part.line);
+    const EdgeLine& line = pass.pictures.line(part.line);
     if (!is_contour(line.kind))
       on_page.add(on_page.at(line, part.t_begin), on_page.at(line, part.t_end), out);
   }
@@ -142,7 +120,7 @@ std::vector<PageSegment> cutting_lines(const TerrainData& terrain, const PlacedV
 }
 
 // Places where visible parts of contours end though the contour goes on.
-std::vector<ProfilePoint> cut_ends(const Pass& pass, const SectorOnPage& on_page) {
+std::vector<ProfilePoint> cut_ends(const SectorFound& pass, const SectorOnPage& on_page) {
   struct Node {
     int all = 0, seen = 0; // pieces that meet there
   };
@@ -152,8 +130,8 @@ std::vector<ProfilePoint> cut_ends(const Pass& pass, const SectorOnPage& on_page
       ++nodes[{piece.feature, end}].all;
   const auto for_each_end = [&](const auto& take) {
     for (const LinePart& part : pass.visible) {
-      if (!is_contour(pass.line(part.line).kind)) continue;
-      const GroundLine& piece = pass.piece(part.line);
+      if (!is_contour(pass.pictures.line(part.line).kind)) continue;
+      const GroundLine& piece = piece_of(pass.lines, part.line);
       for (const auto& [t, is_at, end] :
            {std::tuple{part.t_begin, part.t_begin <= kRounding, piece.ends.from},
             {part.t_end, part.t_end >= 1 - kRounding, piece.ends.to}})
@@ -164,7 +142,7 @@ std::vector<ProfilePoint> cut_ends(const Pass& pass, const SectorOnPage& on_page
   std::vector<ProfilePoint> out;
   for_each_end([&](const LinePart& part, double t, const Node* node) {
     if (!node || (node->seen == 1 && node->all > 1))
-      out.push_back(on_page.at(pass.line(part.line), t));
+      out.push_back(on_page.at(pass.pictures.line(part.line), t));
   });
   return out;
 }
@@ -181,17 +159,13 @@ Ends ends_of_scenes(double tolerance_mm) {
     Random random(seed);
     const RandomScene scene = with_contours(seed, tolerance_mm, random);
     INFO("seed " << seed << ": " << scene.what);
-    std::optional<PlacedView> placed;
-    try {
-      placed = placed_view(scene.terrain, scene.spec);
-    } catch (const Error&) { // an eye under the ground, or a view of nothing
-      continue;
-    }
+    std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+    if (!placed) continue;
     const Style& style = scene.spec.style;
     const Instruments instruments{.hidden_ground = true, .order_always = seed % 4 == 1};
     const LinesOfView lines = lines_of_view(scene.terrain, *placed, style, instruments, nullptr);
     for (const Sector& sector : placed->sectors) {
-      const Pass pass(scene.terrain, *placed, sector, lines, style, instruments);
+      const SectorFound pass(scene.terrain, *placed, sector, lines, style, instruments);
       const SectorOnPage on_page(scene.terrain.surface, sector, lines.on_ground.points);
       const std::vector<PageSegment> cutting =
           cutting_lines(scene.terrain, *placed, sector, pass, on_page);

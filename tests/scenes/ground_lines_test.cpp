@@ -11,10 +11,10 @@
 #include "reference/judge.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/asked_scenes.hpp"
-#include "tests/scenes/look_down.hpp"
-#include "tests/scenes/put_eye.hpp"
+#include "tests/scenes/random_overlay.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
+#include "tests/scenes/vary_view.hpp"
 #include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
 
@@ -44,8 +44,7 @@ RandomScene flooded(std::uint64_t seed, Random& random) {
   scene.spec.style.flat = FlatGround::waterlines;
   scene.spec.style.join_mm = scene.spec.style.min_stroke_mm.emplace(0);
   scene.spec.style.shore_smooth_mm = 0;
-  if (seed % 3 == 1) look_down(scene.spec, scene.terrain, random);
-  if (seed % 3 == 2) put_eye(scene.spec, grid_of(scene.terrain), random);
+  vary_view(seed, scene.terrain, scene.spec, random);
   return scene;
 }
 
@@ -70,24 +69,8 @@ RandomScene with_lines(std::uint64_t seed, Random& random) {
   style.mesh.count = random.whole(1, 25);
   if (random.chance(0.3)) // along the lattice's lines
     style.mesh.spacing_m = length(grid_of(scene.terrain).plane().column_step_m);
-  if (seed % 3 == 1) look_down(scene.spec, scene.terrain, random);
-  if (seed % 3 == 2) put_eye(scene.spec, grid_of(scene.terrain), random);
+  vary_view(seed, scene.terrain, scene.spec, random);
   return scene;
-}
-
-// Some lines across the terrain, and points.
-Overlay overlay_for(const TerrainData& terrain, Random& random) {
-  const Box2 box = map_bounds(terrain);
-  Overlay out;
-  for (int i = 0; i < 6; ++i) {
-    const std::size_t first = out.places.size();
-    for (int k = i < 4 ? random.whole(2, 6) : 1; k > 0; --k)
-      out.places.push_back({random.between(box.low.x - 0.2 * box.width(), box.high.x),
-                            random.between(box.low.y, box.high.y)});
-    out.features.push_back({{}, out.lines.size(), 1});
-    out.lines.push_back({first, out.places.size() - first});
-  }
-  return out;
 }
 
 // The lines on the ground alone: with others, few of the points asked would be on them.
@@ -162,7 +145,7 @@ void ask_ray_walk(const char* what, std::uint64_t scenes, const MakeScene& make)
     INFO("seed " << seed << ": " << scene.what);
     try {
       PlacedView placed = placed_view(scene.terrain, scene.spec);
-      const Overlay overlay = overlay_for(scene.terrain, random);
+      const Overlay overlay = random_overlay(scene.terrain, random);
       placed.overlays = std::span(&overlay, 1);
       GroundCheck check(scene.terrain, placed, random);
       Instruments instruments{.hidden_ground = true, .order_always = seed % 4 == 1};
@@ -203,12 +186,8 @@ TEST_CASE("every other layer is the same with lines on the water and without") {
     const Grid grid = grid_of(scene.terrain);
     if (seed % 2 == 0) scene.terrain.surface = tin_of(grid);
     INFO("seed " << seed << ": " << scene.what);
-    std::optional<PlacedView> placed;
-    try {
-      placed = placed_view(scene.terrain, scene.spec);
-    } catch (const Error&) {
-      continue;
-    }
+    std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+    if (!placed) continue;
     Map with = draw_map(scene.terrain, *placed, scene.spec, [](double) {});
     scene.spec.style.flat = FlatGround::shore;
     const PlacedView plain = placed_view(scene.terrain, scene.spec);

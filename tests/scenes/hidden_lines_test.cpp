@@ -2,7 +2,6 @@
 // Hidden lines: hidden where the ray walk says so, and together with the visible ones the whole
 // line.
 #include "dem/approximate/tin_of_grid.hpp"
-#include "dem/extent.hpp"
 #include "geometry/error.hpp"
 #include "hidden_lines/sector_pass.hpp"
 #include "map/check.hpp"
@@ -12,11 +11,12 @@
 #include "reference/judge.hpp"
 #include "reference/sight.hpp"
 #include "tests/catch.hpp"
-#include "tests/scenes/look_down.hpp"
-#include "tests/scenes/put_eye.hpp"
+#include "tests/scenes/random_overlay.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/scenes/random_solid_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
+#include "tests/scenes/sector_found.hpp"
+#include "tests/scenes/vary_view.hpp"
 #include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
 
@@ -57,27 +57,12 @@ RandomScene with_hidden(std::uint64_t seed, Random& random) {
   style.mesh.along_view = random.chance(0.4);
   style.mesh.count = random.whole(1, 12);
   scene.spec.ground_points = true; // no dashes
-  if (seed % 3 == 1) look_down(scene.spec, scene.terrain, random);
-  if (seed % 3 == 2) put_eye(scene.spec, grid_of(scene.terrain), random);
+  vary_view(seed, scene.terrain, scene.spec, random);
   if (seed % 2 == 0) {
     const Grid grid = grid_of(scene.terrain);
     scene.terrain.surface = tin_of(grid);
   }
   return scene;
-}
-
-Overlay overlay_for(const TerrainData& terrain, Random& random) {
-  const Box2 box = map_bounds(terrain);
-  Overlay out;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t first = out.places.size();
-    for (int k = random.whole(2, 5); k > 0; --k)
-      out.places.push_back(
-          {random.between(box.low.x, box.high.x), random.between(box.low.y, box.high.y)});
-    out.features.push_back({{}, out.lines.size(), 1});
-    out.lines.push_back({first, out.places.size() - first});
-  }
-  return out;
 }
 
 // Where a linear function that is `a` at 0 and `b` at 1 isn't negative, `t` is cut to that.
@@ -115,7 +100,7 @@ double length_mm(const PlacedView& placed, const Sector& sector, const ProfileLi
 // Spans of profiles as they were cut.
 class Spans : public LineObserver {
 public:
-  Spans(const PlacedView& placed, const Style& style) : placed_(placed), style_(style) {}
+  explicit Spans(const PlacedView& placed) : placed_(placed) {}
   void see(const SeenProfile& seen) override {
     const Profile& profile = seen.profile;
     for (std::uint32_t i = 0; i + 1 < profile.size(); ++i) {
@@ -132,7 +117,6 @@ public:
 
 private:
   const PlacedView& placed_;
-  const Style& style_;
 };
 
 struct Asked {
@@ -140,12 +124,13 @@ struct Asked {
 };
 
 // The parts of one line, one behind another.
-void ask_parts(const Judge& judge, const LinePictures& lines, XRange range,
-               std::span<const LinePart> parts, bool visible, Random& random, Asked& asked) {
+void ask_parts(const Judge& judge, const SectorFound& pass, std::span<const LinePart> parts,
+               bool visible, Random& random, Asked& asked) {
+  const LinePictures& lines = pass.pictures;
   for (const LinePart& part : parts) {
     const double t = part.t_begin + random.between(0.02, 0.98) * (part.t_end - part.t_begin);
     const double x = project(lines.sector().view, lines.point(part.line, t)).x;
-    if (!(x >= range.begin && x <= range.end)) continue;
+    if (!(x >= pass.range.begin && x <= pass.range.end)) continue;
     ++asked.points;
     const Verdict verdict =
         judge.verdict(lines.whole(part.line), t, lines.is_edge(part.line), visible);
@@ -161,16 +146,17 @@ struct Faults {
 };
 
 // Of what should be one behind another from where a line comes to lie in front of the eye.
-Faults faults_along(const LinePictures& pictures, const LinesOfView& lines,
-                    const std::vector<LinePart>& shown, const std::vector<LinePart>& hidden) {
+Faults faults_along(const SectorFound& pass) {
+  const LinePictures& pictures = pass.pictures;
+  const std::vector<EdgeLine>& listed = pass.lines.listed;
   constexpr double kSlit = 2e-9; // what hidden_parts leaves out, and rounding
   std::map<std::uint32_t, std::vector<LinePart>> by_line;
-  for (const std::vector<LinePart>* parts : {&shown, &hidden})
+  for (const std::vector<LinePart>* parts : {&pass.visible, &pass.found.hidden})
     for (const LinePart& part : *parts) by_line[part.line].push_back(part);
   const View& view = pictures.sector().view;
   Faults faults;
-  for (std::uint32_t k = 0; k < lines.listed.size(); ++k) {
-    if (!lines.listed[k].drawn) continue;
+  for (std::uint32_t k = 0; k < listed.size(); ++k) {
+    if (!listed[k].drawn) continue;
     const ProfileLine whole = pictures.whole(k);
     Within within;
     const double drawn_m = std::max(view.near_m, view.drawn_from_m);
@@ -209,14 +195,12 @@ TEST_CASE("the ray walk sees no hidden line, and hidden and visible parts are th
     const RandomScene scene = with_hidden(seed, random);
     const Style& style = scene.spec.style;
     INFO("seed " << seed << ": " << scene.what);
-    std::optional<PlacedView> placed;
-    try {
-      placed = placed_view(scene.terrain, scene.spec);
-    } catch (const Error&) { // an eye under the ground, or a view of nothing
+    std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+    if (!placed) {
       ++refused;
       continue;
     }
-    const Overlay overlay = overlay_for(scene.terrain, random);
+    const Overlay overlay = random_overlay(scene.terrain, random);
     placed->overlays = std::span(&overlay, 1);
     two_sectors += placed->sectors.size() > 1 ? 1 : 0;
     const Instruments instruments{.hidden_ground = true, .order_always = seed % 4 == 1};
@@ -225,24 +209,13 @@ TEST_CASE("the ray walk sees no hidden line, and hidden and visible parts are th
     const std::vector<Judge> judges = judges_of(scene.terrain.surface, *placed, 1e-4);
     for (std::size_t i = 0; i < placed->sectors.size(); ++i) {
       const Sector& sector = placed->sectors[i];
-      Counts counts;
-      StageSeconds seconds;
-      SectorLines found = sector_pass(scene.terrain, *placed, sector, lines, nullptr, style,
-                                      instruments, nullptr, {counts, seconds}, [] {});
-      const XRange range = page_range(sector);
-      const double from_m = sector.view.is_perspective() ? sector.view.near_m
-                                                         : -std::numeric_limits<double>::infinity();
-      const LinePictures pictures(scene.terrain.surface, lines.on_ground.points, sector,
-                                  lines.listed, range, from_m);
-      std::vector<LinePart> shown = found.visible;
-      shown.insert(shown.end(), found.skyline.begin(), found.skyline.end());
-      join(shown);
-      ask_parts(judges[i], pictures, range, found.hidden, false, random, hidden);
-      ask_parts(judges[i], pictures, range, shown, true, random, visible);
+      const SectorFound pass(scene.terrain, *placed, sector, lines, style, instruments);
+      ask_parts(judges[i], pass, pass.found.hidden, false, random, hidden);
+      ask_parts(judges[i], pass, pass.visible, true, random, visible);
       CHECK(hidden.wrong == 0);
       CHECK(visible.wrong == 0);
 
-      const Faults faults = faults_along(pictures, lines, shown, found.hidden);
+      const Faults faults = faults_along(pass);
       CHECK(faults.overlaps == 0);
       CHECK(faults.gaps == 0);
     }
@@ -272,33 +245,22 @@ TEST_CASE("what solids hide of lines is hidden, and all else that isn't seen") {
     const LinesOfView lines =
         lines_of_view(made.terrain, placed, style, instruments, nullptr, hidden_kinds(style));
     const Sector& sector = placed.sectors.front();
-    Counts counts;
-    StageSeconds seconds;
-    const SectorLines found = sector_pass(made.terrain, placed, sector, lines, nullptr, style,
-                                          instruments, nullptr, {counts, seconds}, [] {});
-    const XRange range = page_range(sector);
-    const double from_m = sector.view.is_perspective() ? sector.view.near_m
-                                                       : -std::numeric_limits<double>::infinity();
-    const LinePictures pictures(made.terrain.surface, lines.on_ground.points, sector, lines.listed,
-                                range, from_m);
-    std::vector<LinePart> shown = found.visible;
-    join(shown);
-    const std::vector<LinePart>& parts_hidden = found.hidden;
+    const SectorFound pass(made.terrain, placed, sector, lines, style, instruments);
     // Silhouettes hide and aren't drawn here; all others are one or the other everywhere.
-    const Faults faults = faults_along(pictures, lines, shown, parts_hidden);
+    const Faults faults = faults_along(pass);
     CHECK(faults.overlaps == 0);
     CHECK(faults.gaps == 0);
     const SolidSight sight(made.standing, sector.view);
     const std::vector<Judge> judges = judges_of(made.terrain.surface, placed, 1e-4);
     Random random(seed);
-    for (const LinePart& part : parts_hidden) {
+    for (const LinePart& part : pass.found.hidden) {
       const double t = part.t_begin + random.between(0.02, 0.98) * (part.t_end - part.t_begin);
-      const ProfilePoint at = pictures.point(part.line, t);
+      const ProfilePoint at = pass.pictures.point(part.line, t);
       const double x = project(sector.view, at).x;
-      if (!(x >= range.begin && x <= range.end) || !random.chance(0.2)) continue;
+      if (!(x >= pass.range.begin && x <= pass.range.end) || !random.chance(0.2)) continue;
       ++hidden;
-      if (judges.front().verdict(pictures.whole(part.line), t, pictures.is_edge(part.line),
-                                 false) != Verdict::visible)
+      if (judges.front().verdict(pass.pictures.whole(part.line), t,
+                                 pass.pictures.is_edge(part.line), false) != Verdict::visible)
         continue;
       const SightAnswer answer = sight.ask(at, 1e-7L, {});
       CHECK((answer.hidden || answer.unsure));
@@ -317,15 +279,11 @@ TEST_CASE("visible and hidden ink is that of the line within the frame", "[slow]
     Random random(seed);
     const RandomScene scene = with_hidden(seed, random);
     INFO("seed " << seed << ": " << scene.what);
-    std::optional<PlacedView> placed;
-    try {
-      placed = placed_view(scene.terrain, scene.spec);
-    } catch (const Error&) {
-      continue;
-    }
-    const Overlay overlay = overlay_for(scene.terrain, random);
+    std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+    if (!placed) continue;
+    const Overlay overlay = random_overlay(scene.terrain, random);
     placed->overlays = std::span(&overlay, 1);
-    Spans spans(*placed, scene.spec.style);
+    Spans spans(*placed);
     Instruments instruments{.order_always = seed % 4 == 1};
     instruments.observers = {&spans};
     const Map map = draw_map(
