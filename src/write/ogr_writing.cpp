@@ -2,28 +2,34 @@
 #include "write/ogr_writing.hpp"
 
 #include <cpl_conv.h>
+#include <cpl_error.h>
 #include <fmt/format.h>
+#include <gdal_priv.h>
 
 #include <algorithm>
 #include <string_view>
 
 namespace orograph {
 
+namespace {
+
+void keep_message(CPLErr level, CPLErrorNum, const char* text) {
+  if (level >= CE_Warning)
+    static_cast<OgrMessages*>(CPLGetErrorHandlerUserData())->take(level >= CE_Failure, text);
+}
+
+} // namespace
+
 OgrMessages::OgrMessages()
     : last_(CPLGetLastErrorType()), last_number_(CPLGetLastErrorNo()),
       last_text_(CPLGetLastErrorMsg()) {
-  CPLPushErrorHandlerEx(keep, this);
+  CPLPushErrorHandlerEx(keep_message, this);
   CPLErrorReset();
 }
 
 OgrMessages::~OgrMessages() {
   CPLPopErrorHandler();
-  CPLErrorSetState(last_, last_number_, last_text_.c_str());
-}
-
-void OgrMessages::keep(CPLErr level, CPLErrorNum, const char* text) {
-  if (level >= CE_Warning)
-    static_cast<OgrMessages*>(CPLGetErrorHandlerUserData())->take(level >= CE_Failure, text);
+  CPLErrorSetState(static_cast<CPLErr>(last_), last_number_, last_text_.c_str());
 }
 
 void OgrMessages::take(bool is_failure, const char* text) {
@@ -45,13 +51,17 @@ ThreadOption::~ThreadOption() {
   CPLSetThreadLocalConfigOption(name_, before_ ? before_->c_str() : nullptr);
 }
 
-Dataset create_dataset(const char* driver_name, const std::string& path) {
+void CloseOgrDataset::operator()(GDALDataset* dataset) const {
+  GDALClose(dataset);
+}
+
+OgrDataset create_dataset(const char* driver_name, const std::string& path) {
   GDALAllRegister();
   GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName(driver_name);
   if (driver == nullptr)
     throw Error(fmt::format("GDAL has no {} here", driver_name), "a GDAL that has it",
                 ErrorCode::output);
-  return Dataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  return OgrDataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
 }
 
 Error gdal_error(const std::string& name, const OgrMessages& messages) {

@@ -4,12 +4,11 @@
 
 #include "geometry/error.hpp"
 
-#include <cpl_error.h>
-#include <gdal_priv.h>
-
 #include <memory>
 #include <optional>
 #include <string>
+
+class GDALDataset;
 
 namespace orograph {
 
@@ -26,13 +25,12 @@ public:
   /// The first failure (later ones follow from it), or else the last warning; on one line and
   /// without the SQL statement that met it; empty where there was none.
   const std::string& reason() const { return reason_; }
-
-private:
-  static void keep(CPLErr level, CPLErrorNum, const char* text);
+  /// Keeps one of GDAL's messages, a failure or a warning.
   void take(bool is_failure, const char* text);
 
-  CPLErr last_;
-  CPLErrorNum last_number_;
+private:
+  int last_;
+  int last_number_;
   std::string last_text_;
   bool has_failure_ = false;
   std::string reason_;
@@ -57,14 +55,14 @@ struct WritingOptions {
   ThreadOption nothing_beside{"GDAL_PAM_ENABLED", "NO"};
 };
 
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+struct CloseOgrDataset {
+  void operator()(GDALDataset* dataset) const;
 };
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+using OgrDataset = std::unique_ptr<GDALDataset, CloseOgrDataset>;
 
 /// A new dataset without layers at `path`; null where the driver fails. Throws Error where this
 /// GDAL has no such driver.
-Dataset create_dataset(const char* driver_name, const std::string& path);
+OgrDataset create_dataset(const char* driver_name, const std::string& path);
 
 /// That the file called `name` can't be written, and why.
 Error gdal_error(const std::string& name, const OgrMessages& messages);

@@ -47,7 +47,7 @@ std::unique_ptr<OGRFeature> polyline_of(const Stroke& stroke, const Layer& from,
 }
 
 bool write_polylines(const std::string& path, const Drawing& drawing) {
-  const Dataset dataset = create_dataset("DXF", path);
+  const OgrDataset dataset = create_dataset("DXF", path);
   OGRLayer* const layer = dataset ? dataset->CreateLayer("entities") : nullptr;
   if (layer == nullptr) return false;
   std::size_t step = 0;

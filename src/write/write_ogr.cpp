@@ -169,7 +169,7 @@ bool add_strokes(GDALDataset& dataset, const Drawing& drawing, OGRLayer& layer) 
 // Whether all went well, up to and including the closing.
 bool write(const char* driver_name, const std::string& path, const Drawing& drawing,
            const CPLStringList& layer_options, const OgrMessages& messages) {
-  Dataset dataset = create_dataset(driver_name, path);
+  OgrDataset dataset = create_dataset(driver_name, path);
   if (!dataset) return false;
   OGRLayer* const layer = add_layer(*dataset, drawing, layer_options);
   if (layer == nullptr || !add_strokes(*dataset, drawing, *layer)) return false;
@@ -224,7 +224,7 @@ void write_geopackage(const Drawing& drawing, const std::string& path, const std
 void prove_geojson(const Drawing& drawing, const std::string& path, const std::string& name) {
   const OgrMessages messages;
   const char* const drivers[] = {"GeoJSON", nullptr};
-  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
+  const OgrDataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
   OGRLayer* const layer = dataset ? dataset->GetLayer(0) : nullptr;
   const auto expected = static_cast<GIntBig>(stroke_count(drawing));
   if (layer == nullptr || layer->GetFeatureCount() != expected || messages.has_failure())
@@ -235,7 +235,7 @@ void prove_geopackage(const Drawing& drawing, const std::string& path, const std
   const WritingOptions fixed;
   const OgrMessages messages;
   const char* const drivers[] = {"GPKG", nullptr};
-  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
+  const OgrDataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
   const std::string expected = fmt::format("{}", stroke_count(drawing));
   if (!dataset || first_value(*dataset, "PRAGMA quick_check(1)") != "ok" ||
       first_value(*dataset, "SELECT COUNT(*) FROM strokes") != expected || messages.has_failure())
