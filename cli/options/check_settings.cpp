@@ -191,8 +191,8 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
 
 void check_tone(const Style& style, const GivenOptions& given) {
   if (!style.light)
-    for (const char* option : {"--light-contrast", "--light-smooth", "--light-by"})
-      if (insists_on(given, option))
+    for (const char* option : {"--light-contrast", "--light-smooth", "--light-by", "--haze"})
+      if (insists_on(given, option) && (option != std::string_view("--haze") || style.haze > 0.0))
         throw UsageError(fmt::format("{} has no meaning without light", option),
                          "leave it out, or leave --light off out");
   const bool is_on_page = !style.plan || std::holds_alternative<PageSpacing>(*style.plan);

@@ -16,7 +16,7 @@ std::string program_help(const std::vector<Command>& commands);
 /// orograph(1) in troff's man macros. The same bytes for the same tables and version.
 std::string man_page(const std::vector<Command>& commands);
 
-/// "orograph 0.1.0 (commit 1a2b3c4)".
+/// "orograph 0.2.0 (commit 1a2b3c4)".
 std::string version_line();
 
 } // namespace orograph

@@ -82,7 +82,7 @@ TEST_CASE("a drawing is made again from the settings in its report alone") {
         "--spacing 2mm --spread planes --light off",
         "--spacing 15m",
         "--light 120/30 --light-contrast 2 --light-smooth 3 --light-by density",
-        "--light off --haze 0.6",
+        "--light off --haze 0",
         "--haze 0 --pen-width 0.1:0.4",
         "--occluder profiles --layers profiles,border",
         "--simplify 0.3 --visibility-tolerance 0 --silhouette-jump 0.1",
