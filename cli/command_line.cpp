@@ -160,6 +160,7 @@ int fail(const std::string& told, int exit_code) {
 int run_command_line(int argc, char** argv) {
   try {
     keep_standard_streams();
+    keep_stderr_from_libraries();
     remove_output_files_on_signals();
     set_gdal_for_this_program();
     run({argv + std::min(argc, 1), argv + argc});

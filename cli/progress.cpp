@@ -2,6 +2,8 @@
 // The bar 0...10...20 on stderr.
 #include "cli/progress.hpp"
 
+#include "cli/say.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,11 +16,11 @@ constexpr int kMarks = 40, kMarksToNumber = 4;
 }
 
 bool shows_progress(bool quiet, std::optional<bool> asked) {
-  return !quiet && asked.value_or(isatty(STDERR_FILENO) == 1);
+  return !quiet && asked.value_or(isatty(::fileno(told_stream())) == 1);
 }
 
 ProgressBar::~ProgressBar() {
-  if (marks_ >= 0 && !line_ended_) std::fputc('\n', stderr);
+  if (marks_ >= 0 && !line_ended_) std::fputc('\n', told_stream());
 }
 
 void ProgressBar::show(double fraction) {
@@ -28,17 +30,17 @@ void ProgressBar::show(double fraction) {
   while (marks_ < reached) {
     ++marks_;
     if (marks_ % kMarksToNumber == 0)
-      std::fprintf(stderr, "%d", marks_ / kMarksToNumber * 10);
+      std::fprintf(told_stream(), "%d", marks_ / kMarksToNumber * 10);
     else
-      std::fputc('.', stderr);
+      std::fputc('.', told_stream());
   }
-  std::fflush(stderr);
+  std::fflush(told_stream());
 }
 
 void ProgressBar::finish() {
   show(1);
   if (!shown_ || line_ended_) return;
-  std::fputs(" - done.\n", stderr);
+  std::fputs(" - done.\n", told_stream());
   line_ended_ = true;
 }
 

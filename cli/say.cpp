@@ -3,9 +3,8 @@
 
 #include "text/printable.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
-
-#include <cstdio>
 
 namespace orograph {
 namespace {
@@ -13,16 +12,33 @@ namespace {
 // Longer than any message of our own; what makes one longer is a name or a value of the user's.
 constexpr std::size_t kLongestLine = 1000;
 
+std::FILE* told = stderr;
+
 } // namespace
+
+void keep_stderr_from_libraries() {
+  const int kept = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  std::FILE* const stream = kept < 0 ? nullptr : ::fdopen(kept, "w");
+  const int nowhere = stream ? ::open("/dev/null", O_WRONLY | O_CLOEXEC) : -1;
+  if (nowhere < 0) return;
+  std::setvbuf(stream, nullptr, _IONBF, 0);
+  told = stream;
+  ::dup2(nowhere, STDERR_FILENO);
+  ::close(nowhere);
+}
+
+std::FILE* told_stream() {
+  return told;
+}
 
 void say_line(std::string_view text) {
   const std::string line = "orograph: " + shortened(printable(text), kLongestLine) + "\n";
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  std::fwrite(line.data(), 1, line.size(), told);
 }
 
 void say_without_memory(std::string_view text) noexcept {
   for (const std::string_view part : {std::string_view("orograph: "), text, std::string_view("\n")})
-    if (::write(STDERR_FILENO, part.data(), part.size()) < 0) return;
+    if (::write(::fileno(told), part.data(), part.size()) < 0) return;
 }
 
 } // namespace orograph

@@ -4,10 +4,18 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <string_view>
 #include <utility>
 
 namespace orograph {
+
+/// What libraries write to stderr by themselves (PROJ below libgeotiff, netCDF) is heard nowhere
+/// from now on; what the command tells goes where it went. To be called once, at the beginning.
+void keep_stderr_from_libraries();
+
+/// Where the command tells: stderr, as it was at the beginning.
+std::FILE* told_stream();
 
 /// A line that begins with "orograph: ", printable and of at most 1000 bytes. What can't be said,
 /// since stderr is closed or full, is lost, and nothing else is.

@@ -5,6 +5,7 @@
 #include "cli/accuracy/accuracy_report.hpp"
 #include "cli/progress.hpp"
 #include "cli/report/measurements.hpp"
+#include "cli/tell_placing.hpp"
 #include "cli/text_file.hpp"
 #include "dem/read/read_raster.hpp"
 #include "dem/read/read_terrain.hpp"
@@ -109,6 +110,7 @@ void accuracy(const AccuracySettings& settings) {
   }
 
   const TerrainData whole = read_terrain(render.inputs, render.reading);
+  if (!render.quiet) tell_doubts(whole);
   const TerrainOfView of_view(whole, render.map.view);
   const TerrainData& terrain = *of_view;
   std::vector<AccuracyRow> rows = accuracy_rows(settings);

@@ -6,6 +6,7 @@
 #include "cli/fragmentation/worst_cases.hpp"
 #include "cli/progress.hpp"
 #include "cli/report/measurements.hpp"
+#include "cli/tell_placing.hpp"
 #include "cli/text_file.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
@@ -74,6 +75,7 @@ void fragmentation(const FragmentationSettings& settings) {
   }
 
   const TerrainData whole = read_terrain(render.inputs, render.reading);
+  if (!render.quiet) tell_doubts(whole);
   const TerrainOfView of_view(whole, render.map.view);
   const TerrainData& terrain = *of_view;
   std::vector<FragmentationRow> rows = fragmentation_rows(settings);

@@ -122,7 +122,10 @@ void check_eye(RenderSettings& settings, const GivenOptions& given) {
 void add_layers(RenderSettings& settings, const GivenOptions& given) {
   Style& style = settings.map.style;
   if (settings.void_edges && !style.asks_for("voids")) style.layers.push_back("voids");
-  for (OverlayInput& overlay : settings.overlays) overlay.where = settings.overlays_where;
+  for (OverlayInput& overlay : settings.overlays) {
+    overlay.where = settings.overlays_where;
+    overlay.allow_network = settings.reading.allow_network;
+  }
   for (const std::string& layer : settings.added_layers)
     if (!style.asks_for(layer)) style.layers.push_back(layer);
   if (insists_on(given, "--contour-ticks") && !style.asks_for("contours") &&

@@ -9,10 +9,11 @@ namespace orograph {
 namespace {
 
 // Fields that messages of the library name, with what sets them on the command line.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 32> kOptions{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 33> kOptions{{
     {"terrain", "INPUT"},
     {"solids", "--scene"},
     // ReadOptions
+    {"allow_network", "--allow-network"},
     {"bbox", "--bbox"},
     {"bbox_lonlat", "--bbox-lonlat"},
     {"overview", "--overview"},

@@ -133,6 +133,12 @@ void add_terrain_options(std::vector<Option>& options, std::vector<std::string>&
          reading.height_unit = text;
          return length_unit(text).has_value();
        }});
+  options.push_back({.group = kGroup,
+                     .name = "--allow-network",
+                     .help =
+                         "Let files ask servers for what they name; an INPUT that is a URL or a "
+                         "/vsicurl/ path always may",
+                     .take = set_to(reading.allow_network, true)});
   constexpr auto kSurvey = "Triangles and points";
   options.push_back({.group = kSurvey,
                      .name = "--input-layer",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/report/measurements.hpp"
 
+#include "cli/say.hpp"
 #include "cli/version.hpp"
 #include "geometry/error.hpp"
 #include "write/output_file.hpp"
@@ -127,6 +128,7 @@ std::optional<int> exit_code_of_gnuplot(std::string argument, bool silent) {
   char* arguments[] = {program.data(), argument.data(), nullptr};
   posix_spawn_file_actions_t streams;
   posix_spawn_file_actions_init(&streams);
+  posix_spawn_file_actions_adddup2(&streams, ::fileno(told_stream()), STDERR_FILENO);
   if (silent) posix_spawn_file_actions_addopen(&streams, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   pid_t process = 0;
   const int failed = posix_spawnp(&process, program.c_str(), &streams, nullptr, arguments, environ);

@@ -81,8 +81,8 @@ std::vector<Stop> stops(const std::vector<Vec3>& points, const std::vector<Way>&
 } // namespace
 
 std::vector<PathEye> read_eye_path(const std::string& path, std::optional<double> step_m,
-                                   const MapFrame& map) {
-  const MapLine line = read_line(path);
+                                   const MapFrame& map, bool allow_network) {
+  const MapLine line = read_line(path, allow_network);
   std::vector<Vec3> points;
   std::vector<Way> legs;
   for (const Vec3& given : line.points) {

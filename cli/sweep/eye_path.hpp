@@ -22,6 +22,6 @@ struct PathEye {
 /// has any, go along between the vertices. Throws Error where the file holds no line or several,
 /// where one is too short, and where its places are none in the terrain's CRS.
 std::vector<PathEye> read_eye_path(const std::string& path, std::optional<double> step_m,
-                                   const MapFrame& map);
+                                   const MapFrame& map, bool allow_network = false);
 
 } // namespace orograph

@@ -10,6 +10,7 @@
 #include "cli/sweep/folder.hpp"
 #include "cli/sweep/journal.hpp"
 #include "cli/sweep/ranks.hpp"
+#include "cli/tell_placing.hpp"
 #include "dem/terrain.hpp"
 #include "geometry/error.hpp"
 #include "map/describe_map.hpp"
@@ -191,6 +192,7 @@ void sweep(const SweepSettings& settings) {
   const std::vector<std::size_t> waiting = ranks.together(
       [&] { return first ? open_folder(settings, prepared->plan) : std::vector<std::size_t>(); });
 
+  if (first && !settings.render.quiet) tell_doubts(prepared->terrain);
   const SweepRun run{settings,       prepared->terrain,  prepared->views, prepared->columns,
                      prepared->plan, prepared->overlays, prepared->facts};
   ProgressBar bar(first && shows_progress(settings.render.quiet, settings.render.progress));

@@ -185,7 +185,8 @@ ViewList::ViewList(const SweepSettings& settings, const MapFrame& map) : sweep_(
   if (!settings.views.empty())
     axes_.push_back({Parameter::view, numbers_up_to(settings.views.size())});
   if (!settings.eye_path.empty()) {
-    eyes_ = read_eye_path(settings.eye_path, settings.eye_step_m, map);
+    eyes_ = read_eye_path(settings.eye_path, settings.eye_step_m, map,
+                          settings.render.reading.allow_network);
     axes_.push_back({Parameter::eye, numbers_up_to(eyes_.size())});
   }
   axes_.insert(axes_.end(), settings.axes.begin(), settings.axes.end());

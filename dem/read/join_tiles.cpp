@@ -50,6 +50,11 @@ std::string warp_to(const Tile& base, const Tile& tile) {
                      north_west.y, tile.path, name_of_copy(tile.path));
 }
 
+// Of a position on a lattice, in cells: how far it is from the nearest vertex.
+Vec2 beside(Vec2 index) {
+  return {std::abs(index.x - std::round(index.x)), std::abs(index.y - std::round(index.y))};
+}
+
 // Throws Error: the tile's vertices aren't those of the base's lattice, with the command that
 // brings them there. `same_steps`: only its place doesn't fit.
 [[noreturn]] void refuse_lattices(const Tile& base, const Tile& tile, bool same_steps,
@@ -64,10 +69,13 @@ std::string warp_to(const Tile& base, const Tile& tile) {
     throw Error(fmt::format("{} has cells of {}, and {} of {}", tile.path,
                             cells_in_words(tile.lattice), base.path, cells_in_words(base.lattice)),
                 warp_to(base, tile));
-  const Vec2 index = base.lattice.index_of(tile.lattice.first);
+  // Where coordinates are too large for their cells, one corner may fit and the other not.
+  const RasterLattice& t = tile.lattice;
+  const Vec2 first = beside(base.lattice.index_of(t.first)),
+             last = beside(base.lattice.index_of(t.position(t.pixels - 1, t.lines - 1)));
+  const Vec2 most = first.x + first.y < last.x + last.y ? last : first;
   throw Error(fmt::format("{} is {:.5g} x {:.5g} of a cell beside the lattice of {}", tile.path,
-                          std::abs(index.x - std::round(index.x)),
-                          std::abs(index.y - std::round(index.y)), base.path),
+                          most.x, most.y, base.path),
               warp_to(base, tile));
 }
 
@@ -100,8 +108,8 @@ struct Window {
 };
 
 bool is_whole(Vec2 index) {
-  return std::abs(index.x - std::round(index.x)) <= kSameVertex &&
-         std::abs(index.y - std::round(index.y)) <= kSameVertex;
+  const Vec2 off = beside(index);
+  return off.x <= kSameVertex && off.y <= kSameVertex;
 }
 
 // A step of rows or columns, in the base's: over the whole tile it must lead to the same vertices.

@@ -8,8 +8,9 @@ namespace orograph {
 
 struct OverlayInput {
   std::string path;
-  std::string layer; ///< empty: the only one
-  std::string where; ///< empty: all; else as SQL has it behind WHERE
+  std::string layer;          ///< empty: the only one
+  std::string where;          ///< empty: all; else as SQL has it behind WHERE
+  bool allow_network = false; ///< as in ReadOptions
 };
 
 } // namespace orograph

@@ -98,6 +98,27 @@ GDALRasterBand& height_band(GDALDataset& dataset, const std::string& path, int n
   return band;
 }
 
+// Classic netCDF holds its values as they are, and GDAL reads 0 where the file has ended: one of
+// 288 bytes makes heights of gigabytes.
+void check_whole(GDALDataset& dataset, GDALRasterBand& band, const std::string& path) {
+  if (std::string_view(dataset.GetDriverName()) != "netCDF") return;
+  const CPLStringList files(dataset.GetFileList());
+  VSILFILE* const file = files.size() > 0 ? VSIFOpenL(files[0], "rb") : nullptr;
+  if (file == nullptr) return;
+  std::array<char, 3> begin{};
+  const bool is_classic = VSIFReadL(begin.data(), 1, begin.size(), file) == begin.size() &&
+                          std::string_view(begin.data(), begin.size()) == "CDF";
+  VSIFSeekL(file, 0, SEEK_END);
+  const auto size = static_cast<double>(VSIFTellL(file));
+  VSIFCloseL(file);
+  const double needed = static_cast<double>(GDALGetDataTypeSizeBytes(band.GetRasterDataType())) *
+                        dataset.GetRasterXSize() * dataset.GetRasterYSize();
+  if (is_classic && size < needed)
+    throw Error(fmt::format("{} is cut off: it has {:.0f} bytes, and its heights take {:.0f}", path,
+                            size, needed),
+                "fetch it again");
+}
+
 // The overview `level` of the same file, after checking that there is one.
 Dataset open_overview(const std::string& path, std::vector<std::string> open_options,
                       GDALRasterBand& full, int level, GdalMessages& messages) {
@@ -263,6 +284,7 @@ RasterSource open_source(const std::string& path, const ReadOptions& options,
   take_warnings(messages, source);
   messages.forget(); // drivers that were asked before may have failed
   GDALRasterBand& band = height_band(*source.full, path, options.band);
+  check_whole(*source.full, band, path);
   source.has_place = has_georeference(*source.full);
   source.lattice = raster_lattice(*source.full, path, source.doubts);
   source.order = grid_order(source.lattice);

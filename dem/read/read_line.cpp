@@ -2,6 +2,7 @@
 #include "dem/read/read_line.hpp"
 
 #include "dem/read/gdal.hpp"
+#include "dem/read/network.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +55,8 @@ std::string wkt_of(const OGRSpatialReference& crs) {
 
 } // namespace
 
-MapLine read_line(const std::string& path) {
+MapLine read_line(const std::string& path, bool allow_network) {
+  const NetworkGate gate({path}, allow_network);
   GdalMessages messages;
   const Dataset dataset(GDALDataset::Open(path.c_str(),
                                           GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,

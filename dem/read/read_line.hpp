@@ -17,6 +17,7 @@ struct MapLine {
 
 /// Throws Error where GDAL doesn't open the file as vectors, where it doesn't hold exactly one line
 /// (LineString, or MultiLineString of one), and where a coordinate isn't finite.
-MapLine read_line(const std::string& path);
+/// `allow_network` as in ReadOptions.
+MapLine read_line(const std::string& path, bool allow_network = false);
 
 } // namespace orograph

@@ -17,6 +17,10 @@ struct ReadOptions {
   /// beyond.
   std::optional<Box2> bbox_lonlat;
 
+  /// Files may make GDAL ask the network for what they name. Inputs that are on the network
+  /// themselves always may.
+  bool allow_network = false;
+
   // Rasters.
   int band = 1;                          ///< counted from 1
   std::vector<std::string> open_options; ///< NAME=VALUE each, handed to GDAL's driver

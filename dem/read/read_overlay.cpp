@@ -3,6 +3,7 @@
 
 #include "dem/read/crs_frame.hpp"
 #include "dem/read/gdal.hpp"
+#include "dem/read/network.hpp"
 #include "dem/read/vector_layer.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
@@ -230,6 +231,7 @@ std::string text_of(const Box2& box) {
 
 Overlay read_overlay(const OverlayInput& input, const MapFrame& map, const Box2& bounds,
                      double cell) {
+  const NetworkGate gate({input.path}, input.allow_network);
   const GdalMessages messages;
   const Dataset dataset(GDALDataset::Open(input.path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY |
                                                                   GDAL_OF_VERBOSE_ERROR));
@@ -240,6 +242,7 @@ Overlay read_overlay(const OverlayInput& input, const MapFrame& map, const Box2&
   OGRLayer& layer = layer_of(*dataset, input.path, input.layer,
                              fmt::format("name one, as in {}:LAYER", input.path));
   Overlay out;
+  out.notes = gate.doubts();
   out.source = fmt::format("{} ({})", input.path, layer.GetName());
   OGRFeatureDefn& kind = *layer.GetLayerDefn();
   for (int i = 0; i < kind.GetFieldCount(); ++i)

@@ -3,6 +3,7 @@
 
 #include "dem/read/asked_window.hpp"
 #include "dem/read/map_shapes.hpp"
+#include "dem/read/network.hpp"
 #include "dem/read/read_options.hpp"
 #include "dem/read/read_raster.hpp"
 #include "geometry/error.hpp"
@@ -144,8 +145,14 @@ TerrainData read_terrain(const std::vector<std::string>& paths, const ReadOption
                  "cut it into parts first");
   };
   try {
+    std::vector<std::string> inputs = paths;
+    for (const std::string& beside : {options.breaklines, options.boundary})
+      if (!beside.empty()) inputs.push_back(beside);
+    const NetworkGate gate(inputs, options.allow_network);
     TerrainData terrain =
         paths.size() == 1 ? read_one(paths.front(), options) : read_several(paths, options);
+    for (std::vector<std::string>* told : {&terrain.doubts, &terrain.notes})
+      told->insert(told->end(), gate.doubts().begin(), gate.doubts().end());
     terrain.paths = paths;
     return terrain;
   } catch (const std::bad_alloc&) {

@@ -119,6 +119,10 @@ void make_bad_inputs(const MadeFolder& folder) {
   std::string lost = tiff; // the last of 13 fields tells where the tie-point is
   lost.replace(8 + 2 + 12 * 12 + 8, 4, std::string("\xF0\xFF\xFF\x7F", 4));
   folder.write("lost-place.tif", lost);
+  folder.write("remote.vrt",
+               "<VRTDataset rasterXSize='9' rasterYSize='9'><VRTRasterBand dataType='Float32' "
+               "band='1'><SimpleSource><SourceFilename>/vsicurl/http://127.0.0.1:1/a.tif"
+               "</SourceFilename></SimpleSource></VRTRasterBand></VRTDataset>");
   write_view(folder, "flat.toml", {});
   write_view(folder, "parallel-vup.toml", {"vup = [0, -2, 2]"});
   write_view(folder, "empty-window.toml", {"window = [-200, 50, 200, 50]"});

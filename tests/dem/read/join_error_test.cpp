@@ -181,4 +181,14 @@ TEST_CASE("a window of several files") {
   CHECK(pair.refusal(options) == "");
 }
 
+TEST_CASE("tiles whose coordinates are too large for their cells are told how far they are off") {
+  // Doubles are 16 apart there, so the first vertex fits and the last one doesn't.
+  RasterFile west = west_half(), east = east_half();
+  west.geotransform = {1e17, 10, 0, 5000000, 0, -10};
+  east.geotransform = {1e17 + 80, 10, 0, 5000000, 0, -10};
+  const std::string message = Pair(west, east).refusal();
+  check_message(message, {"of a cell beside the lattice"});
+  CHECK(message.find(" 0 x 0 of a cell") == std::string::npos);
+}
+
 } // namespace orograph::join_error_test

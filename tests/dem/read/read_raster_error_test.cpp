@@ -48,7 +48,46 @@ ReadOptions window(double west, double south, double east, double north) {
   return options;
 }
 
+// In the classic format (docs.unidata.ucar.edu/nug: file format specifications), with `size` rows
+// and columns of 4 bytes, of which so many are there.
+std::string netcdf(int size, std::size_t heights) {
+  std::string out = "CDF\x01";
+  const auto number = [&](int n) {
+    for (const int shift : {24, 16, 8, 0}) out += static_cast<char>(n >> shift & 255);
+  };
+  const auto name = [&](const char* letter) {
+    number(1);
+    out += letter;
+    out.append(3, '\0');
+  };
+  constexpr int kDimensions = 10, kVariables = 11, kFloat = 5;
+  for (const int n : {0, kDimensions, 2}) number(n);
+  for (const char* dimension : {"y", "x"}) {
+    name(dimension);
+    number(size);
+  }
+  for (const int n : {0, 0, kVariables, 1}) number(n);
+  name("z");
+  for (const int n : {2, 0, 1, 0, 0, kFloat, 4 * size * size, 0}) number(n);
+  const auto begin = static_cast<int>(out.size());
+  out.resize(out.size() - 4);
+  number(begin);
+  for (std::size_t i = 0; i < heights; ++i) out += std::string("\x3f\x80\0\0", 4); // 1
+  return out;
+}
+
 } // namespace
+
+TEST_CASE("netCDF that is cut off is refused, before its heights are read as 0") {
+  const TempFolder folder;
+  const auto message = [&](int size, std::size_t heights) {
+    std::ofstream(folder.file("dem.nc"), std::ios::binary) << netcdf(size, heights);
+    return raster_message(folder.file("dem.nc"));
+  };
+  CHECK(message(6, 36) == "");
+  check_message(message(6, 5), {"dem.nc is cut off", "116 bytes", "take 144", "fetch it again"});
+  check_message(message(20000, 36), {"is cut off", "take 1600000000"});
+}
 
 TEST_CASE("files that aren't rasters are refused") {
   const TempFolder folder;
