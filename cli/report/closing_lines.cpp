@@ -34,7 +34,10 @@ std::string view_in_words(const PlacedView& placed, const ViewSpec& asked) {
   };
   if (asked.has_eye()) return fmt::format("from the eye towards azimuth {}", azimuth(view.forward));
   const double from_azimuth = azimuth(-1.0 * view.forward);
-  const std::string from = fmt::format("from {}/{:.3g}", from_azimuth, view.elevation.in_degrees());
+  const Angle elevation = placed.chosen_view      ? placed.chosen_view->elevation
+                          : view.is_perspective() ? asked.from_elevation
+                                                  : view.elevation;
+  const std::string from = fmt::format("from {}/{:.3g}", from_azimuth, elevation.in_degrees());
   switch (view.projection) {
   case Projection::perspective:
     return from + " in perspective";

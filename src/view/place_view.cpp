@@ -198,6 +198,29 @@ void frame_perspective(View& view, const ViewRequest& request, const TerrainShap
       "use a greater `distance_m`, or give `field_of_view` too, to show a part of the terrain");
 }
 
+// Where the ground sinks with the square of its distance from the eye, the horizontal that
+// elevations are above is the target's own: it slopes towards the eye by twice the drop over the
+// distance, 16 degrees at 2000 km, and with an elevation below that all ground would be turned
+// away.
+//
+// `put_eye` puts it where the view's elevation says.
+template <class PutEye>
+void look_from_above_target(View& view, Angle elevation, const PutEye& put_eye) {
+  constexpr int kMostSteps =
+      30; // each is nearer by the slope's share: on the earth three are needed
+  constexpr double kSame_deg = 1e-5;
+  put_eye();
+  if (!view.drop.any()) return;
+  double change_deg = 1;
+  for (int i = 0; i < kMostSteps && change_deg > kSame_deg; ++i) {
+    const double away_m = view.distance_m * cos(view.elevation);
+    const Angle sloping = elevation + atan2_angle(2 * view.drop.per_vv * away_m, 1);
+    change_deg = std::abs((sloping + -view.elevation).in_degrees());
+    set_elevation(view, sloping);
+    put_eye();
+  }
+}
+
 Box2 window_of_field(Angle field, double aspect) {
   const double half_width = tan(0.5 * field), half_height = half_width * aspect;
   return {{-half_width, -half_height}, {half_width, half_height}};
@@ -274,7 +297,9 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
       view.is_perspective() && (request.eye_m || (request.distance_m && request.field_of_view));
   view.frames_terrain = !by_field;
   if (by_field) {
-    if (!request.eye_m) put_eye_at_distance(view, *request.distance_m);
+    if (!request.eye_m)
+      look_from_above_target(view, request.from_elevation,
+                             [&] { put_eye_at_distance(view, *request.distance_m); });
     view.window = window_of_field(request.field_of_view.value_or(kDefaultField), aspect);
     const auto in_front_of_picture = [&](Vec3 p) {
       return view.to_picture.of(project_homogeneous(view, to_profile_frame(view, p))).z;
@@ -284,7 +309,9 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
       throw Error("all of the terrain is behind the eye", "turn the view towards it");
   } else {
     PictureEnds ends;
-    if (view.is_perspective()) frame_perspective(view, request, terrain, ends);
+    if (view.is_perspective())
+      look_from_above_target(view, request.from_elevation,
+                             [&] { frame_perspective(view, request, terrain, ends); });
     view.window = picture_box(view, terrain, ends);
   }
   view.near_m = near_plane_m(view, terrain.cell_m);

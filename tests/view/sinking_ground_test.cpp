@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the ground sinks, the elevation that a framed view is seen from is above the target's own
+// horizontal: the plane that touches the sunk ground there, found by stepping on it.
+#include "tests/catch.hpp"
+#include "tests/support/random.hpp"
+#include "tests/view/made_terrain.hpp"
+
+#include <cmath>
+
+namespace orograph::sinking_ground_test {
+
+TEST_CASE("elevations are above the horizontal of what is looked at") {
+  std::uint64_t sloping = 0;
+  for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    const MadeTerrain terrain = made_terrain(random, 12);
+    const double size_m = terrain.extent.box.high.x - terrain.extent.box.low.x;
+    ViewRequest request;
+    request.from_azimuth = Angle::degrees(random.between(0, 360));
+    request.from_elevation = Angle::degrees(random.between(2, 80));
+    request.exaggeration = random.pick({1.0, 2.0});
+    if (random.chance(0.3)) {
+      request.distance_m = 3 * size_m;
+      request.field_of_view = Angle::degrees(30);
+    }
+    // On a planet from ten times to a million times as large as the terrain.
+    const double radius_m = size_m * std::pow(10, random.between(1, 6));
+    request.drop = {random.between(0.9, 1.1) / (2 * radius_m), 1 / (2 * radius_m)};
+    const View view = place_view(request, terrain.shape(), 0.7);
+
+    const auto sunk = [&](double towards_eye_m) {
+      const Vec3 at = view.look_at_m;
+      const Vec2 step = -towards_eye_m * view.forward;
+      return to_profile_frame(view, {at.x + step.x, at.y + step.y, at.z});
+    };
+    // Of a parabola the difference is exact.
+    const double step_m = 0.01 * size_m;
+    const double slope = (sunk(step_m).z - sunk(-step_m).z) / (2 * step_m);
+    const ProfilePoint target = sunk(0);
+    const double rises = std::atan2(view.eye_z_m - target.z, target.v);
+    const double elevation_deg = 180 / std::numbers::pi * (rises - std::atan(slope));
+    sloping += slope > 0.01;
+    // The last step that moves it does so by less than a hundredth of that.
+    CHECK(std::abs(elevation_deg - request.from_elevation.in_degrees()) < 1e-3);
+    CHECK(std::abs(elevation_deg + 180 / std::numbers::pi * std::atan(slope) -
+                   view.elevation.in_degrees()) < 1e-9);
+  }
+  CHECK(sloping > last_seed(200) / 10);
+}
+
+} // namespace orograph::sinking_ground_test
