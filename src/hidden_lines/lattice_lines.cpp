@@ -8,6 +8,11 @@
 #include <limits>
 
 namespace orograph {
+namespace {
+
+constexpr LatticeOrder::Turn kNoTurn = std::numeric_limits<LatticeOrder::Turn>::max();
+
+} // namespace
 
 LatticeLines::LatticeLines(const LatticeInWork& lattice, XRange range,
                            std::span<const LineAtDepth> which, LinePictures& pictures,
@@ -24,6 +29,9 @@ LatticeLines::LatticeLines(const LatticeInWork& lattice, XRange range,
       ridges_.emplace(*lattice.work.folds, pictures_, whole);
     }
   }
+  if (!lattice.work.contour_levels_m.empty())
+    contours_.emplace(lattice, lattice.work.contour_levels_m, inner_range_, pictures_, horizon_,
+                      uprights_);
   order_lines(which);
 }
 
@@ -58,11 +66,13 @@ void LatticeLines::order_lines(std::span<const LineAtDepth> which) {
 void LatticeLines::begin_place(std::uint32_t place, const ShownOfPlace& shown) {
   place_ = place;
   if (silhouettes_) silhouettes_->find(lattice_.order.place(place), shown, horizon_);
+  if (contours_) contours_->begin_place(lattice_.order.place(place), shown);
 }
 
 void LatticeLines::begin_part(PlacePart part) {
   part_ = part;
   if (silhouettes_) found_ = silhouettes_->of(part);
+  if (contours_) contours_->begin_part(part);
 }
 
 void LatticeLines::end_place() {
@@ -90,16 +100,22 @@ void LatticeLines::finish() {
   parts_.insert(parts_.end(), rest.begin(), rest.end());
 }
 
+// Contours hide nothing: all of them up to that edge are compared before it rises.
+std::optional<LatticeLines::EdgeAtTurn> LatticeLines::next() {
+  const std::optional<EdgeAtTurn> edge = next_edge();
+  if (contours_) contours_->take(edge ? edge->turn : kNoTurn);
+  return edge;
+}
+
 // Of the lines on the next edge in this part of the place, those that may be seen or hide anything;
 // none if nothing is left.
-std::optional<LatticeLines::EdgeAtTurn> LatticeLines::next() {
-  constexpr LatticeOrder::Turn kNone = std::numeric_limits<LatticeOrder::Turn>::max();
+std::optional<LatticeLines::EdgeAtTurn> LatticeLines::next_edge() {
   const auto listed_turn = [&] {
-    if (next_line_ == lines_.size()) return kNone;
+    if (next_line_ == lines_.size()) return kNoTurn;
     const LatticeOrder::Turn turn = lines_[next_line_].turn;
     const bool is_here =
         LatticeOrder::place_of(turn) == place_ && part_of(lattice_.order, turn) == part_;
-    return is_here ? turn : kNone;
+    return is_here ? turn : kNoTurn;
   };
   const LatticeOrder::Turn no_sooner = listed_turn();
   looked_at_.clear();
@@ -111,7 +127,7 @@ std::optional<LatticeLines::EdgeAtTurn> LatticeLines::next() {
     found_ = found_.subspan(1);
     return EdgeAtTurn{found.turn, found.edge};
   }
-  if (no_sooner == kNone) return std::nullopt;
+  if (no_sooner == kNoTurn) return std::nullopt;
   const EdgeAtTurn at{no_sooner, pictures_.line(lines_[next_line_].line).edge};
   bool silhouette_drawn = false;
   if (!found_.empty() && found_.front().turn == at.turn) {

@@ -86,7 +86,11 @@ public:
     });
   }
 
-  SectorParts found() const { return parts_by_edge(strips_, lattice_.work.lines.size()); }
+  SectorParts found() const {
+    SectorParts out = parts_by_edge(strips_, lattice_.work.lines.size());
+    out.contours = seen_contours();
+    return out;
+  }
 
   void add_to(Counts& counts, StageSeconds& seconds) const {
     add_counts(strips_, counts);
@@ -99,6 +103,17 @@ private:
     std::size_t profile;
     std::uint32_t first_band, last_band;
   };
+
+  SeenContours seen_contours() const {
+    std::vector<ContourChains> chains;
+    std::vector<ContourPart> parts;
+    for (const auto& strip : strips_)
+      if (LatticeContours* contours = strip->contours()) {
+        chains.push_back(std::move(contours->chains()));
+        parts.insert(parts.end(), contours->parts().begin(), contours->parts().end());
+      }
+    return orograph::seen_contours(std::move(chains), std::move(parts));
+  }
 
   void begin_profiles(std::uint32_t band) {
     cutting_.clear();

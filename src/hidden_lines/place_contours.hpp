@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contours at a place of the lattice's order, as far as a strip of X may show them.
+#pragma once
+
+#include "hidden_lines/contour_chains.hpp"
+#include "hidden_lines/lattice_in_work.hpp"
+#include "hidden_lines/place_silhouettes.hpp"
+#include "hidden_lines/shown_of_place.hpp"
+#include "profiles/triangle_isolines.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// Finds them cell by cell, by the rule of `isolines`.
+class PlaceContours {
+public:
+  /// `levels_m` rise. REQUIRES that both outlive this.
+  PlaceContours(const LatticeInWork& lattice, std::span<const double> levels_m);
+
+  /// Where a level is on an edge or at a vertex, and its picture: NaN up to the near plane. A point
+  /// on the line between two places is kept from the one to the other.
+  struct Point {
+    ProfilePoint at;
+    std::uint64_t number; ///< of its ContourNode
+    double x, y;
+    std::uint32_t chained = ContourChains::kNone; ///< its number among those that are visible
+  };
+  struct Piece {
+    LatticeOrder::Turn turn;
+    std::uint32_t from, to; ///< points of the place
+    std::uint32_t level;    ///< number
+  };
+  void find(const LatticeOrder::Place& place, const ShownOfPlace& shown);
+  /// By turn.
+  std::span<const Piece> of(PlacePart part) const { return found_[static_cast<std::size_t>(part)]; }
+  /// Of the place.
+  Point& point(std::uint32_t number) { return points_[number]; }
+
+private:
+  static constexpr std::uint32_t kNone = ContourChains::kNone;
+  // Vertices along a line of the lattice.
+  struct Line {
+    int number = -1;
+    int first = 0; // cell, that begins at the first of these
+    bool has_level = false; // at a vertex
+    std::vector<LevelStanding> standings;
+    std::vector<std::uint32_t> points; // by cell, the first on the line; kNone if it isn't known
+
+    std::size_t index(int cell) const { return static_cast<std::size_t>(cell - first); }
+    const LevelStanding& at(int cell) const { return standings[index(cell)]; }
+    bool holds(int from, int to) const {
+      return from >= first && to < first + static_cast<int>(standings.size());
+    }
+  };
+  // A vertex of the present strip.
+  struct Corner {
+    int line, cell;
+    const LevelStanding* standing;
+  };
+
+  void take_line(Line& line, int number, const ShownOfPlace& shown);
+  void find_cells(const ShownOfPlace& shown);
+  void add_points_of_cells();
+  void add_points_along(Line& line, int cell);
+  std::uint32_t add_points(const Corner& from, const Corner& to);
+  void add_point(std::uint64_t number, ProfilePoint at);
+  std::uint32_t add_vertex(std::uint32_t vertex);
+  void add_pieces(PlacePart part, int cell);
+  void add_edges_within(int cell);
+  void add_edges_along(const Line& line, const ShownOfPlace& shown);
+  void add_edge(std::uint32_t from, std::uint32_t to, const LevelStanding& level);
+  bool falls(const LevelStanding& level, int strip, int cell, int line, int at) const;
+
+  bool is_looked_at(int strip, int cell) const;
+  int column(int line, int cell) const { return rows_ ? cell : line; }
+  int row(int line, int cell) const { return rows_ ? line : cell; }
+  std::uint32_t vertex(int line, int cell) const {
+    return static_cast<std::uint32_t>(lattice_.grid.index(column(line, cell), row(line, cell)));
+  }
+  Corner corner(const Line& line, int cell) const { return {line.number, cell, &line.at(cell)}; }
+  ProfilePoint place_of(const Corner& corner) const;
+
+  const LatticeInWork& lattice_;
+  IsolineLevels levels_;
+  bool rows_; // are strips
+  std::uint64_t columns_, vertices_;
+  Line near_, far_; // beside the present strip, near_ that of lower number
+  std::vector<Point> points_, points_before_;
+  std::vector<int> cells_;                         // that a level crosses
+  std::vector<std::uint32_t> upright_, diagonal_; // by cell, the first points there
+  std::array<std::vector<Piece>, 3> found_;
+};
+
+} // namespace orograph
