@@ -12,8 +12,8 @@ namespace orograph {
 namespace {
 
 // Brings together what strips have seen of the same pieces.
-ContourChains chains_of(std::vector<ContourPart> parts) {
-  const auto piece = [](const ContourPart& part) { return std::pair(part.from, part.to); };
+ContourRuns runs_of(std::vector<ContourPart> parts) {
+  const auto piece = [](const ContourPart& part) { return std::pair(part.from.node, part.to.node); };
   std::size_t steps = 0;
   std::sort(parts.begin(), parts.end(), [&](const ContourPart& a, const ContourPart& b) {
     throw_if_stopped(++steps);
@@ -25,50 +25,58 @@ ContourChains chains_of(std::vector<ContourPart> parts) {
     shares.push_back({is_same ? shares.back().line : i, parts[i].t_begin, parts[i].t_end});
   }
   join(shares);
-  ContourChains out;
+  ContourRuns out;
   for (const auto& [line, t_begin, t_end] : shares) {
-    const ContourPart& part = parts[line];
-    const auto add = [&](double t, bool is_node, ContourNode node) {
-      return out.add(is_node ? node : ContourNode::loose(node.level()),
-                     point_between(part.at_from, part.at_to, t));
-    };
-    const std::uint32_t begin = add(t_begin, t_begin <= 0, part.from);
-    out.link(begin, add(t_end, t_end >= 1, part.to));
+    const auto& [from, to, begin, end] = parts[line];
+    const ContourNode loose = ContourNode::loose(from.node.level());
+    out.points.push_back(
+        {t_begin <= 0 ? from.node : loose, point_between(from.at, to.at, t_begin)});
+    out.points.push_back({t_end >= 1 ? to.node : loose, point_between(from.at, to.at, t_end)});
+    out.ends.push_back(static_cast<std::uint32_t>(out.points.size()));
   }
   return out;
 }
 
 } // namespace
 
-std::vector<ContourChains::Run> ContourChains::runs() const {
-  std::vector<Run> out;
-  std::vector<bool> taken(points_.size());
-  const auto walk = [&](std::uint32_t first) {
-    std::uint32_t last = kNone, here = first;
-    do {
-      throw_if_stopped(here);
-      taken[here] = true;
-      const std::uint32_t beyond = next(here, last);
-      last = std::exchange(here, beyond);
-    } while (here != kNone && here != first);
-    out.push_back({first, here == first ? first : last});
-  };
-  for (std::uint32_t i = 0; i < points_.size(); ++i)
-    if (!taken[i] && points_[i].beside[1] == kNone) walk(i);
-  for (std::uint32_t i = 0; i < points_.size(); ++i)
-    if (!taken[i]) walk(i); // what is left are rings
-  return out;
+// Of a ring the first point is the last as well.
+void ContourChains::walk(std::uint32_t first, std::vector<bool>& taken, ContourRuns& out) const {
+  std::uint32_t last = kNone, here = first;
+  do {
+    taken[here] = true;
+    out.points.push_back(points_[here].point);
+    const auto& beside = points_[here].beside;
+    last = std::exchange(here, beside[beside[0] == last ? 1 : 0]);
+  } while (here != kNone && here != first);
+  if (here == first) out.points.push_back(points_[first].point);
+  out.ends.push_back(static_cast<std::uint32_t>(out.points.size()));
 }
 
-SeenContours seen_contours(std::vector<ContourChains> chains, std::vector<ContourPart> parts) {
+void ContourChains::end_runs() {
+  throw_if_stopped();
+  if (points_.empty()) return;
+  ContourRuns& out = runs_.emplace_back();
+  out.points.reserve(points_.size());
+  std::vector<bool> taken(points_.size());
+  for (std::uint32_t i = 0; i < points_.size(); ++i)
+    if (!taken[i] && points_[i].beside[1] == kNone) walk(i, taken, out);
+  for (std::uint32_t i = 0; i < points_.size(); ++i)
+    if (!taken[i]) walk(i, taken, out); // what is left are rings
+  first_ += static_cast<std::uint32_t>(points_.size());
+  points_.clear();
+}
+
+SeenContours seen_contours(std::vector<ContourRuns> runs, std::vector<ContourPart> parts) {
   SeenContours out;
-  out.chains = std::move(chains);
-  out.chains.push_back(chains_of(std::move(parts)));
-  std::vector<std::vector<ContourChains::Run>> runs(out.chains.size());
-  on_all_cores(runs.size(), [&](std::size_t i) { runs[i] = out.chains[i].runs(); });
-  for (std::uint32_t i = 0; i < runs.size(); ++i)
-    for (const ContourChains::Run& run : runs[i]) out.runs.push_back({i, run});
-  sort_by_number(out.runs, [&](const SeenContours::Run& run) { return out.level(run); });
+  out.runs = std::move(runs);
+  out.runs.push_back(runs_of(std::move(parts)));
+  for (std::uint32_t i = 0; i < out.runs.size(); ++i) {
+    throw_if_stopped();
+    std::uint32_t begin = 0;
+    for (const std::uint32_t end : out.runs[i].ends)
+      out.by_level.push_back({i, std::exchange(begin, end), end});
+  }
+  sort_by_number(out.by_level, [&](const SeenContours::Run& run) { return out.level(run); });
   return out;
 }
 

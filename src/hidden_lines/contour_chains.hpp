@@ -6,8 +6,10 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace orograph {
@@ -20,7 +22,9 @@ public:
       : level_and_number_((std::uint64_t{level} << kNumberBits) | number) {}
   static ContourNode loose(std::uint32_t level) { return {level, kLoose}; }
 
-  std::uint32_t level() const { return static_cast<std::uint32_t>(level_and_number_ >> kNumberBits); }
+  std::uint32_t level() const {
+    return static_cast<std::uint32_t>(level_and_number_ >> kNumberBits);
+  }
   std::uint64_t number() const { return level_and_number_ & kLoose; }
   bool is_loose() const { return number() == kLoose; }
   auto operator<=>(const ContourNode&) const = default;
@@ -31,68 +35,81 @@ private:
   std::uint64_t level_and_number_;
 };
 
+struct ContourPoint {
+  ContourNode node;
+  ProfilePoint at;
+};
+
 /// A piece of a contour, or a part of it: shares of the way from `from`, the node of lower number.
 struct ContourPart {
-  ContourNode from, to;
-  ProfilePoint at_from, at_to;
+  ContourPoint from, to;
   double t_begin, t_end;
 };
 
-/// Points of contours, of which each knows those beside it. Memory: 40 bytes a point.
+/// Stretches of contours, each of one level and at least two points.
+struct ContourRuns {
+  std::vector<ContourPoint> points;
+  std::vector<std::uint32_t> ends; ///< of each run, among the points
+};
+
+/// Chains pieces while they are found; what was added lately alone, so that it is in the cache.
+/// What of a contour isn't in one run has the same node at the ends of two.
 class ContourChains {
 public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  struct Point {
-    ProfilePoint at;
-    ContourNode node;
-    std::array<std::uint32_t, 2> beside{kNone, kNone};
-  };
 
+  /// Whether a point may still be linked.
+  bool has(std::uint32_t number) const { return number != kNone && number >= first_; }
   /// Adds a point, and tells its number.
-  std::uint32_t add(ContourNode node, ProfilePoint at) {
-    points_.push_back({at, node});
-    return static_cast<std::uint32_t>(points_.size() - 1);
+  std::uint32_t add(const ContourPoint& point) {
+    points_.push_back({point, {kNone, kNone}});
+    return first_ + static_cast<std::uint32_t>(points_.size() - 1);
   }
   /// A visible piece from point to point. REQUIRES that each has less than two.
   void link(std::uint32_t a, std::uint32_t b) {
-    for (const auto& [of, to] : {std::array{a, b}, {b, a}})
-      points_[of].beside[points_[of].beside[0] == kNone ? 0 : 1] = to;
+    for (const auto& [of, to] : {std::array{a, b}, {b, a}}) {
+      auto& beside = points_[of - first_].beside;
+      beside[beside[0] == kNone ? 0 : 1] = to - first_;
+    }
   }
+  /// Whether so many were added that they had better be brought into runs.
+  bool is_full() const { return points_.size() >= kMost; }
+  /// Forgets the points, which are in runs now.
+  void end_runs();
 
-  const Point& point(std::uint32_t number) const { return points_[number]; }
-  /// The point that a way goes on to which came from another one; kNone at its end.
-  std::uint32_t next(std::uint32_t here, std::uint32_t last) const {
-    const auto& beside = points_[here].beside;
-    return beside[beside[0] == last ? 1 : 0];
-  }
-
-  /// From end to end; of a ring from a point to that same point.
-  struct Run {
-    std::uint32_t first, last;
-  };
-  /// All that the points are, in order of their lower end. Cost: one walk along them.
-  std::vector<Run> runs() const;
+  std::vector<ContourRuns>& runs() { return runs_; }
 
 private:
-  std::vector<Point> points_;
+  // Half a megabyte.
+  static constexpr std::size_t kMost = std::size_t{1} << 14U;
+  struct Chained {
+    ContourPoint point;
+    std::array<std::uint32_t, 2> beside;
+  };
+  void walk(std::uint32_t first, std::vector<bool>& taken, ContourRuns& out) const;
+
+  std::vector<Chained> points_;
+  std::uint32_t first_ = 0; // number
+  std::vector<ContourRuns> runs_;
 };
 
 /// What several strips of X have found, as one.
 struct SeenContours {
   struct Run {
-    std::uint32_t chains; ///< number
-    ContourChains::Run ends;
+    std::uint32_t runs; ///< number
+    std::uint32_t begin, end;
   };
-  std::vector<ContourChains> chains;
-  std::vector<Run> runs; ///< by level
-  /// The level of a run, and where its runs end, from number `first` on.
-  std::uint32_t level(const Run& run) const {
-    return chains[run.chains].point(run.ends.first).node.level();
+  std::vector<ContourRuns> runs;
+  std::vector<Run> by_level;
+
+  std::span<const ContourPoint> points(const Run& run) const {
+    return std::span(runs[run.runs].points).subspan(run.begin, run.end - run.begin);
   }
+  std::uint32_t level(const Run& run) const { return points(run).front().node.level(); }
 };
 
-/// `parts`: what isn't visible from node to node in one strip; those of a piece that overlap or meet
-/// become one.
-SeenContours seen_contours(std::vector<ContourChains> chains, std::vector<ContourPart> parts);
+/// `parts`: what isn't visible from node to node in one strip; those of a piece that overlap or
+/// meet become one.
+SeenContours seen_contours(std::vector<ContourRuns> runs, std::vector<ContourPart> parts);
 
 } // namespace orograph

@@ -58,20 +58,22 @@ void LatticeContours::take_exactly(const PlaceContours::Piece& piece) {
   shares_.clear();
   for (const auto& [same, t_begin, t_end] : visible_)
     pictures_.add_part(0, picture, t_begin, t_end, shares_);
-  const auto node = [&](const Point& point) { return ContourNode{piece.level, point.number}; };
+  const auto end = [&](const Point& point) {
+    return ContourPoint{{piece.level, point.number}, point.at};
+  };
   for (const auto& [same, t_begin, t_end] : shares_)
     if (t_begin <= 0 && t_end >= 1 && picture.source.x0 > inner_range_.begin &&
         picture.source.x1 < inner_range_.end)
       link(piece);
     else
-      parts_.push_back({node(*from), node(*to), from->at, to->at, t_begin, t_end});
+      parts_.push_back({end(*from), end(*to), t_begin, t_end});
 }
 
 void LatticeContours::link(const PlaceContours::Piece& piece) {
   const auto number = [&](std::uint32_t of_place) {
     Point& point = place_.point(of_place);
-    if (point.chained == ContourChains::kNone)
-      point.chained = chains_.add({piece.level, point.number}, point.at);
+    if (!chains_.has(point.chained))
+      point.chained = chains_.add({{piece.level, point.number}, point.at});
     return point.chained;
   };
   const std::uint32_t from = number(piece.from);

@@ -30,6 +30,7 @@ public:
         uprights_(uprights), place_(lattice, levels_m) {}
 
   void begin_place(const LatticeOrder::Place& place, const ShownOfPlace& shown) {
+    if (chains_.is_full()) chains_.end_runs();
     place_.find(place, shown);
   }
   void begin_part(PlacePart part) { left_ = place_.of(part); }
@@ -39,7 +40,9 @@ public:
       take(left_.front());
   }
 
-  ContourChains& chains() { return chains_; }
+  /// Once everything was taken.
+  void finish() { chains_.end_runs(); }
+  std::vector<ContourRuns>& runs() { return chains_.runs(); }
   /// What isn't visible from node to node.
   const std::vector<ContourPart>& parts() const { return parts_; }
 

@@ -94,6 +94,7 @@ void LatticeLines::end_place() {
 }
 
 void LatticeLines::finish() {
+  if (contours_) contours_->finish();
   if (!ridges_) return;
   ridges_->judge(horizon_);
   const std::vector<LinePart> rest = ridges_->unjudged();

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 namespace orograph {
@@ -105,14 +106,14 @@ private:
   };
 
   SeenContours seen_contours() const {
-    std::vector<ContourChains> chains;
+    std::vector<ContourRuns> runs;
     std::vector<ContourPart> parts;
     for (const auto& strip : strips_)
       if (LatticeContours* contours = strip->contours()) {
-        chains.push_back(std::move(contours->chains()));
+        std::ranges::move(contours->runs(), std::back_inserter(runs));
         parts.insert(parts.end(), contours->parts().begin(), contours->parts().end());
       }
-    return orograph::seen_contours(std::move(chains), std::move(parts));
+    return orograph::seen_contours(std::move(runs), std::move(parts));
   }
 
   void begin_profiles(std::uint32_t band) {

@@ -14,7 +14,6 @@
 namespace orograph {
 namespace {
 
-using Point = ContourChains::Point;
 using Runs = std::span<const SeenContours::Run>;
 
 // The points of a level's runs, joined where those meet, way after way.
@@ -23,28 +22,12 @@ struct Ways {
     std::size_t begin, end;
     bool is_ring;
   };
-  std::vector<const Point*> points;
+  std::vector<const ContourPoint*> points;
   std::vector<Way> ways;
 };
 
-ChainLink link_of(const SeenContours& contours, const SeenContours::Run& run) {
-  const auto end = [&](std::uint32_t number) {
-    const ContourNode& node = contours.chains[run.chains].point(number).node;
-    return node.is_loose() ? kLooseEnd : std::uint64_t{node.number()};
-  };
-  return {end(run.ends.first), end(run.ends.last)};
-}
-
-// Adds what is behind the run's first point.
-void walk(const ContourChains& chains, ContourChains::Run run, std::vector<const Point*>& points) {
-  std::uint32_t last = ContourChains::kNone, here = run.first;
-  do {
-    throw_if_stopped(points.size());
-    const std::uint32_t beyond = chains.next(here, last);
-    last = here;
-    here = beyond;
-    points.push_back(&chains.point(here));
-  } while (here != run.last);
+std::uint64_t link_at(const ContourPoint& end) {
+  return end.node.is_loose() ? kLooseEnd : end.node.number();
 }
 
 // A ring begins at its lowest node, towards the higher of those beside it; another way at its
@@ -52,7 +35,7 @@ void walk(const ContourChains& chains, ContourChains::Run run, std::vector<const
 void put_in_order(Ways& ways, Ways::Way& way) {
   const auto begin = ways.points.begin() + static_cast<std::ptrdiff_t>(way.begin),
              end = ways.points.begin() + static_cast<std::ptrdiff_t>(way.end);
-  const auto number = [](const Point* point) { return point->node.number(); };
+  const auto number = [](const ContourPoint* point) { return point->node.number(); };
   way.is_ring = number(*begin) == number(*(end - 1)) && !(*begin)->node.is_loose();
   if (!way.is_ring) {
     const auto at_begin = std::tuple(std::min(number(*begin), number(*(begin + 1))),
@@ -72,18 +55,20 @@ void put_in_order(Ways& ways, Ways::Way& way) {
 Ways ways_of(const SeenContours& contours, Runs runs) {
   std::vector<ChainLink> links;
   links.reserve(runs.size());
-  for (const SeenContours::Run& run : runs) links.push_back(link_of(contours, run));
+  for (const SeenContours::Run& run : runs) {
+    const auto points = contours.points(run);
+    links.push_back({link_at(points.front()), link_at(points.back())});
+  }
   const Chains chains = chain(links);
   Ways out;
   for (std::size_t i = 0; i < chains.size(); ++i) {
     Ways::Way way{out.points.size(), 0, false};
     bool is_first = true;
-    for (const auto& [piece, turned] : chains[i]) {
-      const auto& [number, ends] = runs[piece];
-      const ContourChains& found = contours.chains[number];
-      const ContourChains::Run run = turned ? ContourChains::Run{ends.last, ends.first} : ends;
-      if (is_first) out.points.push_back(&found.point(run.first));
-      walk(found, run, out.points);
+    for (const auto& [run, turned] : chains[i]) {
+      throw_if_stopped(out.points.size());
+      const auto points = contours.points(runs[run]);
+      for (std::size_t at = is_first ? 0 : 1; at < points.size(); ++at)
+        out.points.push_back(&points[turned ? points.size() - 1 - at : at]);
       is_first = false;
     }
     way.end = out.points.size();
@@ -102,7 +87,7 @@ Ways ways_of(const SeenContours& contours, Runs runs) {
 double draw_contours(const View& view, const SeenContours& contours, const GroundLines& on_ground,
                      LineKind kind, const StrokeSettings& settings, Layer& layer) {
   std::vector<Runs> levels;
-  for (Runs left = contours.runs; !left.empty();) {
+  for (Runs left = contours.by_level; !left.empty();) {
     const std::uint32_t level = contours.level(left.front());
     const auto end = std::ranges::find_if(
         left, [&](const SeenContours::Run& run) { return contours.level(run) != level; });

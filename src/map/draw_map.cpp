@@ -313,7 +313,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   watch = {};
   SeenContours contours; // which only a view of one sector finds
   for (SectorLines& sector : sectors)
-    if (!sector.contours.runs.empty()) contours = std::move(sector.contours);
+    if (!sector.contours.by_level.empty()) contours = std::move(sector.contours);
   const std::size_t first_on_ground = lines.listed.size() - lines.on_ground.lines.size();
   const FoundParts found(terrain, placed, lines.on_ground.points, std::move(lines.listed),
                          std::move(sectors));
