@@ -27,11 +27,11 @@ public:
                   XRange inner_range, const LinePictures& pictures, const BlockedHorizon& horizon,
                   UprightHeights& uprights)
       : lattice_(lattice), inner_range_(inner_range), pictures_(pictures), horizon_(horizon),
-        uprights_(uprights), place_(lattice, levels_m) {}
+        uprights_(uprights), place_(lattice, levels_m, pictures) {}
 
   void begin_place(const LatticeOrder::Place& place, const ShownOfPlace& shown) {
     if (chains_.is_full()) chains_.end_runs();
-    place_.find(place, shown);
+    place_.find(place, shown, horizon_);
   }
   void begin_part(PlacePart part) { left_ = place_.of(part); }
   /// Those of the part up to a turn and at it.

@@ -23,15 +23,15 @@ bool is_level(const LevelStanding& a, const LevelStanding& b) {
 
 } // namespace
 
-PlaceContours::PlaceContours(const LatticeInWork& lattice, std::span<const double> levels_m)
-    : lattice_(lattice), levels_(levels_m), rows_(lattice.order.rows_are_strips()),
+PlaceContours::PlaceContours(const LatticeInWork& lattice, std::span<const double> levels_m,
+                             const LinePictures& pictures)
+    : lattice_(lattice), pictures_(pictures), levels_(levels_m),
+      rows_(lattice.order.rows_are_strips()),
       columns_(static_cast<std::uint64_t>(lattice.grid.columns)), vertices_(lattice.grid.size()) {
-  const int longest = std::max(lattice.grid.columns, lattice.grid.rows);
-  upright_.resize(static_cast<std::size_t>(longest));
-  diagonal_.resize(static_cast<std::size_t>(longest));
 }
 
-void PlaceContours::find(const LatticeOrder::Place& place, const ShownOfPlace& shown) {
+void PlaceContours::find(const LatticeOrder::Place& place, const ShownOfPlace& shown,
+                         const BlockedHorizon& horizon) {
   for (auto& found : found_) found.clear();
   if (shown.empty()) return;
   points_.swap(points_before_);
@@ -47,15 +47,15 @@ void PlaceContours::find(const LatticeOrder::Place& place, const ShownOfPlace& s
   take_line(near_, place.strip, shown);
   take_line(far_, place.strip + 1, shown);
   if (place.line != kNowhere) add_edges_along(place.line == place.strip ? near_ : far_, shown);
-  find_cells(shown);
+  find_cells(shown, horizon);
   add_points_of_cells();
   const int own = lattice_.order.first_outwards();
-  for (const int cell : cells_)
-    if (cell >= own) add_pieces(PlacePart::outwards, cell);
-  for (const int cell : std::views::reverse(cells_))
-    if (cell < own) add_pieces(PlacePart::backwards, cell);
+  for (const Cell& cell : cells_)
+    if (cell.number >= own) add_pieces(PlacePart::outwards, cell);
+  for (const Cell& cell : std::views::reverse(cells_))
+    if (cell.number < own) add_pieces(PlacePart::backwards, cell);
   if (!near_.has_level || !far_.has_level) return;
-  for (const int cell : cells_) add_edges_within(cell);
+  for (const Cell& cell : cells_) add_edges_within(cell.number);
   for (const PlacePart part : {PlacePart::outwards, PlacePart::backwards})
     std::ranges::stable_sort(found_[static_cast<std::size_t>(part)], {}, &Piece::turn);
 }
@@ -95,7 +95,7 @@ void PlaceContours::take_line(Line& line, int number, const ShownOfPlace& shown)
       lattice_.grid.heights_m);
 }
 
-void PlaceContours::find_cells(const ShownOfPlace& shown) {
+void PlaceContours::find_cells(const ShownOfPlace& shown, const BlockedHorizon& horizon) {
   cells_.clear();
   const LevelStanding *const near = &near_.at(shown.first_cell),
                       *const far = &far_.at(shown.first_cell);
@@ -103,22 +103,51 @@ void PlaceContours::find_cells(const ShownOfPlace& shown) {
     const std::int32_t levels = near[i].levels;
     if (levels == near[i + 1].levels && levels == far[i].levels && levels == far[i + 1].levels)
       continue;
-    const int cell = shown.first_cell + i;
-    if (is_looked_at(near_.number, cell)) cells_.push_back(cell);
+    const int number = shown.first_cell + i;
+    if (!is_looked_at(near_.number, number)) continue;
+    const bool follows = !cells_.empty() && cells_.back().number + 1 == number;
+    const Cell cell{number,
+                    follows ? cells_.back().on_near : corner(near_, number),
+                    corner(near_, number + 1),
+                    follows ? cells_.back().last : corner(far_, number),
+                    corner(far_, number + 1),
+                    kNone,
+                    kNone,
+                    kNone};
+    if (may_be_seen(cell, horizon)) cells_.push_back(cell);
   }
+}
+
+PlaceContours::Corner PlaceContours::corner(const Line& line, int cell) const {
+  const int column = rows_ ? cell : line.number, row = rows_ ? line.number : cell;
+  const LevelStanding& standing = line.at(cell);
+  return {column, row, &standing,
+          to_profile_frame(lattice_.view,
+                           lattice_.grid.plane().vertex_m(column, row, standing.value))};
+}
+
+// By bounds of all of the cell.
+bool PlaceContours::may_be_seen(const Cell& cell, const BlockedHorizon& horizon) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  XRange x{kInfinity, -kInfinity};
+  double highest = -kInfinity;
+  for (const Corner* corner : {&cell.first, &cell.on_near, &cell.on_far, &cell.last}) {
+    if (!(corner->at.v > lattice_.work.from_m)) return true;
+    const Vec2 picture = project(lattice_.view, corner->at);
+    x = {std::min(x.begin, picture.x), std::max(x.end, picture.x)};
+    highest = std::max(highest, picture.y); // of the triangles that are there
+  }
+  const XRange looked_at = pictures_.looked_at();
+  x = {std::max(x.begin, looked_at.begin), std::min(x.end, looked_at.end)};
+  constexpr double kRounding = 1e-12;
+  return x.begin <= x.end &&
+         !is_below_blocks(horizon, x.begin, x.end, highest + kRounding * std::abs(highest));
 }
 
 bool PlaceContours::is_looked_at(int strip, int cell) const {
   const SeenGround* ground = lattice_.work.ground;
   return !ground || ground->seen[ground->index(column(strip, cell) / SeenGround::kSide,
                                                row(strip, cell) / SeenGround::kSide)] != 0;
-}
-
-ProfilePoint PlaceContours::place_of(const Corner& corner) const {
-  return to_profile_frame(lattice_.view, lattice_.grid.plane().vertex_m(
-                                             column(corner.line, corner.cell),
-                                             row(corner.line, corner.cell),
-                                             corner.standing->value));
 }
 
 void PlaceContours::add_point(std::uint64_t number, ProfilePoint at) {
@@ -132,43 +161,40 @@ std::uint32_t PlaceContours::add_points(const Corner& from, const Corner& to) {
   const auto first = static_cast<std::uint32_t>(points_.size());
   const CrossedLevels crossed = crossed_within(*from.standing, *to.standing);
   if (crossed.first >= crossed.last) return first;
-  const ProfilePoint at_from = place_of(from), at_to = place_of(to);
   // Row by row, those along a row before those between it and the next.
-  const auto column = static_cast<std::uint64_t>(this->column(from.line, from.cell)),
-             row = static_cast<std::uint64_t>(this->row(from.line, from.cell));
-  const bool is_along = this->row(to.line, to.cell) == this->row(from.line, from.cell),
-             is_down = this->column(to.line, to.cell) == this->column(from.line, from.cell);
-  const std::uint64_t number =
-      vertices_ + 3 * row * columns_ +
-      (is_along ? column : columns_ + 2 * column + (is_down ? 0 : 1));
+  const auto column = static_cast<std::uint64_t>(from.column);
+  const std::uint64_t number = vertices_ + 3 * static_cast<std::uint64_t>(from.row) * columns_ +
+                               (to.row == from.row         ? column
+                                : to.column == from.column ? columns_ + 2 * column
+                                                           : columns_ + 2 * column + 1);
   for (std::int32_t level = crossed.first; level < crossed.last; ++level)
-    add_point(number, point_between(at_from, at_to,
+    add_point(number, point_between(from.at, to.at,
                                     (levels_[level] - from.standing->value) /
                                         (to.standing->value - from.standing->value)));
   return first;
 }
 
 void PlaceContours::add_points_of_cells() {
-  int upright = -1; // the last one that is known
-  for (const int cell : cells_) {
-    const auto i = static_cast<std::size_t>(cell);
-    if (upright != cell) upright_[i] = add_points(corner(near_, cell), corner(far_, cell));
-    upright = cell + 1;
-    diagonal_[i] = add_points(corner(near_, cell), corner(far_, cell + 1));
-    upright_[i + 1] = add_points(corner(near_, cell + 1), corner(far_, cell + 1));
-    add_points_along(near_, cell);
-    add_points_along(far_, cell);
+  const Cell* last = nullptr;
+  for (Cell& cell : cells_) {
+    const bool follows = last && last->number + 1 == cell.number;
+    cell.upright = follows ? last->upright_behind : add_points(cell.first, cell.on_far);
+    cell.diagonal = add_points(cell.first, cell.last);
+    cell.upright_behind = add_points(cell.on_near, cell.last);
+    add_points_along(near_, cell.number, cell.first, cell.on_near);
+    add_points_along(far_, cell.number, cell.on_far, cell.last);
+    last = &cell;
   }
 }
 
-void PlaceContours::add_points_along(Line& line, int cell) {
+void PlaceContours::add_points_along(Line& line, int cell, const Corner& from, const Corner& to) {
   std::uint32_t& first = line.points[line.index(cell)];
-  if (first == kNone) first = add_points(corner(line, cell), corner(line, cell + 1));
+  if (first == kNone) first = add_points(from, to);
 }
 
 // The nearer triangle's first.
-void PlaceContours::add_pieces(PlacePart part, int cell) {
-  const auto i = static_cast<std::size_t>(cell);
+void PlaceContours::add_pieces(PlacePart part, const Cell& of) {
+  const int cell = of.number;
   const auto end = [&](const Line& line, int at) {
     return IsolineEnd{vertex(line.number, at), line.at(at)};
   };
@@ -177,16 +203,16 @@ void PlaceContours::add_pieces(PlacePart part, int cell) {
   };
   const IsolineEnd first = end(near_, cell), last = end(far_, cell + 1), //
       on_near = end(near_, cell + 1), on_far = end(far_, cell);
-  const IsolineSide diagonal{first, last, point(diagonal_[i])};
+  const IsolineSide diagonal{first, last, point(of.diagonal)};
   const std::array<IsolineSide, 3> with_far{
-      IsolineSide{first, on_far, point(upright_[i])},
+      IsolineSide{first, on_far, point(of.upright)},
       {on_far, last, point(far_.points[far_.index(cell)])},
       diagonal};
   const std::array<IsolineSide, 3> with_near{
       diagonal,
-      {on_near, last, point(upright_[i + 1])},
+      {on_near, last, point(of.upright_behind)},
       {first, on_near, point(near_.points[near_.index(cell)])}};
-  const int column = this->column(near_.number, cell), row = this->row(near_.number, cell);
+  const int column = of.first.column, row = of.first.row;
   for (const bool is_near : {true, false}) {
     const bool is_lower = lattice_.order.is_lower_near(column, row) == is_near;
     const LatticeOrder::Turn turn =

@@ -18,8 +18,9 @@ namespace orograph {
 /// Finds them cell by cell, by the rule of `isolines`.
 class PlaceContours {
 public:
-  /// `levels_m` rise. REQUIRES that both outlive this.
-  PlaceContours(const LatticeInWork& lattice, std::span<const double> levels_m);
+  /// `levels_m` rise. REQUIRES that all outlive this.
+  PlaceContours(const LatticeInWork& lattice, std::span<const double> levels_m,
+                const LinePictures& pictures);
 
   /// Where a level is on an edge or at a vertex, and its picture: NaN up to the near plane. A point
   /// on the line between two places is kept from the one to the other.
@@ -34,7 +35,9 @@ public:
     std::uint32_t from, to; ///< points of the place
     std::uint32_t level;    ///< number
   };
-  void find(const LatticeOrder::Place& place, const ShownOfPlace& shown);
+  /// Finds those that may be above the horizon as it stands.
+  void find(const LatticeOrder::Place& place, const ShownOfPlace& shown,
+            const BlockedHorizon& horizon);
   /// By turn.
   std::span<const Piece> of(PlacePart part) const { return found_[static_cast<std::size_t>(part)]; }
   /// Of the place.
@@ -56,20 +59,27 @@ private:
       return from >= first && to < first + static_cast<int>(standings.size());
     }
   };
-  // A vertex of the present strip.
+  // A vertex, as an end of edges.
   struct Corner {
-    int line, cell;
+    int column, row;
     const LevelStanding* standing;
+    ProfilePoint at;
+  };
+  // One that a level crosses.
+  struct Cell {
+    int number;
+    Corner first, on_near, on_far, last;
+    std::uint32_t upright, upright_behind, diagonal; // the first points there
   };
 
   void take_line(Line& line, int number, const ShownOfPlace& shown);
-  void find_cells(const ShownOfPlace& shown);
+  void find_cells(const ShownOfPlace& shown, const BlockedHorizon& horizon);
   void add_points_of_cells();
-  void add_points_along(Line& line, int cell);
+  void add_points_along(Line& line, int cell, const Corner& from, const Corner& to);
   std::uint32_t add_points(const Corner& from, const Corner& to);
   void add_point(std::uint64_t number, ProfilePoint at);
   std::uint32_t add_vertex(std::uint32_t vertex);
-  void add_pieces(PlacePart part, int cell);
+  void add_pieces(PlacePart part, const Cell& cell);
   void add_edges_within(int cell);
   void add_edges_along(const Line& line, const ShownOfPlace& shown);
   void add_edge(std::uint32_t from, std::uint32_t to, const LevelStanding& level);
@@ -81,17 +91,17 @@ private:
   std::uint32_t vertex(int line, int cell) const {
     return static_cast<std::uint32_t>(lattice_.grid.index(column(line, cell), row(line, cell)));
   }
-  Corner corner(const Line& line, int cell) const { return {line.number, cell, &line.at(cell)}; }
-  ProfilePoint place_of(const Corner& corner) const;
+  Corner corner(const Line& line, int cell) const;
+  bool may_be_seen(const Cell& cell, const BlockedHorizon& horizon) const;
 
   const LatticeInWork& lattice_;
+  const LinePictures& pictures_;
   IsolineLevels levels_;
   bool rows_; // are strips
   std::uint64_t columns_, vertices_;
   Line near_, far_; // beside the present strip, near_ that of lower number
   std::vector<Point> points_, points_before_;
-  std::vector<int> cells_;                         // that a level crosses
-  std::vector<std::uint32_t> upright_, diagonal_; // by cell, the first points there
+  std::vector<Cell> cells_; // by number
   std::array<std::vector<Piece>, 3> found_;
 };
 
