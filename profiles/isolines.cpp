@@ -133,15 +133,14 @@ private:
         continue;
       const IsolineEnd nw = end(row, r, c), ne = end(row, r, c + 1), sw = end(below, r + 1, c),
                 se = end(below, r + 1, c + 1);
-      const IsolineSide diagonal{nw, se, diagonal_[c]};
       const auto triangle = [&](Half half) {
         return grid_triangle(grid_, static_cast<int>(c), r, half);
       };
       const std::size_t lower = triangle(Half::lower), upper = triangle(Half::upper);
       if (!ground_.triangles || ground_.triangles->has(lower))
-        for_each_isoline({IsolineSide{nw, sw, down_[c]}, {sw, se, along_below_[c]}, diagonal}, lower, take);
+        for_each_isoline({{nw, sw, se}, {along_below_[c], diagonal_[c], down_[c]}}, lower, take);
       if (!ground_.triangles || ground_.triangles->has(upper))
-        for_each_isoline({diagonal, {se, ne, down_[c + 1]}, {nw, ne, along_[c]}}, upper, take);
+        for_each_isoline({{nw, ne, se}, {down_[c + 1], diagonal_[c], along_[c]}}, upper, take);
     }
   }
 
@@ -228,10 +227,9 @@ Isolines of_tin(const Tin& tin, const VertexValues& values, const IsolineLevels&
     throw_if_stopped(t);
     if (ground.triangles && !ground.triangles->has(t)) continue;
     const auto& corners = tin.triangles[t];
-    std::array<IsolineSide, 3> sides;
-    for (std::size_t k = 0; k < 3; ++k)
-      sides[k] = {end(corners[(k + 1) % 3]), end(corners[(k + 2) % 3]), first_point(t, k)};
-    for_each_isoline(sides, t, [&](const Isoline& line) {
+    const IsolineTriangle triangle{{end(corners[0]), end(corners[1]), end(corners[2])},
+                                   {first_point(t, 0), first_point(t, 1), first_point(t, 2)}};
+    for_each_isoline(triangle, t, [&](const Isoline& line) {
       (line.to < vertices ? along_edges : out.lines).push_back(line);
     });
   }

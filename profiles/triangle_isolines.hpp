@@ -26,42 +26,45 @@ struct LevelStanding {
   bool is_there() const { return levels != kNowhere; }
 };
 
-/// Levels, which rise. REQUIRES that they outlive it.
+/// Levels, which rise.
 class IsolineLevels {
 public:
-  explicit IsolineLevels(std::span<const double> levels) : levels_(levels) {
-    if (levels.size() > 1)
-      per_value_ = static_cast<double>(levels.size() - 1) / (levels.back() - levels.front());
+  explicit IsolineLevels(std::span<const double> levels) : count_(static_cast<double>(levels.size())) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    bounds_.push_back(-kInfinity);
+    bounds_.insert(bounds_.end(), levels.begin(), levels.end());
+    bounds_.push_back(kInfinity);
+    if (levels.empty()) return;
+    first_ = levels.front();
+    if (levels.size() > 1) per_value_ = (count_ - 1) / (levels.back() - first_);
   }
 
-  double operator[](std::int32_t i) const { return levels_[static_cast<std::size_t>(i)]; }
+  double operator[](std::int32_t i) const { return bounds_[static_cast<std::size_t>(i) + 1]; }
+  /// How many aren't above a value; kNowhere of NaN. They are nearly always equally far apart: a
+  /// guess is right.
+  std::int32_t count_up_to(double value) const {
+    const auto guess = static_cast<std::size_t>(
+        std::max(0.0, std::min(count_, (value - first_) * per_value_ + 1)));
+    return bounds_[guess] <= value && value < bounds_[guess + 1] ? static_cast<std::int32_t>(guess)
+                                                                 : search(value);
+  }
+  bool is_level(std::int32_t count, double value) const {
+    return count > 0 && bounds_[static_cast<std::size_t>(count)] == value;
+  }
   LevelStanding standing_of(double value) const {
-    if (std::isnan(value)) return {value, LevelStanding::kNowhere, false};
     const std::int32_t count = count_up_to(value);
-    return {value, count, count > 0 && (*this)[count - 1] == value};
+    return {value, count, is_level(count, value)};
   }
 
 private:
-  // Levels are nearly always equally far apart: a guess is right, or next to it.
-  std::int32_t count_up_to(double value) const {
-    const auto size = static_cast<double>(levels_.size());
-    auto guess =
-        static_cast<std::size_t>(std::clamp((value - levels_.front()) * per_value_ + 1, 0.0, size));
-    constexpr int kNear = 3;
-    for (int i = 0; i < kNear; ++i) {
-      if (guess < levels_.size() && levels_[guess] <= value)
-        ++guess;
-      else if (guess > 0 && levels_[guess - 1] > value)
-        --guess;
-      else
-        return static_cast<std::int32_t>(guess);
-    }
-    return static_cast<std::int32_t>(std::upper_bound(levels_.begin(), levels_.end(), value) -
-                                     levels_.begin());
+  std::int32_t search(double value) const {
+    if (std::isnan(value)) return LevelStanding::kNowhere;
+    return static_cast<std::int32_t>(
+        std::upper_bound(bounds_.begin() + 1, bounds_.end() - 1, value) - bounds_.begin() - 1);
   }
 
-  std::span<const double> levels_;
-  double per_value_ = 0;
+  std::vector<double> bounds_; ///< the levels, between infinities
+  double count_, first_ = 0, per_value_ = 0;
 };
 
 /// An end of an edge, with its number.
@@ -91,39 +94,45 @@ inline void add_edge_points(const IsolineEnd& from, const IsolineEnd& to, const 
                    (levels[i] - from.standing.value) / (to.standing.value - from.standing.value)});
 }
 
-/// A side of a triangle; `first_point`: the number of the first point within it.
-struct IsolineSide {
-  IsolineEnd a, b;
-  std::uint32_t first_point;
+/// A triangle, and on the side opposite to each of its corners the number of the first point within
+/// it.
+struct IsolineTriangle {
+  std::array<IsolineEnd, 3> corners;
+  std::array<std::uint32_t, 3> first_points;
 };
 
 /// Where a level that crosses a side does so.
-inline std::uint32_t isoline_node_on(const IsolineSide& side, std::int32_t level) {
-  const bool a_upper = side.a.standing.levels > side.b.standing.levels;
-  const IsolineEnd &upper = a_upper ? side.a : side.b, &lower = a_upper ? side.b : side.a;
+inline std::uint32_t isoline_node_on(const IsolineEnd& upper, const IsolineEnd& lower,
+                                     std::uint32_t first_point, std::int32_t level) {
   if (upper.standing.on_level && level == upper.standing.levels - 1) return upper.vertex;
-  return side.first_point + static_cast<std::uint32_t>(level - lower.standing.levels);
+  return first_point + static_cast<std::uint32_t>(level - lower.standing.levels);
 }
 
 /// Takes the lines of a triangle, with their ends from < to.
 template <class Take>
-void for_each_isoline(const std::array<IsolineSide, 3>& sides, std::size_t triangle, const Take& take) {
-  std::int32_t low = std::numeric_limits<std::int32_t>::max(), high = LevelStanding::kNowhere;
-  for (const IsolineSide& side : sides) {
-    if (!side.a.standing.is_there() || !side.b.standing.is_there()) return;
-    low = std::min({low, side.a.standing.levels, side.b.standing.levels});
-    high = std::max({high, side.a.standing.levels, side.b.standing.levels});
-  }
+void for_each_isoline(const IsolineTriangle& triangle, std::size_t number, const Take& take) {
+  const auto& [a, b, c] = triangle.corners;
+  const auto [low, high] =
+      std::minmax({a.standing.levels, b.standing.levels, c.standing.levels});
+  if (low == LevelStanding::kNowhere) return;
   for (std::int32_t level = low; level < high; ++level) {
-    std::array<std::uint32_t, 2> ends{};
-    std::size_t count = 0;
-    for (const IsolineSide& side : sides)
-      if ((side.a.standing.levels <= level) != (side.b.standing.levels <= level))
-        ends[count++] = isoline_node_on(side, level);
-    if (ends[0] == ends[1]) continue; // a vertex
-    const auto [from, to] = std::minmax(ends[0], ends[1]);
-    take(
-        Isoline{from, to, static_cast<std::uint32_t>(triangle), static_cast<std::uint32_t>(level)});
+    const auto is_above = [&](const IsolineEnd& corner) { return corner.standing.levels > level; };
+    // The corner that is on a side of its own: both sides that meet there are crossed.
+    const std::size_t alone = is_above(a) == is_above(b)   ? 2
+                              : is_above(b) == is_above(c) ? 0
+                                                           : 1;
+    const std::size_t next = (alone + 1) % 3, last = (alone + 2) % 3;
+    const IsolineEnd& corner = triangle.corners[alone];
+    const auto node = [&](std::size_t other, std::size_t opposite) {
+      const IsolineEnd& end = triangle.corners[other];
+      return is_above(corner)
+                 ? isoline_node_on(corner, end, triangle.first_points[opposite], level)
+                 : isoline_node_on(end, corner, triangle.first_points[opposite], level);
+    };
+    const std::uint32_t one = node(next, last), other = node(last, next);
+    if (one == other) continue; // a vertex
+    take(Isoline{std::min(one, other), std::max(one, other), static_cast<std::uint32_t>(number),
+                 static_cast<std::uint32_t>(level)});
   }
 }
 

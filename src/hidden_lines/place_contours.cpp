@@ -63,85 +63,96 @@ void PlaceContours::find(const LatticeOrder::Place& place, const ShownOfPlace& s
 // Which holds the vertices of all cells that are shown: it is the one that it was, or is read.
 void PlaceContours::take_line(Line& line, int number, const ShownOfPlace& shown) {
   if (line.number == number && line.holds(shown.first_cell, shown.end_cell)) {
-    for (std::uint32_t& first : line.points) {
-      if (first == kNone) continue;
-      const auto i = static_cast<std::size_t>(&first - line.points.data());
-      const auto count = crossed_within(line.standings[i], line.standings[i + 1]).count();
-      const auto begin = points_before_.begin() + static_cast<std::ptrdiff_t>(first);
-      first = static_cast<std::uint32_t>(points_.size());
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      if (line.points[i] == kNone) continue;
+      const int cell = line.first + static_cast<int>(i);
+      const auto begin = points_before_.begin() + static_cast<std::ptrdiff_t>(line.points[i]);
+      const auto count = crossed_within(standing(line, cell), standing(line, cell + 1)).count();
+      line.points[i] = static_cast<std::uint32_t>(points_.size());
       points_.insert(points_.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
     }
     return;
   }
   // The next places of the order show about the same.
   constexpr int kBeside = 16;
-  const int cells = (rows_ ? lattice_.grid.columns : lattice_.grid.rows) - 1;
-  const int end = std::min(shown.end_cell + kBeside, cells);
+  const int last = (rows_ ? lattice_.grid.columns : lattice_.grid.rows) - 1;
   line.number = number;
   line.first = std::max(shown.first_cell - kBeside, 0);
-  line.has_level = false;
-  line.standings.resize(static_cast<std::size_t>(end - line.first) + 1);
-  line.points.assign(line.standings.size(), kNone);
-  const std::size_t step = rows_ ? 1 : static_cast<std::size_t>(columns_);
+  read(line, static_cast<std::size_t>(std::min(shown.end_cell + kBeside, last) - line.first) + 1);
+}
+
+void PlaceContours::read(Line& line, std::size_t count) const {
+  for (std::vector<double>* of : {&line.heights_m, &line.u, &line.v, &line.z, &line.x, &line.y})
+    of->resize(count);
+  line.levels.resize(count);
+  line.points.assign(count, kNone);
   std::visit(
       [&](const auto& heights) {
-        std::size_t at = vertex(number, line.first);
-        for (LevelStanding& standing : line.standings) {
-          standing = levels_.standing_of(static_cast<double>(heights[at]));
-          line.has_level = line.has_level || standing.on_level;
-          at += step;
-        }
+        const std::size_t step = rows_ ? 1 : static_cast<std::size_t>(columns_);
+        const auto* const from = heights.data() + vertex(line.number, line.first);
+        for (std::size_t i = 0; i < count; ++i)
+          line.heights_m[i] = static_cast<double>(from[i * step]);
       },
       lattice_.grid.heights_m);
+  line.has_level = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    line.levels[i] = levels_.count_up_to(line.heights_m[i]);
+    line.has_level = line.has_level || levels_.is_level(line.levels[i], line.heights_m[i]);
+  }
+  // Loops that the compiler turns into vector instructions.
+  const View view = lattice_.view;
+  const PlaneLattice plane = lattice_.grid.plane();
+  const auto place = [&](const auto& place_of) {
+    const double* const height_m = line.heights_m.data();
+    double *const u = line.u.data(), *const v = line.v.data(), *const z = line.z.data();
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+      const ProfilePoint at = to_profile_frame(view, place_of(i, height_m[i]));
+      u[i] = at.u;
+      v[i] = at.v;
+      z[i] = at.z;
+    }
+  };
+  const int first = line.first, number = line.number;
+  if (rows_)
+    place([&](int i, double height_m) { return plane.vertex_m(first + i, number, height_m); });
+  else
+    place([&](int i, double height_m) { return plane.vertex_m(number, first + i, height_m); });
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 picture = project(view, {line.u[i], line.v[i], line.z[i]});
+    line.x[i] = picture.x;
+    line.y[i] = picture.y;
+  }
 }
 
 void PlaceContours::find_cells(const ShownOfPlace& shown, const BlockedHorizon& horizon) {
   cells_.clear();
-  const LevelStanding *const near = &near_.at(shown.first_cell),
-                      *const far = &far_.at(shown.first_cell);
+  const std::int32_t *const near = &near_.levels[near_.index(shown.first_cell)],
+                     *const far = &far_.levels[far_.index(shown.first_cell)];
   for (int i = 0; i < shown.end_cell - shown.first_cell; ++i) {
-    const std::int32_t levels = near[i].levels;
-    if (levels == near[i + 1].levels && levels == far[i].levels && levels == far[i + 1].levels)
-      continue;
-    const int number = shown.first_cell + i;
-    if (!is_looked_at(near_.number, number)) continue;
-    const bool follows = !cells_.empty() && cells_.back().number + 1 == number;
-    const Cell cell{number,
-                    follows ? cells_.back().on_near : corner(near_, number),
-                    corner(near_, number + 1),
-                    follows ? cells_.back().last : corner(far_, number),
-                    corner(far_, number + 1),
-                    kNone,
-                    kNone,
-                    kNone};
-    if (may_be_seen(cell, horizon)) cells_.push_back(cell);
+    if (near[i] == near[i + 1] && near[i] == far[i] && near[i] == far[i + 1]) continue;
+    const int cell = shown.first_cell + i;
+    if (is_looked_at(near_.number, cell) && may_be_seen(cell, horizon))
+      cells_.push_back({cell, kNone, kNone, kNone});
   }
-}
-
-PlaceContours::Corner PlaceContours::corner(const Line& line, int cell) const {
-  const int column = rows_ ? cell : line.number, row = rows_ ? line.number : cell;
-  const LevelStanding& standing = line.at(cell);
-  return {column, row, &standing,
-          to_profile_frame(lattice_.view,
-                           lattice_.grid.plane().vertex_m(column, row, standing.value))};
 }
 
 // By bounds of all of the cell.
-bool PlaceContours::may_be_seen(const Cell& cell, const BlockedHorizon& horizon) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  XRange x{kInfinity, -kInfinity};
-  double highest = -kInfinity;
-  for (const Corner* corner : {&cell.first, &cell.on_near, &cell.on_far, &cell.last}) {
-    if (!(corner->at.v > lattice_.work.from_m)) return true;
-    const Vec2 picture = project(lattice_.view, corner->at);
-    x = {std::min(x.begin, picture.x), std::max(x.end, picture.x)};
-    highest = std::max(highest, picture.y); // of the triangles that are there
-  }
+bool PlaceContours::may_be_seen(int cell, const BlockedHorizon& horizon) const {
+  const std::size_t near = near_.index(cell), far = far_.index(cell);
+  if (!(std::min({near_.v[near], near_.v[near + 1], far_.v[far], far_.v[far + 1]}) >
+        lattice_.work.from_m))
+    return true;
+  const auto [x_begin, x_end] =
+      std::minmax({near_.x[near], near_.x[near + 1], far_.x[far], far_.x[far + 1]});
+  double highest = -std::numeric_limits<double>::infinity(); // of the vertices that are there
+  for (const double y : {near_.y[near], near_.y[near + 1], far_.y[far], far_.y[far + 1]})
+    highest = std::max(highest, y);
   const XRange looked_at = pictures_.looked_at();
-  x = {std::max(x.begin, looked_at.begin), std::min(x.end, looked_at.end)};
+  if (x_end < looked_at.begin || x_begin > looked_at.end) return false;
   constexpr double kRounding = 1e-12;
-  return x.begin <= x.end &&
-         !is_below_blocks(horizon, x.begin, x.end, highest + kRounding * std::abs(highest));
+  return !is_below_blocks(horizon, std::max(x_begin, looked_at.begin),
+                          std::min(x_end, looked_at.end),
+                          highest + kRounding * std::abs(highest));
 }
 
 bool PlaceContours::is_looked_at(int strip, int cell) const {
@@ -157,62 +168,69 @@ void PlaceContours::add_point(std::uint64_t number, ProfilePoint at) {
 }
 
 // Tells the number of the first.
-std::uint32_t PlaceContours::add_points(const Corner& from, const Corner& to) {
+std::uint32_t PlaceContours::add_points(const Line& line_from, int from, const Line& line_to,
+                                        int to) {
   const auto first = static_cast<std::uint32_t>(points_.size());
-  const CrossedLevels crossed = crossed_within(*from.standing, *to.standing);
+  const LevelStanding a = standing(line_from, from), b = standing(line_to, to);
+  const CrossedLevels crossed = crossed_within(a, b);
   if (crossed.first >= crossed.last) return first;
+  const auto place = [](const Line& line, int cell) {
+    const std::size_t i = line.index(cell);
+    return ProfilePoint{line.u[i], line.v[i], line.z[i]};
+  };
+  const ProfilePoint at_a = place(line_from, from), at_b = place(line_to, to);
   // Row by row, those along a row before those between it and the next.
-  const auto column = static_cast<std::uint64_t>(from.column);
-  const std::uint64_t number = vertices_ + 3 * static_cast<std::uint64_t>(from.row) * columns_ +
-                               (to.row == from.row         ? column
-                                : to.column == from.column ? columns_ + 2 * column
-                                                           : columns_ + 2 * column + 1);
+  const bool is_along_line = from != to && &line_from == &line_to,
+             is_across = from == to && &line_from != &line_to;
+  const auto column = static_cast<std::uint64_t>(this->column(line_from.number, from)),
+             row = static_cast<std::uint64_t>(this->row(line_from.number, from));
+  const std::uint64_t number =
+      vertices_ + 3 * row * columns_ +
+      ((rows_ ? is_along_line : is_across)   ? column
+       : (rows_ ? is_across : is_along_line) ? columns_ + 2 * column
+                                             : columns_ + 2 * column + 1);
   for (std::int32_t level = crossed.first; level < crossed.last; ++level)
-    add_point(number, point_between(from.at, to.at,
-                                    (levels_[level] - from.standing->value) /
-                                        (to.standing->value - from.standing->value)));
+    add_point(number, point_between(at_a, at_b, (levels_[level] - a.value) / (b.value - a.value)));
   return first;
 }
 
 void PlaceContours::add_points_of_cells() {
   const Cell* last = nullptr;
   for (Cell& cell : cells_) {
-    const bool follows = last && last->number + 1 == cell.number;
-    cell.upright = follows ? last->upright_behind : add_points(cell.first, cell.on_far);
-    cell.diagonal = add_points(cell.first, cell.last);
-    cell.upright_behind = add_points(cell.on_near, cell.last);
-    add_points_along(near_, cell.number, cell.first, cell.on_near);
-    add_points_along(far_, cell.number, cell.on_far, cell.last);
+    const int at = cell.number;
+    const bool follows = last && last->number + 1 == at;
+    cell.upright = follows ? last->upright_behind : add_points(near_, at, far_, at);
+    cell.diagonal = add_points(near_, at, far_, at + 1);
+    cell.upright_behind = add_points(near_, at + 1, far_, at + 1);
+    add_points_along(near_, at);
+    add_points_along(far_, at);
     last = &cell;
   }
 }
 
-void PlaceContours::add_points_along(Line& line, int cell, const Corner& from, const Corner& to) {
+void PlaceContours::add_points_along(Line& line, int cell) {
   std::uint32_t& first = line.points[line.index(cell)];
-  if (first == kNone) first = add_points(from, to);
+  if (first == kNone) first = add_points(line, cell, line, cell + 1);
 }
 
 // The nearer triangle's first.
 void PlaceContours::add_pieces(PlacePart part, const Cell& of) {
   const int cell = of.number;
   const auto end = [&](const Line& line, int at) {
-    return IsolineEnd{vertex(line.number, at), line.at(at)};
+    return IsolineEnd{vertex(line.number, at), standing(line, at)};
   };
   const auto point = [&](std::uint32_t number) {
     return static_cast<std::uint32_t>(vertices_) + number;
   };
-  const IsolineEnd first = end(near_, cell), last = end(far_, cell + 1), //
-      on_near = end(near_, cell + 1), on_far = end(far_, cell);
-  const IsolineSide diagonal{first, last, point(of.diagonal)};
-  const std::array<IsolineSide, 3> with_far{
-      IsolineSide{first, on_far, point(of.upright)},
-      {on_far, last, point(far_.points[far_.index(cell)])},
-      diagonal};
-  const std::array<IsolineSide, 3> with_near{
-      diagonal,
-      {on_near, last, point(of.upright_behind)},
-      {first, on_near, point(near_.points[near_.index(cell)])}};
-  const int column = of.first.column, row = of.first.row;
+  const IsolineEnd first = end(near_, cell), on_near = end(near_, cell + 1),
+                   on_far = end(far_, cell), last = end(far_, cell + 1);
+  const IsolineTriangle with_far{
+      {first, on_far, last},
+      {point(far_.points[far_.index(cell)]), point(of.diagonal), point(of.upright)}},
+      with_near{{first, on_near, last},
+                {point(of.upright_behind), point(of.diagonal),
+                 point(near_.points[near_.index(cell)])}};
+  const int column = this->column(near_.number, cell), row = this->row(near_.number, cell);
   for (const bool is_near : {true, false}) {
     const bool is_lower = lattice_.order.is_lower_near(column, row) == is_near;
     const LatticeOrder::Turn turn =
@@ -237,8 +255,8 @@ std::uint32_t PlaceContours::add_vertex(std::uint32_t vertex) {
 
 // An edge that a level runs along is a piece just if one of its triangles falls from it.
 void PlaceContours::add_edges_within(int cell) {
-  const LevelStanding &first = near_.at(cell), &last = far_.at(cell + 1),
-                      &on_near = near_.at(cell + 1), &on_far = far_.at(cell);
+  const LevelStanding first = standing(near_, cell), last = standing(far_, cell + 1),
+                      on_near = standing(near_, cell + 1), on_far = standing(far_, cell);
   const auto falls_to = [](const LevelStanding& level, const LevelStanding& third) {
     return third.is_there() && third.levels < level.levels;
   };
@@ -257,8 +275,8 @@ void PlaceContours::add_edges_along(const Line& line, const ShownOfPlace& shown)
   if (!line.has_level) return;
   const int number = line.number;
   for (int cell = shown.first_cell; cell < shown.end_cell; ++cell) {
-    const LevelStanding& level = line.at(cell);
-    if (is_level(level, line.at(cell + 1)) &&
+    const LevelStanding level = standing(line, cell);
+    if (is_level(level, standing(line, cell + 1)) &&
         (falls(level, number, cell, number + 1, cell + 1) ||
          falls(level, number - 1, cell, number - 1, cell)))
       add_edge(vertex(number, cell), vertex(number, cell + 1), level);

@@ -45,38 +45,34 @@ public:
 
 private:
   static constexpr std::uint32_t kNone = ContourChains::kNone;
-  // Vertices along a line of the lattice.
+  // Vertices along a line of the lattice, from that at which cell number `first` begins: heights,
+  // how many levels aren't above, places in the profile frame, and pictures.
   struct Line {
     int number = -1;
-    int first = 0; // cell, that begins at the first of these
+    int first = 0;
     bool has_level = false; // at a vertex
-    std::vector<LevelStanding> standings;
-    std::vector<std::uint32_t> points; // by cell, the first on the line; kNone if it isn't known
+    std::vector<double> heights_m, u, v, z, x, y;
+    std::vector<std::int32_t> levels;
+    std::vector<std::uint32_t> points; // the first behind each; kNone if they aren't known
 
     std::size_t index(int cell) const { return static_cast<std::size_t>(cell - first); }
-    const LevelStanding& at(int cell) const { return standings[index(cell)]; }
     bool holds(int from, int to) const {
-      return from >= first && to < first + static_cast<int>(standings.size());
+      return from >= first && to < first + static_cast<int>(levels.size());
     }
   };
-  // A vertex, as an end of edges.
-  struct Corner {
-    int column, row;
-    const LevelStanding* standing;
-    ProfilePoint at;
-  };
-  // One that a level crosses.
+  // One that a level crosses, and the first points there.
   struct Cell {
     int number;
-    Corner first, on_near, on_far, last;
-    std::uint32_t upright, upright_behind, diagonal; // the first points there
+    std::uint32_t upright, diagonal, upright_behind;
   };
 
   void take_line(Line& line, int number, const ShownOfPlace& shown);
+  void read(Line& line, std::size_t count) const;
   void find_cells(const ShownOfPlace& shown, const BlockedHorizon& horizon);
+  bool may_be_seen(int cell, const BlockedHorizon& horizon) const;
   void add_points_of_cells();
-  void add_points_along(Line& line, int cell, const Corner& from, const Corner& to);
-  std::uint32_t add_points(const Corner& from, const Corner& to);
+  void add_points_along(Line& line, int cell);
+  std::uint32_t add_points(const Line& line_from, int from, const Line& line_to, int to);
   void add_point(std::uint64_t number, ProfilePoint at);
   std::uint32_t add_vertex(std::uint32_t vertex);
   void add_pieces(PlacePart part, const Cell& cell);
@@ -85,14 +81,16 @@ private:
   void add_edge(std::uint32_t from, std::uint32_t to, const LevelStanding& level);
   bool falls(const LevelStanding& level, int strip, int cell, int line, int at) const;
 
+  LevelStanding standing(const Line& line, int cell) const {
+    const std::size_t i = line.index(cell);
+    return {line.heights_m[i], line.levels[i], levels_.is_level(line.levels[i], line.heights_m[i])};
+  }
   bool is_looked_at(int strip, int cell) const;
   int column(int line, int cell) const { return rows_ ? cell : line; }
   int row(int line, int cell) const { return rows_ ? line : cell; }
   std::uint32_t vertex(int line, int cell) const {
     return static_cast<std::uint32_t>(lattice_.grid.index(column(line, cell), row(line, cell)));
   }
-  Corner corner(const Line& line, int cell) const;
-  bool may_be_seen(const Cell& cell, const BlockedHorizon& horizon) const;
 
   const LatticeInWork& lattice_;
   const LinePictures& pictures_;
