@@ -29,10 +29,17 @@ void LatticeContours::take(const PlaceContours::Piece& piece) {
     is_above = is_above && y_low > blocks[i].high + slack;
     is_below = is_below && y_high < blocks[i].low;
   }
-  if (is_above)
-    link(piece);
-  else if (!is_below)
-    take_exactly(piece);
+  if (is_below) return;
+  if (!is_above) {
+    const bool rises = a.x < b.x;
+    const Segment source{x_begin, rises ? a.y : b.y, x_end, rises ? b.y : a.y, 0};
+    visible_.clear();
+    add_above_horizon({source, 0, 0, x_begin, x_end, false, true}, 0, horizon_,
+                      lattice_.work.tolerance, visible_);
+    if (visible_.empty()) return;
+    if (visible_.front().t_begin > 0 || visible_.front().t_end < 1) return take_exactly(piece);
+  }
+  link(piece);
 }
 
 void LatticeContours::take_exactly(const PlaceContours::Piece& piece) {

@@ -16,9 +16,10 @@
 namespace orograph {
 namespace {
 
-// Whether both ends of an edge are on one.
-bool is_level(const LevelStanding& a, const LevelStanding& b) {
-  return a.on_level && b.on_level && a.levels == b.levels;
+// Of vertices that have so many levels at them or below: whether the ground falls from the last of
+// those to the other vertex, if it is there.
+bool falls(std::int32_t levels, std::int32_t to) {
+  return to != LevelStanding::kNowhere && to < levels;
 }
 
 } // namespace
@@ -40,6 +41,7 @@ void PlaceContours::find(const LatticeOrder::Place& place, const ShownOfPlace& s
   if (place.strip == kNowhere) {
     take_line(near_, place.line, shown);
     far_.number = -1;
+    cells_.clear();
     add_edges_along(near_, shown);
     return;
   }
@@ -54,21 +56,18 @@ void PlaceContours::find(const LatticeOrder::Place& place, const ShownOfPlace& s
     if (cell.number >= own) add_pieces(PlacePart::outwards, cell);
   for (const Cell& cell : std::views::reverse(cells_))
     if (cell.number < own) add_pieces(PlacePart::backwards, cell);
-  if (!near_.has_level || !far_.has_level) return;
-  for (const Cell& cell : cells_) add_edges_within(cell.number);
-  for (const PlacePart part : {PlacePart::outwards, PlacePart::backwards})
-    std::ranges::stable_sort(found_[static_cast<std::size_t>(part)], {}, &Piece::turn);
+  if (near_.has_level && far_.has_level) add_edges_within();
 }
 
 // Which holds the vertices of all cells that are shown: it is the one that it was, or is read.
 void PlaceContours::take_line(Line& line, int number, const ShownOfPlace& shown) {
   if (line.number == number && line.holds(shown.first_cell, shown.end_cell)) {
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-      if (line.points[i] == kNone) continue;
-      const int cell = line.first + static_cast<int>(i);
-      const auto begin = points_before_.begin() + static_cast<std::ptrdiff_t>(line.points[i]);
-      const auto count = crossed_within(standing(line, cell), standing(line, cell + 1)).count();
-      line.points[i] = static_cast<std::uint32_t>(points_.size());
+    for (const Cell& cell : cells_) { // of the place before
+      std::uint32_t& first = line.points[line.index(cell.number)];
+      const auto begin = points_before_.begin() + static_cast<std::ptrdiff_t>(first);
+      const auto count =
+          crossed_within(standing(line, cell.number), standing(line, cell.number + 1)).count();
+      first = static_cast<std::uint32_t>(points_.size());
       points_.insert(points_.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
     }
     return;
@@ -254,53 +253,63 @@ std::uint32_t PlaceContours::add_vertex(std::uint32_t vertex) {
 }
 
 // An edge that a level runs along is a piece just if one of its triangles falls from it.
-void PlaceContours::add_edges_within(int cell) {
-  const LevelStanding first = standing(near_, cell), last = standing(far_, cell + 1),
-                      on_near = standing(near_, cell + 1), on_far = standing(far_, cell);
-  const auto falls_to = [](const LevelStanding& level, const LevelStanding& third) {
-    return third.is_there() && third.levels < level.levels;
-  };
+void PlaceContours::add_edges_within() {
+  auto &outwards = found_[static_cast<std::size_t>(PlacePart::outwards)],
+       &backwards = found_[static_cast<std::size_t>(PlacePart::backwards)];
+  const std::size_t before = outwards.size() + backwards.size();
   const int near = near_.number, far = far_.number;
-  if (is_level(first, last) && (falls_to(first, on_far) || falls_to(first, on_near)))
-    add_edge(vertex(near, cell), vertex(far, cell + 1), first);
-  if (is_level(first, on_far) && falls_to(first, last))
-    add_edge(vertex(near, cell), vertex(far, cell), first);
-  // The cell behind it, if it is one that falls, has that edge.
-  if (is_level(on_near, last) && falls_to(on_near, first) &&
-      !falls(on_near, near, cell + 1, far, cell + 2))
-    add_edge(vertex(near, cell + 1), vertex(far, cell + 1), on_near);
+  for (const auto& [cell, upright, diagonal, upright_behind] : cells_) {
+    const std::size_t i = near_.index(cell), k = far_.index(cell);
+    const std::int32_t first = near_.levels[i], on_near = near_.levels[i + 1],
+                       on_far = far_.levels[k], last = far_.levels[k + 1];
+    if (is_level(near_, i, far_, k + 1) && (falls(first, on_far) || falls(first, on_near)))
+      add_edge(vertex(near, cell), vertex(far, cell + 1), first - 1);
+    if (is_level(near_, i, far_, k) && falls(first, last))
+      add_edge(vertex(near, cell), vertex(far, cell), first - 1);
+    // The cell behind it, if it is one that falls, has that edge.
+    if (is_level(near_, i + 1, far_, k + 1) && falls(on_near, first) &&
+        !cell_falls(on_near, near, cell + 1, far, cell + 2))
+      add_edge(vertex(near, cell + 1), vertex(far, cell + 1), on_near - 1);
+  }
+  if (outwards.size() + backwards.size() == before) return;
+  std::ranges::stable_sort(outwards, {}, &Piece::turn);
+  std::ranges::stable_sort(backwards, {}, &Piece::turn);
 }
 
 void PlaceContours::add_edges_along(const Line& line, const ShownOfPlace& shown) {
   if (!line.has_level) return;
   const int number = line.number;
   for (int cell = shown.first_cell; cell < shown.end_cell; ++cell) {
-    const LevelStanding level = standing(line, cell);
-    if (is_level(level, standing(line, cell + 1)) &&
-        (falls(level, number, cell, number + 1, cell + 1) ||
-         falls(level, number - 1, cell, number - 1, cell)))
-      add_edge(vertex(number, cell), vertex(number, cell + 1), level);
+    const std::size_t i = line.index(cell);
+    if (is_level(line, i, line, i + 1) &&
+        (cell_falls(line.levels[i], number, cell, number + 1, cell + 1) ||
+         cell_falls(line.levels[i], number - 1, cell, number - 1, cell)))
+      add_edge(vertex(number, cell), vertex(number, cell + 1), line.levels[i] - 1);
   }
   std::ranges::sort(found_[static_cast<std::size_t>(PlacePart::line)], {}, &Piece::turn);
 }
 
-// Whether a cell is there, and its triangle with a vertex falls to that from a level.
-bool PlaceContours::falls(const LevelStanding& level, int strip, int cell, int line,
-                          int at) const {
-  const int last_line = rows_ ? lattice_.grid.rows - 1 : lattice_.grid.columns - 1,
-            last_cell = rows_ ? lattice_.grid.columns - 1 : lattice_.grid.rows - 1;
-  if (strip < 0 || strip >= last_line || cell >= last_cell || !is_looked_at(strip, cell))
-    return false;
-  const LevelStanding third =
-      levels_.standing_of(lattice_.grid.height_m(column(line, at), row(line, at)));
-  return third.is_there() && third.levels < level.levels;
+// Whether both ends of an edge are on one level.
+bool PlaceContours::is_level(const Line& line_a, std::size_t a, const Line& line_b,
+                             std::size_t b) const {
+  return line_a.heights_m[a] == line_b.heights_m[b] &&
+         levels_.is_level(line_a.levels[a], line_a.heights_m[a]);
 }
 
-void PlaceContours::add_edge(std::uint32_t from, std::uint32_t to, const LevelStanding& level) {
+// Whether a cell is there, and its triangle with a vertex falls to that from a level.
+bool PlaceContours::cell_falls(std::int32_t levels, int strip, int cell, int line, int at) const {
+  const int last_line = rows_ ? lattice_.grid.rows - 1 : lattice_.grid.columns - 1,
+            last_cell = rows_ ? lattice_.grid.columns - 1 : lattice_.grid.rows - 1;
+  return strip >= 0 && strip < last_line && cell < last_cell && is_looked_at(strip, cell) &&
+         falls(levels,
+               levels_.count_up_to(lattice_.grid.height_m(column(line, at), row(line, at))));
+}
+
+void PlaceContours::add_edge(std::uint32_t from, std::uint32_t to, std::int32_t level) {
   const LatticeOrder::Turn turn = lattice_.order.turn(SurfaceEdge{from, to});
   const std::uint32_t first = add_vertex(from);
   found_[static_cast<std::size_t>(part_of(lattice_.order, turn))].push_back(
-      {turn, first, add_vertex(to), static_cast<std::uint32_t>(level.levels - 1)});
+      {turn, first, add_vertex(to), static_cast<std::uint32_t>(level)});
 }
 
 } // namespace orograph

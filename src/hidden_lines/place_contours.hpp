@@ -76,10 +76,11 @@ private:
   void add_point(std::uint64_t number, ProfilePoint at);
   std::uint32_t add_vertex(std::uint32_t vertex);
   void add_pieces(PlacePart part, const Cell& cell);
-  void add_edges_within(int cell);
+  void add_edges_within();
   void add_edges_along(const Line& line, const ShownOfPlace& shown);
-  void add_edge(std::uint32_t from, std::uint32_t to, const LevelStanding& level);
-  bool falls(const LevelStanding& level, int strip, int cell, int line, int at) const;
+  void add_edge(std::uint32_t from, std::uint32_t to, std::int32_t level);
+  bool is_level(const Line& line_a, std::size_t a, const Line& line_b, std::size_t b) const;
+  bool cell_falls(std::int32_t levels, int strip, int cell, int line, int at) const;
 
   LevelStanding standing(const Line& line, int cell) const {
     const std::size_t i = line.index(cell);
