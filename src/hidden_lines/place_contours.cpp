@@ -28,8 +28,7 @@ PlaceContours::PlaceContours(const LatticeInWork& lattice, std::span<const doubl
                              const LinePictures& pictures)
     : lattice_(lattice), pictures_(pictures), levels_(levels_m),
       rows_(lattice.order.rows_are_strips()),
-      columns_(static_cast<std::uint64_t>(lattice.grid.columns)), vertices_(lattice.grid.size()) {
-}
+      columns_(static_cast<std::uint64_t>(lattice.grid.columns)), vertices_(lattice.grid.size()) {}
 
 void PlaceContours::find(const LatticeOrder::Place& place, const ShownOfPlace& shown,
                          const BlockedHorizon& horizon) {
@@ -130,28 +129,30 @@ void PlaceContours::find_cells(const ShownOfPlace& shown, const BlockedHorizon& 
   for (int i = 0; i < shown.end_cell - shown.first_cell; ++i) {
     if (near[i] == near[i + 1] && near[i] == far[i] && near[i] == far[i + 1]) continue;
     const int cell = shown.first_cell + i;
-    if (is_looked_at(near_.number, cell) && may_be_seen(cell, horizon))
-      cells_.push_back({cell, kNone, kNone, kNone});
+    if (!is_looked_at(near_.number, cell)) continue;
+    if (!is_ahead(cell) || !is_hidden(cell, horizon)) cells_.push_back({cell, kNone, kNone, kNone});
   }
 }
 
-// By bounds of all of the cell.
-bool PlaceContours::may_be_seen(int cell, const BlockedHorizon& horizon) const {
+bool PlaceContours::is_ahead(int cell) const {
   const std::size_t near = near_.index(cell), far = far_.index(cell);
-  if (!(std::min({near_.v[near], near_.v[near + 1], far_.v[far], far_.v[far + 1]}) >
-        lattice_.work.from_m))
-    return true;
+  return std::min({near_.v[near], near_.v[near + 1], far_.v[far], far_.v[far + 1]}) >
+         lattice_.work.from_m;
+}
+
+// By bounds of all of the cell.
+bool PlaceContours::is_hidden(int cell, const BlockedHorizon& horizon) const {
+  const std::size_t near = near_.index(cell), far = far_.index(cell);
   const auto [x_begin, x_end] =
       std::minmax({near_.x[near], near_.x[near + 1], far_.x[far], far_.x[far + 1]});
   double highest = -std::numeric_limits<double>::infinity(); // of the vertices that are there
   for (const double y : {near_.y[near], near_.y[near + 1], far_.y[far], far_.y[far + 1]})
     highest = std::max(highest, y);
   const XRange looked_at = pictures_.looked_at();
-  if (x_end < looked_at.begin || x_begin > looked_at.end) return false;
   constexpr double kRounding = 1e-12;
-  return !is_below_blocks(horizon, std::max(x_begin, looked_at.begin),
-                          std::min(x_end, looked_at.end),
-                          highest + kRounding * std::abs(highest));
+  return x_end < looked_at.begin || x_begin > looked_at.end ||
+         is_below_blocks(horizon, std::max(x_begin, looked_at.begin),
+                         std::min(x_end, looked_at.end), highest + kRounding * std::abs(highest));
 }
 
 bool PlaceContours::is_looked_at(int strip, int cell) const {
@@ -213,37 +214,38 @@ void PlaceContours::add_points_along(Line& line, int cell) {
 }
 
 // The nearer triangle's first.
-void PlaceContours::add_pieces(PlacePart part, const Cell& of) {
-  const int cell = of.number;
-  const auto end = [&](const Line& line, int at) {
+void PlaceContours::add_pieces(PlacePart part, const Cell& cell) {
+  const int column = this->column(near_.number, cell.number),
+            row = this->row(near_.number, cell.number);
+  const bool far_first = lattice_.order.is_lower_near(column, row) == rows_;
+  for (const bool with_far : {far_first, !far_first})
+    add_pieces(part, cell, with_far,
+               lattice_.order.turn(column, row, with_far == rows_ ? Half::lower : Half::upper));
+}
+
+void PlaceContours::add_pieces(PlacePart part, const Cell& cell, bool with_far,
+                               LatticeOrder::Turn turn) {
+  const auto corner = [&](const Line& line, int at) {
     return IsolineEnd{vertex(line.number, at), standing(line, at)};
   };
   const auto point = [&](std::uint32_t number) {
     return static_cast<std::uint32_t>(vertices_) + number;
   };
-  const IsolineEnd first = end(near_, cell), on_near = end(near_, cell + 1),
-                   on_far = end(far_, cell), last = end(far_, cell + 1);
-  const IsolineTriangle with_far{
-      {first, on_far, last},
-      {point(far_.points[far_.index(cell)]), point(of.diagonal), point(of.upright)}},
-      with_near{{first, on_near, last},
-                {point(of.upright_behind), point(of.diagonal),
-                 point(near_.points[near_.index(cell)])}};
-  const int column = this->column(near_.number, cell), row = this->row(near_.number, cell);
-  for (const bool is_near : {true, false}) {
-    const bool is_lower = lattice_.order.is_lower_near(column, row) == is_near;
-    const LatticeOrder::Turn turn =
-        lattice_.order.turn(column, row, is_lower ? Half::lower : Half::upper);
-    for_each_isoline(is_lower == rows_ ? with_far : with_near, 0, [&](const Isoline& line) {
-      if (line.to < vertices_) return; // an edge
-      const auto number = [&](std::uint32_t of_end) {
-        return of_end < vertices_ ? add_vertex(of_end)
-                                  : of_end - static_cast<std::uint32_t>(vertices_);
-      };
-      found_[static_cast<std::size_t>(part)].push_back(
-          {turn, number(line.from), number(line.to), line.level});
-    });
-  }
+  const int at = cell.number;
+  const IsolineTriangle triangle{
+      {corner(near_, at), with_far ? corner(far_, at) : corner(near_, at + 1),
+       corner(far_, at + 1)},
+      {point(with_far ? far_.points[far_.index(at)] : cell.upright_behind), point(cell.diagonal),
+       point(with_far ? cell.upright : near_.points[near_.index(at)])}};
+  for_each_isoline(triangle, 0, [&](const Isoline& line) {
+    if (line.to < vertices_) return; // an edge
+    const auto number = [&](std::uint32_t of_end) {
+      return of_end < vertices_ ? add_vertex(of_end)
+                                : of_end - static_cast<std::uint32_t>(vertices_);
+    };
+    found_[static_cast<std::size_t>(part)].push_back(
+        {turn, number(line.from), number(line.to), line.level});
+  });
 }
 
 std::uint32_t PlaceContours::add_vertex(std::uint32_t vertex) {
@@ -258,7 +260,8 @@ void PlaceContours::add_edges_within() {
        &backwards = found_[static_cast<std::size_t>(PlacePart::backwards)];
   const std::size_t before = outwards.size() + backwards.size();
   const int near = near_.number, far = far_.number;
-  for (const auto& [cell, upright, diagonal, upright_behind] : cells_) {
+  for (const Cell& of : cells_) {
+    const int cell = of.number;
     const std::size_t i = near_.index(cell), k = far_.index(cell);
     const std::int32_t first = near_.levels[i], on_near = near_.levels[i + 1],
                        on_far = far_.levels[k], last = far_.levels[k + 1];

@@ -69,13 +69,15 @@ private:
   void take_line(Line& line, int number, const ShownOfPlace& shown);
   void read(Line& line, std::size_t count) const;
   void find_cells(const ShownOfPlace& shown, const BlockedHorizon& horizon);
-  bool may_be_seen(int cell, const BlockedHorizon& horizon) const;
+  bool is_ahead(int cell) const;
+  bool is_hidden(int cell, const BlockedHorizon& horizon) const;
   void add_points_of_cells();
   void add_points_along(Line& line, int cell);
   std::uint32_t add_points(const Line& line_from, int from, const Line& line_to, int to);
   void add_point(std::uint64_t number, ProfilePoint at);
   std::uint32_t add_vertex(std::uint32_t vertex);
   void add_pieces(PlacePart part, const Cell& cell);
+  void add_pieces(PlacePart part, const Cell& cell, bool with_far, LatticeOrder::Turn turn);
   void add_edges_within();
   void add_edges_along(const Line& line, const ShownOfPlace& shown);
   void add_edge(std::uint32_t from, std::uint32_t to, std::int32_t level);
