@@ -3,6 +3,7 @@
 
 #include "draw/chain.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -26,40 +27,66 @@ struct Ways {
   std::vector<Way> ways;
 };
 
-std::uint64_t link_at(const ContourPoint& end) {
-  return end.node.is_loose() ? kLooseEnd : end.node.number();
+// An end of a run at a node, and the node beside it on the run.
+struct EndAtNode {
+  std::uint64_t node, beside;
+  std::uint64_t* link;
+};
+
+// The ends that meet have a number of their own. Where more than two do they are paired by the nodes
+// beside them, so that runs may be parted elsewhere.
+std::vector<ChainLink> links_of(const SeenContours& contours, Runs runs) {
+  std::vector<ChainLink> links(runs.size(), {kLooseEnd, kLooseEnd});
+  std::vector<EndAtNode> ends;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    throw_if_stopped(i);
+    const auto points = contours.points(runs[i]);
+    const auto add = [&](std::size_t at, std::size_t beside, std::uint64_t& link) {
+      if (!points[at].node.is_loose())
+        ends.push_back({points[at].node.number(), points[beside].node.number(), &link});
+    };
+    add(0, 1, links[i].begin);
+    add(points.size() - 1, points.size() - 2, links[i].end);
+  }
+  sort_by_number(ends, [](const EndAtNode& end) { return end.node; });
+  std::uint64_t pairs = 0;
+  for (auto first = ends.begin(); first != ends.end(); ++pairs) {
+    const auto end = std::find_if(first, ends.end(), [&](const EndAtNode& other) {
+      return other.node != first->node;
+    });
+    if (end - first > 2)
+      std::sort(first, end,
+                [](const EndAtNode& a, const EndAtNode& b) { return a.beside < b.beside; });
+    for (auto last = std::min(first + 2, end); first != last; ++first) *first->link = pairs;
+  }
+  return links;
+}
+
+// Orders the ends of ways: by the nodes of the piece there; where that isn't visible up to either
+// node, by where it ends.
+auto order_of(const ContourPoint& end, const ContourPoint& beside) {
+  const auto [low, high] = std::minmax({end.node.number(), beside.node.number()});
+  return std::tuple(low, high, end.at.u, end.at.v);
 }
 
 // A ring begins at its lowest node, towards the higher of those beside it; another way at its
 // lower end: so nothing depends on where it was found first.
 void put_in_order(Ways& ways, Ways::Way& way) {
-  const auto begin = ways.points.begin() + static_cast<std::ptrdiff_t>(way.begin),
-             end = ways.points.begin() + static_cast<std::ptrdiff_t>(way.end);
+  const std::span way_points = std::span(ways.points).subspan(way.begin, way.end - way.begin);
+  const auto begin = way_points.begin(), last = way_points.end() - 1;
   const auto number = [](const ContourPoint* point) { return point->node.number(); };
-  way.is_ring = number(*begin) == number(*(end - 1)) && !(*begin)->node.is_loose();
-  if (!way.is_ring) {
-    const auto at_begin = std::tuple(std::min(number(*begin), number(*(begin + 1))),
-                                     std::max(number(*begin), number(*(begin + 1)))),
-               at_end = std::tuple(std::min(number(*(end - 1)), number(*(end - 2))),
-                                   std::max(number(*(end - 1)), number(*(end - 2))));
-    if (at_end < at_begin) std::reverse(begin, end);
-    return;
+  way.is_ring = number(*begin) == number(*last) && !(*begin)->node.is_loose();
+  if (way.is_ring) {
+    std::rotate(begin, std::ranges::min_element(begin, last, {}, number), last);
+    *last = *begin;
+    if (number(*(begin + 1)) < number(*(last - 1))) std::ranges::reverse(way_points);
+  } else if (order_of(**last, **(last - 1)) < order_of(**begin, **(begin + 1))) {
+    std::ranges::reverse(way_points);
   }
-  std::rotate(begin,
-              std::min_element(begin, end - 1, [&](auto a, auto b) { return number(a) < number(b); }),
-              end - 1);
-  *(end - 1) = *begin;
-  if (number(*(begin + 1)) < number(*(end - 2))) std::reverse(begin, end);
 }
 
 Ways ways_of(const SeenContours& contours, Runs runs) {
-  std::vector<ChainLink> links;
-  links.reserve(runs.size());
-  for (const SeenContours::Run& run : runs) {
-    const auto points = contours.points(run);
-    links.push_back({link_at(points.front()), link_at(points.back())});
-  }
-  const Chains chains = chain(links);
+  const Chains chains = chain(links_of(contours, runs));
   Ways out;
   for (std::size_t i = 0; i < chains.size(); ++i) {
     Ways::Way way{out.points.size(), 0, false};
@@ -76,8 +103,8 @@ Ways ways_of(const SeenContours& contours, Runs runs) {
     out.ways.push_back(way);
   }
   std::ranges::sort(out.ways, {}, [&](const Ways::Way& way) {
-    const std::uint64_t first = out.points[way.begin]->node.number(), second = out.points[way.begin + 1]->node.number();
-    return std::tuple(way.is_ring, std::min(first, second), std::max(first, second));
+    return std::tuple(way.is_ring,
+                      order_of(*out.points[way.begin], *out.points[way.begin + 1]));
   });
   return out;
 }
