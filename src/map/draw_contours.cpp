@@ -69,20 +69,33 @@ auto order_of(const ContourPoint& end, const ContourPoint& beside) {
   return std::tuple(low, high, end.at.u, end.at.v);
 }
 
-// A ring begins at its lowest node, towards the higher of those beside it; another way at its
-// lower end: so nothing depends on where it was found first.
+// A ring begins at its lowest node, towards the highest of those beside it, which are four where it
+// meets itself there; another way at its lower end: so nothing depends on where it was found first.
 void put_in_order(Ways& ways, Ways::Way& way) {
-  const std::span way_points = std::span(ways.points).subspan(way.begin, way.end - way.begin);
-  const auto begin = way_points.begin(), last = way_points.end() - 1;
+  const std::span all = std::span(ways.points).subspan(way.begin, way.end - way.begin);
   const auto number = [](const ContourPoint* point) { return point->node.number(); };
-  way.is_ring = number(*begin) == number(*last) && !(*begin)->node.is_loose();
-  if (way.is_ring) {
-    std::rotate(begin, std::ranges::min_element(begin, last, {}, number), last);
-    *last = *begin;
-    if (number(*(begin + 1)) < number(*(last - 1))) std::ranges::reverse(way_points);
-  } else if (order_of(**last, **(last - 1)) < order_of(**begin, **(begin + 1))) {
-    std::ranges::reverse(way_points);
+  way.is_ring = number(all.front()) == number(all.back()) && !all.front()->node.is_loose();
+  if (!way.is_ring) {
+    if (order_of(*all.back(), *all[all.size() - 2]) < order_of(*all[0], *all[1]))
+      std::ranges::reverse(all);
+    return;
   }
+  const std::span ring = all.first(all.size() - 1);
+  const std::uint64_t lowest = number(*std::ranges::min_element(ring, {}, number));
+  std::size_t start = 0;
+  std::uint64_t highest = 0;
+  bool is_turned = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (number(ring[i]) != lowest) continue;
+    const std::uint64_t next = number(all[i + 1]), last = number(i == 0 ? ring.back() : ring[i - 1]);
+    if (std::max(next, last) <= highest) continue;
+    highest = std::max(next, last);
+    is_turned = last > next;
+    start = i;
+  }
+  std::ranges::rotate(ring, ring.begin() + static_cast<std::ptrdiff_t>(start));
+  all.back() = all.front();
+  if (is_turned) std::ranges::reverse(all);
 }
 
 Ways ways_of(const SeenContours& contours, Runs runs) {
