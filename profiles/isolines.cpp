@@ -132,7 +132,7 @@ private:
           levels == below.standings[c + 1].levels)
         continue;
       const IsolineEnd nw = end(row, r, c), ne = end(row, r, c + 1), sw = end(below, r + 1, c),
-                se = end(below, r + 1, c + 1);
+                       se = end(below, r + 1, c + 1);
       const auto triangle = [&](Half half) {
         return grid_triangle(grid_, static_cast<int>(c), r, half);
       };

@@ -29,7 +29,8 @@ struct LevelStanding {
 /// Levels, which rise.
 class IsolineLevels {
 public:
-  explicit IsolineLevels(std::span<const double> levels) : count_(static_cast<double>(levels.size())) {
+  explicit IsolineLevels(std::span<const double> levels)
+      : count_(static_cast<double>(levels.size())) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     bounds_.push_back(-kInfinity);
     bounds_.insert(bounds_.end(), levels.begin(), levels.end());
@@ -87,7 +88,8 @@ inline CrossedLevels crossed_within(const LevelStanding& a, const LevelStanding&
 }
 
 /// Adds them, rising. REQUIRES from.vertex < to.vertex.
-inline void add_edge_points(const IsolineEnd& from, const IsolineEnd& to, const IsolineLevels& levels, std::vector<EdgePoint>& out) {
+inline void add_edge_points(const IsolineEnd& from, const IsolineEnd& to,
+                            const IsolineLevels& levels, std::vector<EdgePoint>& out) {
   const CrossedLevels crossed = crossed_within(from.standing, to.standing);
   for (std::int32_t i = crossed.first; i < crossed.last; ++i)
     out.push_back({{from.vertex, to.vertex},
@@ -112,15 +114,12 @@ inline std::uint32_t isoline_node_on(const IsolineEnd& upper, const IsolineEnd& 
 template <class Take>
 void for_each_isoline(const IsolineTriangle& triangle, std::size_t number, const Take& take) {
   const auto& [a, b, c] = triangle.corners;
-  const auto [low, high] =
-      std::minmax({a.standing.levels, b.standing.levels, c.standing.levels});
+  const auto [low, high] = std::minmax({a.standing.levels, b.standing.levels, c.standing.levels});
   if (low == LevelStanding::kNowhere) return;
   for (std::int32_t level = low; level < high; ++level) {
     const auto is_above = [&](const IsolineEnd& corner) { return corner.standing.levels > level; };
     // The corner that is on a side of its own: both sides that meet there are crossed.
-    const std::size_t alone = is_above(a) == is_above(b)   ? 2
-                              : is_above(b) == is_above(c) ? 0
-                                                           : 1;
+    const std::size_t alone = is_above(a) == is_above(b) ? 2 : is_above(b) == is_above(c) ? 0 : 1;
     const std::size_t next = (alone + 1) % 3, last = (alone + 2) % 3;
     const IsolineEnd& corner = triangle.corners[alone];
     const auto node = [&](std::size_t other, std::size_t opposite) {

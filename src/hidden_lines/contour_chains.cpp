@@ -13,7 +13,9 @@ namespace {
 
 // Brings together what strips have seen of the same pieces.
 ContourRuns runs_of(std::vector<ContourPart> parts) {
-  const auto piece = [](const ContourPart& part) { return std::pair(part.from.node, part.to.node); };
+  const auto piece = [](const ContourPart& part) {
+    return std::pair(part.from.node, part.to.node);
+  };
   std::size_t steps = 0;
   std::sort(parts.begin(), parts.end(), [&](const ContourPart& a, const ContourPart& b) {
     throw_if_stopped(++steps);

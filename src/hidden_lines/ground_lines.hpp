@@ -39,9 +39,9 @@ struct GroundLines {
   std::size_t draped_in_part = 0, not_draped = 0; ///< of overlays' features, as in Counts
 };
 
-/// All that a style asks for; contours are left to be found, unless they are to be listed. `ground`:
-/// what is looked at, where that isn't all. Throws Error as
-/// `contour_levels`, `mesh_lines`, `graticule_lines` and `map_grid_lines` do.
+/// All that a style asks for; contours are left to be found, unless they are to be listed.
+/// `ground`: what is looked at, where that isn't all. Throws Error as `contour_levels`,
+/// `mesh_lines`, `graticule_lines` and `map_grid_lines` do.
 GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed,
                             const Style& style, const SeenGround* ground = nullptr,
                             bool lists_contours = true);

@@ -16,7 +16,8 @@ void LatticeContours::take(const PlaceContours::Piece& piece) {
   const XRange looked_at = pictures_.looked_at();
   if (x_end < looked_at.begin || x_begin > looked_at.end) return;
   // In this strip alone, and not straight away from the eye.
-  const bool is_plain = nearest >= lattice_.view.drawn_from_m && x_begin > inner_range_.begin && x_end < inner_range_.end &&
+  const bool is_plain = nearest >= lattice_.view.drawn_from_m && x_begin > inner_range_.begin &&
+                        x_end < inner_range_.end &&
                         x_end - x_begin > pictures_.rounding(std::max(-x_begin, x_end), nearest);
   if (!is_plain) return take_exactly(piece);
   // What is tied is nearer than this, and rounding far less.

@@ -2,6 +2,7 @@
 #include "hidden_lines/lattice_lines.hpp"
 
 #include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,14 +54,18 @@ void LatticeLines::order_lines(std::span<const LineAtDepth> which) {
           add(pictures_.add_found(
               {edge, LineKind::silhouette, true, lattice_.work.draws_silhouettes, false}));
   }
-  std::size_t steps = 0;
+  sort_by_number(lines_, [](const LineAtTurn& at) { return at.turn; });
   const auto before = [&](const LineAtTurn& a, const LineAtTurn& b) {
-    throw_if_stopped(++steps);
-    if (a.turn != b.turn) return a.turn < b.turn;
     const auto kind = [&](const LineAtTurn& at) { return pictures_.line(at.line).kind; };
     return kind(a) != kind(b) ? kind(a) < kind(b) : a.line < b.line;
   };
-  std::sort(lines_.begin(), lines_.end(), before);
+  for (auto first = lines_.begin(); first != lines_.end();) {
+    throw_if_stopped(static_cast<std::size_t>(first - lines_.begin()));
+    const auto end = std::find_if(first, lines_.end(),
+                                  [&](const LineAtTurn& at) { return at.turn != first->turn; });
+    std::sort(first, end, before);
+    first = end;
+  }
 }
 
 void LatticeLines::begin_place(std::uint32_t place, const ShownOfPlace& shown) {

@@ -20,8 +20,9 @@
 namespace orograph {
 
 /// Takes lines edge by edge: those of a list, and the silhouettes that it finds where they aren't
-/// listed; between them contours, where they aren't listed either. Place by place: `begin_place`, for each of its parts in order `begin_part`, and then as
-/// long as there is a `next` edge either `take` or not; `end_place`.
+/// listed; between them contours, where they aren't listed either. Place by place: `begin_place`,
+/// for each of its parts in order `begin_part`, and then as long as there is a `next` edge either
+/// `take` or not; `end_place`.
 class LatticeLines {
 public:
   /// `which`: of the list, by number. Lines found get numbers in `pictures`. REQUIRES that all

@@ -125,7 +125,7 @@ void PlaceContours::read(Line& line, std::size_t count) const {
 void PlaceContours::find_cells(const ShownOfPlace& shown, const BlockedHorizon& horizon) {
   cells_.clear();
   const std::int32_t *const near = &near_.levels[near_.index(shown.first_cell)],
-                     *const far = &far_.levels[far_.index(shown.first_cell)];
+                            *const far = &far_.levels[far_.index(shown.first_cell)];
   for (int i = 0; i < shown.end_cell - shown.first_cell; ++i) {
     if (near[i] == near[i + 1] && near[i] == far[i] && near[i] == far[i + 1]) continue;
     const int cell = shown.first_cell + i;
@@ -171,6 +171,7 @@ void PlaceContours::add_point(std::uint64_t number, ProfilePoint at) {
 std::uint32_t PlaceContours::add_points(const Line& line_from, int from, const Line& line_to,
                                         int to) {
   const auto first = static_cast<std::uint32_t>(points_.size());
+  if (line_from.levels[line_from.index(from)] == line_to.levels[line_to.index(to)]) return first;
   const LevelStanding a = standing(line_from, from), b = standing(line_to, to);
   const CrossedLevels crossed = crossed_within(a, b);
   if (crossed.first >= crossed.last) return first;
@@ -184,11 +185,10 @@ std::uint32_t PlaceContours::add_points(const Line& line_from, int from, const L
              is_across = from == to && &line_from != &line_to;
   const auto column = static_cast<std::uint64_t>(this->column(line_from.number, from)),
              row = static_cast<std::uint64_t>(this->row(line_from.number, from));
-  const std::uint64_t number =
-      vertices_ + 3 * row * columns_ +
-      ((rows_ ? is_along_line : is_across)   ? column
-       : (rows_ ? is_across : is_along_line) ? columns_ + 2 * column
-                                             : columns_ + 2 * column + 1);
+  const std::uint64_t number = vertices_ + 3 * row * columns_ +
+                               ((rows_ ? is_along_line : is_across)   ? column
+                                : (rows_ ? is_across : is_along_line) ? columns_ + 2 * column
+                                                                      : columns_ + 2 * column + 1);
   for (std::int32_t level = crossed.first; level < crossed.last; ++level)
     add_point(number, point_between(at_a, at_b, (levels_[level] - a.value) / (b.value - a.value)));
   return first;
@@ -218,9 +218,12 @@ void PlaceContours::add_pieces(PlacePart part, const Cell& cell) {
   const int column = this->column(near_.number, cell.number),
             row = this->row(near_.number, cell.number);
   const bool far_first = lattice_.order.is_lower_near(column, row) == rows_;
+  const std::size_t near = near_.index(cell.number), far = far_.index(cell.number);
+  const std::int32_t first = near_.levels[near], last = far_.levels[far + 1];
   for (const bool with_far : {far_first, !far_first})
-    add_pieces(part, cell, with_far,
-               lattice_.order.turn(column, row, with_far == rows_ ? Half::lower : Half::upper));
+    if (first != last || first != (with_far ? far_.levels[far] : near_.levels[near + 1]))
+      add_pieces(part, cell, with_far,
+                 lattice_.order.turn(column, row, with_far == rows_ ? Half::lower : Half::upper));
 }
 
 void PlaceContours::add_pieces(PlacePart part, const Cell& cell, bool with_far,
@@ -249,8 +252,7 @@ void PlaceContours::add_pieces(PlacePart part, const Cell& cell, bool with_far,
 }
 
 std::uint32_t PlaceContours::add_vertex(std::uint32_t vertex) {
-  add_point(vertex,
-            to_profile_frame(lattice_.view, lattice_.grid.vertex_m(std::size_t{vertex})));
+  add_point(vertex, to_profile_frame(lattice_.view, lattice_.grid.vertex_m(std::size_t{vertex})));
   return static_cast<std::uint32_t>(points_.size() - 1);
 }
 

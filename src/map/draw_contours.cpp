@@ -33,8 +33,8 @@ struct EndAtNode {
   std::uint64_t* link;
 };
 
-// The ends that meet have a number of their own. Where more than two do they are paired by the nodes
-// beside them, so that runs may be parted elsewhere.
+// The ends that meet have a number of their own. Where more than two do they are paired by the
+// nodes beside them, so that runs may be parted elsewhere.
 std::vector<ChainLink> links_of(const SeenContours& contours, Runs runs) {
   std::vector<ChainLink> links(runs.size(), {kLooseEnd, kLooseEnd});
   std::vector<EndAtNode> ends;
@@ -51,9 +51,8 @@ std::vector<ChainLink> links_of(const SeenContours& contours, Runs runs) {
   sort_by_number(ends, [](const EndAtNode& end) { return end.node; });
   std::uint64_t pairs = 0;
   for (auto first = ends.begin(); first != ends.end(); ++pairs) {
-    const auto end = std::find_if(first, ends.end(), [&](const EndAtNode& other) {
-      return other.node != first->node;
-    });
+    const auto end = std::find_if(
+        first, ends.end(), [&](const EndAtNode& other) { return other.node != first->node; });
     if (end - first > 2)
       std::sort(first, end,
                 [](const EndAtNode& a, const EndAtNode& b) { return a.beside < b.beside; });
@@ -87,7 +86,8 @@ void put_in_order(Ways& ways, Ways::Way& way) {
   bool is_turned = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (number(ring[i]) != lowest) continue;
-    const std::uint64_t next = number(all[i + 1]), last = number(i == 0 ? ring.back() : ring[i - 1]);
+    const std::uint64_t next = number(all[i + 1]),
+                        last = number(i == 0 ? ring.back() : ring[i - 1]);
     if (std::max(next, last) <= highest) continue;
     highest = std::max(next, last);
     is_turned = last > next;
@@ -116,8 +116,7 @@ Ways ways_of(const SeenContours& contours, Runs runs) {
     out.ways.push_back(way);
   }
   std::ranges::sort(out.ways, {}, [&](const Ways::Way& way) {
-    return std::tuple(way.is_ring,
-                      order_of(*out.points[way.begin], *out.points[way.begin + 1]));
+    return std::tuple(way.is_ring, order_of(*out.points[way.begin], *out.points[way.begin + 1]));
   });
   return out;
 }

@@ -331,10 +331,11 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     if (task.is_on_ground) {
       StrokeSettings of_ticks = own; // a tick that is longer than it is wide is no crumb
       of_ticks.min_stroke_mm = std::min(own.min_stroke_mm, task.layer.pen_width_mm);
-      task.left_out_mm = draw_contours(placed.view, contours, lines.on_ground, task.kind, own,
-                                       task.layer);
-      task.left_out_mm += draw_features(terrain.surface, placed.view, found.lines(), lines.on_ground,
-                                       first_on_ground, task.parts, own, of_ticks, task.layer);
+      task.left_out_mm =
+          draw_contours(placed.view, contours, lines.on_ground, task.kind, own, task.layer);
+      task.left_out_mm +=
+          draw_features(terrain.surface, placed.view, found.lines(), lines.on_ground,
+                        first_on_ground, task.parts, own, of_ticks, task.layer);
       return;
     }
     StrokeBuilder builder(own, task.layer);

@@ -72,18 +72,20 @@ std::vector<Piece> pieces_of(const Drawing& drawing) {
       std::string feature;
       if (stroke.feature >= 0)
         for (const auto& [name, value] : layer.features[static_cast<std::size_t>(stroke.feature)])
-          feature += name + std::visit([](const auto& v) {
-                       if constexpr (std::is_arithmetic_v<std::decay_t<decltype(v)>>)
-                         return std::to_string(v);
-                       else
-                         return std::string{};
-                     }, value);
+          feature += name + std::visit(
+                                [](const auto& v) {
+                                  if constexpr (std::is_arithmetic_v<std::decay_t<decltype(v)>>)
+                                    return std::to_string(v);
+                                  else
+                                    return std::string{};
+                                },
+                                value);
       for (std::uint32_t i = 1; i < stroke.point_count; ++i) {
         const Vec2 a = layer.page_mm[stroke.first_point + i - 1],
                    b = layer.page_mm[stroke.first_point + i];
         const auto [from, to] = std::minmax({std::tuple(a.x, a.y), std::tuple(b.x, b.y)});
-        out.emplace_back(layer.name, feature, std::get<0>(from), std::get<1>(from),
-                         std::get<0>(to), std::get<1>(to));
+        out.emplace_back(layer.name, feature, std::get<0>(from), std::get<1>(from), std::get<0>(to),
+                         std::get<1>(to));
       }
     }
   std::sort(out.begin(), out.end());
