@@ -71,12 +71,12 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
     for (std::size_t i = 0; i < levels.heights.size(); ++i)
       out.features.push_back({levels.is_index[i] ? LineKind::index_contour : LineKind::contour,
                               {{"elevation", levels.heights[i]}}});
+    out.first_contour = first;
     if (lists_contours) {
       add(surface, placed.view,
           isolines(surface, heights_of(terrain), levels.heights_m, {.seen = ground}), first, out);
     } else {
       out.levels_to_find_m = levels.heights_m;
-      out.first_to_find = first;
     }
     if (style.contours.ticks) add_contour_ticks(terrain, placed, levels, out);
   }

@@ -32,10 +32,8 @@ struct GroundLines {
   std::vector<ProfilePoint> points; ///< in the view's profile frame
   std::vector<GroundLine> lines;
   std::vector<GroundFeature> features;
-  /// Of contours that aren't among the lines: their levels, which are the features from number
-  /// `first_to_find` on.
-  std::vector<double> levels_to_find_m;
-  std::size_t first_to_find = 0;
+  std::size_t first_contour = 0;        ///< feature, of the lowest level
+  std::vector<double> levels_to_find_m; ///< of contours, where they aren't among the lines
   std::size_t draped_in_part = 0, not_draped = 0; ///< of overlays' features, as in Counts
 };
 

@@ -10,6 +10,7 @@
 #include <limits>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -123,6 +124,30 @@ Ways ways_of(const SeenContours& contours, Runs runs) {
 
 } // namespace
 
+SeenContours take_contours(const Surface& surface, const View& view,
+                           const std::vector<EdgeLine>& lines, const GroundLines& on_ground,
+                           std::size_t first_line, std::vector<LinePart>& parts) {
+  const EdgeEnds ends(surface, view, {on_ground.points});
+  ContourRuns runs;
+  std::erase_if(parts, [&](const LinePart& part) {
+    throw_if_stopped(runs.ends.size());
+    const std::uint32_t feature = on_ground.lines[part.line - first_line].feature;
+    if (on_ground.features[feature].is_tick) return false;
+    const auto level = feature - static_cast<std::uint32_t>(on_ground.first_contour);
+    const SurfaceEdge edge = lines[part.line].edge;
+    const ProfileLine whole = ends(edge);
+    const auto add = [&](double t, bool is_node, std::uint32_t node) {
+      runs.points.push_back({is_node ? ContourNode(level, node) : ContourNode::loose(level),
+                             point_between(whole.from, whole.to, t)});
+    };
+    add(part.t_begin, part.t_begin <= 0, edge.from);
+    add(part.t_end, part.t_end >= 1, edge.to);
+    runs.ends.push_back(static_cast<std::uint32_t>(runs.points.size()));
+    return true;
+  });
+  return seen_contours({std::move(runs)}, {});
+}
+
 double draw_contours(const View& view, const SeenContours& contours, const GroundLines& on_ground,
                      LineKind kind, const StrokeSettings& settings, Layer& layer) {
   std::vector<Runs> levels;
@@ -131,7 +156,7 @@ double draw_contours(const View& view, const SeenContours& contours, const Groun
     const auto end = std::ranges::find_if(
         left, [&](const SeenContours::Run& run) { return contours.level(run) != level; });
     const auto count = static_cast<std::size_t>(end - left.begin());
-    if (on_ground.features[on_ground.first_to_find + level].kind == kind)
+    if (on_ground.features[on_ground.first_contour + level].kind == kind)
       levels.push_back(left.first(count));
     left = left.subspan(count);
   }
@@ -157,7 +182,7 @@ double draw_contours(const View& view, const SeenContours& contours, const Groun
     if (own.strokes.empty()) return;
     for (Stroke& stroke : own.strokes) stroke.feature = 0;
     own.features.push_back(
-        on_ground.features[on_ground.first_to_find + contours.level(levels[i].front())].attributes);
+        on_ground.features[on_ground.first_contour + contours.level(levels[i].front())].attributes);
   });
   double left_out_mm = 0;
   for (Drawn& of_level : drawn) {

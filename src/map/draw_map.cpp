@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -331,8 +332,16 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     if (task.is_on_ground) {
       StrokeSettings of_ticks = own; // a tick that is longer than it is wide is no crumb
       of_ticks.min_stroke_mm = std::min(own.min_stroke_mm, task.layer.pen_width_mm);
-      task.left_out_mm =
-          draw_contours(placed.view, contours, lines.on_ground, task.kind, own, task.layer);
+      const bool is_contour =
+          task.kind == LineKind::contour || task.kind == LineKind::index_contour;
+      if (is_contour && !task.layer.is_hidden) {
+        std::optional<SeenContours> listed;
+        if (lines.on_ground.levels_to_find_m.empty())
+          listed = take_contours(terrain.surface, placed.view, found.lines(), lines.on_ground,
+                                 first_on_ground, task.parts);
+        task.left_out_mm = draw_contours(placed.view, listed ? *listed : contours, lines.on_ground,
+                                         task.kind, own, task.layer);
+      }
       task.left_out_mm +=
           draw_features(terrain.surface, placed.view, found.lines(), lines.on_ground,
                         first_on_ground, task.parts, own, of_ticks, task.layer);
