@@ -14,8 +14,8 @@
 
 namespace orograph {
 
-/// Takes them out of parts, by line, of contours that were listed and of their ticks, which stay: of
-/// a view's `lines`, from number `first_line` on those of `on_ground`.
+/// Takes them out of parts, by line, of contours that were listed and of their ticks, which stay:
+/// of a view's `lines`, from number `first_line` on those of `on_ground`.
 SeenContours take_contours(const Surface& surface, const View& view,
                            const std::vector<EdgeLine>& lines, const GroundLines& on_ground,
                            std::size_t first_line, std::vector<LinePart>& parts);
