@@ -3,6 +3,7 @@
 
 #include "geometry/on_all_cores.hpp"
 #include "profiles/surface_edges.hpp"
+#include "profiles/triangle_isolines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,116 +14,6 @@
 
 namespace orograph {
 namespace {
-
-// Of a vertex: its value, and how many levels aren't above that.
-struct Standing {
-  double value;
-  std::int32_t levels; // kNowhere where there is no vertex
-  bool on_level;       // the last of those is its value
-
-  static constexpr std::int32_t kNowhere = -1;
-  bool is_there() const { return levels != kNowhere; }
-};
-
-class Levels {
-public:
-  explicit Levels(std::span<const double> levels) : levels_(levels) {
-    if (levels.size() > 1)
-      per_value_ = static_cast<double>(levels.size() - 1) / (levels.back() - levels.front());
-  }
-
-  double operator[](std::int32_t i) const { return levels_[static_cast<std::size_t>(i)]; }
-  Standing standing_of(double value) const {
-    if (std::isnan(value)) return {value, Standing::kNowhere, false};
-    const std::int32_t count = count_up_to(value);
-    return {value, count, count > 0 && (*this)[count - 1] == value};
-  }
-
-private:
-  // Levels are nearly always equally far apart: a guess is right, or next to it.
-  std::int32_t count_up_to(double value) const {
-    const auto size = static_cast<double>(levels_.size());
-    auto guess =
-        static_cast<std::size_t>(std::clamp((value - levels_.front()) * per_value_ + 1, 0.0, size));
-    constexpr int kNear = 3;
-    for (int i = 0; i < kNear; ++i) {
-      if (guess < levels_.size() && levels_[guess] <= value)
-        ++guess;
-      else if (guess > 0 && levels_[guess - 1] > value)
-        --guess;
-      else
-        return static_cast<std::int32_t>(guess);
-    }
-    return static_cast<std::int32_t>(std::upper_bound(levels_.begin(), levels_.end(), value) -
-                                     levels_.begin());
-  }
-
-  std::span<const double> levels_;
-  double per_value_ = 0;
-};
-
-// An end of an edge, with its number.
-struct End {
-  std::uint32_t vertex;
-  Standing standing;
-};
-
-// Which levels cross an edge within it: [first, last). One that its upper end is on goes through
-// that vertex.
-struct Crossed {
-  std::int32_t first = 0, last = 0;
-  std::uint32_t count() const { return static_cast<std::uint32_t>(last - first); }
-};
-Crossed crossed_within(const Standing& a, const Standing& b) {
-  if (!a.is_there() || !b.is_there() || a.levels == b.levels) return {};
-  const bool a_upper = a.levels > b.levels;
-  const Standing &upper = a_upper ? a : b, &lower = a_upper ? b : a;
-  return {lower.levels, upper.levels - (upper.on_level ? 1 : 0)};
-}
-
-// REQUIRES from.vertex < to.vertex.
-void add_points(const End& from, const End& to, const Levels& levels, std::vector<EdgePoint>& out) {
-  const Crossed crossed = crossed_within(from.standing, to.standing);
-  for (std::int32_t i = crossed.first; i < crossed.last; ++i)
-    out.push_back({{from.vertex, to.vertex},
-                   (levels[i] - from.standing.value) / (to.standing.value - from.standing.value)});
-}
-
-// A side of a triangle; `first_point`: the number of the first point within it.
-struct Side {
-  End a, b;
-  std::uint32_t first_point;
-};
-
-// Where a level that crosses a side does so.
-std::uint32_t node_on(const Side& side, std::int32_t level) {
-  const bool a_upper = side.a.standing.levels > side.b.standing.levels;
-  const End &upper = a_upper ? side.a : side.b, &lower = a_upper ? side.b : side.a;
-  if (upper.standing.on_level && level == upper.standing.levels - 1) return upper.vertex;
-  return side.first_point + static_cast<std::uint32_t>(level - lower.standing.levels);
-}
-
-// Takes the lines of a triangle.
-template <class Take>
-void for_each_line(const std::array<Side, 3>& sides, std::size_t triangle, const Take& take) {
-  std::int32_t low = std::numeric_limits<std::int32_t>::max(), high = Standing::kNowhere;
-  for (const Side& side : sides) {
-    if (!side.a.standing.is_there() || !side.b.standing.is_there()) return;
-    low = std::min({low, side.a.standing.levels, side.b.standing.levels});
-    high = std::max({high, side.a.standing.levels, side.b.standing.levels});
-  }
-  for (std::int32_t level = low; level < high; ++level) {
-    std::array<std::uint32_t, 2> ends{};
-    std::size_t count = 0;
-    for (const Side& side : sides)
-      if ((side.a.standing.levels <= level) != (side.b.standing.levels <= level))
-        ends[count++] = node_on(side, level);
-    if (ends[0] == ends[1]) continue; // a vertex
-    const auto [from, to] = std::minmax(ends[0], ends[1]);
-    take(
-        Isoline{from, to, static_cast<std::uint32_t>(triangle), static_cast<std::uint32_t>(level)});
-  }
-}
 
 // Those along edges may be there twice, once for each triangle.
 void add_once(std::vector<Isoline>& along_edges, std::vector<Isoline>& lines) {
@@ -142,7 +33,7 @@ void add_once(std::vector<Isoline>& along_edges, std::vector<Isoline>& lines) {
 // where the last one ends, and its numbers are known here too.
 class GridRows {
 public:
-  GridRows(const Grid& grid, const VertexValues& values, const Levels& levels,
+  GridRows(const Grid& grid, const VertexValues& values, const IsolineLevels& levels,
            const IsolineGround& ground)
       : grid_(grid), values_(values), levels_(levels), ground_(ground),
         width_(static_cast<std::size_t>(grid.columns)),
@@ -172,7 +63,7 @@ public:
 private:
   struct Row {
     std::vector<double> values;
-    std::vector<Standing> standings;
+    std::vector<LevelStanding> standings;
     std::vector<std::uint8_t> cells; // behind it: whether each is asked for
   };
 
@@ -196,7 +87,7 @@ private:
     std::transform(out.values.begin(), out.values.end(), out.standings.begin(),
                    [&](double value) { return levels_.standing_of(value); });
   }
-  End end(const Row& row, int r, std::size_t column) const {
+  IsolineEnd end(const Row& row, int r, std::size_t column) const {
     return {static_cast<std::uint32_t>(grid_.index(static_cast<int>(column), r)),
             row.standings[column]};
   }
@@ -210,10 +101,10 @@ private:
     std::uint32_t next = next_point();
     for (std::size_t c = 0; c + 1 < width_; ++c) {
       first[c] = next;
-      const Standing &a = row.standings[c], &b = row.standings[c + 1];
+      const LevelStanding &a = row.standings[c], &b = row.standings[c + 1];
       if (a.levels == b.levels || (row.cells[c] | cells_above[c]) == 0) continue;
       next += crossed_within(a, b).count();
-      if (stored) add_points(end(row, r, c), end(row, r, c + 1), levels_, points);
+      if (stored) add_edge_points(end(row, r, c), end(row, r, c + 1), levels_, points);
     }
   }
   void number_between(const Row& row, const Row& below, int r) {
@@ -223,10 +114,10 @@ private:
       const bool here = row.cells[c] != 0, before = c > 0 && row.cells[c - 1] != 0;
       down_[c] = next_point();
       if ((here || before) && row.standings[c].levels != below.standings[c].levels)
-        add_points(end(row, r, c), end(below, r + 1, c), levels_, points);
+        add_edge_points(end(row, r, c), end(below, r + 1, c), levels_, points);
       diagonal_[c] = next_point();
       if (here && row.standings[c].levels != below.standings[c + 1].levels)
-        add_points(end(row, r, c), end(below, r + 1, c + 1), levels_, points);
+        add_edge_points(end(row, r, c), end(below, r + 1, c + 1), levels_, points);
     }
   }
 
@@ -240,23 +131,22 @@ private:
       if (levels == row.standings[c + 1].levels && levels == below.standings[c].levels &&
           levels == below.standings[c + 1].levels)
         continue;
-      const End nw = end(row, r, c), ne = end(row, r, c + 1), sw = end(below, r + 1, c),
-                se = end(below, r + 1, c + 1);
-      const Side diagonal{nw, se, diagonal_[c]};
+      const IsolineEnd nw = end(row, r, c), ne = end(row, r, c + 1), sw = end(below, r + 1, c),
+                       se = end(below, r + 1, c + 1);
       const auto triangle = [&](Half half) {
         return grid_triangle(grid_, static_cast<int>(c), r, half);
       };
       const std::size_t lower = triangle(Half::lower), upper = triangle(Half::upper);
       if (!ground_.triangles || ground_.triangles->has(lower))
-        for_each_line({Side{nw, sw, down_[c]}, {sw, se, along_below_[c]}, diagonal}, lower, take);
+        for_each_isoline({{nw, sw, se}, {along_below_[c], diagonal_[c], down_[c]}}, lower, take);
       if (!ground_.triangles || ground_.triangles->has(upper))
-        for_each_line({diagonal, {se, ne, down_[c + 1]}, {nw, ne, along_[c]}}, upper, take);
+        for_each_isoline({{nw, ne, se}, {down_[c + 1], diagonal_[c], along_[c]}}, upper, take);
     }
   }
 
   const Grid& grid_;
   const VertexValues& values_;
-  const Levels& levels_;
+  const IsolineLevels& levels_;
   const IsolineGround& ground_;
   std::size_t width_;
   std::uint32_t vertices_;
@@ -279,7 +169,7 @@ void append(const GridRows& found, std::uint32_t vertices, Isolines& out,
   along_edges.insert(along_edges.end(), found.along_edges.begin(), found.along_edges.end());
 }
 
-Isolines of_grid(const Grid& grid, const VertexValues& values, const Levels& levels,
+Isolines of_grid(const Grid& grid, const VertexValues& values, const IsolineLevels& levels,
                  const IsolineGround& ground) {
   constexpr int kRowsOfTask = 64;
   std::vector<GridRows> rows(static_cast<std::size_t>((grid.rows + kRowsOfTask - 1) / kRowsOfTask),
@@ -305,12 +195,12 @@ bool is_numbered_with(const Tin& tin, std::size_t triangle, std::size_t side) {
   return other == kNoTriangle || triangle < other;
 }
 
-Isolines of_tin(const Tin& tin, const VertexValues& values, const Levels& levels,
+Isolines of_tin(const Tin& tin, const VertexValues& values, const IsolineLevels& levels,
                 const IsolineGround& ground) {
   std::vector<double> of_vertices(tin.vertices_m.size());
   values(0, of_vertices);
   const auto end = [&](std::uint32_t vertex) {
-    return End{vertex, levels.standing_of(of_vertices[vertex])};
+    return IsolineEnd{vertex, levels.standing_of(of_vertices[vertex])};
   };
   Isolines out;
   const auto vertices = static_cast<std::uint32_t>(tin.vertices_m.size());
@@ -321,7 +211,7 @@ Isolines of_tin(const Tin& tin, const VertexValues& values, const Levels& levels
       if (!is_numbered_with(tin, t, k)) continue;
       first_points[3 * t + k] = vertices + static_cast<std::uint32_t>(out.points.size());
       const SurfaceEdge edge = edge_opposite(tin, t, k).edge;
-      add_points(end(edge.from), end(edge.to), levels, out.points);
+      add_edge_points(end(edge.from), end(edge.to), levels, out.points);
     }
   }
   const auto first_point = [&](std::uint32_t t, std::size_t k) {
@@ -337,10 +227,9 @@ Isolines of_tin(const Tin& tin, const VertexValues& values, const Levels& levels
     throw_if_stopped(t);
     if (ground.triangles && !ground.triangles->has(t)) continue;
     const auto& corners = tin.triangles[t];
-    std::array<Side, 3> sides;
-    for (std::size_t k = 0; k < 3; ++k)
-      sides[k] = {end(corners[(k + 1) % 3]), end(corners[(k + 2) % 3]), first_point(t, k)};
-    for_each_line(sides, t, [&](const Isoline& line) {
+    const IsolineTriangle triangle{{end(corners[0]), end(corners[1]), end(corners[2])},
+                                   {first_point(t, 0), first_point(t, 1), first_point(t, 2)}};
+    for_each_isoline(triangle, t, [&](const Isoline& line) {
       (line.to < vertices ? along_edges : out.lines).push_back(line);
     });
   }
@@ -353,7 +242,7 @@ Isolines of_tin(const Tin& tin, const VertexValues& values, const Levels& levels
 Isolines isolines(const Surface& surface, const VertexValues& values,
                   std::span<const double> levels, const IsolineGround& ground) {
   if (levels.empty()) return {};
-  const Levels at(levels);
+  const IsolineLevels at(levels);
   if (const Grid* grid = std::get_if<Grid>(&surface)) return of_grid(*grid, values, at, ground);
   return of_tin(std::get<Tin>(surface), values, at, ground);
 }

@@ -55,7 +55,7 @@ void add_coordinate_lines(const TerrainData& terrain, const PlacedView& placed,
 } // namespace
 
 GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed,
-                            const Style& style, const SeenGround* ground) {
+                            const Style& style, const SeenGround* ground, bool lists_contours) {
   GroundLines out;
   const Surface& surface = terrain.surface;
   if (style.draws_waterlines()) {
@@ -71,8 +71,13 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
     for (std::size_t i = 0; i < levels.heights.size(); ++i)
       out.features.push_back({levels.is_index[i] ? LineKind::index_contour : LineKind::contour,
                               {{"elevation", levels.heights[i]}}});
-    add(surface, placed.view,
-        isolines(surface, heights_of(terrain), levels.heights_m, {.seen = ground}), first, out);
+    out.first_contour = first;
+    if (lists_contours) {
+      add(surface, placed.view,
+          isolines(surface, heights_of(terrain), levels.heights_m, {.seen = ground}), first, out);
+    } else {
+      out.levels_to_find_m = levels.heights_m;
+    }
     if (style.contours.ticks) add_contour_ticks(terrain, placed, levels, out);
   }
   if (style.asks_for("mesh"))

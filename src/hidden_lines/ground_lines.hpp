@@ -32,13 +32,17 @@ struct GroundLines {
   std::vector<ProfilePoint> points; ///< in the view's profile frame
   std::vector<GroundLine> lines;
   std::vector<GroundFeature> features;
+  std::size_t first_contour = 0;        ///< feature, of the lowest level
+  std::vector<double> levels_to_find_m; ///< of contours, where they aren't among the lines
   std::size_t draped_in_part = 0, not_draped = 0; ///< of overlays' features, as in Counts
 };
 
-/// All that a style asks for. `ground`: what is looked at, where that isn't all. Throws Error as
-/// `contour_levels`, `mesh_lines`, `graticule_lines` and `map_grid_lines` do.
+/// All that a style asks for; contours are left to be found, unless they are to be listed.
+/// `ground`: what is looked at, where that isn't all. Throws Error as `contour_levels`,
+/// `mesh_lines`, `graticule_lines` and `map_grid_lines` do.
 GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed,
-                            const Style& style, const SeenGround* ground = nullptr);
+                            const Style& style, const SeenGround* ground = nullptr,
+                            bool lists_contours = true);
 
 /// Adds the overlays of the placed view, a feature for each of theirs that is on the ground; points
 /// are crosses of `kMark_mm` on the page. Throws Error where the terrain is on the earth and cut by

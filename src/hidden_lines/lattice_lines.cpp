@@ -2,12 +2,18 @@
 #include "hidden_lines/lattice_lines.hpp"
 
 #include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace orograph {
+namespace {
+
+constexpr LatticeOrder::Turn kNoTurn = std::numeric_limits<LatticeOrder::Turn>::max();
+
+} // namespace
 
 LatticeLines::LatticeLines(const LatticeInWork& lattice, XRange range,
                            std::span<const LineAtDepth> which, LinePictures& pictures,
@@ -24,6 +30,9 @@ LatticeLines::LatticeLines(const LatticeInWork& lattice, XRange range,
       ridges_.emplace(*lattice.work.folds, pictures_, whole);
     }
   }
+  if (!lattice.work.contour_levels_m.empty())
+    contours_.emplace(lattice, lattice.work.contour_levels_m, inner_range_, pictures_, horizon_,
+                      uprights_);
   order_lines(which);
 }
 
@@ -45,24 +54,30 @@ void LatticeLines::order_lines(std::span<const LineAtDepth> which) {
           add(pictures_.add_found(
               {edge, LineKind::silhouette, true, lattice_.work.draws_silhouettes, false}));
   }
-  std::size_t steps = 0;
+  sort_by_number(lines_, [](const LineAtTurn& at) { return at.turn; });
   const auto before = [&](const LineAtTurn& a, const LineAtTurn& b) {
-    throw_if_stopped(++steps);
-    if (a.turn != b.turn) return a.turn < b.turn;
     const auto kind = [&](const LineAtTurn& at) { return pictures_.line(at.line).kind; };
     return kind(a) != kind(b) ? kind(a) < kind(b) : a.line < b.line;
   };
-  std::sort(lines_.begin(), lines_.end(), before);
+  for (auto first = lines_.begin(); first != lines_.end();) {
+    throw_if_stopped(static_cast<std::size_t>(first - lines_.begin()));
+    const auto end = std::find_if(first, lines_.end(),
+                                  [&](const LineAtTurn& at) { return at.turn != first->turn; });
+    std::sort(first, end, before);
+    first = end;
+  }
 }
 
 void LatticeLines::begin_place(std::uint32_t place, const ShownOfPlace& shown) {
   place_ = place;
   if (silhouettes_) silhouettes_->find(lattice_.order.place(place), shown, horizon_);
+  if (contours_) contours_->begin_place(lattice_.order.place(place), shown);
 }
 
 void LatticeLines::begin_part(PlacePart part) {
   part_ = part;
   if (silhouettes_) found_ = silhouettes_->of(part);
+  if (contours_) contours_->begin_part(part);
 }
 
 void LatticeLines::end_place() {
@@ -84,22 +99,29 @@ void LatticeLines::end_place() {
 }
 
 void LatticeLines::finish() {
+  if (contours_) contours_->finish();
   if (!ridges_) return;
   ridges_->judge(horizon_);
   const std::vector<LinePart> rest = ridges_->unjudged();
   parts_.insert(parts_.end(), rest.begin(), rest.end());
 }
 
+// Contours hide nothing: all of them up to that edge are compared before it rises.
+std::optional<LatticeLines::EdgeAtTurn> LatticeLines::next() {
+  const std::optional<EdgeAtTurn> edge = next_edge();
+  if (contours_) contours_->take(edge ? edge->turn : kNoTurn);
+  return edge;
+}
+
 // Of the lines on the next edge in this part of the place, those that may be seen or hide anything;
 // none if nothing is left.
-std::optional<LatticeLines::EdgeAtTurn> LatticeLines::next() {
-  constexpr LatticeOrder::Turn kNone = std::numeric_limits<LatticeOrder::Turn>::max();
+std::optional<LatticeLines::EdgeAtTurn> LatticeLines::next_edge() {
   const auto listed_turn = [&] {
-    if (next_line_ == lines_.size()) return kNone;
+    if (next_line_ == lines_.size()) return kNoTurn;
     const LatticeOrder::Turn turn = lines_[next_line_].turn;
     const bool is_here =
         LatticeOrder::place_of(turn) == place_ && part_of(lattice_.order, turn) == part_;
-    return is_here ? turn : kNone;
+    return is_here ? turn : kNoTurn;
   };
   const LatticeOrder::Turn no_sooner = listed_turn();
   looked_at_.clear();
@@ -111,7 +133,7 @@ std::optional<LatticeLines::EdgeAtTurn> LatticeLines::next() {
     found_ = found_.subspan(1);
     return EdgeAtTurn{found.turn, found.edge};
   }
-  if (no_sooner == kNone) return std::nullopt;
+  if (no_sooner == kNoTurn) return std::nullopt;
   const EdgeAtTurn at{no_sooner, pictures_.line(lines_[next_line_].line).edge};
   bool silhouette_drawn = false;
   if (!found_.empty() && found_.front().turn == at.turn) {

@@ -2,6 +2,7 @@
 // The lines of a strip of X, in the lattice's order.
 #pragma once
 
+#include "hidden_lines/lattice_contours.hpp"
 #include "hidden_lines/lattice_in_work.hpp"
 #include "hidden_lines/line_pictures.hpp"
 #include "hidden_lines/place_silhouettes.hpp"
@@ -19,8 +20,9 @@
 namespace orograph {
 
 /// Takes lines edge by edge: those of a list, and the silhouettes that it finds where they aren't
-/// listed. Place by place: `begin_place`, for each of its parts in order `begin_part`, and then as
-/// long as there is a `next` edge either `take` or not; `end_place`.
+/// listed; between them contours, where they aren't listed either. Place by place: `begin_place`,
+/// for each of its parts in order `begin_part`, and then as long as there is a `next` edge either
+/// `take` or not; `end_place`.
 class LatticeLines {
 public:
   /// `which`: of the list, by number. Lines found get numbers in `pictures`. REQUIRES that all
@@ -50,8 +52,11 @@ public:
   /// What was visible, less what is told apart by `ridges`.
   const std::vector<LinePart>& visible_parts() const { return parts_; }
   const Ridges* ridges() const { return ridges_ ? &*ridges_ : nullptr; }
+  /// What was found of contours, if they are to be found.
+  LatticeContours* contours() { return contours_ ? &*contours_ : nullptr; }
 
 private:
+  std::optional<EdgeAtTurn> next_edge();
   struct LineAtTurn {
     LatticeOrder::Turn turn;
     std::uint32_t line;
@@ -77,6 +82,7 @@ private:
   std::vector<LineAtTurn> lines_; ///< of the list, by turn
   std::size_t next_line_ = 0;
   std::optional<PlaceSilhouettes> silhouettes_;
+  std::optional<LatticeContours> contours_;
   std::uint32_t place_ = 0;                              ///< the present one
   PlacePart part_{};                                     ///< of it
   std::span<const PlaceSilhouettes::Found> found_;       ///< of that, left to take

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 namespace orograph {
@@ -86,7 +87,11 @@ public:
     });
   }
 
-  SectorParts found() const { return parts_by_edge(strips_, lattice_.work.lines.size()); }
+  SectorParts found() const {
+    SectorParts out = parts_by_edge(strips_, lattice_.work.lines.size());
+    out.contours = seen_contours();
+    return out;
+  }
 
   void add_to(Counts& counts, StageSeconds& seconds) const {
     add_counts(strips_, counts);
@@ -99,6 +104,17 @@ private:
     std::size_t profile;
     std::uint32_t first_band, last_band;
   };
+
+  SeenContours seen_contours() const {
+    std::vector<ContourRuns> runs;
+    std::vector<ContourPart> parts;
+    for (const auto& strip : strips_)
+      if (LatticeContours* contours = strip->contours()) {
+        std::ranges::move(contours->runs(), std::back_inserter(runs));
+        parts.insert(parts.end(), contours->parts().begin(), contours->parts().end());
+      }
+    return orograph::seen_contours(std::move(runs), std::move(parts));
+  }
 
   void begin_profiles(std::uint32_t band) {
     cutting_.clear();

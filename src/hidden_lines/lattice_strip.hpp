@@ -37,6 +37,7 @@ public:
   void finish() { lines_.finish(); }
 
   const LatticeLines& lines() const { return lines_; }
+  LatticeContours* contours() { return lines_.contours(); }
   const LinePictures& pictures() const { return pictures_; }
   const BlockedHorizon& horizon() const { return horizon_; }
   const ProfileClipCounts& counts() const { return counts_; }

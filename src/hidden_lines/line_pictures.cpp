@@ -151,8 +151,7 @@ double LinePictures::along_edge(const LinePicture& p, double share) const {
   return p.t_left + in_space * (p.t_right - p.t_left);
 }
 
-SurfaceLine LinePictures::surface_line(std::uint32_t line, const LinePicture& p) const {
-  const EdgeLine& taken = this->line(line);
+SurfaceLine LinePictures::surface_line(const EdgeLine& taken, const LinePicture& p) const {
   const bool upright = p.is_upright();
   return {p.source,
           p.nearness_left,

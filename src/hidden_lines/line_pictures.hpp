@@ -8,6 +8,7 @@
 #include "placing/placed_view.hpp"
 #include "profiles/slab_lines.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -95,7 +96,10 @@ public:
   /// The same of a line that has no number yet.
   LinePicture picture(const ProfileLine& whole) const { return picture(0, whole); }
   /// As a line of a slab that holds all of it.
-  SurfaceLine surface_line(std::uint32_t line, const LinePicture& picture) const;
+  SurfaceLine surface_line(std::uint32_t line, const LinePicture& picture) const {
+    return surface_line(this->line(line), picture);
+  }
+  SurfaceLine surface_line(const EdgeLine& line, const LinePicture& picture) const;
   /// Leaves what is in the range; tells whether any of it is.
   bool cut_to_range(SurfaceLine& line) const;
   /// By bounds alone: all of it is below all of the horizon's blocks that it reaches.
@@ -115,6 +119,10 @@ public:
   double from_m() const { return from_m_; }
   /// Bound on the rounding of u and v.
   double rounding_m() const { return rounding_m_; }
+  /// The same of X, up to a distance from the middle and from a depth on.
+  double rounding(double x, double from_m) const {
+    return rounding_m_ * (view_.is_perspective() ? (1 + x) / from_m : 1 + std::abs(view_.x_per_v));
+  }
 
 private:
   EdgeEnds ends_;

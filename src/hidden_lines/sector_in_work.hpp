@@ -6,6 +6,7 @@
 #include "dem/terrain.hpp"
 #include "draw/drawing.hpp"
 #include "geometry/segment.hpp"
+#include "hidden_lines/contour_chains.hpp"
 #include "hidden_lines/counts.hpp"
 #include "hidden_lines/folds.hpp"
 #include "hidden_lines/ground_lines.hpp"
@@ -23,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace orograph {
@@ -71,6 +73,8 @@ struct SectorInWork {
   const SilhouetteMarks* silhouettes = nullptr;
   const Folds* folds = nullptr;
   bool draws_silhouettes = false;
+  /// Rising, of contours that aren't among the lines; the pass finds them itself.
+  std::span<const double> contour_levels_m;
   bool hidden_profiles = false; ///< whether what isn't visible of profiles is drawn as well
 
   /// Of a line on the ground.
@@ -85,6 +89,7 @@ struct SectorParts {
   std::vector<LinePart> skyline; ///< what of that the horizon behind everything is made of
   std::vector<LinePart> ridges;  ///< visible as well; known to be neither skyline nor fold
   double folded_mm = 0;          ///< length of folds that were left out
+  SeenContours contours;         ///< those that the pass has found
 };
 
 /// Lays one profile's visible runs out in its own layer; called from several threads.

@@ -162,14 +162,17 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
                           const HiddenKinds& hidden) {
   LinesOfView out;
   out.hidden = hidden;
-  out.on_ground = ground_lines_of(terrain, placed, style, ground);
   const Grid* grid = grid_in_order(terrain, style, instruments);
   // Solids are hidden by all lines that hide.
-  if (!grid || asks_lines(instruments) || !placed.solids.empty() ||
-      hidden.has(LineKind::silhouette) ||
-      !std::all_of(placed.sectors.begin(), placed.sectors.end(), [&](const Sector& sector) {
-        return goes_in_order(*grid, sector, instruments);
-      })) {
+  const bool finds = grid && !asks_lines(instruments) && placed.solids.empty() &&
+                     std::ranges::all_of(placed.sectors, [&](const Sector& sector) {
+                       return goes_in_order(*grid, sector, instruments);
+                     });
+  const bool finds_contours = finds && placed.sectors.size() == 1 &&
+                              !hidden.has(LineKind::contour) &&
+                              !hidden.has(LineKind::index_contour);
+  out.on_ground = ground_lines_of(terrain, placed, style, ground, !finds_contours);
+  if (!finds || hidden.has(LineKind::silhouette)) {
     out.listed = lines_of(terrain, placed, style, ground);
   } else {
     const LatticeOrder order(*grid, placed.sectors.front().view);
@@ -210,6 +213,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
                           lines.silhouettes ? &*lines.silhouettes : nullptr,
                           &folds,
                           draws_silhouettes(style),
+                          lines.on_ground.levels_to_find_m,
                           profiles && profiles->hidden};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
@@ -303,6 +307,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     watch.mark(seconds.clip);
   }
   out.folded_mm = found_parts.folded_mm;
+  out.contours = std::move(found_parts.contours);
   for (const LinePart& part : folded)
     out.folded_mm += folds.length_mm(every_line.whole(part.line), part);
   for (LineObserver* observer : instruments.observers)

@@ -4,6 +4,7 @@
 
 #include "dem/terrain.hpp"
 #include "draw/stroke_builder.hpp"
+#include "hidden_lines/contour_chains.hpp"
 #include "hidden_lines/counts.hpp"
 #include "hidden_lines/ground_lines.hpp"
 #include "hidden_lines/hidden_parts.hpp"
@@ -27,8 +28,9 @@ struct SectorLines {
   std::vector<LinePart> visible; ///< all that is visible, less skyline and folds
   std::vector<LinePart> skyline; ///< visible silhouettes that the last horizon is made of
   std::vector<LinePart> hidden;  ///< as `hidden_parts`, of kinds that are asked for; less folds
-  double folded_mm = 0; ///< length of visible silhouettes left out by `Style::silhouette_jump`
-  SolidParts solids;    ///< of edges of solids
+  double folded_mm = 0;  ///< length of visible silhouettes left out by `Style::silhouette_jump`
+  SolidParts solids;     ///< of edges of solids
+  SeenContours contours; ///< of the levels that the pass was told
 };
 
 /// What a pass adds to.

@@ -62,14 +62,6 @@ BlockedHorizon::BlockedHorizon(double x_begin, double x_end, std::size_t count, 
   }
 }
 
-std::size_t BlockedHorizon::block_at(double x) const {
-  const double last = static_cast<double>(blocks_.size() - 1);
-  auto block = static_cast<std::size_t>(std::clamp((x - x_begin_) * blocks_per_x_, 0.0, last));
-  while (block > 0 && x < blocks_[block].x_begin) --block;
-  while (block + 1 < blocks_.size() && x >= blocks_[block].x_end) ++block;
-  return block;
-}
-
 // `stand` tells how the occluder stands to a piece's source between two abscissae, exactly.
 template <class Stand>
 bool BlockedHorizon::raise_blocks(const HorizonPiece& occluder, double slack_y,

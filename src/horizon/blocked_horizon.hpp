@@ -6,6 +6,7 @@
 #include "horizon/compare.hpp"
 #include "horizon/horizon.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -42,7 +43,13 @@ public:
 
   const std::vector<HorizonBlock>& blocks() const { return blocks_; }
   /// The block that holds x, or is nearest to it; where two meet, the right one.
-  std::size_t block_at(double x) const;
+  std::size_t block_at(double x) const {
+    const double last = static_cast<double>(blocks_.size() - 1);
+    auto block = static_cast<std::size_t>(std::clamp((x - x_begin_) * blocks_per_x_, 0.0, last));
+    while (block > 0 && x < blocks_[block].x_begin) --block;
+    while (block + 1 < blocks_.size() && x >= blocks_[block].x_end) ++block;
+    return block;
+  }
 
   /// Raises it by one occluder, exactly, and tells whether that changes it. Cost: the pieces of the
   /// blocks that it rises above somewhere; O(1) for blocks that are above it.

@@ -17,6 +17,7 @@
 #include "hidden_lines/surface_lines.hpp"
 #include "map/check.hpp"
 #include "map/describe_map.hpp"
+#include "map/draw_contours.hpp"
 #include "map/draw_features.hpp"
 #include "map/draw_solids.hpp"
 #include "map/layer_table.hpp"
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -40,6 +42,7 @@ constexpr double kLongestWayBack_mm = 5;
 // A layer on its way to the page: what is still to be drawn in it, and what was left out.
 struct LineLayer {
   Layer layer;
+  LineKind kind{};
   std::vector<LinePart> parts;
   bool of_solids = false;         ///< the parts
   bool is_on_ground = false;      ///< its lines
@@ -207,6 +210,7 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     if (!layer || (of_solids && placed.solids.empty())) continue;
     LineLayer& added = layers.emplace_back();
     added.layer = std::move(*layer);
+    added.kind = row.kind;
     added.of_solids = of_solids;
     switch (row.source) {
     case LineSource::profiles:
@@ -308,6 +312,9 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   if (check) map.facts.check = check->counts();
 
   watch = {};
+  SeenContours contours; // which only a view of one sector finds
+  for (SectorLines& sector : sectors)
+    if (!sector.contours.by_level.empty()) contours = std::move(sector.contours);
   const std::size_t first_on_ground = lines.listed.size() - lines.on_ground.lines.size();
   const FoundParts found(terrain, placed, lines.on_ground.points, std::move(lines.listed),
                          std::move(sectors));
@@ -325,8 +332,19 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     if (task.is_on_ground) {
       StrokeSettings of_ticks = own; // a tick that is longer than it is wide is no crumb
       of_ticks.min_stroke_mm = std::min(own.min_stroke_mm, task.layer.pen_width_mm);
-      task.left_out_mm = draw_features(terrain.surface, placed.view, found.lines(), lines.on_ground,
-                                       first_on_ground, task.parts, own, of_ticks, task.layer);
+      const bool is_contour =
+          task.kind == LineKind::contour || task.kind == LineKind::index_contour;
+      if (is_contour && !task.layer.is_hidden) {
+        std::optional<SeenContours> listed;
+        if (lines.on_ground.levels_to_find_m.empty())
+          listed = take_contours(terrain.surface, placed.view, found.lines(), lines.on_ground,
+                                 first_on_ground, task.parts);
+        task.left_out_mm = draw_contours(placed.view, listed ? *listed : contours, lines.on_ground,
+                                         task.kind, own, task.layer);
+      }
+      task.left_out_mm +=
+          draw_features(terrain.surface, placed.view, found.lines(), lines.on_ground,
+                        first_on_ground, task.parts, own, of_ticks, task.layer);
       return;
     }
     StrokeBuilder builder(own, task.layer);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "placing/contours.hpp"
 
+#include "dem/extent.hpp"
 #include "geometry/error.hpp"
 #include "placing/vertex_values.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
+#include <variant>
 
 namespace orograph {
 namespace {
@@ -14,6 +17,13 @@ namespace {
 // Contours that read as form and not as a tone: of the relief of a sheet of a topographic map.
 constexpr double kOverRelief = 25;
 constexpr double kMostLevels = 10000;
+
+std::pair<double, double> height_range_of(const TerrainData& terrain) {
+  const Grid* grid = std::get_if<Grid>(&terrain.surface);
+  if (!grid) return range_of(terrain.surface, heights_of(terrain));
+  const HeightRange range = height_range(*grid);
+  return {range.low_m, range.high_m};
+}
 
 } // namespace
 
@@ -27,7 +37,7 @@ double round_step(double value) {
 
 ContourLevels contour_levels(const TerrainData& terrain, const ContourSpec& spec) {
   const double unit_m = spec.unit_m.value_or(terrain.map.height_unit_m);
-  const auto [low_m, high_m] = range_of(terrain.surface, heights_of(terrain));
+  const auto [low_m, high_m] = height_range_of(terrain);
   ContourLevels out;
   const auto add = [&](double height, bool is_index) {
     const double height_m = height * unit_m;

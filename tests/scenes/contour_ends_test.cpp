@@ -163,7 +163,10 @@ Ends ends_of_scenes(double tolerance_mm) {
     if (!placed) continue;
     const Style& style = scene.spec.style;
     const Instruments instruments{.hidden_ground = true, .order_always = seed % 4 == 1};
-    const LinesOfView lines = lines_of_view(scene.terrain, *placed, style, instruments, nullptr);
+    HiddenKinds contours; // whose hidden parts are asked for are listed
+    contours.add(LineKind::contour);
+    const LinesOfView lines =
+        lines_of_view(scene.terrain, *placed, style, instruments, nullptr, contours);
     for (const Sector& sector : placed->sectors) {
       const SectorFound pass(scene.terrain, *placed, sector, lines, style, instruments);
       const SectorOnPage on_page(scene.terrain.surface, sector, lines.on_ground.points);

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/draw_contours.hpp"
+
+#include "draw/chain.hpp"
+#include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace orograph {
+namespace {
+
+using Runs = std::span<const SeenContours::Run>;
+
+// The points of a level's runs, joined where those meet, way after way.
+struct Ways {
+  struct Way {
+    std::size_t begin, end;
+    bool is_ring;
+  };
+  std::vector<const ContourPoint*> points;
+  std::vector<Way> ways;
+};
+
+// An end of a run at a node, and the node beside it on the run.
+struct EndAtNode {
+  std::uint64_t node, beside;
+  std::uint64_t* link;
+};
+
+// The ends that meet have a number of their own. Where more than two do they are paired by the
+// nodes beside them, so that runs may be parted elsewhere.
+std::vector<ChainLink> links_of(const SeenContours& contours, Runs runs) {
+  std::vector<ChainLink> links(runs.size(), {kLooseEnd, kLooseEnd});
+  std::vector<EndAtNode> ends;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    throw_if_stopped(i);
+    const auto points = contours.points(runs[i]);
+    const auto add = [&](std::size_t at, std::size_t beside, std::uint64_t& link) {
+      if (!points[at].node.is_loose())
+        ends.push_back({points[at].node.number(), points[beside].node.number(), &link});
+    };
+    add(0, 1, links[i].begin);
+    add(points.size() - 1, points.size() - 2, links[i].end);
+  }
+  sort_by_number(ends, [](const EndAtNode& end) { return end.node; });
+  std::uint64_t pairs = 0;
+  for (auto first = ends.begin(); first != ends.end(); ++pairs) {
+    const auto end = std::find_if(
+        first, ends.end(), [&](const EndAtNode& other) { return other.node != first->node; });
+    if (end - first > 2)
+      std::sort(first, end,
+                [](const EndAtNode& a, const EndAtNode& b) { return a.beside < b.beside; });
+    for (auto last = std::min(first + 2, end); first != last; ++first) *first->link = pairs;
+  }
+  return links;
+}
+
+// Orders the ends of ways: by the nodes of the piece there; where that isn't visible up to either
+// node, by where it ends.
+auto order_of(const ContourPoint& end, const ContourPoint& beside) {
+  const auto [low, high] = std::minmax({end.node.number(), beside.node.number()});
+  return std::tuple(low, high, end.at.u, end.at.v);
+}
+
+// A ring begins at its lowest node, towards the highest of those beside it, which are four where it
+// meets itself there; another way at its lower end: so nothing depends on where it was found first.
+void put_in_order(Ways& ways, Ways::Way& way) {
+  const std::span all = std::span(ways.points).subspan(way.begin, way.end - way.begin);
+  const auto number = [](const ContourPoint* point) { return point->node.number(); };
+  way.is_ring = number(all.front()) == number(all.back()) && !all.front()->node.is_loose();
+  if (!way.is_ring) {
+    if (order_of(*all.back(), *all[all.size() - 2]) < order_of(*all[0], *all[1]))
+      std::ranges::reverse(all);
+    return;
+  }
+  const std::span ring = all.first(all.size() - 1);
+  const std::uint64_t lowest = number(*std::ranges::min_element(ring, {}, number));
+  std::size_t start = 0;
+  std::uint64_t highest = 0;
+  bool is_turned = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (number(ring[i]) != lowest) continue;
+    const std::uint64_t next = number(all[i + 1]),
+                        last = number(i == 0 ? ring.back() : ring[i - 1]);
+    if (std::max(next, last) <= highest) continue;
+    highest = std::max(next, last);
+    is_turned = last > next;
+    start = i;
+  }
+  std::ranges::rotate(ring, ring.begin() + static_cast<std::ptrdiff_t>(start));
+  all.back() = all.front();
+  if (is_turned) std::ranges::reverse(all);
+}
+
+Ways ways_of(const SeenContours& contours, Runs runs) {
+  const Chains chains = chain(links_of(contours, runs));
+  Ways out;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    Ways::Way way{out.points.size(), 0, false};
+    bool is_first = true;
+    for (const auto& [run, turned] : chains[i]) {
+      throw_if_stopped(out.points.size());
+      const auto points = contours.points(runs[run]);
+      for (std::size_t at = is_first ? 0 : 1; at < points.size(); ++at)
+        out.points.push_back(&points[turned ? points.size() - 1 - at : at]);
+      is_first = false;
+    }
+    way.end = out.points.size();
+    put_in_order(out, way);
+    out.ways.push_back(way);
+  }
+  std::ranges::sort(out.ways, {}, [&](const Ways::Way& way) {
+    return std::tuple(way.is_ring, order_of(*out.points[way.begin], *out.points[way.begin + 1]));
+  });
+  return out;
+}
+
+} // namespace
+
+SeenContours take_contours(const Surface& surface, const View& view,
+                           const std::vector<EdgeLine>& lines, const GroundLines& on_ground,
+                           std::size_t first_line, std::vector<LinePart>& parts) {
+  const EdgeEnds ends(surface, view, {on_ground.points});
+  ContourRuns runs;
+  std::erase_if(parts, [&](const LinePart& part) {
+    throw_if_stopped(runs.ends.size());
+    const std::uint32_t feature = on_ground.lines[part.line - first_line].feature;
+    if (on_ground.features[feature].is_tick) return false;
+    const auto level = feature - static_cast<std::uint32_t>(on_ground.first_contour);
+    const SurfaceEdge edge = lines[part.line].edge;
+    const ProfileLine whole = ends(edge);
+    const auto add = [&](double t, bool is_node, std::uint32_t node) {
+      runs.points.push_back({is_node ? ContourNode(level, node) : ContourNode::loose(level),
+                             point_between(whole.from, whole.to, t)});
+    };
+    add(part.t_begin, part.t_begin <= 0, edge.from);
+    add(part.t_end, part.t_end >= 1, edge.to);
+    runs.ends.push_back(static_cast<std::uint32_t>(runs.points.size()));
+    return true;
+  });
+  return seen_contours({std::move(runs)}, {});
+}
+
+double draw_contours(const View& view, const SeenContours& contours, const GroundLines& on_ground,
+                     LineKind kind, const StrokeSettings& settings, Layer& layer) {
+  std::vector<Runs> levels;
+  for (Runs left = contours.by_level; !left.empty();) {
+    const std::uint32_t level = contours.level(left.front());
+    const auto end = std::ranges::find_if(
+        left, [&](const SeenContours::Run& run) { return contours.level(run) != level; });
+    const auto count = static_cast<std::size_t>(end - left.begin());
+    if (on_ground.features[on_ground.first_contour + level].kind == kind)
+      levels.push_back(left.first(count));
+    left = left.subspan(count);
+  }
+  struct Drawn {
+    Layer layer;
+    double left_out_mm = 0;
+  };
+  std::vector<Drawn> drawn(levels.size());
+  on_all_cores(levels.size(), [&](std::size_t i) {
+    Layer& own = drawn[i].layer;
+    StrokeBuilder builder(settings, own);
+    const Ways ways = ways_of(contours, levels[i]);
+    for (const auto& [begin, end, is_ring] : ways.ways) {
+      throw_if_stopped();
+      builder.begin(-1, std::numeric_limits<double>::quiet_NaN());
+      for (std::size_t at = begin; at < end; ++at) {
+        const ProfilePoint& here = ways.points[at]->at;
+        builder.add({project_homogeneous(view, here), here});
+      }
+      builder.end();
+    }
+    drawn[i].left_out_mm = builder.left_out_mm();
+    if (own.strokes.empty()) return;
+    for (Stroke& stroke : own.strokes) stroke.feature = 0;
+    own.features.push_back(
+        on_ground.features[on_ground.first_contour + contours.level(levels[i].front())].attributes);
+  });
+  double left_out_mm = 0;
+  for (Drawn& of_level : drawn) {
+    append(layer, of_level.layer);
+    of_level.layer = {};
+    left_out_mm += of_level.left_out_mm;
+  }
+  return left_out_mm;
+}
+
+} // namespace orograph
