@@ -46,7 +46,7 @@ Drawing drawing_of(Bytes& bytes) {
         layer.page_mm.push_back(at);
       }
       stroke.point_count = static_cast<std::uint32_t>(points);
-      layer.strokes.push_back(stroke);
+      if (line_length_mm(layer.points(stroke)) > 0) layer.strokes.push_back(stroke);
     }
   }
   return drawing;
@@ -90,7 +90,7 @@ void fuzz_svg(FuzzBytes all) {
   expect(svg.ends_with("</svg>\n"), "SVG has no end");
   // Of its text nothing but words and its own tags may be left.
   for (const char c : svg)
-    expect(static_cast<unsigned char>(c) >= ' ' || c == '\n' || c == '\t',
+    expect(static_cast<unsigned char>(c) >= ' ' || c == '\n' || c == '\t' || c == '\r',
            "SVG holds a control character");
 }
 
@@ -114,7 +114,11 @@ void fuzz_gcode(FuzzBytes all) {
   const bool has_z = bytes.whole(0, 1) == 1;
   Device device = read_device(has_z ? "grbl-z" : "grbl-servo");
   device.decimals = bytes.whole(1, 4);
-  const Drawing drawing = drawing_of(bytes);
+  Drawing drawing = drawing_of(bytes);
+  // The reader counts pens as they are put in.
+  std::erase_if(drawing.layers, [](const Layer& layer) { return layer.strokes.empty(); });
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i)
+    drawing.layers[i].pen->number = static_cast<int>(i) + 1;
   const std::string gcode =
       written(drawing, "map.gcode", {.format = Format::gcode, .device = device});
   const SeenGcode seen =
