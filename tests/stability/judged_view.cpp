@@ -40,11 +40,12 @@ bool shows(std::span<const Stretch> drawn, double t) {
 // Of one sector.
 class SectorJudge {
 public:
-  SectorJudge(const Grid& grid, const Sector& sector, double tolerance_mm, Judged& judged)
-      : sector_(sector), sight_(grid, sector.view), tolerance_(tie_tolerance(sector, tolerance_mm)),
+  SectorJudge(const Grid& grid, const Sector& sector, const Box2& frame_mm, double tolerance_mm,
+              Judged& judged)
+      : sector_(sector), frame_mm_(frame_mm), sight_(grid, sector.view), tolerance_(tie_tolerance(sector, tolerance_mm)),
         tolerance_mm_(tolerance_mm), judged_(judged) {}
 
-  // What the view draws there, and what lies beside the clipped range, is left out.
+  // Not in front of the near plane, beside what was clipped, or beside the page.
   bool may_ask(const ProfileLine& line, double t, XRange range) const {
     const ProfilePoint at = point_between(line.from, line.to, t);
     const View& view = sector_.view;
@@ -52,7 +53,12 @@ public:
     if (view.is_perspective() && at.v <= std::max(view.near_m, view.drawn_from_m) + 4 * rounding)
       return false;
     const double x = project(view, at).x;
-    return x > range.begin && x < range.end;
+    if (!(x > range.begin && x < range.end)) return false;
+    // Far beside the page a tolerance on it is less than rounding.
+    const Vec3 image = sector_.to_page.of(project_homogeneous(view, at));
+    const Vec2 on_page{image.x / image.z, image.y / image.z};
+    return image.z > 0 && on_page.x >= frame_mm_.low.x && on_page.x <= frame_mm_.high.x &&
+           on_page.y >= frame_mm_.low.y && on_page.y <= frame_mm_.high.y;
   }
 
   void ask(const ProfileLine& line, double t, bool drawn) {
@@ -69,13 +75,6 @@ public:
     }
     if (judged_.wrong++ == 0) {
       const LongPlace at = place_on(line, t);
-      if (getenv("DBG")) {
-        fmt::print(stderr, "near {} eye {} drawn_from {} r {}\n", sector_.view.near_m, sector_.view.eye_z_m, sector_.view.drawn_from_m, (double)sight_.rounding_m());
-        for (int i = -20; i <= 20; ++i) { double tt = t + i * 0.025; if (tt < 0 || tt > 1) continue;
-          LongPlace q = place_on(line, tt); fmt::print(stderr, "  t {} above {} tol {}\n", tt, (double)sight_.above(q), (double)tolerance_at(q)); }
-        for (int i = -20; i <= 20; ++i) { double tt = t + i * 1e-6; if (tt < 0 || tt > 1) continue;
-          LongPlace q = place_on(line, tt); fmt::print(stderr, "  t {} above {} tol {}\n", tt, (double)sight_.above(q), (double)tolerance_at(q)); }
-      }
       judged_.first_wrong = fmt::format(
           "{} at {} of the line {},{},{} to {},{},{}: above by {}", drawn ? "drawn" : "missing", t,
           line.from.u, line.from.v, line.from.z, line.to.u, line.to.v, line.to.z,
@@ -95,7 +94,7 @@ public:
     ++judged_.ends;
     for (double away_mm = 1e-12; away_mm <= kFarthest_mm; away_mm *= 10) {
       const double by = away_mm / mm * inwards;
-      if (is_right(line, t + by, true) && is_right(line, t - by, false)) {
+      if (is_right(line, t + by, true, away_mm) && is_right(line, t - by, false, away_mm)) {
         judged_.farthest_mm = std::max(judged_.farthest_mm, away_mm);
         return;
       }
@@ -121,11 +120,13 @@ private:
   Standing standing_at(const ProfileLine& line, double t) const {
     return standing_of(place_on(line, t));
   }
-  // Whether nothing in front speaks against it; beyond the line's own ends nothing does.
-  bool is_right(const ProfileLine& line, double t, bool drawn) const {
+  // Whether nothing in front speaks against it by more than that; beyond the line's own ends nothing
+  // does.
+  bool is_right(const ProfileLine& line, double t, bool drawn, double by_mm) const {
     if (!(t > 0 && t < 1)) return true;
-    const long double above = sight_.above(place_on(line, t));
-    return drawn ? above >= 0 : above <= 0;
+    const LongPlace place = place_on(line, t);
+    const long double above = sight_.above(place), by = tolerance_at(place) * by_mm / tolerance_mm_;
+    return drawn ? above >= -by : above <= by;
   }
 
   // Along the line, as a share of it, and across the ray.
@@ -133,7 +134,7 @@ private:
     const double length = std::hypot(line.to.u - line.from.u, line.to.v - line.from.v);
     const LongPlace at = place_on(line, t);
     const long double r = sight_.rounding_m();
-    if (mm_per_share(line, t) <= tolerance_mm_) return true;
+    if (mm_per_share(line, t) <= tolerance_mm_ || length <= r) return true;
     if (length > 0)
       for (const long double by : {-r / length, r / length})
         if (standing_of(place_on(line, std::clamp(t + by, 0.0L, 1.0L))) != standing) return true;
@@ -153,6 +154,7 @@ private:
   }
 
   const Sector& sector_;
+  Box2 frame_mm_;
   SightThroughTriangles sight_;
   TieTolerance tolerance_;
   double tolerance_mm_;
@@ -167,7 +169,7 @@ public:
         a_profile_(points / 2 / std::max<std::size_t>(1, placed.depths_m.size()) + 1),
         a_sector_(points / 2) {
     for (const Sector& sector : placed.sectors)
-      judges_.emplace_back(grid, sector, tolerance_mm, judged);
+      judges_.emplace_back(grid, sector, placed.frame_mm, tolerance_mm, judged);
     first_ = placed.sectors.data();
   }
 
@@ -217,7 +219,6 @@ private:
           random_.whole(0, static_cast<int>(lines_.size()) - 1));
       const ProfileLine& line = lines_[n];
       const double t = random_.share();
-      if (getenv("DBG")) { for (auto& d : drawn_[n]) fmt::print(stderr, "piece {} {}; ", d.begin, d.end); fmt::print(stderr, "line {},{},{} to {},{},{}\n", line.from.u, line.from.v, line.from.z, line.to.u, line.to.v, line.to.z); }
       if (judge.may_ask(line, t, range)) judge.ask(line, t, shows(drawn_[n], t));
       if (drawn_[n].empty()) continue;
       const Stretch& piece = drawn_[n][static_cast<std::size_t>(
@@ -264,7 +265,6 @@ Judged judge_view(TerrainData terrain, MapSpec spec, std::uint64_t points, std::
   judged.scenes = 1;
   const Grid grid = std::get<Grid>(terrain.surface);
   if (as_tin) terrain.surface = tin_of(grid);
-  if (getenv("DBG")) { for (int r=0;r<grid.rows;++r){for(int c=0;c<grid.columns;++c) fmt::print(stderr, "{} ", grid.height_m(c,r)); fmt::print(stderr,"\n");} fmt::print(stderr,"az {} el {} tin {} plan {}\n", spec.view.from_azimuth.in_degrees(), spec.view.from_elevation.in_degrees(), as_tin, spec.style.plan->index()); }
   spec.style.simplify_mm = 0;
   spec.style.silhouette_jump = 0;
   spec.style.light = std::nullopt;
