@@ -14,7 +14,7 @@ constexpr FuzzTarget kTargets[] = {
     {"settings", fuzz_settings}, {"report", fuzz_report},   {"plan", fuzz_plan},
     {"rows", fuzz_rows},         {"options", fuzz_options}, {"values", fuzz_values},
 #endif
-    {"clip", fuzz_clip},         {"svg", fuzz_svg},
+    {"clip", fuzz_clip},         {"pass", fuzz_pass},       {"svg", fuzz_svg},
     {"hpgl", fuzz_hpgl},         {"gcode", fuzz_gcode},
 };
 

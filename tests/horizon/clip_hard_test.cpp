@@ -96,22 +96,18 @@ TEST_CASE("in steep perspective two lines that meet are one only where they are 
   // The page's w falls from 1 to 0.01 on the way, and the tolerance in Y with its square.
   TieTolerance tolerance;
   tolerance.mm = 1e-4;
-  tolerance.page.m = {1, 0, 0, 0, 1, 0, -0.99, 0, 1};
+  tolerance.page.m = {1, 0, 0, 0, 1, 0, -0.99, 1, 1};
   tolerance.greatest_y = 1;
-  const Segment nearer{0, 0, 1, 0, 1}, farther{0, 0.9e-4, 1, 0, 2};
+  const Segment nearer{0, 0, 1, 0, 1}, farther{0, 0.9e-4, 1, 0, 2}, steeper{0, 0.9e-4, 1, 0.5e-8, 3};
   const auto apart_mm = [&](double x) {
-    const Vec2 a{x, height_at(nearer, x)}, b{x, height_at(farther, x)};
-    return length(tolerance.page(a) - tolerance.page(b));
+    return length(tolerance.page({x, height_at(nearer, x)}) -
+                  tolerance.page({x, height_at(farther, x)}));
   };
   REQUIRE(apart_mm(0) < tolerance.mm);
-  REQUIRE(apart_mm(1) == 0);
-  REQUIRE(apart_mm(0.9) > 0.8 * tolerance.mm);
-  REQUIRE(apart_mm(0.99) > 0.4 * tolerance.mm);
-  const Segment steeper{0, 0.9e-4, 1, 0.5e-8, 2};
-  REQUIRE(tolerance.at(1, 0) < 1e-7);
+  REQUIRE(apart_mm(0.9) > 5 * tolerance.mm);
   CHECK(compare(farther, nearer, tolerance).kind == Standing::Kind::above);
   CHECK(compare(steeper, nearer, tolerance).kind == Standing::Kind::above);
-  const Segment beside{0, 0.9e-8, 1, 0.5e-8, 3};
+  const Segment beside{0, 0.9e-8, 1, 0.5e-8, 4};
   CHECK(compare(beside, nearer, tolerance).kind == Standing::Kind::tied);
 }
 

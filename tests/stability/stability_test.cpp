@@ -36,8 +36,8 @@ TEST_CASE("sight through triangles tells what stands in front by its definition"
   const SightThroughTriangles sight(grid, view);
   // In the profile frame u is south, v east.
   CHECK(std::abs(sight.above({5, 20, 0}) + 10) < 1e-12L); // behind the wall, 10 m below its top
-  CHECK(std::abs(sight.above({5, 10, 10}) - 10) < 1e-12L); // its top, above the western border
-  CHECK(std::isinf(sight.above({5, 0, 0})));             // that border, with nothing in front
+  CHECK(std::abs(sight.above({5, 10, 10}) - 5) < 1e-12L); // its top, above the bend at a diagonal
+  CHECK(std::isinf(sight.above({5, 0, 0}))); // that border, with nothing in front
   CHECK(std::abs(sight.above({5, 15, 5}) + 5) < 1e-12L);  // half way down its eastern side
 
   // In perspective from 20 m above the western border: the far foot is on the ray that leaves the
