@@ -30,10 +30,10 @@ struct Walk {
   std::vector<std::string> wrong; ///< "svg memory:12: what"
 };
 
-/// Runs the command so often that of each kind of call up to `each` fail in turn, spread over all that
-/// there are: what comes out must be what comes out without a fault, or one line, exit code 1, and
-/// nothing but what was there before.
-Walk walk(const WalkedCommand& command, const std::string& kind, std::size_t each);
+/// Runs the command so often that of each of these kinds of calls up to `each` fail in turn, spread
+/// over all that there are: what comes out must be what comes out without a fault, or one line, exit
+/// code 1, and nothing but what was there before.
+Walk walk(const WalkedCommand& command, const std::vector<std::string>& kinds, std::size_t each);
 
 /// Of fail_call.cpp.
 const std::vector<std::string>& fault_kinds();

@@ -133,7 +133,7 @@ private:
   bool turns_within_rounding(const ProfileLine& line, double t, Standing standing) const {
     const double length = std::hypot(line.to.u - line.from.u, line.to.v - line.from.v);
     const LongPlace at = place_on(line, t);
-    const long double r = sight_.rounding_m();
+    const long double r = 2 * sight_.rounding_m(); // what is nearer by less isn't in front
     if (mm_per_share(line, t) <= tolerance_mm_ || length <= r) return true;
     if (length > 0)
       for (const long double by : {-r / length, r / length})
