@@ -1,6 +1,6 @@
 # How code is compiled that takes no time when it runs.
 set(OROGRAPH_QUICKLY $<$<CONFIG:Release>:-O1>)
-if(OROGRAPH_SANITIZE)
+if(OROGRAPH_SANITIZE AND NOT OROGRAPH_FUZZ)
   set(OROGRAPH_QUICKLY -O0)
 endif()
 
@@ -48,5 +48,8 @@ function(orograph_compile_options target)
       -fno-sanitize=null,alignment,object-size,vptr,pointer-overflow -fno-sanitize-recover=all
       -fno-omit-frame-pointer -g1)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+  if(OROGRAPH_FUZZ) # by clang, whose warnings aren't GCC's
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link -w)
   endif()
 endfunction()

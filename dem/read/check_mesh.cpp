@@ -81,6 +81,14 @@ void check_off(std::string_view text, const std::string& path) {
       throw Error(fmt::format("{} is no face", place(path, lines)),
                   "a face is the number of its corners and as many vertices");
     check_corners(*corners, lines, path);
+    for (int i = 0; i < 3; ++i) { // CGAL takes 1.7 for 1, and -1 for what the machine makes of it
+      const std::string_view word = next_word(words);
+      const auto corner = number_of<std::size_t>(word);
+      if (!corner || *corner >= counts.vertices)
+        throw Error(fmt::format("{}: a face names '{:.40}', a vertex that isn't there",
+                                place(path, lines), word),
+                    fmt::format("vertices are 0 to {}", counts.vertices - 1));
+    }
   }
 }
 

@@ -23,8 +23,9 @@ namespace {
 int projected_epsg(double longitude_deg, double latitude_deg) {
   if (latitude_deg > 84) return 32661;
   if (latitude_deg < -80) return 32761;
-  const double turned = longitude_deg - 360 * std::floor((longitude_deg + 180) / 360);
-  const int zone = std::clamp(static_cast<int>(std::floor((turned + 180) / 6)) + 1, 1, 60);
+  const double turned = std::remainder(longitude_deg, 360); // from -180; NaN of what is no place
+  const int zone =
+      std::isnan(turned) ? 1 : std::min(static_cast<int>(std::floor((turned + 180) / 6)) + 1, 60);
   return (latitude_deg >= 0 ? 32600 : 32700) + zone;
 }
 

@@ -7,6 +7,7 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
+#include <new>
 
 namespace orograph {
 namespace {
@@ -18,7 +19,18 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-void CPL_STDCALL collect(CPLErr severity, CPLErrorNum, const char* message) {
+// GDAL ends the process where it has no memory, behind the handler that it tells so: that one doesn't
+// come back.
+void throw_if_without_memory(CPLErr severity, CPLErrorNum number) {
+  if (severity == CE_Fatal && number == CPLE_OutOfMemory) throw std::bad_alloc();
+}
+
+void CPL_STDCALL hear_nothing(CPLErr severity, CPLErrorNum number, const char*) {
+  throw_if_without_memory(severity, number);
+}
+
+void CPL_STDCALL collect(CPLErr severity, CPLErrorNum number, const char* message) {
+  throw_if_without_memory(severity, number);
   auto& messages = *static_cast<GdalMessages*>(CPLGetErrorHandlerUserData());
   if (severity == CE_Failure || severity == CE_Fatal)
     messages.add_failure(in_one_line(message));
@@ -66,7 +78,7 @@ void GdalMessages::forget() {
 
 void set_gdal_for_this_program() {
   GDALSetCacheMax64(32 << 20);
-  CPLSetErrorHandler(CPLQuietErrorHandler);
+  CPLSetErrorHandler(hear_nothing);
 }
 
 } // namespace orograph

@@ -40,7 +40,8 @@ private:
 /// Everything that calls GDAL does so while one lives; several may, one inside the other, and the
 /// innermost one collects. The first one in a process registers GDAL's drivers. Threads that GDAL
 /// starts by itself (an open option NUM_THREADS) don't know of it: what they say goes to the
-/// program's own handler.
+/// program's own handler. Where GDAL has no memory, which it takes for a reason to end the process,
+/// std::bad_alloc is thrown instead.
 class GdalMessages {
 public:
   GdalMessages();
@@ -66,7 +67,8 @@ private:
 
 /// For a program that uses GDAL through us alone, to be called at its beginning: GDAL's cache has
 /// 32 MB, since a DEM is read once, block by block, and more would only be memory that the drawing
-/// doesn't get; and what GDAL says in threads of its own isn't heard instead of going to stderr.
+/// doesn't get; what GDAL says in threads of its own isn't heard instead of going to stderr; and
+/// where it has no memory, std::bad_alloc is thrown.
 void set_gdal_for_this_program();
 
 } // namespace orograph

@@ -7,14 +7,13 @@
 
 #include <array>
 #include <cmath>
-#include <initializer_list>
 
 namespace orograph {
 namespace {
 
 struct Spelled {
   LengthUnit unit;
-  std::initializer_list<std::string_view> spellings; ///< in lower case
+  std::array<std::string_view, 8> spellings; ///< in lower case; empty behind the last
 };
 
 // Rasters' units of height, and the units of LandXML 1.2 and 2.0.
@@ -38,7 +37,7 @@ std::optional<LengthUnit> length_unit(std::string_view written) {
   const std::string lower = in_lower_case(written);
   for (const auto& [unit, spellings] : length_units)
     for (const std::string_view spelling : spellings)
-      if (lower == spelling) return unit;
+      if (!spelling.empty() && lower == spelling) return unit;
   return std::nullopt;
 }
 

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <string_view>
 
 namespace orograph {
@@ -251,6 +253,22 @@ void take_warnings(const GdalMessages& messages, RasterSource& source) {
   }
 }
 
+// Drivers that have the CRS in a file of its own take one that can't be opened, or isn't one, for none.
+void refuse_unread_crs(GDALDataset& dataset, const std::string& path) {
+  const std::string_view driver = dataset.GetDriverName();
+  const bool has_own_file =
+      driver == "AAIGrid" || driver == "GRASSASCIIGrid" || driver == "EHdr";
+  if (!has_own_file || dataset.GetSpatialRef() != nullptr) return;
+  for (const char* const extension : {".prj", ".PRJ"}) {
+    const std::string crs_path =
+        std::filesystem::path(path).replace_extension(extension).string();
+    std::error_code ignored;
+    if (std::filesystem::exists(crs_path, ignored))
+      throw Error(fmt::format("{}, which tells the CRS of {}, can't be read as one", crs_path, path),
+                  "mend it, or take it away if the CRS isn't known");
+  }
+}
+
 GDALRasterBand& band_of(const RasterSource& source, const ReadOptions& options) {
   const Dataset& dataset = source.overview ? source.overview : source.full;
   return *dataset->GetRasterBand(options.band);
@@ -285,6 +303,7 @@ RasterSource open_source(const std::string& path, const ReadOptions& options,
   messages.forget(); // drivers that were asked before may have failed
   GDALRasterBand& band = height_band(*source.full, path, options.band);
   check_whole(*source.full, band, path);
+  refuse_unread_crs(*source.full, path);
   source.has_place = has_georeference(*source.full);
   source.lattice = raster_lattice(*source.full, path, source.doubts);
   source.order = grid_order(source.lattice);

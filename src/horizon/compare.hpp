@@ -41,7 +41,7 @@ inline double parameter_at(const Segment& p, double x) {
 }
 
 /// REQUIRES that p and s share a range of X of positive length, and that s isn't the sky.
-/// `tied` where the greatest difference over the shared range is within the tolerance.
+/// `tied` where the greatest difference over the shared range is within the least tolerance there.
 inline Standing compare(const Segment& p, const Segment& s, const TieTolerance& tolerance) {
   using enum Standing::Kind;
   const double low = std::max(p.x0, s.x0), high = std::min(p.x1, s.x1);
@@ -49,9 +49,10 @@ inline Standing compare(const Segment& p, const Segment& s, const TieTolerance& 
 
   const double greatest = std::max(std::abs(at_low), std::abs(at_high));
   if (greatest == 0) return {tied};
-  if (greatest <= tolerance.greatest_y &&
-      std::abs(at_low) <= tolerance.at(low, height_at(p, low)) &&
-      std::abs(at_high) <= tolerance.at(high, height_at(p, high)))
+  // In perspective the tolerance grows with the square of what the ends' differences grow with, so
+  // each within its own end's may be far apart on paper between them.
+  if (greatest <= tolerance.greatest_y && greatest <= tolerance.at(low, height_at(p, low)) &&
+      greatest <= tolerance.at(high, height_at(p, high)))
     return {tied};
   if (at_low >= 0 && at_high >= 0) return {above};
   if (at_low <= 0 && at_high <= 0) return {below};

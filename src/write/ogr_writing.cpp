@@ -7,13 +7,16 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
+#include <new>
 #include <string_view>
 
 namespace orograph {
 
 namespace {
 
-void keep_message(CPLErr level, CPLErrorNum, const char* text) {
+void keep_message(CPLErr level, CPLErrorNum number, const char* text) {
+  // GDAL would end the process behind this.
+  if (level == CE_Fatal && number == CPLE_OutOfMemory) throw std::bad_alloc();
   if (level >= CE_Warning)
     static_cast<OgrMessages*>(CPLGetErrorHandlerUserData())->take(level >= CE_Failure, text);
 }

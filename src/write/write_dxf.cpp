@@ -130,6 +130,8 @@ void write_dxf(const Drawing& drawing, ByteSink& out) {
   const MemoryFile file;
   if (!write_polylines(file.path(), drawing) || messages.has_failure())
     throw gdal_error(out.name(), messages);
+  // Where the end of its template can't be read GDAL goes on without it, and says nothing.
+  if (!file.text().ends_with("  0\nEOF\n")) throw gdal_error(out.name(), messages);
   append_in_mm(file.text(), drawing, out);
 }
 

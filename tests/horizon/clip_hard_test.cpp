@@ -92,6 +92,25 @@ TEST_CASE("ten thousand profiles that each rise by less than the tolerance are n
   CHECK(drawn == last_seed(10000) / 4);
 }
 
+TEST_CASE("in steep perspective two lines that meet are one only where they are as close all along") {
+  // The page's w falls from 1 to 0.01 on the way, and the tolerance in Y with its square.
+  TieTolerance tolerance;
+  tolerance.mm = 1e-4;
+  tolerance.page.m = {1, 0, 0, 0, 1, 0, -0.99, 1, 1};
+  tolerance.greatest_y = 1;
+  const Segment nearer{0, 0, 1, 0, 1}, farther{0, 0.9e-4, 1, 0, 2}, steeper{0, 0.9e-4, 1, 0.5e-8, 3};
+  const auto apart_mm = [&](double x) {
+    return length(tolerance.page({x, height_at(nearer, x)}) -
+                  tolerance.page({x, height_at(farther, x)}));
+  };
+  REQUIRE(apart_mm(0) < tolerance.mm);
+  REQUIRE(apart_mm(0.9) > 5 * tolerance.mm);
+  CHECK(compare(farther, nearer, tolerance).kind == Standing::Kind::above);
+  CHECK(compare(steeper, nearer, tolerance).kind == Standing::Kind::above);
+  const Segment beside{0, 0.9e-8, 1, 0.5e-8, 4};
+  CHECK(compare(beside, nearer, tolerance).kind == Standing::Kind::tied);
+}
+
 TEST_CASE("a profile on the horizon, a segment that shares an end, a crossing at a vertex") {
   Horizon horizon = initial_horizon();
   ClipWorkspace workspace;

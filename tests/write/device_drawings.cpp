@@ -47,36 +47,83 @@ Drawing random_strokes(std::uint64_t seed, const Page& page, const Box2& inside_
   return drawing;
 }
 
+namespace {
+
+// How far along the moves the pen may be, once it has drawn some of the drawing's points: at the
+// beginning (2k) or the end (2k + 1) of move k, rising. Several where points are closer to each other
+// than the pen's own places.
+class PenPlaces {
+public:
+  PenPlaces(const std::vector<SeenMove>& moves, double tolerance_mm)
+      : moves_(moves), tolerance_mm_(tolerance_mm) {}
+
+  // A stroke begins where the pen is already, or where its next move does.
+  void begin(Vec2 at, int pen) {
+    std::vector<std::size_t> next;
+    if (places_.empty() && is_near(0, at, pen)) next = {0};
+    for (const std::size_t place : places_)
+      for (const std::size_t to : {place, place + 1})
+        if (place % 2 == 1 && is_near(to, at, pen)) next.push_back(to);
+    keep(next);
+  }
+  void draw_to(Vec2 at, int pen) {
+    std::vector<std::size_t> next;
+    for (const std::size_t place : places_) {
+      const bool goes_on = place % 2 == 1 && place + 1 < 2 * moves_.size() &&
+                           of(place) == of(place + 1);
+      for (const std::size_t to : {place, goes_on ? place + 2 : place + 1 - place % 2})
+        if (is_near(to, at, pen)) next.push_back(to);
+    }
+    keep(next);
+  }
+  bool is_lost() const { return places_.empty(); }
+  std::size_t farthest() const { return places_.back(); }
+
+private:
+  Vec2 of(std::size_t place) const {
+    return place % 2 == 0 ? moves_[place / 2].from : moves_[place / 2].to;
+  }
+  bool is_near(std::size_t place, Vec2 at, int pen) const {
+    if (place >= 2 * moves_.size() || moves_[place / 2].pen != pen) return false;
+    const Vec2 there = of(place);
+    return std::abs(there.x - at.x) <= tolerance_mm_ && std::abs(there.y - at.y) <= tolerance_mm_;
+  }
+  void keep(std::vector<std::size_t>& next) {
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    places_ = next;
+  }
+
+  const std::vector<SeenMove>& moves_;
+  double tolerance_mm_;
+  std::vector<std::size_t> places_;
+};
+
+} // namespace
+
 std::string fault_of_moves(const Drawing& drawing, const std::vector<SeenMove>& moves,
                            const std::function<Vec2(Vec2 page_mm)>& to_device,
                            double tolerance_mm) {
-  std::size_t next = 0;
-  const auto near = [&](Vec2 a, Vec2 b) {
-    return std::abs(a.x - b.x) <= tolerance_mm && std::abs(a.y - b.y) <= tolerance_mm;
-  };
+  PenPlaces places(moves, tolerance_mm);
+  bool has_begun = false;
   for (const Layer& layer : drawing.layers)
-    for (const Stroke& stroke : layer.strokes) {
-      const std::span<const Vec2> points = layer.points(stroke);
-      std::size_t drawn = 0;
-      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const Vec2 from = to_device(points[i]), to = to_device(points[i + 1]);
-        if (next < moves.size() && near(moves[next].from, from) && near(moves[next].to, to)) {
-          if (moves[next].pen != (layer.pen ? layer.pen->number : 1))
-            return fmt::format("move {} is by pen {}", next, moves[next].pen);
-          ++next;
-          ++drawn;
-        } else if (std::abs(from.x - to.x) > 2 * tolerance_mm ||
-                   std::abs(from.y - to.y) > 2 * tolerance_mm) {
-          return fmt::format("a segment from {},{} to {},{} isn't move {}", from.x, from.y, to.x,
-                             to.y, next);
-        }
+    for (std::size_t s = 0; s < layer.strokes.size(); ++s) {
+      const std::span<const Vec2> points = layer.points(layer.strokes[s]);
+      const int pen = layer.pen ? layer.pen->number : 1;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t before = has_begun ? places.farthest() : 0;
+        if (i == 0)
+          places.begin(to_device(points[i]), pen);
+        else
+          places.draw_to(to_device(points[i]), pen);
+        has_begun = true;
+        if (places.is_lost())
+          return fmt::format("{}: point {} of stroke {} isn't drawn behind move {}", layer.name, i,
+                             s, before / 2);
       }
-      if (drawn > 0) continue;
-      if (next >= moves.size() || !near(moves[next].from, to_device(points.front())))
-        return "a dot is missing";
-      ++next;
     }
-  return next == moves.size() ? "" : fmt::format("{} moves more", moves.size() - next);
+  const std::size_t drawn = has_begun ? places.farthest() + 1 : 0;
+  return drawn == 2 * moves.size() ? "" : fmt::format("{} moves more", moves.size() - drawn / 2);
 }
 
 } // namespace orograph

@@ -22,9 +22,9 @@ struct SeenMove {
 /// where the last one ended. With `pens`, each layer has one of so many.
 Drawing random_strokes(std::uint64_t seed, const Page& page, const Box2& inside_mm, int pens);
 
-/// What is wrong with the moves as a picture of the drawing, or nothing: each of its segments is
-/// drawn by its pen, in order, its ends within `tolerance_mm` along either axis of where they
-/// should be; nothing else is drawn. A segment may be missing where it is shorter than twice that.
+/// What is wrong with the moves as a picture of the drawing, or nothing: the pen goes from point to
+/// point of each stroke in order, by the layer's pen, each within `tolerance_mm` along either axis of
+/// where it should be, and nowhere else. Points that fall on one place of the pen's are one move less.
 std::string fault_of_moves(const Drawing& drawing, const std::vector<SeenMove>& moves,
                            const std::function<Vec2(Vec2 page_mm)>& to_device, double tolerance_mm);
 

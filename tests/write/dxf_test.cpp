@@ -45,6 +45,18 @@ TEST_CASE("DXF keeps points, layers and colours") {
   CHECK(OGRFeatureUniquePtr(read.GetNextFeature()) == nullptr);
 }
 
+TEST_CASE("DXF without its end is refused") {
+  // GDAL looks for the end of its template there first, and finds nothing in it.
+  const TemporaryFolder gdal_files, folder;
+  fill_file(gdal_files.file("trailer.dxf"), "");
+  const WriteOptions options{.format = Format::dxf};
+  CPLPushFinderLocation(gdal_files.file("").c_str());
+  CHECK_THROWS_AS(write_drawing(made_drawing(), folder.file("map.dxf"), options), Error);
+  CPLPopFinderLocation();
+  CHECK(folder.names().empty());
+  CHECK_NOTHROW(write_drawing(made_drawing(), folder.file("map.dxf"), options));
+}
+
 TEST_CASE("DXF has the nearest of its line weights") {
   Drawing drawing;
   drawing.layers.resize(3);

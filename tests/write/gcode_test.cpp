@@ -4,6 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/draw/made_drawing.hpp"
 #include "tests/write/device_drawings.hpp"
+#include "tests/write/seen_gcode.hpp"
 #include "write/write_drawing.hpp"
 
 #include <algorithm>
@@ -15,63 +16,6 @@
 using namespace orograph;
 
 namespace {
-
-struct SeenGcode {
-  std::vector<SeenMove> moves; ///< G1 in the plane, and where the pen touches without one
-  std::size_t longest = 0;     ///< line, bytes
-  int waits = 0;
-  std::set<double> feeds, heights; ///< with the pen down
-  bool ends_up = false;
-};
-
-// Which words lower the pen differs: `is_down` says it of a machine's Z and S.
-SeenGcode seen(const std::string& gcode, const std::function<bool(double z, double s)>& is_down) {
-  SeenGcode all;
-  Vec2 at;
-  double z = 99, s = 99, feed = 0;
-  bool down = false, has_drawn = false;
-  int pen = 1;
-  std::istringstream text(gcode);
-  for (std::string line; std::getline(text, line);) {
-    all.longest = std::max(all.longest, line.size());
-    std::istringstream words(line);
-    Vec2 to = at;
-    int g = -1;
-    bool moves = false;
-    for (std::string word; words >> word;) {
-      const double value = std::stod(word.substr(1));
-      if (word[0] == 'G') g = static_cast<int>(value);
-      if (word[0] == 'F') feed = value;
-      if (word[0] == 'Z') z = value;
-      if (word[0] == 'S') s = value;
-      if (word[0] == 'X') to.x = value;
-      if (word[0] == 'Y') to.y = value;
-      moves = moves || word[0] == 'X' || word[0] == 'Y';
-      if (word == "M0") {
-        CHECK(!down);
-        ++all.waits;
-        ++pen;
-      }
-    }
-    CHECK(g != 2); // no arcs
-    CHECK(g != 3);
-    const bool was_down = down;
-    down = is_down(z, s);
-    if (!was_down && down) has_drawn = false;
-    if (was_down && !down) CHECK(has_drawn);
-    if (down) all.heights.insert(z == 99 ? s : z);
-    if (!moves) continue;
-    CHECK((g == 1) == down); // never fast on paper, never slow above it
-    if (down) {
-      all.moves.push_back({pen, at, to});
-      all.feeds.insert(feed);
-      has_drawn = true;
-    }
-    at = to;
-  }
-  all.ends_up = !down;
-  return all;
-}
 
 std::string written(const Drawing& drawing, const Device& device) {
   const TemporaryFolder folder;
@@ -91,7 +35,7 @@ TEST_CASE("G-code reads back within half a step, by the pen that draws it") {
       for (std::size_t i = 0; i < drawing.layers.size(); ++i)
         drawing.layers[i].pen = Pen{.number = static_cast<int>(i) + 1, .speed_mm_s = 20};
       const bool has_z = std::string(name) == "grbl-z";
-      const SeenGcode gcode = seen(written(drawing, device),
+      const SeenGcode gcode = seen_gcode(written(drawing, device),
                                    [&](double z, double s) { return has_z ? z < 2 : s < 79; });
       CHECK(fault_of_moves(
                 drawing, gcode.moves,
@@ -99,6 +43,7 @@ TEST_CASE("G-code reads back within half a step, by the pen that draws it") {
                   return Vec2{p.x, 200 - p.y};
                 },
                 0.5 * device.step_mm() + 1e-9) == "");
+      CHECK(gcode.fault == "");
       CHECK(gcode.longest <= device.longest);
       CHECK(gcode.waits == static_cast<int>(drawing.layers.size()) - 1);
       CHECK(gcode.feeds == std::set<double>{1200});

@@ -217,6 +217,12 @@ TEST_CASE("OFF with wrong counts is refused") {
   refused("a.off", changed(off, "4 2 0\n", "4 2\n"), {"counts"});
 }
 
+TEST_CASE("OFF's faces name vertices by whole numbers") {
+  for (const char* const corners : {"0 -1 2", "0 1.7 2", "0 4 2", "0 1e30 2", "0 nan 2"})
+    refused("a.off", changed(off, "3 0 1 2", std::string("3 ") + corners),
+            {"line 7", "a vertex that isn't there", "vertices are 0 to 3"});
+}
+
 TEST_CASE("PLY with wrong counts is refused") {
   refused("a.ply", changed(ply, "face 2", "face 3"), {"ends at face 3 of 3"});
   refused("a.ply", changed(ply, "face 2", "face 1"), {"more than its header says"});

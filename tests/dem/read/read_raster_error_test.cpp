@@ -101,6 +101,18 @@ TEST_CASE("files that aren't rasters are refused") {
   check_message(raster_message(folder.file("dem.zip")), {"archive", "/vsizip/"});
 }
 
+TEST_CASE("a CRS in a file of its own that can't be read as one is not taken for none") {
+  const TempFolder folder;
+  std::ofstream(folder.file("dem.asc"))
+      << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2\n3 4\n";
+  CHECK(raster_message(folder.file("dem.asc")) == "");
+  std::ofstream(folder.file("dem.prj")) << "not a CRS\n";
+  check_message(raster_message(folder.file("dem.asc")), {"dem.prj", "CRS of", "take it away"});
+  std::filesystem::remove(folder.file("dem.prj"));
+  std::filesystem::create_directory(folder.file("dem.prj"));
+  check_message(raster_message(folder.file("dem.asc")), {"dem.prj"});
+}
+
 TEST_CASE("truncated files are refused, wherever they end") {
   const TempFolder folder;
   for (const char* compression : {"NONE", "DEFLATE"}) {

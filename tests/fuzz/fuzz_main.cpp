@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// libFuzzer's door to the targets; OROGRAPH_FUZZ_TARGET in the environment names one.
+#include "dem/read/gdal.hpp"
+#include "tests/fuzz/fuzz_targets.hpp"
+
+#include <cpl_conv.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace {
+
+const orograph::FuzzTarget* target = nullptr;
+
+} // namespace
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  const char* const name = std::getenv("OROGRAPH_FUZZ_TARGET");
+  for (const orograph::FuzzTarget& one : orograph::fuzz_targets())
+    if (name != nullptr && one.name == name) target = &one;
+  if (target == nullptr) {
+    std::fprintf(stderr, "fuzz: no target '%s'; there are", name ? name : "");
+    for (const orograph::FuzzTarget& one : orograph::fuzz_targets())
+      std::fprintf(stderr, " %.*s", static_cast<int>(one.name.size()), one.name.data());
+    std::fprintf(stderr, "\n");
+    std::exit(2);
+  }
+  orograph::set_gdal_for_this_program();
+  // What bytes name isn't fetched from anywhere.
+  CPLSetConfigOption("CPL_VSIL_CURL_ALLOWED_EXTENSIONS", "none");
+  CPLSetConfigOption("GDAL_SKIP", "HTTP,WMS,WCS,WMTS,OGCAPI,PLMOSAIC,EEDA,EEDAI,DAAS,RDA");
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  target->run({data, size});
+  return 0;
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Readers of the library: what they take is a terrain, a scene, pens as they promise, or they refuse
+// it with an Error.
+#include "dem/overlay.hpp"
+#include "dem/read/gdal.hpp"
+#include "dem/read/read_overlay.hpp"
+#include "dem/read/read_terrain.hpp"
+#include "map/layer_table.hpp"
+#include "placing/view_file.hpp"
+#include "solids/read_scene.hpp"
+#include "tests/fuzz/scratch_file.hpp"
+#include "write/device.hpp"
+#include "write/pens_file.hpp"
+
+#include <gdal_priv.h>
+
+#include <cmath>
+#include <variant>
+#include <vector>
+
+namespace orograph {
+namespace {
+
+// A header of a few bytes may tell of a raster that takes minutes: its size is a bound of the
+// machine, not of the reader.
+constexpr double kMostCells = 1e6;
+
+bool is_small_raster(const std::string& path) {
+  const GdalMessages messages;
+  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER));
+  return !dataset || static_cast<double>(dataset->GetRasterXSize()) *
+                             static_cast<double>(dataset->GetRasterYSize()) <=
+                         kMostCells;
+}
+
+void check_surface(const Grid& grid) {
+  expect(grid.columns >= 2 && grid.rows >= 2, "a grid without a cell");
+  expect(std::visit([](const auto& h) { return h.size(); }, grid.heights_m) == grid.size(),
+         "a grid of another size than its heights");
+  bool has_height = false;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const double height = std::visit([&](const auto& h) -> double { return h[i]; }, grid.heights_m);
+    expect(!std::isinf(height), "an infinite height");
+    has_height = has_height || !std::isnan(height);
+  }
+  expect(has_height, "a grid without a height");
+}
+
+void check_surface(const Tin& tin) {
+  expect(!tin.triangles.empty(), "a TIN without a triangle");
+  for (const Vec3& vertex : tin.vertices_m)
+    expect(std::isfinite(vertex.x) && std::isfinite(vertex.y) && std::isfinite(vertex.z),
+           "a vertex that isn't finite");
+  for (const auto& corners : tin.triangles)
+    for (const std::uint32_t corner : corners)
+      expect(corner < tin.vertices_m.size(), "a triangle of a vertex that isn't there");
+}
+
+void read_as(const char* name, FuzzBytes bytes) {
+  const std::string path = scratch_file(name, bytes);
+  read_or_refuse([&] {
+    const TerrainData terrain = read_terrain(path);
+    std::visit([](const auto& surface) { check_surface(surface); }, terrain.surface);
+  });
+}
+
+} // namespace
+
+void fuzz_raster(FuzzBytes bytes) {
+  if (is_small_raster(scratch_file("raster.tif", bytes))) read_as("raster.tif", bytes);
+}
+
+void fuzz_off(FuzzBytes bytes) {
+  read_as("mesh.off", bytes);
+}
+
+void fuzz_ply(FuzzBytes bytes) {
+  read_as("mesh.ply", bytes);
+}
+
+void fuzz_obj(FuzzBytes bytes) {
+  read_as("mesh.obj", bytes);
+}
+
+void fuzz_stl(FuzzBytes bytes) {
+  read_as("mesh.stl", bytes);
+}
+
+void fuzz_landxml(FuzzBytes bytes) {
+  read_as("survey.landxml", bytes);
+}
+
+void fuzz_points(FuzzBytes bytes) {
+  read_as("points.csv", bytes);
+}
+
+void fuzz_vector(FuzzBytes bytes) { // what GDAL takes for a raster is one whatever its name
+  if (is_small_raster(scratch_file("shapes.geojson", bytes))) read_as("shapes.geojson", bytes);
+}
+
+void fuzz_overlay(FuzzBytes bytes) {
+  const std::string path = scratch_file("overlay.geojson", bytes);
+  read_or_refuse([&] {
+    const Overlay overlay =
+        read_overlay({.path = path, .layer = {}, .where = {}}, MapFrame{}, {{0, 0}, {100, 100}}, 1);
+    for (const Vec2 place : overlay.places)
+      expect(std::isfinite(place.x) && std::isfinite(place.y), "a place that isn't finite");
+    for (const Overlay::Line& line : overlay.lines)
+      expect(line.first_place + line.place_count <= overlay.places.size(), "a line of no places");
+    for (const Overlay::Feature& feature : overlay.features)
+      expect(feature.first_line + feature.line_count <= overlay.lines.size(),
+             "a feature of no lines");
+  });
+}
+
+void fuzz_view(FuzzBytes bytes) {
+  const std::string path = scratch_file("view.toml", bytes);
+  read_or_refuse([&] {
+    const std::string text = view_file_text(read_view_file(path));
+    const FuzzBytes again(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    expect(view_file_text(read_view_file(scratch_file("again.toml", again))) == text,
+           "a view that reads back as another");
+  });
+}
+
+void fuzz_view_list(FuzzBytes bytes) {
+  const std::string path = scratch_file("views.toml", bytes);
+  read_or_refuse([&] { expect(!read_view_list(path).empty(), "a list without a view"); });
+}
+
+void fuzz_scene(FuzzBytes bytes) {
+  const std::string path = scratch_file("scene.toml", bytes);
+  read_or_refuse([&] {
+    const SceneFile scene = read_scene(path);
+    for (const SolidInstance& instance : scene.instances)
+      expect(instance.place < scene.places.size() && instance.solid < scene.solids.size(),
+             "an instance of nothing");
+  });
+}
+
+void fuzz_pens(FuzzBytes bytes) {
+  const std::string path = scratch_file("pens.toml", bytes);
+  const std::vector<std::string_view> layers{"profiles", "border", "contours"};
+  read_or_refuse([&] {
+    for (const PenOfLayers& pen : read_pens(path, layers))
+      expect(pen.pen.width_mm > 0 && pen.pen.number >= 1, "a pen that is none");
+  });
+}
+
+void fuzz_device(FuzzBytes bytes) {
+  const std::string path = scratch_file("device.toml", bytes);
+  read_or_refuse([&] { expect(read_device(path).step_mm() > 0, "a device without a step"); });
+}
+
+} // namespace orograph
