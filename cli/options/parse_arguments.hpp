@@ -17,4 +17,8 @@ namespace orograph {
 /// the like in a settings file.
 GivenOptions parse_arguments(const Command& command, const std::vector<std::string>& arguments);
 
+/// The same of options by name, without dashes, and positional arguments by theirs, as a program
+/// gives them.
+GivenOptions take_named(const Command& command, const NamedValues& named);
+
 } // namespace orograph

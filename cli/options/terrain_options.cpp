@@ -196,6 +196,13 @@ Command info_command(InfoSettings& settings) {
   return command;
 }
 
+InfoSettings take_reading(const NamedValues& options) {
+  InfoSettings settings;
+  take_named(info_command(settings), options);
+  refuse_scenes(settings.inputs);
+  return settings;
+}
+
 std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments) {
   InfoSettings settings;
   const auto given = parse_arguments(info_command(settings), arguments);
