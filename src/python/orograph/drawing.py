@@ -190,7 +190,7 @@ class Drawing:
             room = ax.get_window_extent()
             points = _POINTS / ax.figure.dpi
             scale = min(room.width * points / width, room.height * points / height) * _MM / _POINTS
-            lines.set_linewidths(lines.get_linewidths() * np.float64(scale))
+            lines.set_linewidths(np.asarray(lines.get_linewidths()) * scale)
         ax.add_collection(lines, autolim=False)
         return ax
 
