@@ -122,6 +122,9 @@ std::string program_help(const std::vector<Command>& commands) {
   for (const auto& command : commands) add_entry(text, "  " + command.name, command.summary + ".");
   text += "\n";
   add_entry(text, "  orograph COMMAND --help", "All options of a command.");
+  add_entry(text, "  orograph COMMAND --json-usage", "The same for programs that call it.");
+  add_entry(text, "  orograph --completion bash|zsh|fish",
+            "A script by which the shell completes options and their values.");
   add_entry(text, "  orograph --version", "Version and commit.");
   return text + "\n" + wrapped("Exit status: " + std::string(kExitStatus), 0, 0);
 }
@@ -131,7 +134,9 @@ std::string man_page(const std::vector<Command>& commands) {
       fmt::format(".TH OROGRAPH 1 \"\" \"orograph {}\" \"User Commands\"\n", kVersion);
   page += ".SH NAME\norograph \\- clean vector perspective maps of terrain\n.SH SYNOPSIS\n";
   for (const auto& command : commands) page += ".B " + troff(how_to_call(command)) + "\n.br\n";
-  page += ".B orograph \\-\\-help\n.br\n.B orograph \\-\\-version\n";
+  page += ".B orograph \\-\\-help\n.br\n.B orograph \\-\\-version\n.br\n"
+          ".B orograph COMMAND \\-\\-json-usage\n.br\n"
+          ".B orograph \\-\\-completion bash|zsh|fish\n";
   for (const auto& command : commands) {
     page += fmt::format(".SH \"OROGRAPH {}\"\n{}\n", command.name, troff(command.summary + "."));
     std::string group;

@@ -2,7 +2,11 @@
 // The table of options, the help, the man page and the README agree.
 #include "cli/options/help.hpp"
 #include "cli/options/options.hpp"
+#include "cli/options/usage.hpp"
 #include "tests/catch.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -162,4 +166,64 @@ TEST_CASE("messages name options that there are") {
       }
     }
   CHECK(named > 100);
+}
+
+TEST_CASE("programs are told each option with its kind, range, words and default") {
+  const Tables tables;
+  for (const auto& command : tables.commands) {
+    const auto usage = nlohmann::json::parse(usage_json(command));
+    CHECK(usage["name"] == command.name);
+    REQUIRE(usage["input_arguments"].size() == command.options.size());
+    for (std::size_t i = 0; i < command.options.size(); ++i) {
+      const Option& option = command.options[i];
+      const auto& told = usage["input_arguments"][i];
+      INFO(told.dump());
+      CHECK((told["name"] == option.name || "--" + told["name"].get<std::string>() == option.name));
+      CHECK((told["type"] == "boolean") == option.is_switch());
+      // What is said may be given.
+      if (told.contains("default")) CHECK(option.take(told["default"]));
+      const bool is_one = !option.is_list_of_words();
+      if (told.contains("choices") && is_one)
+        for (const auto& word : told["choices"]) CHECK(option.take(word));
+      if (told["type"] == "real" || told["type"] == "integer") {
+        for (const char* end : {"min_value", "max_value"}) {
+          if (!told.contains(end)) continue;
+          const double limit = told[end];
+          const bool is_included = told[std::string(end) + "_is_included"];
+          const std::string text = fmt::format("{}", limit);
+          CHECK(option.take(text) == is_included);
+          const double beyond = limit + (std::string_view(end) == "min_value" ? -1 : 1);
+          CHECK_FALSE(option.take(fmt::format("{}", beyond)));
+        }
+      }
+      if (told["type"] == "integer") CHECK_FALSE(option.take("1.5"));
+    }
+  }
+}
+
+TEST_CASE("programs are told what people know of some options") {
+  const Tables tables;
+  const auto usage = nlohmann::json::parse(usage_json(tables.commands.front()));
+  const auto of = [&](const std::string& name) {
+    for (const auto& told : usage["input_arguments"])
+      if (told["name"] == name) return told;
+    FAIL("no " << name);
+    return usage;
+  };
+  CHECK(of("fov")["type"] == "real");
+  CHECK(of("fov")["max_value"] == 180);
+  CHECK(of("fov")["max_value_is_included"] == false);
+  CHECK(of("fov")["default"] == "30");
+  CHECK(of("fov")["unit"] == "degrees");
+  CHECK(of("projection")["choices"] ==
+        nlohmann::json{"perspective", "orthographic", "oblique"});
+  CHECK(of("of")["choices"].size() == 10);
+  CHECK(of("layers")["list"] == true);
+  CHECK(of("layers")["choices"][0] == "profiles");
+  CHECK(of("view")["extensions"] == nlohmann::json{"toml", "json"});
+  CHECK(of("drape")["repeatable"] == true);
+  CHECK(of("exaggeration")["type"] == "string");
+  CHECK(of("view-from")["between"] == "/");
+  CHECK(of("crop")["type"] == "boolean");
+  CHECK(of("INPUT")["required"] == true);
 }
