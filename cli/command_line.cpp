@@ -94,7 +94,9 @@ void run_command(const Command& command, const std::vector<std::string>& rest, c
   if (const std::optional<Settings> settings = parse(rest))
     on_cores(cores_of(*settings), {}, [&] { run(*settings); });
   else
-    print(command_help(command));
+    print(command_help(command, std::ranges::find(rest, "--help-all") != rest.end()
+                                    ? HelpLength::all
+                                    : HelpLength::daily));
 }
 
 void run(std::vector<std::string> rest) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string_view>
 
@@ -98,7 +99,12 @@ std::string version_line() {
   return fmt::format("orograph {} (commit {})", kVersion, kCommit);
 }
 
-std::string command_help(const Command& command) {
+std::string command_help(const Command& command, HelpLength length) {
+  const auto is_shown = [&](const Option& option) {
+    return length == HelpLength::all || command.daily.empty() ||
+           std::ranges::find(command.daily, option.name) != command.daily.end();
+  };
+  std::size_t left_out = 0;
   std::string text = "Usage: " + how_to_call(command) + "\n\n";
   text += wrapped(command.summary + ".", 0, 0) + "\n";
   for (const auto& option : command.options)
@@ -106,6 +112,10 @@ std::string command_help(const Command& command) {
   std::string group;
   for (const auto& option : command.options) {
     if (option.is_positional()) continue;
+    if (!is_shown(option)) {
+      ++left_out;
+      continue;
+    }
     if (option.group != group) text += "\n" + option.group + ":\n";
     group = option.group;
     add_entry(text, (option.letter != 0 ? "  " : "      ") + names_of(option), explanation(option));
@@ -113,6 +123,9 @@ std::string command_help(const Command& command) {
   text += "\nExamples:\n";
   for (const auto& [call, meaning] : command.examples)
     text += "  " + call + "\n      " + wrapped(meaning, 6, 6);
+  if (left_out > 0)
+    text += fmt::format("\nThere are {} more options: orograph {} {} shows all.\n", left_out,
+                        command.name, command.full_help());
   return text;
 }
 

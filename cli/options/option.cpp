@@ -95,6 +95,13 @@ Option help_option() {
           .take = [](const std::string&) { return true; }};
 }
 
+Option full_help_option() {
+  return {.group = kGroup,
+          .name = "--help-all",
+          .help = "Show all options",
+          .take = [](const std::string&) { return true; }};
+}
+
 Option quiet_option(bool& quiet) {
   return {.group = kGroup,
           .name = "--quiet",

@@ -76,6 +76,11 @@ struct Command {
   std::vector<Option> options;
   std::vector<Conflict> conflicts;
   std::vector<Example> examples;
+  /// Names of the options that people use every day, which `--help` shows; empty: it shows all.
+  std::vector<std::string> daily = {};
+
+  /// The option that shows all of them.
+  const char* full_help() const { return daily.empty() ? "--help" : "--help-all"; }
 };
 
 /// An option that is given, with its values as given: one empty value for a switch.
@@ -86,6 +91,11 @@ struct GivenOption {
 };
 /// By name.
 using GivenOptions = std::map<std::string, GivenOption>;
+
+/// Whether either help is given.
+inline bool asks_for_help(const GivenOptions& given) {
+  return given.contains("--help") || given.contains("--help-all");
+}
 
 /// Options by name without dashes, with their values; a switch has none.
 using NamedValues = std::vector<std::pair<std::string, std::vector<std::string>>>;
@@ -142,6 +152,7 @@ std::function<bool(const std::string&)> stored_name(std::string& into);
 // What every command takes, or every one that draws.
 
 Option help_option();
+Option full_help_option();
 Option quiet_option(bool& quiet);
 Option jobs_option(int& jobs);
 

@@ -19,7 +19,7 @@ namespace orograph {
 namespace {
 
 std::string see_help(const Command& command) {
-  return fmt::format("orograph {} --help lists what there is", command.name);
+  return fmt::format("orograph {} {} lists what there is", command.name, command.full_help());
 }
 
 std::string how_to_give(const Option& option) {
@@ -230,7 +230,7 @@ GivenOptions parse_arguments(const Command& command, const std::vector<std::stri
                     : values.front()};
     given[option->name] = {std::move(values)};
   }
-  if (given.contains("--help")) return given;
+  if (asks_for_help(given)) return given;
 
   refuse_leftovers(command, app.remaining());
   for (auto& [name, values] : places_of(command, positional->results()))

@@ -62,6 +62,18 @@ std::vector<Conflict> drawing_conflicts() {
   return conflicts;
 }
 
+std::vector<std::string> daily_options() {
+  return {"--bbox",      "--bbox-lonlat", "--fill-voids", "--view-from",  "--projection",
+          "--fov",       "--eye",         "--eye-lonlat", "--eye-height", "--look-at",
+          "--look-at-lonlat", "--look-azimuth", "--exaggeration", "--profiles", "--spacing",
+          "--light",     "--haze",        "--flat",       "--layers",     "--palette",
+          "--colour",    "--hidden-layers", "--contours", "--mesh",       "--drape",
+          "--scene",     "--page",        "--portrait",   "--landscape",  "--margin",
+          "--pen-width", "--title",       "--of",         "--dpi",        "--overwrite",
+          "--report",    "--device",      "--pens",       "--sheets",     "--settings",
+          "--help",      "--help-all"};
+}
+
 // What `settings` have in force of the command's options, those given and others by default.
 void keep_options(RenderSettings& settings, const Command& tried, const GivenOptions& given) {
   settings.options =
@@ -115,7 +127,12 @@ Command render_command(RenderSettings& settings) {
            "Seen from the south-west, low, on A2."},
           {"orograph render dem.tif map.png --eye 250800,4071000,900 --fov 60",
            "Seen from a point of the terrain's own coordinates."},
-          {"orograph render dem.tif map.svg --scene huts.toml", "With huts on it."}}};
+          {"orograph render dem.tif map.svg --layers contours,skyline --palette map",
+           "Contours instead of profiles, in the colours of maps."},
+          {"orograph render dem.tif map.svg --drape roads.gpkg --scene huts.toml",
+           "With roads and huts on it."},
+          {"orograph render dem.tif plot.hpgl --device hp7475a --margin 14", "For a plotter."},
+          {"orograph render dem.tif lines.geojson", "The lines that are seen, for a GIS."}}};
   add_terrain_options(command.options, settings.inputs, settings.reading);
   command.options.insert(
       command.options.begin() + 1,
@@ -126,13 +143,15 @@ Command render_command(RenderSettings& settings) {
        .take = stored_name(settings.output)});
   add_drawing_options(command.options, settings);
   add_general_options(command.options, settings.settings_file, settings.quiet, settings.progress);
+  command.options.push_back(full_help_option());
+  command.daily = daily_options();
   return command;
 }
 
 std::optional<RenderSettings> parse_render(const std::vector<std::string>& arguments) {
   RenderSettings settings;
   const auto given = parse_arguments(render_command(settings), arguments);
-  if (given.contains("--help")) return std::nullopt;
+  if (asks_for_help(given)) return std::nullopt;
   check_settings(settings, given);
   RenderSettings tried; // defaults are
   keep_options(settings, render_command(tried), given);

@@ -206,7 +206,7 @@ std::string usage_of(const std::string& function) {
   Command reading = info_command(info);
   reading.name = "read";
   std::erase_if(reading.options, [](const Option& option) {
-    return option.is_positional() || option.name == "--help";
+    return option.is_positional() || option.name == "--help"; // read has a docstring
   });
   return usage_json(function == "read" ? reading : drawing_command(render));
 }

