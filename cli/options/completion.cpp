@@ -53,8 +53,9 @@ std::string bash_case(const Option& option) {
     set += fmt::format(" {}='{}'", option.is_list_of_words() ? "list" : "words",
                        fmt::join(words, " "));
   if (takes_files(option))
-    set += option.extensions.empty() ? " files='*'"
-                                     : fmt::format(" files='{}'", fmt::join(option.extensions, " "));
+    set += option.extensions.empty()
+               ? " files='*'"
+               : fmt::format(" files='{}'", fmt::join(option.extensions, " "));
   const std::string letter = option.letter == 0 ? "" : fmt::format("|-{}", option.letter);
   return fmt::format("        {}{}) value=1{} ;;\n", option.name, letter, set);
 }
@@ -142,7 +143,8 @@ std::string zsh_value(const Option& option) {
   const Words words = option.words_to_choose();
   if (option.is_list_of_words())
     return fmt::format(":{}:_values -s , layer {}", message, fmt::join(words, " "));
-  if (words.empty()) return fmt::format(":{}:{}", message, takes_files(option) ? zsh_files(option) : " ");
+  if (words.empty())
+    return fmt::format(":{}:{}", message, takes_files(option) ? zsh_files(option) : " ");
   if (!takes_files(option)) return fmt::format(":{}:({})", message, fmt::join(words, " "));
   return fmt::format(R"(:{}:_alternative 'words\:name\:({})' 'files\:file\:{}')", message,
                      fmt::join(words, " "), zsh_files(option));
@@ -220,10 +222,11 @@ std::string fish_completion(const std::vector<Command>& commands) {
   for (const Command& command : commands)
     for (const Option& option : command.options) {
       if (option.is_positional()) continue;
-      text += fmt::format("complete -c orograph -n '__fish_seen_subcommand_from {}' -l {}{} -d {}{}\n",
-                          command.name, option.name.substr(2),
-                          option.letter == 0 ? "" : fmt::format(" -s {}", option.letter),
-                          quoted(in_brief(option.help)), fish_value(option));
+      text +=
+          fmt::format("complete -c orograph -n '__fish_seen_subcommand_from {}' -l {}{} -d {}{}\n",
+                      command.name, option.name.substr(2),
+                      option.letter == 0 ? "" : fmt::format(" -s {}", option.letter),
+                      quoted(in_brief(option.help)), fish_value(option));
     }
   return text;
 }

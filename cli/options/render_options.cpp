@@ -63,15 +63,20 @@ std::vector<Conflict> drawing_conflicts() {
 }
 
 std::vector<std::string> daily_options() {
-  return {"--bbox",      "--bbox-lonlat", "--fill-voids", "--view-from",  "--projection",
-          "--fov",       "--eye",         "--eye-lonlat", "--eye-height", "--look-at",
-          "--look-at-lonlat", "--look-azimuth", "--exaggeration", "--profiles", "--spacing",
-          "--light",     "--haze",        "--flat",       "--layers",     "--palette",
-          "--colour",    "--hidden-layers", "--contours", "--mesh",       "--drape",
-          "--scene",     "--page",        "--portrait",   "--landscape",  "--margin",
-          "--pen-width", "--title",       "--of",         "--dpi",        "--overwrite",
-          "--report",    "--device",      "--pens",       "--sheets",     "--settings",
-          "--help",      "--help-all"};
+  return {"--bbox",          "--bbox-lonlat",    "--fill-voids",
+          "--view-from",     "--projection",     "--fov",
+          "--eye",           "--eye-lonlat",     "--eye-height",
+          "--look-at",       "--look-at-lonlat", "--look-azimuth",
+          "--exaggeration",  "--profiles",       "--spacing",
+          "--light",         "--haze",           "--flat",
+          "--layers",        "--palette",        "--colour",
+          "--hidden-layers", "--contours",       "--mesh",
+          "--drape",         "--scene",          "--page",
+          "--portrait",      "--landscape",      "--margin",
+          "--pen-width",     "--title",          "--of",
+          "--dpi",           "--overwrite",      "--report",
+          "--device",        "--pens",           "--sheets",
+          "--settings",      "--help",           "--help-all"};
 }
 
 // What `settings` have in force of the command's options, those given and others by default.

@@ -99,7 +99,7 @@ const Option* option_of(const Command& command, const std::string& key, const st
   const std::string meant = suggestion(command, key);
   throw Error(fmt::format("{}: unknown key '{}'", place, key),
               meant.empty() ? fmt::format("orograph {} {} lists what there is", command.name,
-                                        command.full_help())
+                                          command.full_help())
                             : meant);
 }
 

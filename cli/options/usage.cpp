@@ -31,7 +31,8 @@ void add_range(Json& json, const NumberRange& range) {
 void add_default(Json& json, const Option& option) {
   if (option.by_default.empty()) return;
   // Tables hold values and sentences about what is chosen.
-  const bool is_value = option.by_default.find(' ') == std::string::npos && option.take(option.by_default);
+  const bool is_value =
+      option.by_default.find(' ') == std::string::npos && option.take(option.by_default);
   json[is_value ? "default" : "default_text"] = option.by_default;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The extension module behind the Python package `orograph`: the only file that knows pybind11. The
 // package's own functions stand in front of these and say what they take and give.
-#include "python/views.hpp"
-
 #include "cli/command_line.hpp"
 #include "cli/finish_drawing.hpp"
 #include "cli/options/options.hpp"
@@ -11,7 +9,6 @@
 #include "cli/report/run_report.hpp"
 #include "cli/version.hpp"
 #include "dem/read/length_units.hpp"
-#include "python/python_words.hpp"
 #include "write/format_text.hpp"
 
 #include <fmt/format.h>
@@ -22,6 +19,9 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+
+#include "python/python_words.hpp"
+#include "python/views.hpp"
 
 namespace py = pybind11;
 
@@ -35,8 +35,8 @@ void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const Error& error) {
-    const py::object python = py::reinterpret_borrow<py::object>(error_class)(
-        in_python(error.what()));
+    const py::object python =
+        py::reinterpret_borrow<py::object>(error_class)(in_python(error.what()));
     python.attr("wrong") = in_python(error.wrong());
     python.attr("right") = in_python(error.right());
     PyErr_SetObject(error_class, python.ptr());
@@ -98,7 +98,8 @@ std::span<const Value> view_of(const py::array& array) {
 }
 
 // REQUIRES two dimensions, float32 or float64 of this machine, rows one behind the other.
-std::shared_ptr<Views> views_of_heights(const py::array& heights, const std::array<double, 6>& transform,
+std::shared_ptr<Views> views_of_heights(const py::array& heights,
+                                        const std::array<double, 6>& transform,
                                         const std::string& crs, std::optional<double> nodata,
                                         const std::string& height_unit, const std::string& name) {
   GridInput input;
@@ -160,7 +161,8 @@ template <class Point>
 py::array points_of(const std::vector<Point>& points) {
   constexpr std::size_t kCoordinates = sizeof(Point) / sizeof(double);
   py::array_t<double> array({points.size(), kCoordinates});
-  if (!points.empty()) std::memcpy(array.mutable_data(), points.data(), points.size() * sizeof(Point));
+  if (!points.empty())
+    std::memcpy(array.mutable_data(), points.data(), points.size() * sizeof(Point));
   return array;
 }
 
@@ -247,12 +249,13 @@ PYBIND11_MODULE(_orograph, m) {
                                return std::pair(page.width_mm, page.height_mm);
                              })
       .def_property_readonly("title", [](const Drawn& drawn) { return drawn.map.drawing.title; })
-      .def_property_readonly("crs_wkt", [](const Drawn& drawn) { return drawn.map.drawing.crs_wkt; })
-      .def_property_readonly("format",
-                             [](const Drawn& drawn) {
-                               return format_names()[static_cast<std::size_t>(
-                                   drawn.settings.write.format)];
-                             })
+      .def_property_readonly("crs_wkt",
+                             [](const Drawn& drawn) { return drawn.map.drawing.crs_wkt; })
+      .def_property_readonly(
+          "format",
+          [](const Drawn& drawn) {
+            return format_names()[static_cast<std::size_t>(drawn.settings.write.format)];
+          })
       .def("is_drawn_for",
            [](const Drawn& drawn, const std::string& format) {
              return draws_alike(drawn.settings.write.format, format_of_name(format));
@@ -262,9 +265,9 @@ PYBIND11_MODULE(_orograph, m) {
           [](const Drawn& drawn) {
             const std::vector<Drawing> pages =
                 sheets_and_overview(drawn.map.drawing, drawn.settings);
-            return report_text(run_report(
-                drawn.map, drawn.settings,
-                std::span(pages).first(pages.empty() ? 0 : pages.size() - 1)));
+            return report_text(
+                run_report(drawn.map, drawn.settings,
+                           std::span(pages).first(pages.empty() ? 0 : pages.size() - 1)));
           },
           py::call_guard<py::gil_scoped_release>())
       .def(

@@ -36,11 +36,11 @@ Session Views::session_for(const RenderSettings& settings, const Control& contro
     overlays += overlay.path + '\n' + overlay.layer + '\n' + overlay.where + '\n';
   const std::lock_guard lock(mutex_);
   if (!session_ || settings.scene_file != scene_file_ || overlays != overlays_) {
-    session_.emplace(
-        terrain_.terrain,
-        settings.scene_file.empty() ? Solids() : Solids::read(settings.scene_file),
-        settings.overlays.empty() ? Overlays()
-                                  : Overlays::read(settings.overlays, terrain_.terrain, control));
+    session_.emplace(terrain_.terrain,
+                     settings.scene_file.empty() ? Solids() : Solids::read(settings.scene_file),
+                     settings.overlays.empty()
+                         ? Overlays()
+                         : Overlays::read(settings.overlays, terrain_.terrain, control));
     scene_file_ = settings.scene_file;
     overlays_ = std::move(overlays);
   }

@@ -37,8 +37,8 @@ public:
   explicit Views(NamedTerrain terrain) : terrain_(std::move(terrain)) {}
 
   const NamedTerrain& terrain() const { return terrain_; }
-  /// What `orograph render` draws by the same options, strokes in the pen's order and with its pens.
-  /// Throws Error, also where nothing of the terrain is on the page.
+  /// What `orograph render` draws by the same options, strokes in the pen's order and with its
+  /// pens. Throws Error, also where nothing of the terrain is on the page.
   Drawn draw(const NamedValues& options, const Control& control);
   /// Writes the drawing as `orograph render` does, by the options that it was drawn by and others
   /// that change nothing of its lines. REQUIRES `draws_alike` of the two formats.

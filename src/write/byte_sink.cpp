@@ -69,8 +69,7 @@ ByteSink ByteSink::into(std::string& text) {
 
 ByteSink::ByteSink(ByteSink&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)), owns_descriptor_(other.owns_descriptor_),
-      text_(other.text_),
-      error_number_(other.error_number_), name_(std::move(other.name_)),
+      text_(other.text_), error_number_(other.error_number_), name_(std::move(other.name_)),
       waiting_(std::move(other.waiting_)), size_(other.size_), written_(other.written_) {}
 
 ByteSink::~ByteSink() {

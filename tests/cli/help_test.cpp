@@ -242,8 +242,7 @@ TEST_CASE("programs are told what people know of some options") {
   CHECK(of("fov")["max_value_is_included"] == false);
   CHECK(of("fov")["default"] == "30");
   CHECK(of("fov")["unit"] == "degrees");
-  CHECK(of("projection")["choices"] ==
-        nlohmann::json{"perspective", "orthographic", "oblique"});
+  CHECK(of("projection")["choices"] == nlohmann::json{"perspective", "orthographic", "oblique"});
   CHECK(of("of")["choices"].size() == 10);
   CHECK(of("layers")["list"] == true);
   CHECK(of("layers")["choices"][0] == "profiles");
