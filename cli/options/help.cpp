@@ -42,6 +42,18 @@ std::string explanation(const Option& option) {
   return option.help + (details.empty() ? "" : " (" + details + ")") + ".";
 }
 
+/// The same without what isn't needed every day: no further sentences, and values only where they
+/// are soon told.
+std::string explanation_in_brief(const Option& option) {
+  constexpr std::size_t kSoonTold = 80;
+  const bool tells_values = option.is_list_of_words() || option.allowed.size() <= kSoonTold;
+  std::string details = tells_values ? option.allowed : "";
+  if (!option.by_default.empty() && option.by_default.size() <= kSoonTold / 2)
+    details += (details.empty() ? "default " : "; default ") + option.by_default;
+  const std::string help = option.help.substr(0, option.help.find(';'));
+  return help + (details.empty() ? "" : " (" + details + ")") + ".";
+}
+
 std::string how_to_call(const Command& command) {
   std::string line = "orograph " + command.name + " [options]";
   for (const auto& option : command.options)
@@ -118,14 +130,17 @@ std::string command_help(const Command& command, HelpLength length) {
     }
     if (option.group != group) text += "\n" + option.group + ":\n";
     group = option.group;
-    add_entry(text, (option.letter != 0 ? "  " : "      ") + names_of(option), explanation(option));
+    add_entry(text, (option.letter != 0 ? "  " : "      ") + names_of(option),
+              length == HelpLength::all || command.daily.empty() ? explanation(option)
+                                                                 : explanation_in_brief(option));
   }
   text += "\nExamples:\n";
   for (const auto& [call, meaning] : command.examples)
     text += "  " + call + "\n      " + wrapped(meaning, 6, 6);
   if (left_out > 0)
-    text += fmt::format("\nThere are {} more options: orograph {} {} shows all.\n", left_out,
-                        command.name, command.full_help());
+    text += fmt::format("\nThere are {} more options: orograph {} {} shows all,\n"
+                        "and all of their values.\n",
+                        left_out, command.name, command.full_help());
   return text;
 }
 
