@@ -4,9 +4,11 @@
 #include "cli/accuracy/accuracy.hpp"
 #include "cli/fragmentation/fragmentation.hpp"
 #include "cli/info.hpp"
+#include "cli/options/completion.hpp"
 #include "cli/options/help.hpp"
 #include "cli/options/named_fields.hpp"
 #include "cli/options/options.hpp"
+#include "cli/options/usage.hpp"
 #include "cli/render.hpp"
 #include "cli/say.hpp"
 #include "cli/sweep/ranks.hpp"
@@ -88,10 +90,13 @@ int cores_of(const Settings& settings) {
 template <class Settings, class Parse, class Run>
 void run_command(const Command& command, const std::vector<std::string>& rest, const Parse& parse,
                  const Run& run) {
+  if (rest == std::vector<std::string>{"--json-usage"}) return print(usage_json(command));
   if (const std::optional<Settings> settings = parse(rest))
     on_cores(cores_of(*settings), {}, [&] { run(*settings); });
   else
-    print(command_help(command));
+    print(command_help(command, std::ranges::find(rest, "--help-all") != rest.end()
+                                    ? HelpLength::all
+                                    : HelpLength::daily));
 }
 
 void run(std::vector<std::string> rest) {
@@ -117,6 +122,8 @@ void run(std::vector<std::string> rest) {
     print(version_line() + "\n");
   } else if (name == "--man") { // for the build, which installs it
     print(man_page(commands));
+  } else if (name == "--completion") {
+    print(completion(commands, rest.empty() ? "" : rest.front()));
   } else if (name == "render") {
     run_command<RenderSettings>(commands[0], rest, parse_render, render);
   } else if (name == "sweep") {

@@ -75,12 +75,13 @@ void check_output(RenderSettings& settings, const GivenOptions& given) {
     if (to_stdout)
       throw UsageError("OUTPUT '-' (standard output) says no format",
                        "name a text format, as in --of svg");
-    settings.write.format = format_of_path(settings.output);
+    if (!settings.output.empty()) settings.write.format = format_of_path(settings.output);
   }
   if (to_stdout && !is_text(settings.write.format))
     throw UsageError("this format can't go to standard output",
                      "use a text format, as in --of svg, or give OUTPUT a file name");
-  if (!to_stdout) check_no_input(settings, settings.output, "OUTPUT", "OUTPUT");
+  if (!to_stdout && !settings.output.empty())
+    check_no_input(settings, settings.output, "OUTPUT", "OUTPUT");
   if (insists_on(given, "--dpi") && settings.write.format != Format::png)
     throw UsageError("--dpi has no meaning in a vector format",
                      "leave it out, or write PNG with --of png");

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string_view>
 
@@ -39,6 +40,18 @@ std::string explanation(const Option& option) {
   if (!option.by_default.empty())
     details += (details.empty() ? "default " : "; default ") + option.by_default;
   return option.help + (details.empty() ? "" : " (" + details + ")") + ".";
+}
+
+/// The same without what isn't needed every day: no further sentences, and values only where they
+/// are soon told.
+std::string explanation_in_brief(const Option& option) {
+  constexpr std::size_t kSoonTold = 80;
+  const bool tells_values = option.is_list_of_words() || option.allowed.size() <= kSoonTold;
+  std::string details = tells_values ? option.allowed : "";
+  if (!option.by_default.empty() && option.by_default.size() <= kSoonTold / 2)
+    details += (details.empty() ? "default " : "; default ") + option.by_default;
+  const std::string help = option.help.substr(0, option.help.find(';'));
+  return help + (details.empty() ? "" : " (" + details + ")") + ".";
 }
 
 std::string how_to_call(const Command& command) {
@@ -98,7 +111,12 @@ std::string version_line() {
   return fmt::format("orograph {} (commit {})", kVersion, kCommit);
 }
 
-std::string command_help(const Command& command) {
+std::string command_help(const Command& command, HelpLength length) {
+  const auto is_shown = [&](const Option& option) {
+    return length == HelpLength::all || command.daily.empty() ||
+           std::ranges::find(command.daily, option.name) != command.daily.end();
+  };
+  std::size_t left_out = 0;
   std::string text = "Usage: " + how_to_call(command) + "\n\n";
   text += wrapped(command.summary + ".", 0, 0) + "\n";
   for (const auto& option : command.options)
@@ -106,13 +124,23 @@ std::string command_help(const Command& command) {
   std::string group;
   for (const auto& option : command.options) {
     if (option.is_positional()) continue;
+    if (!is_shown(option)) {
+      ++left_out;
+      continue;
+    }
     if (option.group != group) text += "\n" + option.group + ":\n";
     group = option.group;
-    add_entry(text, (option.letter != 0 ? "  " : "      ") + names_of(option), explanation(option));
+    add_entry(text, (option.letter != 0 ? "  " : "      ") + names_of(option),
+              length == HelpLength::all || command.daily.empty() ? explanation(option)
+                                                                 : explanation_in_brief(option));
   }
   text += "\nExamples:\n";
   for (const auto& [call, meaning] : command.examples)
     text += "  " + call + "\n      " + wrapped(meaning, 6, 6);
+  if (left_out > 0)
+    text += fmt::format("\nThere are {} more options: orograph {} {} shows all,\n"
+                        "and all of their values.\n",
+                        left_out, command.name, command.full_help());
   return text;
 }
 
@@ -122,6 +150,9 @@ std::string program_help(const std::vector<Command>& commands) {
   for (const auto& command : commands) add_entry(text, "  " + command.name, command.summary + ".");
   text += "\n";
   add_entry(text, "  orograph COMMAND --help", "All options of a command.");
+  add_entry(text, "  orograph COMMAND --json-usage", "The same for programs that call it.");
+  add_entry(text, "  orograph --completion bash|zsh|fish",
+            "A script by which the shell completes options and their values.");
   add_entry(text, "  orograph --version", "Version and commit.");
   return text + "\n" + wrapped("Exit status: " + std::string(kExitStatus), 0, 0);
 }
@@ -131,7 +162,9 @@ std::string man_page(const std::vector<Command>& commands) {
       fmt::format(".TH OROGRAPH 1 \"\" \"orograph {}\" \"User Commands\"\n", kVersion);
   page += ".SH NAME\norograph \\- clean vector perspective maps of terrain\n.SH SYNOPSIS\n";
   for (const auto& command : commands) page += ".B " + troff(how_to_call(command)) + "\n.br\n";
-  page += ".B orograph \\-\\-help\n.br\n.B orograph \\-\\-version\n";
+  page += ".B orograph \\-\\-help\n.br\n.B orograph \\-\\-version\n.br\n"
+          ".B orograph COMMAND \\-\\-json-usage\n.br\n"
+          ".B orograph \\-\\-completion bash|zsh|fish\n";
   for (const auto& command : commands) {
     page += fmt::format(".SH \"OROGRAPH {}\"\n{}\n", command.name, troff(command.summary + "."));
     std::string group;

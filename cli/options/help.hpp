@@ -9,8 +9,10 @@
 
 namespace orograph {
 
-/// What `orograph COMMAND --help` prints, in lines of at most 80 characters.
-std::string command_help(const Command& command);
+enum class HelpLength { daily, all };
+
+/// What `orograph COMMAND --help` or `--help-all` prints, in lines of at most 80 characters.
+std::string command_help(const Command& command, HelpLength length);
 /// What `orograph --help` prints.
 std::string program_help(const std::vector<Command>& commands);
 /// orograph(1) in troff's man macros. The same bytes for the same tables and version.

@@ -105,6 +105,8 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                              "clockwise from north and altitude; from the picture's left; or off",
                      .allowed = "degrees, ALT from 0 to 90, or picture, or off",
                      .by_default = "picture",
+                     .words = {"picture"},
+                     .between = '/',
                      .take = [&s](const std::string& text) {
                        std::optional<LightSpec>& light = s.map.style.light;
                        if (text == "off") {
@@ -241,6 +243,7 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                              "terrain's triangles",
                      .allowed = fmt::format("each once of {}", fmt::join(layer_names(), ", ")),
                      .by_default = fmt::format("{}", fmt::join(names_of(s.map.style.layers), ",")),
+                     .words = layer_names(),
                      .take = [&s](const std::string& text) {
                        const std::vector<std::string> names = split(text, ',');
                        s.map.style.layers.assign(names.begin(), names.end());
@@ -276,6 +279,7 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                "as hidden-contours; those of solids in the layer hidden",
        .allowed = fmt::format("each once of {}", fmt::join(names_with_hidden(), ", ")),
        .by_default = "solids",
+       .words = names_with_hidden(),
        .take = [&s](const std::string& text) {
          s.hidden_layers = split(text, ',');
          return are_among(names_with_hidden(), s.hidden_layers);
@@ -290,6 +294,7 @@ void add_scene_options(std::vector<Option>& options, RenderSettings& s) {
                      .help = "Huts, towers, masts and the like on the terrain (docs/scenes.md); a "
                              "scene as INPUT is drawn alone",
                      .allowed = "a scene in TOML",
+                     .extensions = {"toml"},
                      .take = stored_name(s.scene_file)});
 }
 

@@ -189,7 +189,7 @@ Command accuracy_command(AccuracySettings& settings) {
 std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& arguments) {
   AccuracySettings settings;
   const auto given = parse_arguments(accuracy_command(settings), arguments);
-  if (given.contains("--help")) return std::nullopt;
+  if (asks_for_help(given)) return std::nullopt;
   refuse_scenes(settings.render.inputs);
   check_picture_settings(settings.render, given);
   check_prefix(settings.render, settings.prefix, {".csv", ".json", ".svg"});
@@ -220,7 +220,7 @@ std::optional<FragmentationSettings>
 parse_fragmentation(const std::vector<std::string>& arguments) {
   FragmentationSettings settings;
   const auto given = parse_arguments(fragmentation_command(settings), arguments);
-  if (given.contains("--help")) return std::nullopt;
+  if (asks_for_help(given)) return std::nullopt;
   refuse_scenes(settings.render.inputs);
   check_prefix(settings.render, settings.prefix, {".csv", "-series.csv", ".json", ".svg"});
   return settings;

@@ -5,14 +5,34 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace orograph {
 namespace {
 
 constexpr auto kGroup = "General";
 
+bool is_word(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == text.npos;
+}
+
 } // namespace
+
+std::vector<std::string> Option::words_to_choose() const {
+  std::vector<std::string> all;
+  for (std::string& part : split(value, '|'))
+    if (is_word(part)) all.push_back(std::move(part));
+  all.insert(all.end(), words.begin(), words.end());
+  return all;
+}
+
+bool Option::is_choice() const {
+  if (value == "FORMAT") return true; // any of `words`, in any case
+  const std::vector<std::string> parts = split(value, '|');
+  return std::all_of(parts.begin(), parts.end(), is_word);
+}
 
 bool insists_on(const GivenOptions& given, const std::string& option) {
   const auto found = given.find(option);
@@ -34,6 +54,7 @@ std::string NumberRange::describe() const {
 
 Option with_number(Option option, const NumberRange& range, std::function<void(double)> store) {
   option.allowed = range.describe();
+  option.range = range;
   option.take = [range, store = std::move(store)](const std::string& text) {
     const auto number = parse_number(text);
     if (!number || !range.holds(*number)) return false;
@@ -47,6 +68,9 @@ Option with_integer(Option option, int low, int high, std::function<void(int)> s
   option.allowed = high == std::numeric_limits<int>::max()
                        ? fmt::format("a whole number, at least {}", low)
                        : fmt::format("a whole number, {} to {}", low, high);
+  option.range = NumberRange{.low = static_cast<double>(low)};
+  if (high != std::numeric_limits<int>::max()) option.range->high = high;
+  option.is_whole = true;
   option.take = [low, high, store = std::move(store)](const std::string& text) {
     const auto number = parse_integer(text);
     if (!number || *number < low || *number > high) return false;
@@ -68,6 +92,13 @@ Option help_option() {
           .name = "--help",
           .letter = 'h',
           .help = "Show this and do nothing else",
+          .take = [](const std::string&) { return true; }};
+}
+
+Option full_help_option() {
+  return {.group = kGroup,
+          .name = "--help-all",
+          .help = "Show all options",
           .take = [](const std::string&) { return true; }};
 }
 
@@ -98,6 +129,7 @@ void add_general_options(std::vector<Option>& options, std::string& settings_fil
                              "or light = \"off\": any options, by their names; what stands on the "
                              "command line goes before it",
                      .allowed = "settings in TOML, or the report of a run (.json)",
+                     .extensions = {"toml", "json"},
                      .take = stored_name(settings_file)});
   options.push_back(quiet_option(quiet));
   options.push_back({.group = kGroup,

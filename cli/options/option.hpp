@@ -15,6 +15,19 @@
 
 namespace orograph {
 
+struct NumberRange {
+  std::string unit = {}; ///< empty for a plain number
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_excluded = false, high_excluded = false;
+
+  bool holds(double x) const {
+    return (low_excluded ? x > low : x >= low) && (high_excluded ? x < high : x <= high);
+  }
+  /// "degrees, above 0 and below 180".
+  std::string describe() const;
+};
+
 /// Every member has a value of its own, so that a table names only what matters.
 struct Option {
   std::string group = {};      ///< heading in the help; empty for positional arguments
@@ -25,11 +38,23 @@ struct Option {
   std::string allowed = {};    ///< which values are right, with their unit; also used in errors
   std::string by_default = {}; ///< empty where the help says all
   bool repeatable = false;     ///< of positional arguments one at most may be
+  // What programs that complete a line, or make one, want to know beside.
+  std::vector<std::string> words = {};      ///< that may be its value, or stand in it
+  std::vector<std::string> extensions = {}; ///< of the files that it takes; empty: any
+  char between = ',';                       ///< what parts a value of several parts
+  std::optional<NumberRange> range = {};    ///< where its value is a number
+  bool is_whole = false;                    ///< that number
   /// Stores one value; false where it isn't one of those allowed. Switches get an empty text.
   std::function<bool(const std::string& text)> take = {};
 
   bool is_positional() const { return !name.starts_with('-'); }
   bool is_switch() const { return value.empty() && !is_positional(); }
+  /// `words`, and those that its placeholder names: "cavalier" of "cavalier|cabinet|L,ALPHA".
+  std::vector<std::string> words_to_choose() const;
+  /// Whether its value is one of these words, and nothing else.
+  bool is_choice() const;
+  /// Whether its value is a list of them.
+  bool is_list_of_words() const { return value == "LIST" && !words.empty(); }
   /// Whether such a value is the name of a file that is read.
   bool is_path(const std::string& given) const {
     return value == "FILE" || (value == "NAME|FILE.toml" && given.ends_with(".toml"));
@@ -51,6 +76,11 @@ struct Command {
   std::vector<Option> options;
   std::vector<Conflict> conflicts;
   std::vector<Example> examples;
+  /// Names of the options that people use every day, which `--help` shows; empty: it shows all.
+  std::vector<std::string> daily = {};
+
+  /// The option that shows all of them.
+  const char* full_help() const { return daily.empty() ? "--help" : "--help-all"; }
 };
 
 /// An option that is given, with its values as given: one empty value for a switch.
@@ -62,25 +92,17 @@ struct GivenOption {
 /// By name.
 using GivenOptions = std::map<std::string, GivenOption>;
 
+/// Whether either help is given.
+inline bool asks_for_help(const GivenOptions& given) {
+  return given.contains("--help") || given.contains("--help-all");
+}
+
 /// Options by name without dashes, with their values; a switch has none.
 using NamedValues = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
 /// Whether the command line itself gives the option. Where it has no meaning that is an error; from
 /// a settings file, which serves many drawings, it is passed over.
 bool insists_on(const GivenOptions& given, const std::string& option);
-
-struct NumberRange {
-  std::string unit = {}; ///< empty for a plain number
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_excluded = false, high_excluded = false;
-
-  bool holds(double x) const {
-    return (low_excluded ? x > low : x >= low) && (high_excluded ? x < high : x <= high);
-  }
-  /// "degrees, above 0 and below 180".
-  std::string describe() const;
-};
 
 /// A finite number in the range, kept by `store`.
 Option with_number(Option option, const NumberRange& range, std::function<void(double)> store);
@@ -130,6 +152,7 @@ std::function<bool(const std::string&)> stored_name(std::string& into);
 // What every command takes, or every one that draws.
 
 Option help_option();
+Option full_help_option();
 Option quiet_option(bool& quiet);
 Option jobs_option(int& jobs);
 

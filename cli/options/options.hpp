@@ -24,7 +24,17 @@ Command merge_command(MergeSettings& settings);
 Command accuracy_command(AccuracySettings& settings);
 Command fragmentation_command(FragmentationSettings& settings);
 Command info_command(InfoSettings& settings);
+/// What `read` takes of a terrain's files, for programs; INPUT is one or several.
+InfoSettings take_reading(const NamedValues& options);
 Command tin_command(TinSettings& settings);
+
+/// What `orograph render` takes but for the terrain, the drawing's file, report and messages: for
+/// programs that have these in ways of their own.
+Command drawing_command(RenderSettings& settings);
+
+/// Gives `settings`, whose inputs and output (which may be empty beside `of`) are set, what these
+/// options of `drawing_command` say. Throws the Errors of `parse_render`.
+void take_drawing(RenderSettings& settings, const NamedValues& options);
 
 /// The settings that a command line (without "orograph render") asks for; nothing where it asks
 /// for help. Opens no file, but looks whether two of its paths are the same file.

@@ -30,6 +30,8 @@ void add_page_options(std::vector<Option>& options, RenderSettings& s) {
                               "or 400xauto, each 1 to 10000",
                               fmt::join(paper_names(), ", ")),
        .by_default = "a4",
+       .words = paper_names(),
+       .between = 'x',
        .take = [&page = s.map.page](const std::string& text) {
          const auto named = paper_size_mm(text);
          const auto size = named ? PageSize{named->x, named->y} : parse_page_size(text);
@@ -53,6 +55,7 @@ void add_page_options(std::vector<Option>& options, RenderSettings& s) {
                              "those and (exaggerated) heights too",
                      .allowed = "a scale such as 1:25000",
                      .by_default = "as large as fits",
+                     .between = ':',
                      .take = stored(parse_scale, s.map.page.scale)});
   options.push_back({.group = kPage,
                      .name = "--portrait",
@@ -78,6 +81,7 @@ void add_page_options(std::vector<Option>& options, RenderSettings& s) {
            "or from half to double",
        .allowed = "mm, 0.01 to 10, MIN below MAX",
        .by_default = fmt::format("{}", s.map.style.pen_width_mm),
+       .between = ':',
        .take = [&s](const std::string& text) {
          const auto widths = parse_pen_width(text);
          if (!widths) return false;
@@ -107,6 +111,7 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
                      .help = "Format of OUTPUT",
                      .allowed = "one of " + formats,
                      .by_default = "by OUTPUT's extension",
+                     .words = format_names(),
                      .take = [&s](const std::string& text) {
                        s.write.format = format_of_name(text);
                        return true;
@@ -119,6 +124,8 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
                                          fmt::join(device_names(), ", ")),
                      .allowed = "a device's name, or a file such as plotter.toml",
                      .by_default = "generic for hpgl, grbl-servo for gcode",
+                     .words = device_names(),
+                     .extensions = {"toml"},
                      .take = stored_name(s.device)});
   options.push_back(
       {.group = kOutput,
@@ -151,6 +158,7 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
        .help = "Write what was drawn, how exactly and in which time; to a .toml the view alone, "
                "as --view takes it",
        .allowed = "a file name",
+       .extensions = {"json", "toml"},
        .take = stored_name(s.report)});
   options.push_back(with_integer({.group = kOutput,
                                   .name = "--check",

@@ -19,7 +19,7 @@ namespace orograph {
 namespace {
 
 std::string see_help(const Command& command) {
-  return fmt::format("orograph {} --help lists what there is", command.name);
+  return fmt::format("orograph {} {} lists what there is", command.name, command.full_help());
 }
 
 std::string how_to_give(const Option& option) {
@@ -168,6 +168,26 @@ void refuse_conflicts(const Command& command, const GivenOptions& given) {
   }
 }
 
+// Hands each value that is given to its option's `take`, in the table's order, and adds those of a
+// settings file.
+void take_all(const Command& command, GivenOptions& given) {
+  for (const auto& option : command.options) {
+    if (!option.is_positional()) continue;
+    const auto found = given.find(option.name);
+    if (found == given.end())
+      throw UsageError("no " + option.name + " is given", how_to_give(option));
+    take_values(option, found->second.values);
+  }
+  if (const auto settings = given.find("--settings"); settings != given.end()) {
+    take_values(*find_option(command, "--settings"), settings->second.values);
+    add_settings(command, settings->second.values.front(), given);
+  }
+  for (const auto& option : command.options)
+    if (!option.is_positional() && given.contains(option.name))
+      take_given(option, given.at(option.name));
+  refuse_conflicts(command, given);
+}
+
 } // namespace
 
 GivenOptions parse_arguments(const Command& command, const std::vector<std::string>& arguments) {
@@ -210,26 +230,26 @@ GivenOptions parse_arguments(const Command& command, const std::vector<std::stri
                     : values.front()};
     given[option->name] = {std::move(values)};
   }
-  if (given.contains("--help")) return given;
+  if (asks_for_help(given)) return given;
 
   refuse_leftovers(command, app.remaining());
-  const auto places = places_of(command, positional->results());
-  for (const auto& option : command.options) {
-    if (!option.is_positional()) continue;
-    const auto given_here = places.find(option.name);
-    if (given_here == places.end())
-      throw UsageError("no " + option.name + " is given", how_to_give(option));
-    given[option.name] = {given_here->second};
-    take_values(option, given_here->second);
+  for (auto& [name, values] : places_of(command, positional->results()))
+    given[name] = {std::move(values)};
+  take_all(command, given);
+  return given;
+}
+
+GivenOptions take_named(const Command& command, const NamedValues& named) {
+  GivenOptions given;
+  for (const auto& [name, values] : named) {
+    const bool is_positional = std::ranges::any_of(command.options, [&](const Option& option) {
+      return option.is_positional() && option.name == name;
+    });
+    const std::string option = is_positional ? name : "--" + name;
+    if (!is_positional && find_option(command, option) == nullptr) refuse_unknown(command, option);
+    given[option] = {values.empty() ? std::vector<std::string>{""} : values};
   }
-  if (const auto settings = given.find("--settings"); settings != given.end()) {
-    take_values(*find_option(command, "--settings"), settings->second.values);
-    add_settings(command, settings->second.values.front(), given);
-  }
-  for (const auto& option : command.options)
-    if (!option.is_positional() && given.contains(option.name))
-      take_given(option, given.at(option.name));
-  refuse_conflicts(command, given);
+  take_all(command, given);
   return given;
 }
 

@@ -23,6 +23,7 @@ void add_plotting_options(std::vector<Option>& options, RenderSettings& s) {
            "(docs/plotters.md). Where several of them draw profiles, light is shown by their "
            "widths",
        .allowed = "a file name",
+       .extensions = {"toml"},
        .take = stored_name(s.pens_file)});
   options.push_back({.group = kGroup,
                      .name = "--pause-between-pens",
@@ -34,6 +35,7 @@ void add_plotting_options(std::vector<Option>& options, RenderSettings& s) {
                      .help = "Cut lines at a rectangle of this size in the page's middle",
                      .allowed = "width x height in mm such as 270x190, each 1 to 10000",
                      .by_default = "the page inside of its margins",
+                     .between = 'x',
                      .take = [&s](const std::string& text) {
                        const auto size = parse_page_size(text);
                        if (!size || !size->height_mm) return false;
@@ -49,6 +51,7 @@ void add_plotting_options(std::vector<Option>& options, RenderSettings& s) {
                          "map-1.svg and so on, and map-overview.svg",
                      .allowed = "columns x rows such as 2x3, each 1 to 20",
                      .by_default = "one sheet",
+                     .between = 'x',
                      .take = stored(parse_sheets, s.sheets)});
   options.push_back({.group = kGroup,
                      .name = "--overlap",

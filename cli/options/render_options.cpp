@@ -43,6 +43,50 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
   return true;
 }
 
+void add_drawing_options(std::vector<Option>& options, RenderSettings& settings) {
+  add_view_options(options, settings);
+  add_line_options(options, settings);
+  add_ground_line_options(options, settings);
+  add_scene_options(options, settings);
+  add_page_options(options, settings);
+  add_output_options(options, settings);
+  add_pen_time_options(options, settings);
+  add_plotting_options(options, settings);
+  options.push_back(jobs_option(settings.jobs));
+}
+
+std::vector<Conflict> drawing_conflicts() {
+  std::vector<Conflict> conflicts = picture_conflicts();
+  conflicts.push_back({"--clip-to", "--sheets", "sheets are cut at the edges of their paper"});
+  conflicts.push_back({"--profiles", "--spacing", "give one of the two"});
+  return conflicts;
+}
+
+std::vector<std::string> daily_options() {
+  return {"--bbox",          "--bbox-lonlat",    "--fill-voids",
+          "--view-from",     "--projection",     "--fov",
+          "--eye",           "--eye-lonlat",     "--eye-height",
+          "--look-at",       "--look-at-lonlat", "--look-azimuth",
+          "--exaggeration",  "--profiles",       "--spacing",
+          "--light",         "--haze",           "--flat",
+          "--layers",        "--palette",        "--colour",
+          "--hidden-layers", "--contours",       "--mesh",
+          "--drape",         "--scene",          "--page",
+          "--portrait",      "--landscape",      "--margin",
+          "--pen-width",     "--title",          "--of",
+          "--dpi",           "--overwrite",      "--report",
+          "--device",        "--pens",           "--sheets",
+          "--settings",      "--help",           "--help-all"};
+}
+
+// What `settings` have in force of the command's options, those given and others by default.
+void keep_options(RenderSettings& settings, const Command& tried, const GivenOptions& given) {
+  settings.options =
+      options_in_force(tried, given, std::filesystem::path(settings.report).parent_path());
+  std::erase_if(settings.options,
+                [&](const auto& entry) { return !has_meaning(entry.first, settings); });
+}
+
 } // namespace
 
 std::vector<Conflict> picture_conflicts() {
@@ -80,7 +124,7 @@ Command render_command(RenderSettings& settings) {
       .name = "render",
       .summary = "Draw a perspective map of a terrain as vectors, hidden lines gone",
       .options = {},
-      .conflicts = picture_conflicts(),
+      .conflicts = drawing_conflicts(),
       .examples = {
           {"orograph render dem.tif map.svg", "A map with the defaults, on A4."},
           {"orograph render N46E007.hgt N46E008.hgt map.svg", "Neighbouring tiles as one terrain."},
@@ -88,10 +132,12 @@ Command render_command(RenderSettings& settings) {
            "Seen from the south-west, low, on A2."},
           {"orograph render dem.tif map.png --eye 250800,4071000,900 --fov 60",
            "Seen from a point of the terrain's own coordinates."},
-          {"orograph render dem.tif map.svg --scene huts.toml", "With huts on it."}}};
-  command.conflicts.push_back(
-      {"--clip-to", "--sheets", "sheets are cut at the edges of their paper"});
-  command.conflicts.push_back({"--profiles", "--spacing", "give one of the two"});
+          {"orograph render dem.tif map.svg --layers contours,skyline --palette map",
+           "Contours instead of profiles, in the colours of maps."},
+          {"orograph render dem.tif map.svg --drape roads.gpkg --scene huts.toml",
+           "With roads and huts on it."},
+          {"orograph render dem.tif plot.hpgl --device hp7475a --margin 14", "For a plotter."},
+          {"orograph render dem.tif lines.geojson", "The lines that are seen, for a GIS."}}};
   add_terrain_options(command.options, settings.inputs, settings.reading);
   command.options.insert(
       command.options.begin() + 1,
@@ -100,30 +146,42 @@ Command render_command(RenderSettings& settings) {
                            "standard output",
                            fmt::join(format_names(), ", ")),
        .take = stored_name(settings.output)});
-  add_view_options(command.options, settings);
-  add_line_options(command.options, settings);
-  add_ground_line_options(command.options, settings);
-  add_scene_options(command.options, settings);
-  add_page_options(command.options, settings);
-  add_output_options(command.options, settings);
-  add_pen_time_options(command.options, settings);
-  add_plotting_options(command.options, settings);
-  command.options.push_back(jobs_option(settings.jobs));
+  add_drawing_options(command.options, settings);
   add_general_options(command.options, settings.settings_file, settings.quiet, settings.progress);
+  command.options.push_back(full_help_option());
+  command.daily = daily_options();
   return command;
 }
 
 std::optional<RenderSettings> parse_render(const std::vector<std::string>& arguments) {
   RenderSettings settings;
   const auto given = parse_arguments(render_command(settings), arguments);
-  if (given.contains("--help")) return std::nullopt;
+  if (asks_for_help(given)) return std::nullopt;
   check_settings(settings, given);
   RenderSettings tried; // defaults are
-  settings.options = options_in_force(render_command(tried), given,
-                                      std::filesystem::path(settings.report).parent_path());
-  std::erase_if(settings.options,
-                [&](const auto& entry) { return !has_meaning(entry.first, settings); });
+  keep_options(settings, render_command(tried), given);
   return settings;
+}
+
+Command drawing_command(RenderSettings& settings) {
+  Command command{.name = "render",
+                  .summary = "Draw a perspective map of a terrain that is there",
+                  .options = {},
+                  .conflicts = drawing_conflicts(),
+                  .examples = {}};
+  add_drawing_options(command.options, settings);
+  add_general_options(command.options, settings.settings_file, settings.quiet, settings.progress);
+  // A program has arguments and results of its own for these.
+  for (const char* option : {"--report", "--quiet", "--progress", "--no-progress", "--help"})
+    std::erase_if(command.options, [&](const Option& of) { return of.name == option; });
+  return command;
+}
+
+void take_drawing(RenderSettings& settings, const NamedValues& options) {
+  const auto given = take_named(drawing_command(settings), options);
+  check_settings(settings, given);
+  RenderSettings tried; // defaults are
+  keep_options(settings, drawing_command(tried), given);
 }
 
 } // namespace orograph

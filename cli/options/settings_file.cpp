@@ -89,7 +89,7 @@ bool is_known(const std::string& name) {
 
 const Option* option_of(const Command& command, const std::string& key, const std::string& place) {
   for (const Option& option : command.options) {
-    const bool is_itself = option.name == "--settings" || option.name == "--help";
+    const bool is_itself = option.name == "--settings" || option.name.starts_with("--help");
     if ((option.is_positional() && in_lower_case(option.name) == in_lower_case(key)) ||
         (is_itself && option.name == "--" + key))
       throw Error(fmt::format("{}: '{}' is no setting", place, key), "give it on the command line");
@@ -98,7 +98,8 @@ const Option* option_of(const Command& command, const std::string& key, const st
   if (is_known("--" + key)) return nullptr;
   const std::string meant = suggestion(command, key);
   throw Error(fmt::format("{}: unknown key '{}'", place, key),
-              meant.empty() ? fmt::format("orograph {} --help lists what there is", command.name)
+              meant.empty() ? fmt::format("orograph {} {} lists what there is", command.name,
+                                          command.full_help())
                             : meant);
 }
 

@@ -345,7 +345,7 @@ Command merge_command(MergeSettings& settings) {
 std::optional<SweepSettings> parse_sweep(const std::vector<std::string>& arguments) {
   SweepSettings settings;
   const auto given = parse_arguments(sweep_command(settings), arguments);
-  if (given.contains("--help")) return std::nullopt;
+  if (asks_for_help(given)) return std::nullopt;
   check_sweep(settings, given);
   settings.options = deciding(given, settings.render);
   return settings;
@@ -354,7 +354,7 @@ std::optional<SweepSettings> parse_sweep(const std::vector<std::string>& argumen
 std::optional<MergeSettings> parse_merge(const std::vector<std::string>& arguments) {
   MergeSettings settings;
   const auto given = parse_arguments(merge_command(settings), arguments);
-  if (given.contains("--help")) return std::nullopt;
+  if (asks_for_help(given)) return std::nullopt;
   return settings;
 }
 

@@ -202,10 +202,17 @@ Command info_command(InfoSettings& settings) {
   return command;
 }
 
+InfoSettings take_reading(const NamedValues& options) {
+  InfoSettings settings;
+  take_named(info_command(settings), options);
+  refuse_scenes(settings.inputs);
+  return settings;
+}
+
 std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments) {
   InfoSettings settings;
   const auto given = parse_arguments(info_command(settings), arguments);
-  if (given.contains("--help")) return std::nullopt;
+  if (asks_for_help(given)) return std::nullopt;
   refuse_scenes(settings.inputs);
   return settings;
 }
@@ -233,7 +240,7 @@ Command tin_command(TinSettings& settings) {
 std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments) {
   TinSettings settings;
   const auto given = parse_arguments(tin_command(settings), arguments);
-  if (given.contains("--help")) return std::nullopt;
+  if (asks_for_help(given)) return std::nullopt;
   refuse_scenes(settings.inputs);
   std::vector<std::string> inputs = settings.inputs;
   inputs.push_back(settings.reading.breaklines);

@@ -108,6 +108,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                                 "alone then; or auto",
                      .by_default = fmt::format("{}/{}", s.map.view.from_azimuth.in_degrees(),
                                                s.map.view.from_elevation.in_degrees()),
+                     .between = '/',
                      .take = [&s](const std::string& text) {
                        s.map.view.from_auto = in_lower_case(text) == "auto";
                        if (s.map.view.from_auto) return true;
@@ -163,6 +164,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                      .help = "Picture by all the parameters of PHIGS: view plane, projection "
                              "reference point, window, front and back plane (docs/pipeline.md)",
                      .allowed = "a view in TOML, or the report of a run (.json)",
+                     .extensions = {"toml", "json"},
                      .take = stored_name(s.map.view.file_name)});
   options.push_back(
       with_number({.group = kGroup,
@@ -221,6 +223,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
        .by_default = "auto; 1 with an eye"},
       {.low = 0, .high = 1000, .low_excluded = true},
       [&s](double k) { s.map.view.exaggeration = k; });
+  exaggeration.range.reset(); // or a word
   exaggeration.allowed = "a factor, " + exaggeration.allowed + ", or auto";
   exaggeration.take = [&s, number = exaggeration.take](const std::string& text) {
     if (text != "auto") return number(text);

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -59,9 +60,16 @@ ByteSink ByteSink::standard_output() {
   return sink;
 }
 
+ByteSink ByteSink::into(std::string& text) {
+  ByteSink sink(-1, "a text");
+  sink.owns_descriptor_ = false;
+  sink.text_ = &text;
+  return sink;
+}
+
 ByteSink::ByteSink(ByteSink&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)), owns_descriptor_(other.owns_descriptor_),
-      error_number_(other.error_number_), name_(std::move(other.name_)),
+      text_(other.text_), error_number_(other.error_number_), name_(std::move(other.name_)),
       waiting_(std::move(other.waiting_)), size_(other.size_), written_(other.written_) {}
 
 ByteSink::~ByteSink() {
@@ -92,6 +100,14 @@ std::size_t ByteSink::begin_to_store(std::size_t written) noexcept {
 }
 
 void ByteSink::write_out(std::string_view bytes) noexcept {
+  if (text_ != nullptr) {
+    try {
+      text_->append(bytes);
+    } catch (const std::bad_alloc&) {
+      error_number_ = ENOMEM;
+    }
+    return;
+  }
   while (!bytes.empty() && error_number_ == 0) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
     if (written >= 0)

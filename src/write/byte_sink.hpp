@@ -20,6 +20,8 @@ public:
   /// Empties and opens the existing file at `path`; messages call it `name`. Throws Error.
   ByteSink(const std::string& path, std::string name);
   static ByteSink standard_output();
+  /// Appends to a text, which must outlive it.
+  static ByteSink into(std::string& text);
   ~ByteSink();
   ByteSink(ByteSink&& other) noexcept;
   ByteSink(const ByteSink&) = delete;
@@ -40,6 +42,7 @@ private:
 
   int descriptor_ = -1;
   bool owns_descriptor_ = true;
+  std::string* text_ = nullptr; ///< instead of a descriptor
   int error_number_ = 0;
   std::string name_;
   std::string waiting_;

@@ -172,6 +172,15 @@ void write_drawing(const Drawing& drawing, const std::string& path, const WriteO
   file.commit();
 }
 
+std::string text_of_drawing(const Drawing& drawing, const WriteOptions& options) {
+  check_map_points(drawing, options.format);
+  check_writable(std::string(kStandardOutput), options);
+  std::string text;
+  ByteSink out = ByteSink::into(text);
+  write_to_sink(drawing, options, out);
+  return text;
+}
+
 void write_drawings(const std::vector<Drawing>& drawings, const std::vector<std::string>& paths,
                     const WriteOptions& options) {
   std::vector<std::unique_ptr<OutputFile>> files;

@@ -59,6 +59,9 @@ OROGRAPH_API void check_writable(const std::string& path, const WriteOptions& op
 OROGRAPH_API void write_drawing(const Drawing& drawing, const std::string& path,
                                 const WriteOptions& options);
 
+/// What `write_drawing` would write, of a text format. Throws UsageError of another.
+OROGRAPH_API std::string text_of_drawing(const Drawing& drawing, const WriteOptions& options);
+
 /// Writes several to a path each, whole; where one can't be written, none appears.
 OROGRAPH_API void write_drawings(const std::vector<Drawing>& drawings,
                                  const std::vector<std::string>& paths,

@@ -2,7 +2,11 @@
 // The table of options, the help, the man page and the README agree.
 #include "cli/options/help.hpp"
 #include "cli/options/options.hpp"
+#include "cli/options/usage.hpp"
 #include "tests/catch.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -79,7 +83,7 @@ TEST_CASE("every option stands in the help and in the man page") {
   const Tables tables;
   const std::string man = without_backslashes(man_page(tables.commands));
   for (const auto& command : tables.commands) {
-    const std::string help = command_help(command);
+    const std::string help = command_help(command, HelpLength::all);
     CHECK(program_help(tables.commands).find(command.name) != std::string::npos);
     for (const auto& option : command.options) {
       INFO(command.name << " " << option.name);
@@ -97,13 +101,15 @@ TEST_CASE("every option stands in the help and in the man page") {
 TEST_CASE("help fits a terminal and is plain text") {
   const Tables tables;
   for (const auto& command : tables.commands) {
-    std::istringstream lines(command_help(command));
-    std::string line;
-    while (std::getline(lines, line)) {
-      INFO(line);
-      CHECK(line.size() <= 80);
-      CHECK_FALSE(line.ends_with(' '));
-      CHECK(line.find('\t') == std::string::npos);
+    for (const HelpLength length : {HelpLength::daily, HelpLength::all}) {
+      std::istringstream lines(command_help(command, length));
+      std::string line;
+      while (std::getline(lines, line)) {
+        INFO(line);
+        CHECK(line.size() <= 80);
+        CHECK_FALSE(line.ends_with(' '));
+        CHECK(line.find('\t') == std::string::npos);
+      }
     }
   }
 }
@@ -140,8 +146,8 @@ TEST_CASE("the pages for readers use options that there are") {
 TEST_CASE("messages name options that there are") {
   const Tables tables;
   // Of orograph itself, and of programs that hints tell to run.
-  std::set<std::string> known{"--version", "--man",     "--calc", "--formats",
-                              "--outfile", "--writers", "--type"};
+  std::set<std::string> known{"--version", "--man",     "--json-usage", "--completion", "--calc",
+                              "--formats", "--outfile", "--writers",    "--type"};
   for (const auto& command : tables.commands)
     for (const auto& option : command.options) known.insert(option.name);
   const std::filesystem::path root = OROGRAPH_SOURCE_DIR;
@@ -162,4 +168,88 @@ TEST_CASE("messages name options that there are") {
       }
     }
   CHECK(named > 100);
+}
+
+TEST_CASE("--help shows what people use every day, and how to see the rest") {
+  const Tables tables;
+  const Command& render = tables.commands.front();
+  const std::string daily = command_help(render, HelpLength::daily),
+                    all = command_help(render, HelpLength::all);
+  std::size_t shown = 0;
+  for (const Option& option : render.options) {
+    if (option.is_positional()) continue;
+    const bool is_daily =
+        std::find(render.daily.begin(), render.daily.end(), option.name) != render.daily.end();
+    const std::string entry = option.name + (option.value.empty() ? "" : " " + option.value);
+    INFO(entry);
+    CHECK((daily.find(" " + entry + "\n") != std::string::npos ||
+           daily.find(" " + entry + "  ") != std::string::npos) == is_daily);
+    CHECK(all.find(" " + entry) != std::string::npos);
+    shown += is_daily ? 1 : 0;
+  }
+  CHECK(shown == render.daily.size()); // each is an option
+  CHECK(shown >= 38);
+  CHECK(shown <= 42);
+  CHECK(daily.find("more options: orograph render --help-all shows all") != std::string::npos);
+  CHECK(all.find("more options") == std::string::npos);
+  CHECK(std::count(daily.begin(), daily.end(), '\n') < 200);
+}
+
+TEST_CASE("programs are told each option with its kind, range, words and default") {
+  const Tables tables;
+  for (const auto& command : tables.commands) {
+    const auto usage = nlohmann::json::parse(usage_json(command));
+    CHECK(usage["name"] == command.name);
+    REQUIRE(usage["input_arguments"].size() == command.options.size());
+    for (std::size_t i = 0; i < command.options.size(); ++i) {
+      const Option& option = command.options[i];
+      const auto& told = usage["input_arguments"][i];
+      INFO(told.dump());
+      CHECK((told["name"] == option.name || "--" + told["name"].get<std::string>() == option.name));
+      CHECK((told["type"] == "boolean") == option.is_switch());
+      // What is said may be given.
+      if (told.contains("default")) CHECK(option.take(told["default"]));
+      const bool is_one = !option.is_list_of_words();
+      if (told.contains("choices") && is_one)
+        for (const auto& word : told["choices"]) CHECK(option.take(word));
+      if (told["type"] == "real" || told["type"] == "integer") {
+        for (const char* end : {"min_value", "max_value"}) {
+          if (!told.contains(end)) continue;
+          const double limit = told[end];
+          const bool is_included = told[std::string(end) + "_is_included"];
+          const std::string text = fmt::format("{}", limit);
+          CHECK(option.take(text) == is_included);
+          const double beyond = limit + (std::string_view(end) == "min_value" ? -1 : 1);
+          CHECK_FALSE(option.take(fmt::format("{}", beyond)));
+        }
+      }
+      if (told["type"] == "integer") CHECK_FALSE(option.take("1.5"));
+    }
+  }
+}
+
+TEST_CASE("programs are told what people know of some options") {
+  const Tables tables;
+  const auto usage = nlohmann::json::parse(usage_json(tables.commands.front()));
+  const auto of = [&](const std::string& name) {
+    for (const auto& told : usage["input_arguments"])
+      if (told["name"] == name) return told;
+    FAIL("no " << name);
+    return usage;
+  };
+  CHECK(of("fov")["type"] == "real");
+  CHECK(of("fov")["max_value"] == 180);
+  CHECK(of("fov")["max_value_is_included"] == false);
+  CHECK(of("fov")["default"] == "30");
+  CHECK(of("fov")["unit"] == "degrees");
+  CHECK(of("projection")["choices"] == nlohmann::json{"perspective", "orthographic", "oblique"});
+  CHECK(of("of")["choices"].size() == 10);
+  CHECK(of("layers")["list"] == true);
+  CHECK(of("layers")["choices"][0] == "profiles");
+  CHECK(of("view")["extensions"] == nlohmann::json{"toml", "json"});
+  CHECK(of("drape")["repeatable"] == true);
+  CHECK(of("exaggeration")["type"] == "string");
+  CHECK(of("view-from")["between"] == "/");
+  CHECK(of("crop")["type"] == "boolean");
+  CHECK(of("INPUT")["required"] == true);
 }

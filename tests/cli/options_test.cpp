@@ -328,6 +328,7 @@ TEST_CASE("forms of giving a value") {
   CHECK(given({"-qb", "2"}).reading.band == 2);
   CHECK(parse_render({"--", "-in.tif", "-out.svg"})->inputs == std::vector<std::string>{"-in.tif"});
   CHECK_FALSE(parse_render({"--help"}));
+  CHECK_FALSE(parse_render({"--help-all"}));
   CHECK_FALSE(parse_render({"-h", "in.tif"}));
 }
 

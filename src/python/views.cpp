@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/views.hpp"
+
+#include "cli/finish_drawing.hpp"
+#include "cli/info.hpp"
+#include "cli/options/options.hpp"
+#include "cli/render.hpp"
+
+#include <utility>
+
+namespace orograph {
+
+NamedTerrain read_terrain_files(const std::vector<std::string>& paths, const NamedValues& options,
+                                const Control& control) {
+  if (paths.empty()) throw UsageError("no file is named", "name one, or several rasters");
+  NamedValues all = options;
+  all.emplace_back("INPUT", paths);
+  const InfoSettings settings = take_reading(all);
+  Control own = control;
+  own.jobs = settings.jobs;
+  return {Terrain::read(settings.inputs, settings.reading, own), paths};
+}
+
+RenderSettings Views::settings_for(const NamedValues& options, const std::string& output) const {
+  RenderSettings settings;
+  settings.inputs = terrain_.paths;
+  settings.output = output;
+  take_drawing(settings, options);
+  return settings;
+}
+
+// A session is of one scene and the same vectors; the last one is kept.
+Session Views::session_for(const RenderSettings& settings, const Control& control) {
+  std::string overlays;
+  for (const OverlayInput& overlay : settings.overlays)
+    overlays += overlay.path + '\n' + overlay.layer + '\n' + overlay.where + '\n';
+  const std::lock_guard lock(mutex_);
+  if (!session_ || settings.scene_file != scene_file_ || overlays != overlays_) {
+    session_.emplace(terrain_.terrain,
+                     settings.scene_file.empty() ? Solids() : Solids::read(settings.scene_file),
+                     settings.overlays.empty()
+                         ? Overlays()
+                         : Overlays::read(settings.overlays, terrain_.terrain, control));
+    scene_file_ = settings.scene_file;
+    overlays_ = std::move(overlays);
+  }
+  return *session_;
+}
+
+Drawn Views::draw(const NamedValues& options, const Control& control) {
+  Drawn drawn{settings_for(options, ""), {}};
+  Control own = control;
+  own.jobs = drawn.settings.jobs;
+  drawn.map = session_for(drawn.settings, own).draw(drawn.settings.map, own);
+  check_not_empty(drawn.map, drawn.settings);
+  finish_drawing(drawn.map, drawn.settings);
+  return drawn;
+}
+
+void Views::save(const Drawn& drawn, const std::string& path, const NamedValues& options) const {
+  const RenderSettings settings = settings_for(options, path);
+  write_outputs(drawn.map.drawing, sheets_and_overview(drawn.map.drawing, settings), settings);
+}
+
+bool draws_alike(Format one, Format other) {
+  const auto kind = [](Format format) {
+    return std::tuple(is_tied_to_ground(format), has_one_width(format), pen_order_for(format),
+                      language_of(format));
+  };
+  return kind(one) == kind(other);
+}
+
+FlatStrokes flat_strokes(const Drawing& drawing) {
+  FlatStrokes flat;
+  std::int32_t number = 0;
+  for (const Layer& layer : drawing.layers) {
+    const bool has_map = layer.map.size() == layer.page_mm.size();
+    for (const Stroke& stroke : layer.strokes) {
+      flat.offsets.push_back(static_cast<std::int64_t>(flat.page_mm.size()));
+      const auto from = static_cast<std::ptrdiff_t>(stroke.first_point);
+      const auto to = from + static_cast<std::ptrdiff_t>(stroke.point_count);
+      flat.page_mm.insert(flat.page_mm.end(), layer.page_mm.begin() + from,
+                          layer.page_mm.begin() + to);
+      if (has_map)
+        flat.map.insert(flat.map.end(), layer.map.begin() + from, layer.map.begin() + to);
+      flat.layer.push_back(number);
+      flat.profile.push_back(stroke.profile);
+      flat.level.push_back(stroke.profile < 0 ? -1 : stroke.level);
+      flat.feature.push_back(stroke.feature);
+      flat.depth_m.push_back(stroke.depth_m);
+      flat.width_mm.push_back(stroke.width_mm > 0 ? stroke.width_mm : layer.pen_width_mm);
+      flat.darkness.push_back(stroke.darkness);
+    }
+    ++number;
+  }
+  flat.offsets.push_back(static_cast<std::int64_t>(flat.page_mm.size()));
+  if (flat.map.size() != flat.page_mm.size()) flat.map.clear();
+  return flat;
+}
+
+} // namespace orograph

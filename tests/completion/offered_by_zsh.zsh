@@ -1,0 +1,50 @@
+#!/usr/bin/env zsh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Prints what zsh offers for a line, each in a line of its own: in an interactive zsh at a terminal
+# of its own Tab is pressed, and what its functions hand to the completion system is told.
+# usage: offered_by_zsh.zsh LINE   (orograph is on the PATH)
+zmodload zsh/zpty
+zpty shell zsh -f -i
+setup=$(mktemp)
+trap 'rm -f $setup' EXIT
+cat >$setup <<'SETUP'
+PROMPT=
+autoload -U compinit && compinit -D -u
+source <(orograph --completion zsh)
+bindkey '^I' complete-word
+bindkey '^M' undefined
+tell-begin() { print -r -- BEGIN }
+tell-end() { print -r -- END; exit }
+compprefuncs=(tell-begin)
+comppostfuncs=(tell-end)
+zstyle ':completion:*' insert-tab false
+compadd() {
+  # Those that only ask what matches.
+  if [[ ${@[1,(i)(-|--)]} == *-(O|A|D)\ * ]]; then
+    builtin compadd "$@"
+    return
+  fi
+  local -a matches
+  builtin compadd -A matches "$@"
+  setopt localoptions norcexpandparam
+  local match
+  for match in $matches; do print -r -- $match; done
+  builtin compadd "$@" # so that no further kinds of matches are tried
+}
+print READY
+SETUP
+zpty -w shell source $setup
+repeat 200; do
+  zpty -r shell line && [[ $line == *READY* ]] && break
+done
+zpty -n -w shell "$1"$'\t'
+inside=0
+while zpty -r shell line; do
+  line=${line//[$'\r\n']/}
+  case $line in
+    *BEGIN) inside=1 ;;
+    END*) exit ;;
+    *) ((inside)) && print -r -- $line ;;
+  esac
+done
+exit 0
