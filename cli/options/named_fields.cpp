@@ -9,7 +9,7 @@ namespace orograph {
 namespace {
 
 // Fields that messages of the library name, with what sets them on the command line.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 32> kOptions{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 33> kOptions{{
     {"terrain", "INPUT"},
     {"solids", "--scene"},
     // ReadOptions
@@ -31,6 +31,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 32> kOptions
     {"field_of_view", "--fov"},
     {"eye_map", "--eye"},
     {"eye_lonlat", "--eye-lonlat"},
+    {"eye_summit_m", "--eye-summit"},
     {"look_at_map", "--look-at"},
     {"look_at_lonlat", "--look-at-lonlat"},
     {"curvature", "--curvature"},

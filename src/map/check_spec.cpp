@@ -16,6 +16,7 @@
 namespace orograph {
 namespace {
 
+constexpr double kMostSummit_m = 100000;
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 // From `low` to `high`, both included.
@@ -64,6 +65,7 @@ void check_view(const ViewSpec& view) {
   }
   if (view.distance_m) check_above_0("distance_m", *view.distance_m, kNone, " m");
   if (view.eye_height_m) check_above_0("eye_height_m", *view.eye_height_m, kNone, " m");
+  if (view.eye_summit_m) check_above_0("eye_summit_m", *view.eye_summit_m, kMostSummit_m, " m");
   if (view.look_azimuth)
     check_range("look_azimuth", view.look_azimuth->in_degrees(), -1e6, 1e6, " degrees");
   if (view.pitch) check_range("pitch", view.pitch->in_degrees(), -90, 90, " degrees");
