@@ -209,7 +209,11 @@ private:
     return std::max(left.along, right.along) >= distance_m_ - rounding_m_;
   }
 
-  SightPlace crossing(const Post& left, const Post& right) const {
+  // With a bound on the rounding of its distance.
+  struct Crossing : SightPlace {
+    double off_m;
+  };
+  Crossing crossing(const Post& left, const Post& right) const {
     const double between = left.aside - right.aside;
     const double share = std::clamp(left.aside / between, 0.0, 1.0);
     const double rise = right.z - left.z, on = right.along - left.along;
@@ -217,9 +221,10 @@ private:
     // By such a share it may be elsewhere on the edge.
     const double off = std::min(rounding_m_ / between, 1.0);
     const double slope = std::abs(z_m - eye_z_m_) / std::max(std::abs(distance_m), nearest_m_);
-    return {distance_m, z_m,
-            off * (std::abs(rise) + slope * std::abs(on)) +
-                8 * kEpsilon * (std::abs(left.z) + std::abs(right.z) + std::abs(eye_z_m_))};
+    const double rounding =
+        off * (std::abs(rise) + slope * std::abs(on)) +
+        8 * kEpsilon * (std::abs(left.z) + std::abs(right.z) + std::abs(eye_z_m_));
+    return {{distance_m, z_m, rounding}, rounding_m_ + off * std::abs(on)};
   }
 
   // Takes what an edge that is crossed adds. Whether the distance is passed.
@@ -235,12 +240,12 @@ private:
           right.z - eye_z_m_ < found_.slope * right.along)
         return false;
     }
-    const SightPlace at = crossing(left, right);
+    const Crossing at = crossing(left, right);
     if (at.distance_m > nearest_m_ && at.distance_m < distance_m_) take(at);
     if (!reaching) return false;
     if (before_) take_ground(*before_, at);
     before_ = at;
-    return at.distance_m > distance_m_ + rounding_m_;
+    return at.distance_m > distance_m_ + at.off_m;
   }
 
   void take(const SightPlace& at) {
@@ -256,8 +261,8 @@ private:
   }
 
   // Of the section from one crossing to the next.
-  void take_ground(const SightPlace& from, const SightPlace& to) {
-    if (from.distance_m > distance_m_ + rounding_m_ || to.distance_m < distance_m_ - rounding_m_)
+  void take_ground(const Crossing& from, const Crossing& to) {
+    if (from.distance_m > distance_m_ + from.off_m || to.distance_m < distance_m_ - to.off_m)
       return;
     const double on = to.distance_m - from.distance_m, rise = to.z_m - from.z_m;
     const auto z_at = [&](double share) { return from.z_m + share * rise; };
@@ -275,8 +280,8 @@ private:
   Sight& found_;
   double limit_m_ = 0; ///< vertices no farther to the right than this, or to the left, are left
   bool touches_ = false;
-  bool took_ = false;                ///< whether the last edge is the highest
-  std::optional<SightPlace> before_; ///< the crossing before, where it is needed
+  bool took_ = false;              ///< whether the last edge is the highest
+  std::optional<Crossing> before_; ///< the crossing before, where it is needed
 };
 
 } // namespace
