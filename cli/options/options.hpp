@@ -10,6 +10,7 @@
 #include "cli/render_settings.hpp"
 #include "cli/sweep/sweep.hpp"
 #include "cli/tin.hpp"
+#include "cli/visible.hpp"
 
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@ Command accuracy_command(AccuracySettings& settings);
 Command fragmentation_command(FragmentationSettings& settings);
 Command info_command(InfoSettings& settings);
 Command tin_command(TinSettings& settings);
+Command visible_command(VisibleSettings& settings);
 
 /// The settings that a command line (without "orograph render") asks for; nothing where it asks
 /// for help. Opens no file, but looks whether two of its paths are the same file.
@@ -36,5 +38,6 @@ std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& a
 std::optional<FragmentationSettings> parse_fragmentation(const std::vector<std::string>& arguments);
 std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments);
 std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments);
+std::optional<VisibleSettings> parse_visible(const std::vector<std::string>& arguments);
 
 } // namespace orograph
