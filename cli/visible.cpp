@@ -30,22 +30,22 @@ constexpr const char* kResults[] = {"state",        "hidden_m",   "hidden_deg", 
                                     "altitude_deg", "distance_m", "height"};
 
 // The points of all features, and which feature each is of.
-struct Points {
+struct AskedPoints {
   std::vector<Vec2> places;
   std::vector<std::size_t> feature_of;
   std::vector<std::size_t> place_of; ///< of a feature without places `kNone`
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 };
 
-Points points_of(const Overlay& overlay) {
-  Points out;
+AskedPoints points_of(const Overlay& overlay) {
+  AskedPoints out;
   bool any = false;
   for (std::size_t f = 0; f < overlay.features.size(); ++f) {
     const Overlay::Feature& feature = overlay.features[f];
     const std::size_t count = std::max<std::size_t>(feature.line_count, 1);
     for (std::size_t i = 0; i < count; ++i) {
       out.feature_of.push_back(f);
-      out.place_of.push_back(Points::kNone);
+      out.place_of.push_back(AskedPoints::kNone);
       if (i == feature.line_count) continue;
       const Overlay::Line& line = overlay.lines[feature.first_line + i];
       if (line.place_count > 1)
@@ -109,7 +109,7 @@ Attributes results_of(const PlaceSight& sight) {
   return out;
 }
 
-PointTable table_of(const Overlay& overlay, const Points& points,
+PointTable table_of(const Overlay& overlay, const AskedPoints& points,
                     const std::vector<PlaceSight>& sights, const MapFrame& map) {
   PointTable out;
   out.name = "visible";
@@ -121,7 +121,7 @@ PointTable table_of(const Overlay& overlay, const Points& points,
     for (const Attribute& own : overlay.features[points.feature_of[i]].attributes)
       row.values.push_back({own_name(own.name), own.value});
     const std::size_t place = points.place_of[i];
-    if (place == Points::kNone) {
+    if (place == AskedPoints::kNone) {
       row.values.push_back({"state", std::string("outside")});
       continue;
     }
@@ -155,7 +155,7 @@ void visible(const VisibleSettings& settings) {
   const TerrainData whole = read_terrain(render.inputs, render.reading);
   if (!render.quiet) tell_doubts(whole);
   const std::vector<Overlay> overlays = read_overlays({&settings.points, 1}, whole);
-  const Points points = points_of(overlays.front());
+  const AskedPoints points = points_of(overlays.front());
   if (!render.quiet) {
     for (const std::string& note : overlays.front().notes) say_line(note);
     tell_eye_move(view, whole);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -139,20 +140,173 @@ bool is_among(const std::vector<std::uint32_t>& triangles, std::uint32_t wanted)
   return std::ranges::find(triangles, wanted) != triangles.end();
 }
 
+// A vertex by its distance along a direction and to the left of it.
+struct Post {
+  double along, aside, z;
+};
+
+// The eye's frame, turned into a direction.
+View turned_to(const View& view, Vec2 direction) {
+  View out = view;
+  out.forward = direction.x * view.right + direction.y * view.forward;
+  out.right = {out.forward.y, 0 - out.forward.x};
+  const auto& [uu, uv, vv] = view.drop;
+  const double c = direction.y, s = direction.x; // u = c u' + s v', v = c v' - s u'
+  out.drop = {uu * c * c - uv * s * c + vv * s * s, 2 * (uu - vv) * s * c + uv * (c * c - s * s),
+              uu * s * s + uv * s * c + vv * c * c};
+  return out;
+}
+
+// A grid's vertices in a direction. On a map plane distances grow evenly with columns and rows.
+template <class Lattice>
+class Posts {
+public:
+  Posts(const Lattice& lattice, const View& view) : lattice_(lattice), view_(view) {}
+  Post at(int column, int row, double height_m) const {
+    const ProfilePoint p = to_profile_frame(view_, lattice_.vertex_m(column, row, height_m));
+    return {p.v, 0 - p.u, p.z};
+  }
+
+private:
+  const Lattice& lattice_;
+  View view_;
+};
+
+template <>
+class Posts<PlaneLattice> {
+public:
+  Posts(const PlaneLattice& lattice, const View& view)
+      : first_(in_direction(lattice.first_vertex_m - view.depth_origin_m, view)),
+        column_(in_direction(lattice.column_step_m, view)),
+        row_(in_direction(lattice.row_step_m, view)), exaggeration_(view.exaggeration),
+        drop_(view.drop) {}
+  Post at(int column, int row, double height_m) const {
+    const double along = first_.x + column * column_.x + row * row_.x,
+                 aside = first_.y + column * column_.y + row * row_.y;
+    return {along, aside, height_m * exaggeration_ - drop_.at(0 - aside, along)};
+  }
+
+private:
+  static Vec2 in_direction(Vec2 v, const View& view) {
+    return {dot(v, view.forward), 0 - dot(v, view.right)};
+  }
+  Vec2 first_, column_, row_;
+  double exaggeration_;
+  FrameDrop drop_;
+};
+
+// The way through a mesh in a direction: from a side, by its left and its right end, over the
+// triangle ahead to the next side.
+
+template <class Lattice, class Height>
+class GridWay {
+public:
+  using Side = GridSide;
+  using Mesh = GridMesh<Lattice, Height>;
+
+  GridWay(const Mesh& mesh, const View& view)
+      : mesh_(mesh), heights_(mesh.heights), posts_(mesh.lattice, view),
+        columns_(static_cast<unsigned>(mesh.grid.columns)),
+        rows_(static_cast<unsigned>(mesh.grid.rows)) {}
+
+  Post post(const Side& side, std::size_t n) const {
+    const auto [column, row] = mesh_.corner(side.triangle, (side.k + n) % 3);
+    return posts_.at(column, row, height(column, row));
+  }
+  void begin(const Side& side) {
+    left_ = mesh_.corner(side.triangle, (side.k + 1U) % 3);
+    const auto [column, row] = mesh_.corner(side.triangle, (side.k + 2U) % 3);
+    for (right_ = 0; right_ < 6; ++right_)
+      if (left_.column + kRound[right_][0] == column && left_.row + kRound[right_][1] == row) break;
+  }
+  /// The third corner of the triangle ahead; false where there is none.
+  bool ahead(Post& post) {
+    ahead_ = right_ == 0 ? 5 : right_ - 1;
+    at_ = {left_.column + kRound[ahead_][0], left_.row + kRound[ahead_][1]};
+    if (static_cast<unsigned>(at_.column) >= columns_ || static_cast<unsigned>(at_.row) >= rows_)
+      return false;
+    const double height_m = height(at_.column, at_.row);
+    if (std::isnan(height_m)) return false;
+    post = posts_.at(at_.column, at_.row, height_m);
+    return true;
+  }
+  /// Goes on, the corner ahead being the next side's left end, or its right one.
+  void go_on(bool as_left) {
+    if (as_left) {
+      left_ = at_;
+      right_ = right_ == 5 ? 0 : right_ + 1;
+    } else {
+      right_ = ahead_;
+    }
+  }
+
+private:
+  // Vertices round a vertex, clockwise from the east: each with the next and the middle one makes a
+  // triangle, and from each to the next it is as far as from the middle to the one after.
+  static constexpr int kRound[6][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}};
+
+  double height(int column, int row) const {
+    return static_cast<double>(
+        heights_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)]);
+  }
+
+  const Mesh& mesh_;
+  const Heights<Height>& heights_;
+  Posts<Lattice> posts_;
+  unsigned columns_, rows_;
+  CellVertex left_{}, at_{};
+  unsigned right_ = 0, ahead_ = 0; ///< where they are, round the left one
+};
+
+class TinWay {
+public:
+  using Side = TinSide;
+
+  TinWay(const TinMesh& mesh, const View& view) : mesh_(mesh), view_(view) {}
+
+  Post post(const Side& side, std::size_t n) const {
+    const std::uint32_t i = mesh_.index(side.triangle, (side.k + n) % 3);
+    const ProfilePoint p = to_profile_frame(view_, mesh_.tin.vertices_m[i]);
+    return {p.v, 0 - p.u, p.z};
+  }
+  void begin(const Side& side) { side_ = side; }
+  bool ahead(Post& out) const {
+    if (side_) out = post(*side_, 0);
+    return side_.has_value();
+  }
+  void go_on(bool as_left) {
+    side_->k = static_cast<std::uint8_t>((side_->k + (as_left ? 1 : 2)) % 3);
+    side_ = mesh_.across(*side_);
+  }
+
+private:
+  const TinMesh& mesh_;
+  View view_;
+  std::optional<Side> side_; ///< of the triangle ahead
+};
+
+template <class Lattice, class Height>
+GridWay<Lattice, Height> way_through(const GridMesh<Lattice, Height>& mesh, const View& view) {
+  return {mesh, view};
+}
+TinWay way_through(const TinMesh& mesh, const View& view) {
+  return {mesh, view};
+}
+
 // One direction. Whether a vertex in the plane itself, to rounding, counts as left decides on which
 // side of an edge along it the walk goes.
-template <class Mesh>
+template <class Mesh, class Way>
 class Look {
 public:
   using Side = typename Mesh::Side;
 
-  Look(const Mesh& mesh, const SightStarts<Side>& starts, Vec2 direction, double distance_m,
-       double rounding_m, double eye_z_m, Sight& found)
-      : mesh_(mesh), starts_(starts), direction_(direction), distance_m_(distance_m),
-        rounding_m_(rounding_m), nearest_m_(4 * rounding_m), eye_z_m_(eye_z_m), found_(found) {}
+  Look(const Mesh& mesh, Way way, const SightStarts<Side>& starts, double distance_m,
+       double rounding_m, double eye_z_m)
+      : mesh_(mesh), way_(std::move(way)), starts_(starts), distance_m_(distance_m),
+        rounding_m_(rounding_m), nearest_m_(4 * rounding_m), eye_z_m_(eye_z_m) {}
 
   /// Whether a vertex is in the plane: then the other side is to be looked at as well.
-  bool along(bool plane_is_left) {
+  bool along(std::span<const Side> border, bool plane_is_left) {
     limit_m_ = plane_is_left ? -rounding_m_ : rounding_m_;
     touches_ = false;
     for (const auto& triangle : starts_.under_eye) {
@@ -163,125 +317,137 @@ public:
         if (!before || !is_among(starts_.under_eye, before->triangle)) walk(side);
       }
     }
-    for (const Side& side : starts_.towards(direction_))
+    for (const Side& side : border)
       if (comes_in(side) && !is_among(starts_.under_eye, side.triangle)) walk(side);
     return touches_;
   }
 
-private:
-  // A vertex by its distance along the direction and to the left of it.
-  struct Post {
-    double along, aside, z;
-  };
-
-  Post post(const Side& side, std::size_t n) {
-    const ProfilePoint p = corner(mesh_, side, n);
-    const Post out{direction_.x * p.u + direction_.y * p.v, direction_.x * p.v - direction_.y * p.u,
-                   p.z};
-    touches_ = touches_ || std::abs(out.aside) <= rounding_m_;
+  SightLine found() const {
+    SightLine out;
+    out.ground = ground_;
+    if (!highest_) return out;
+    out.highest = place_of(*highest_);
+    out.slope = slope_;
+    out.rounding = (out.highest->rounding_m + rounding_m_ * std::abs(slope_)) / highest_->along;
+    out.at_border = at_border_;
     return out;
   }
-  bool is_left(const Post& post) const { return post.aside >= limit_m_; }
-  bool comes_in(const Side& side) { return is_left(post(side, 1)) && !is_left(post(side, 2)); }
 
-  void walk(Side side) {
-    Post left = post(side, 1), right = post(side, 2);
-    before_.reset();
-    if (meet(left, right)) return;
-    for (;;) {
-      const Post ahead = post(side, 0), was_left = left, was_right = right;
-      const bool goes_right = is_left(ahead);
-      (goes_right ? left : right) = ahead;
-      side.k = static_cast<std::uint8_t>((side.k + (goes_right ? 1 : 2)) % 3);
-      if (!before_ && reaches(left, right)) before_ = crossing(was_left, was_right);
-      if (meet(left, right)) return;
-      const auto next = mesh_.across(side);
-      if (!next) {
-        found_.at_border = found_.at_border || took_;
-        return;
-      }
-      side = *next;
-    }
-  }
-
-  // Whether an edge may be as far away as the distance asked for.
-  bool reaches(const Post& left, const Post& right) const {
-    return std::max(left.along, right.along) >= distance_m_ - rounding_m_;
-  }
-
-  // With a bound on the rounding of its distance.
-  struct Crossing : SightPlace {
-    double off_m;
+private:
+  // Where the plane crosses an edge.
+  struct Crossing {
+    Post left, right;
+    double along, z;
   };
-  Crossing crossing(const Post& left, const Post& right) const {
-    const double between = left.aside - right.aside;
-    const double share = std::clamp(left.aside / between, 0.0, 1.0);
-    const double rise = right.z - left.z, on = right.along - left.along;
-    const double distance_m = left.along + share * on, z_m = left.z + share * rise;
-    // By such a share it may be elsewhere on the edge.
-    const double off = std::min(rounding_m_ / between, 1.0);
-    const double slope = std::abs(z_m - eye_z_m_) / std::max(std::abs(distance_m), nearest_m_);
-    const double rounding =
-        off * (std::abs(rise) + slope * std::abs(on)) +
-        8 * kEpsilon * (std::abs(left.z) + std::abs(right.z) + std::abs(eye_z_m_));
-    return {{distance_m, z_m, rounding}, rounding_m_ + off * std::abs(on)};
+
+  bool is_left(const Post& post) {
+    touches_ = touches_ || std::abs(post.aside) <= rounding_m_;
+    return post.aside >= limit_m_;
+  }
+  bool comes_in(const Side& side) {
+    const bool from = is_left(way_.post(side, 1)), to = is_left(way_.post(side, 2));
+    return from && !to;
+  }
+
+  void walk(const Side& side) {
+    Post left = way_.post(side, 1), right = way_.post(side, 2), ahead{};
+    way_.begin(side);
+    before_.reset();
+    bool took = false; // whether the last edge is the highest
+    if (meet(left, right, took)) return;
+    while (way_.ahead(ahead)) {
+      const bool as_left = is_left(ahead);
+      if (reaches(left) || reaches(right) || reaches(ahead)) {
+        if (!before_) before_ = crossing(left, right);
+      }
+      (as_left ? left : right) = ahead;
+      way_.go_on(as_left);
+      took = false;
+      if (meet(left, right, took)) return;
+    }
+    at_border_ = at_border_ || took;
+  }
+
+  // Whether a vertex is as far away as the distance asked for.
+  bool reaches(const Post& post) const { return post.along >= distance_m_ - rounding_m_; }
+
+  static Crossing crossing(const Post& left, const Post& right) {
+    const double share = std::clamp(left.aside / (left.aside - right.aside), 0.0, 1.0);
+    return {left, right, left.along + share * (right.along - left.along),
+            left.z + share * (right.z - left.z)};
+  }
+  // By which share of its edge, at most, rounding may have moved it.
+  double off_share(const Crossing& at) const {
+    return std::min(rounding_m_ / (at.left.aside - at.right.aside), 1.0);
+  }
+  double off_m(const Crossing& at) const {
+    return rounding_m_ + off_share(at) * std::abs(at.right.along - at.left.along);
+  }
+  SightPlace place_of(const Crossing& at) const {
+    const double slope = std::abs(at.z - eye_z_m_) / std::max(std::abs(at.along), nearest_m_);
+    const double moved =
+        std::abs(at.right.z - at.left.z) + slope * std::abs(at.right.along - at.left.along);
+    return {at.along, at.z,
+            off_share(at) * moved +
+                8 * kEpsilon * (std::abs(at.left.z) + std::abs(at.right.z) + std::abs(eye_z_m_))};
+  }
+
+  bool is_below(const Post& post) const {
+    return post.along > nearest_m_ && post.z - eye_z_m_ < slope_ * post.along;
   }
 
   // Takes what an edge that is crossed adds. Whether the distance is passed.
-  bool meet(const Post& left, const Post& right) {
-    took_ = false;
-    const bool reaching = reaches(left, right);
+  bool meet(const Post& left, const Post& right, bool& took) {
+    const bool reaching = reaches(left) || reaches(right);
     if (!reaching) {
-      // On an edge slopes are between those of its ends: most edges need no more.
       before_.reset();
-      const bool left_ahead = left.along > nearest_m_, right_ahead = right.along > nearest_m_;
-      if (!left_ahead && !right_ahead) return false;
-      if (left_ahead && right_ahead && left.z - eye_z_m_ < found_.slope * left.along &&
-          right.z - eye_z_m_ < found_.slope * right.along)
-        return false;
+      // On an edge slopes are between those of its ends: most edges need no more.
+      if (is_below(left) && is_below(right)) return false;
+      if (left.along <= nearest_m_ && right.along <= nearest_m_) return false;
     }
     const Crossing at = crossing(left, right);
-    if (at.distance_m > nearest_m_ && at.distance_m < distance_m_) take(at);
+    if (at.along > nearest_m_ && at.along < distance_m_) took = take(at);
     if (!reaching) return false;
     if (before_) take_ground(*before_, at);
     before_ = at;
-    return at.distance_m > distance_m_ + at.off_m;
+    return at.along > distance_m_ + off_m(at);
   }
 
-  void take(const SightPlace& at) {
-    const double slope = (at.z_m - eye_z_m_) / at.distance_m;
-    if (found_.highest && !(slope > found_.slope) &&
-        !(slope == found_.slope && at.distance_m > found_.highest->distance_m))
-      return;
-    took_ = true;
-    found_.at_border = false;
-    found_.highest = at;
-    found_.slope = slope;
-    found_.rounding = (at.rounding_m + rounding_m_ * std::abs(slope)) / at.distance_m;
+  bool take(const Crossing& at) {
+    const double slope = (at.z - eye_z_m_) / at.along;
+    if (!(slope > slope_) && !(slope == slope_ && highest_ && at.along > highest_->along))
+      return false;
+    if (!(at.along > 4 * off_m(at))) return false; // it may as well be under the eye
+    highest_ = at;
+    slope_ = slope;
+    at_border_ = false;
+    return true;
   }
 
   // Of the section from one crossing to the next.
   void take_ground(const Crossing& from, const Crossing& to) {
-    if (from.distance_m > distance_m_ + from.off_m || to.distance_m < distance_m_ - to.off_m)
-      return;
-    const double on = to.distance_m - from.distance_m, rise = to.z_m - from.z_m;
-    const auto z_at = [&](double share) { return from.z_m + share * rise; };
-    double z = std::max(from.z_m, to.z_m); // a wall
-    if (on > 2 * rounding_m_) z = z_at(std::clamp((distance_m_ - from.distance_m) / on, 0.0, 1.0));
-    if (found_.ground && found_.ground->z_m >= z) return;
+    if (from.along > distance_m_ + off_m(from) || to.along < distance_m_ - off_m(to)) return;
+    const double on = to.along - from.along, rise = to.z - from.z;
+    double z = std::max(from.z, to.z); // a wall
+    if (on > 2 * rounding_m_)
+      z = from.z + std::clamp((distance_m_ - from.along) / on, 0.0, 1.0) * rise;
+    if (ground_ && ground_->z_m >= z) return;
     const double steep = std::abs(rise) * std::min(1.0, rounding_m_ / std::max(on, rounding_m_));
-    found_.ground = SightPlace{distance_m_, z, std::max(from.rounding_m, to.rounding_m) + steep};
+    ground_ = SightPlace{distance_m_, z,
+                         std::max(place_of(from).rounding_m, place_of(to).rounding_m) + steep};
   }
 
   const Mesh& mesh_;
+  Way way_;
   const SightStarts<Side>& starts_;
-  Vec2 direction_;
   double distance_m_, rounding_m_, nearest_m_, eye_z_m_;
-  Sight& found_;
-  double limit_m_ = 0; ///< vertices no farther to the right than this, or to the left, are left
+  double limit_m_ = 0; ///< vertices as far to the left as this are left
   bool touches_ = false;
-  bool took_ = false;              ///< whether the last edge is the highest
-  std::optional<Crossing> before_; ///< the crossing before, where it is needed
+  std::optional<Crossing> before_; ///< the one before, where it is needed
+  std::optional<Crossing> highest_;
+  double slope_ = -std::numeric_limits<double>::infinity();
+  bool at_border_ = false;
+  std::optional<SightPlace> ground_;
 };
 
 } // namespace
@@ -336,14 +502,16 @@ SightLines::SightLines(const Surface& surface, std::span<const BorderEdge> borde
   starts_ = std::move(starts);
 }
 
-Sight SightLines::up_to(Vec2 direction, double distance_m) const {
-  Sight found;
-  with_mesh([&]<class Mesh>(const Mesh& mesh) {
+SightLine SightLines::up_to(Vec2 direction, double distance_m) const {
+  return with_mesh([&]<class Mesh>(const Mesh& mesh) {
     const auto& starts = std::get<SightStarts<typename Mesh::Side>>(starts_);
-    Look<Mesh> look(mesh, starts, direction, distance_m, rounding_m_, view_.eye_z_m, found);
-    if (look.along(true)) look.along(false);
+    const std::span border = starts.towards(direction);
+    auto way = way_through(mesh, turned_to(view_, direction));
+    Look<Mesh, decltype(way)> look(mesh, std::move(way), starts, distance_m, rounding_m_,
+                                   view_.eye_z_m);
+    if (look.along(border, true)) look.along(border, false);
+    return look.found();
   });
-  return found;
 }
 
 } // namespace orograph

@@ -28,7 +28,7 @@ struct SightPlace {
 };
 
 /// What is met in one direction, up to some distance.
-struct Sight {
+struct SightLine {
   /// Where the surface stands highest against the eye: the greatest rise for a metre of distance.
   /// Of several that are as high the farthest. None: there is nothing in front.
   std::optional<SightPlace> highest;
@@ -62,8 +62,8 @@ public:
   /// Edges nearer than `distance_m` (infinity: all) in a direction, a unit vector along u and v.
   /// Triangles hold their edges: along an edge, or through a vertex, both sides are met. Safe from
   /// several threads. Cost: the triangles that the plane cuts up to there, some 5 ns each.
-  Sight up_to(Vec2 direction, double distance_m) const;
-  Sight skyline(Vec2 direction) const {
+  SightLine up_to(Vec2 direction, double distance_m) const;
+  SightLine skyline(Vec2 direction) const {
     return up_to(direction, std::numeric_limits<double>::infinity());
   }
 

@@ -111,7 +111,7 @@ PlaceSight LookAround::sight_of(Vec2 place, double above_m) const {
   const Vec2 towards = distance_m > 0 ? Vec2{at.u / distance_m, at.v / distance_m} : Vec2{0, 1};
   out.bearing = geodesic_to(place).value_or(Bearing{azimuth_deg(towards), 0, distance_m});
   if (map.earth && !on_earth) return out;
-  const Sight sight = lines_.up_to(towards, distance_m);
+  const SightLine sight = lines_.up_to(towards, distance_m);
   if (!sight.ground && !map.earth) return out;
   // By a rounding beside the border there is no section to tell the height.
   const SightPlace own = sight.ground.value_or(SightPlace{distance_m, at.z, lines_.rounding_m()});
@@ -152,7 +152,7 @@ std::vector<PlaceSight> LookAround::sights(std::span<const Vec2> places, double 
   return out;
 }
 
-SkylinePlace LookAround::place_of(Vec2 towards, const Sight& sight) const {
+SkylinePlace LookAround::place_of(Vec2 towards, const SightLine& sight) const {
   SkylinePlace out;
   const SightPlace& at = *sight.highest;
   const Vec3 map = to_map(towards, at.distance_m, at.z_m);
@@ -172,7 +172,7 @@ Skyline LookAround::skyline(double step_deg) const {
     Skyline::Direction& direction_out = out.directions[i];
     direction_out.azimuth_deg = static_cast<double>(i) * step_deg;
     const Vec2 towards = direction(direction_out.azimuth_deg);
-    const Sight sight = lines_.skyline(towards);
+    const SightLine sight = lines_.skyline(towards);
     if (!sight.highest) return;
     direction_out.place = place_of(towards, sight);
     direction_out.place->bearing.azimuth_deg = direction_out.azimuth_deg;
@@ -186,7 +186,7 @@ Skyline LookAround::skyline(double step_deg) const {
   };
   std::vector<double> distances_m(directions_below(between_deg, 360));
   for_each(distances_m.size(), [&](std::size_t i) {
-    const Sight sight = lines_.skyline(between(i));
+    const SightLine sight = lines_.skyline(between(i));
     if (sight.highest) distances_m[i] = sight.highest->distance_m;
   });
   const auto farthest = std::ranges::max_element(distances_m);

@@ -33,7 +33,7 @@ public:
 
 private:
   PlaceSight sight_of(Vec2 place, double above_m) const;
-  SkylinePlace place_of(Vec2 towards, const Sight& sight) const;
+  SkylinePlace place_of(Vec2 towards, const SightLine& sight) const;
   Vec2 direction(double true_azimuth_deg) const;
   std::optional<Bearing> geodesic_to(Vec2 map) const;
   Vec3 to_map(Vec2 direction, double distance_m, double z_m) const;

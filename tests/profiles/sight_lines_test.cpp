@@ -24,6 +24,7 @@ constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
 struct Corner {
   Real along, aside, z;
+  Real off_m = 0; ///< by which a rounding aside moves it along
 };
 using Corners = std::array<ProfilePoint, 3>;
 
@@ -73,11 +74,13 @@ Found by_definition(const std::vector<Corners>& triangles, Real eye_z, Vec2 dire
       if (!(std::abs(a.aside) > rounding_m && std::abs(b.aside) > rounding_m)) continue;
       if ((a.aside < 0) == (b.aside < 0)) continue;
       const Real t = a.aside / (a.aside - b.aside);
-      section.push_back({a.along + t * (b.along - a.along), 0, a.z + t * (b.z - a.z)});
+      section.push_back({a.along + t * (b.along - a.along), 0, a.z + t * (b.z - a.z),
+                         rounding_m * std::abs((b.along - a.along) / (b.aside - a.aside))});
     }
     for (const Corner& at : section) {
       const Real slope = (at.z - eye_z) / at.along;
-      if (!is_along && at.along > 2 * 4 * rounding_m && at.along < distance_m - 2 * rounding_m)
+      if (!is_along && at.along > 8 * (rounding_m + at.off_m) &&
+          at.along < distance_m - 2 * rounding_m)
         found.least = std::max(found.least, slope);
       if (at.along > 4 * rounding_m / 2 && at.along < distance_m + 2 * rounding_m)
         found.most = std::max(found.most, slope);
@@ -147,7 +150,7 @@ void check(const Surface& surface, const View& view, Random& random, double size
     const Found wide = by_definition(triangles, view.eye_z_m, direction, up_to_m, 2 * rounding_m),
                 narrow =
                     by_definition(triangles, view.eye_z_m, direction, up_to_m, 0.5L * rounding_m);
-    const Sight sight = lines.up_to(direction, up_to_m);
+    const SightLine sight = lines.up_to(direction, up_to_m);
     const Real least = std::min({right.least, wide.least, narrow.least}),
                most = std::max({right.most, wide.most, narrow.most});
     const Real slack =
@@ -283,14 +286,14 @@ TEST_CASE("Of places as high the farthest is the skyline, and the terrain's end 
                                std::vector<double>{-9, -9, 3, 3, 2, 2, 1, 1}};
   const View view = looking_north({0, 0}, 0);
   const SightLines lines(surface, border_of(surface), view);
-  const Sight sight = lines.skyline({0, 1});
+  const SightLine sight = lines.skyline({0, 1});
   REQUIRE(sight.highest);
   CHECK(sight.slope == 1);
   CHECK(sight.highest->distance_m == 3);
   CHECK_FALSE(sight.at_border);
   const Surface rising =
       Grid{2, 3, PlaneLattice{{-1, 3}, {2, 0}, {0, -1}}, std::vector<double>{9, 9, 2, 2, 1, 1}};
-  const Sight end = SightLines(rising, border_of(rising), view).skyline({0, 1});
+  const SightLine end = SightLines(rising, border_of(rising), view).skyline({0, 1});
   REQUIRE(end.highest);
   CHECK(end.slope == 3);
   CHECK(end.at_border);
