@@ -163,8 +163,10 @@ class Posts {
 public:
   Posts(const Lattice& lattice, const View& view) : lattice_(lattice), view_(view) {}
   Post at(int column, int row, double height_m) const {
-    const ProfilePoint p = to_profile_frame(view_, lattice_.vertex_m(column, row, height_m));
-    return {p.v, 0 - p.u, p.z};
+    const Vec3 vertex = lattice_.vertex_m(column, row, height_m);
+    const Vec2 from_eye = Vec2{vertex.x, vertex.y} - view_.depth_origin_m;
+    const double along = dot(from_eye, view_.forward), right = dot(from_eye, view_.right);
+    return {along, 0 - right, vertex.z * view_.exaggeration - view_.drop.at(right, along)};
   }
 
 private:
@@ -417,7 +419,10 @@ private:
     const double slope = (at.z - eye_z_m_) / at.along;
     if (!(slope > slope_) && !(slope == slope_ && highest_ && at.along > highest_->along))
       return false;
-    if (!(at.along > 4 * off_m(at))) return false; // it may as well be under the eye
+    // Rounding may as well have it under the eye.
+    const double across = at.left.aside - at.right.aside,
+                 along = std::abs(at.right.along - at.left.along);
+    if (!(at.along * across > 4 * rounding_m_ * (across + along))) return false;
     highest_ = at;
     slope_ = slope;
     at_border_ = false;

@@ -167,6 +167,28 @@ void check_page(const PageRequest& page) {
 
 } // namespace
 
+void check_eye_spec(const ViewSpec& view) {
+  if (!view.has_eye())
+    throw UsageError("there is no eye to look from", "`eye_map` or `eye_lonlat`");
+  if (view.file)
+    throw UsageError("a view in a file has no eye to look around from",
+                     "`eye_map` or `eye_lonlat` without it");
+  ViewSpec eye = view; // in what picture doesn't matter
+  eye.projection = Projection::perspective;
+  check_view(eye);
+}
+
+void check_sights(const std::vector<Vec2>& places, double above_m) {
+  check_range("above_m", above_m, 0, kNone, " m");
+  for (const Vec2 place : places)
+    if (!std::isfinite(place.x) || !std::isfinite(place.y))
+      throw UsageError(fmt::format("a place is {},{}", place.x, place.y), "finite numbers");
+}
+
+void check_skyline_step(double step_deg) {
+  check_range("step_deg", step_deg, 0.001, 90, " degrees");
+}
+
 void check_spec(const MapSpec& spec, bool has_solids) {
   if (!spec.view.file) check_view(spec.view);
   check_style(spec.style, has_solids);

@@ -180,7 +180,9 @@ std::optional<Vec3> ground_at(Vec2 place, const TerrainData& terrain) {
     const auto z = height_at(terrain.surface, {at.x, at.y});
     if (!z) return std::nullopt;
     ground = {at.x, at.y, *z};
-    at = terrain.map.to_ground_m({place.x, place.y, terrain.map.to_map(ground).z});
+    const Vec3 next = terrain.map.to_ground_m({place.x, place.y, terrain.map.to_map(ground).z});
+    if (next.x == at.x && next.y == at.y) break;
+    at = next;
   }
   return ground; // not `at`, which a rounding may have put below it
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "write/write_points.hpp"
 
+#include "text/csv_text.hpp"
 #include "text/words.hpp"
 #include "write/byte_sink.hpp"
 #include "write/format_text.hpp"
@@ -27,31 +28,21 @@ const PointValue* value_in(const Attributes& values, const std::string& field) {
   return found == values.end() ? nullptr : &found->value;
 }
 
-std::string csv_quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  return out + "\"";
-}
-
-std::string csv_text(const PointValue& value) {
+std::string cell_of(const PointValue& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *whole);
   if (const auto* real = std::get_if<double>(&value)) return fmt::format("{:.15g}", *real);
-  return csv_quoted(std::get<std::string>(value));
+  return csv_text(std::get<std::string>(value));
 }
 
 void write_csv_points(const PointTable& table, ByteSink& out) {
   std::string line = "x,y";
-  for (const std::string& field : table.fields) line += "," + csv_quoted(field);
+  for (const std::string& field : table.fields) line += "," + csv_text(field);
   out.append(line + "\n");
   for (const PointTable::Row& row : table.rows) {
     line = row.place ? fmt::format("{:.15g},{:.15g}", row.place->x, row.place->y) : ",";
     for (const std::string& field : table.fields) {
       line += ',';
-      if (const PointValue* value = value_in(row.values, field)) line += csv_text(*value);
+      if (const PointValue* value = value_in(row.values, field)) line += cell_of(*value);
     }
     if (!out.append(line + "\n")) return; // `finish` tells
   }

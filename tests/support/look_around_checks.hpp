@@ -24,9 +24,8 @@ namespace orograph {
 
 struct SightCounts {
   std::uint64_t asked = 0, seen = 0, hidden = 0, ties = 0, beside = 0;
-  std::uint64_t wrong = 0;       ///< seen and hidden, or the other way round
-  double greatest_off_m = 0;     ///< of the height that a hidden place lacks
-  double greatest_off_share = 0; ///< the same as a share of the distance
+  std::uint64_t wrong = 0;   ///< seen and hidden, or the other way round
+  double greatest_off_m = 0; ///< of the height that a hidden place lacks
 };
 
 /// An eye's view towards one of the four quarters, as the ray walk takes it: the places that it is
@@ -106,7 +105,8 @@ inline SightCounts compare_with_ray_walk(const TerrainData& whole, const ViewSpe
     double rise_m = above_m;
     if (terrain->map.earth && above_m > 0) { // along its own upright
       const Vec3 on_map = terrain->map.to_map(ground);
-      const Vec3 top = terrain->map.to_ground_m({on_map.x, on_map.y, on_map.z + above_m}) - ground;
+      const double up = above_m / terrain->map.earth->exaggeration; // it isn't exaggerated
+      const Vec3 top = terrain->map.to_ground_m({on_map.x, on_map.y, on_map.z + up}) - ground;
       const double away_m = std::hypot(from_eye.u, from_eye.v);
       const double along_m = (top.x * from_eye.u + top.y * from_eye.v) / away_m;
       const double share = 1 + along_m / away_m; // its place is that much farther away
