@@ -20,6 +20,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -88,12 +90,18 @@ const char* name_of(PlaceState state) {
   return "outside";
 }
 
-// Fields of the points' own that have a result's name get a mark.
-std::string own_name(const std::string& field) {
-  const std::string lower = in_lower_case(field);
-  const bool is_taken =
-      lower == "x" || lower == "y" || std::ranges::find(kResults, lower) != std::end(kResults);
-  return is_taken ? field + "_" : field;
+// What the points' own fields are called: one that is called as a result, or as another in other
+// letters, gets a mark.
+std::map<std::string, std::string> own_names(const std::vector<std::string>& fields) {
+  std::set<std::string> taken{"x", "y"};
+  taken.insert(std::begin(kResults), std::end(kResults));
+  std::map<std::string, std::string> out;
+  for (const std::string& field : fields) {
+    std::string name = field;
+    while (!taken.insert(in_lower_case(name)).second) name += '_';
+    out[field] = name;
+  }
+  return out;
 }
 
 Attributes results_of(const PlaceSight& sight) {
@@ -114,12 +122,13 @@ PointTable table_of(const Overlay& overlay, const AskedPoints& points,
   PointTable out;
   out.name = "visible";
   out.crs_wkt = map.crs_wkt;
-  for (const std::string& field : overlay.fields) out.fields.push_back(own_name(field));
+  const auto names = own_names(overlay.fields);
+  for (const std::string& field : overlay.fields) out.fields.push_back(names.at(field));
   for (const char* result : kResults) out.fields.emplace_back(result);
   for (std::size_t i = 0; i < points.feature_of.size(); ++i) {
     PointTable::Row& row = out.rows.emplace_back();
     for (const Attribute& own : overlay.features[points.feature_of[i]].attributes)
-      row.values.push_back({own_name(own.name), own.value});
+      row.values.push_back({names.at(own.name), own.value});
     const std::size_t place = points.place_of[i];
     if (place == AskedPoints::kNone) {
       row.values.push_back({"state", std::string("outside")});

@@ -63,7 +63,9 @@ OpenedOverlay open_overlay(const std::string& path) {
   };
   if (extension_of(path) != ".csv") return {open(nullptr)};
   for (const auto& [x, y, are_degrees] : kCoordinateColumns) {
-    const char* const options[] = {x, y, "AUTODETECT_TYPE=YES", nullptr};
+    // In the terrain's CRS columns would only say again where a point is.
+    const char* const keep = are_degrees ? "KEEP_GEOM_COLUMNS=YES" : "KEEP_GEOM_COLUMNS=NO";
+    const char* const options[] = {x, y, keep, "AUTODETECT_TYPE=YES", nullptr};
     Dataset dataset = open(options);
     if (!dataset || has_geometries(*dataset)) return {std::move(dataset), are_degrees};
   }

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -143,7 +144,8 @@ TEST_CASE("The skyline on the ellipsoid is the highest of all triangles, to 1e-9
       REQUIRE(place->lonlat);
       GeographicLib::Geodesic::WGS84().Inverse(eye.y, eye.x, place->lonlat->y, place->lonlat->x,
                                                s12, azimuth, back);
-      CHECK(std::abs(std::remainder(azimuth - azimuth_deg, 360)) < 1e-5);
+      // Uprights of two places aren't in one plane: of 2 km of height that is 3e-5 degrees.
+      CHECK(std::abs(std::remainder(azimuth - azimuth_deg, 360)) < 1e-4);
       CHECK(std::abs(s12 - place->bearing.distance_m) < 1e-3);
       farthest_m = std::max(farthest_m, place->bearing.distance_m);
     }
@@ -164,7 +166,7 @@ TEST_CASE("Summits are in the azimuths and at the distances of geodesics") {
   utm.map.crs_wkt = utm.map.crs_name = "EPSG:32632";
   utm.map.radii = CurvatureRadii{6370000, 6390000};
   Random random(3);
-  for (const TerrainData* terrain : {&degrees, &utm}) {
+  for (const TerrainData* terrain : std::initializer_list<const TerrainData*>{&degrees, &utm}) {
     const Box2 bounds = map_bounds(*terrain);
     const Vec2 eye = bounds.centre();
     std::vector<Vec2> summits;
