@@ -13,6 +13,7 @@
 #include "cli/say.hpp"
 #include "cli/sweep/ranks.hpp"
 #include "cli/tin.hpp"
+#include "cli/visible.hpp"
 #include "dem/read/gdal.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
@@ -107,13 +108,15 @@ void run(std::vector<std::string> rest) {
   InfoSettings info_settings;
   TinSettings tin_settings;
   FragmentationSettings fragmentation_settings;
+  VisibleSettings visible_settings;
   const std::vector<Command> commands{render_command(render_settings),
                                       sweep_command(sweep_settings),
                                       merge_command(merge_settings),
                                       accuracy_command(accuracy_settings),
                                       info_command(info_settings),
                                       tin_command(tin_settings),
-                                      fragmentation_command(fragmentation_settings)};
+                                      fragmentation_command(fragmentation_settings),
+                                      visible_command(visible_settings)};
   const std::string name = rest.empty() ? "" : rest.front();
   if (!rest.empty()) rest.erase(rest.begin());
   if (name == "--help" || name == "-h") {
@@ -138,11 +141,13 @@ void run(std::vector<std::string> rest) {
     run_command<TinSettings>(commands[5], rest, parse_tin, tin);
   } else if (name == "fragmentation") {
     run_command<FragmentationSettings>(commands[6], rest, parse_fragmentation, fragmentation);
+  } else if (name == "visible") {
+    run_command<VisibleSettings>(commands[7], rest, parse_visible, visible);
   } else {
     throw UsageError(
         name.empty() ? "no command is given" : "unknown command " + name,
-        "use render, sweep, merge, accuracy, info, tin or fragmentation, as in orograph "
-        "render INPUT OUTPUT; orograph --help tells more");
+        "use render, visible, sweep, merge, accuracy, info, tin or fragmentation, as in "
+        "orograph render INPUT OUTPUT; orograph --help tells more");
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw Error("can't write to standard output", "make room on the device, or keep it open");

@@ -5,12 +5,15 @@
 #include "cli/progress.hpp"
 #include "cli/report/closing_lines.hpp"
 #include "cli/report/run_report.hpp"
+#include "cli/report/skyline_table.hpp"
 #include "cli/say.hpp"
 #include "cli/tell_placing.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
+#include "map/look_around.hpp"
+#include "placing/observer.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/read_overlays.hpp"
 #include "placing/terrain_of_view.hpp"
@@ -34,7 +37,8 @@ double seconds_since(Clock::time_point start) {
 void check_outputs(const RenderSettings& settings) {
   if (settings.output != "-")
     for (const std::string& name : output_names(settings)) check_writable(name, settings.write);
-  if (!settings.report.empty()) check_writable(settings.report, settings.write);
+  for (const std::string& name : {settings.report, settings.skyline_table})
+    if (!name.empty()) check_writable(name, settings.write);
 }
 
 void tell_check(const std::optional<CheckCounts>& check) {
@@ -74,7 +78,10 @@ void render(const RenderSettings& settings) {
   const auto start = Clock::now();
   check_outputs(settings);
   const TerrainData whole = read_ground(settings);
-  if (!settings.quiet) tell_doubts(whole);
+  if (!settings.quiet) {
+    tell_doubts(whole);
+    tell_eye_move(settings.map.view, whole);
+  }
   const std::vector<Overlay> overlays = read_overlays(settings.overlays, whole);
   const double read_s = seconds_since(start);
 
@@ -102,11 +109,20 @@ void render(const RenderSettings& settings) {
   seconds.place = place_s;
   seconds.write = seconds_since(write_start);
   bar.finish();
+  std::optional<Skyline> skyline;
+  if (!settings.skyline_table.empty()) {
+    const LookAround around(*terrain, placed.border, observer_of(placed, terrain->map));
+    skyline = around.skyline(settings.skyline_step_deg);
+    write_skyline(*skyline, settings);
+  }
   if (!settings.report.empty()) {
     seconds.total = seconds_since(start);
     describe_map(map, *terrain, placed, settings.map);
-    write_report(run_report(map, settings, sheets), settings.report, settings.write.overwrite);
+    RunReport report = run_report(map, settings, sheets);
+    report.skyline = skyline;
+    write_report(report, settings.report, settings.write.overwrite);
   }
+  if (skyline && !settings.quiet) tell_skyline(*skyline, settings);
   if (!settings.quiet)
     for (const std::string& line :
          closing_lines(map, sheets, placed, settings, seconds_since(start)))

@@ -54,6 +54,8 @@ struct RenderSettings {
   std::string device; ///< its name, or its file's; empty: the format's own
   WriteOptions write;
   std::string report;        ///< path of the JSON report; empty: none
+  std::string skyline_table; ///< path of the table of the skyline; empty: none
+  double skyline_step_deg = 1;
   std::string settings_file; ///< whose options are among these; empty: none
   NamedValues options;       ///< those in force that decide what is drawn, for the report
   int jobs = 0;              ///< cores to use; 0: all

@@ -2,6 +2,7 @@
 #include "cli/tell_placing.hpp"
 
 #include "cli/say.hpp"
+#include "placing/eye_summit.hpp"
 
 #include <fmt/format.h>
 
@@ -42,6 +43,19 @@ void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts) {
 void tell_placing(const PlacedView& placed, const ViewSpec& view) {
   if (placed.chosen_view) tell_chosen_view(*placed.chosen_view);
   if (placed.near_skyline) tell_near_skyline(*placed.near_skyline, view);
+}
+
+void tell_eye_move(const ViewSpec& view, const TerrainData& terrain) {
+  const auto move = eye_move(view, terrain);
+  if (!move) return;
+  const double unit_m = terrain.map.height_unit_m;
+  if (move->distance_m == 0)
+    say("the eye stays where it is: no ground within {} m is higher", *view.eye_summit_m);
+  else
+    say("the eye goes {:.4g} m to the highest ground within {} m, {:.10g},{:.10g} at height "
+        "{:.6g}{}",
+        move->distance_m, *view.eye_summit_m, move->to_map.x, move->to_map.y, move->to_m / unit_m,
+        move->from_m ? fmt::format(" instead of {:.6g}", *move->from_m / unit_m) : "");
 }
 
 void tell_doubts(const TerrainData& terrain) {

@@ -15,6 +15,9 @@ namespace orograph {
 /// with the option that says otherwise.
 void tell_placing(const PlacedView& placed, const ViewSpec& view);
 
+/// Says to where the eye went, if it is to stand on a summit.
+void tell_eye_move(const ViewSpec& view, const TerrainData& terrain);
+
 /// What a reader of overlays assumed, and what of them isn't on the terrain.
 void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts);
 

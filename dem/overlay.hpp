@@ -13,12 +13,14 @@ namespace orograph {
 
 /// Places are in the coordinates of the terrain's map.
 struct Overlay {
-  /// One thing of the map, with some of the lines, or with points alone.
+  /// One thing of the map, with some of the lines, or with points alone; of one without a place, no
+  /// line.
   struct Feature {
     Attributes attributes;
     std::size_t first_line, line_count;
   };
-  /// Some of the places: one alone is a point. A closed line has its first place again as its last.
+  /// Some of the places: one alone is a point, and none a place that the terrain's CRS doesn't
+  /// have. A closed line has its first place again as its last.
   struct Line {
     std::size_t first_place, place_count;
   };

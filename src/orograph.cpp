@@ -7,6 +7,8 @@
 #include "map/check_spec.hpp"
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
+#include "map/look_around.hpp"
+#include "placing/observer.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/read_overlays.hpp"
 #include "solids/read_scene.hpp"
@@ -129,6 +131,41 @@ struct Session::Kept {
 
 Session::Session(Terrain terrain, Solids solids, Overlays overlays)
     : kept_(std::make_shared<Kept>(std::move(terrain), std::move(solids), std::move(overlays))) {}
+
+namespace {
+
+// An eye of `view` on this terrain, and all that it looks at.
+template <class Ask>
+void look_around(const TerrainData& whole, const ViewSpec& view, const Control& control,
+                 const Ask& ask) {
+  as_requested([&] {
+    check_eye_spec(view);
+    on_cores(control.jobs, control.stop, [&] {
+      const TerrainOfView terrain(whole, view);
+      const std::vector<BorderEdge> border = border_of(terrain->surface);
+      ask(LookAround(*terrain, border, observer_of(view, *terrain)));
+    });
+  });
+}
+
+} // namespace
+
+std::vector<PlaceSight> Session::sights(const ViewSpec& view, const std::vector<Vec2>& places,
+                                        double above_m, const Control& control) const {
+  check_sights(places, above_m);
+  std::vector<PlaceSight> out;
+  look_around(*kept_->terrain.data_, view, control,
+              [&](const LookAround& around) { out = around.sights(places, above_m); });
+  return out;
+}
+
+Skyline Session::skyline(const ViewSpec& view, double step_deg, const Control& control) const {
+  check_skyline_step(step_deg);
+  Skyline out;
+  look_around(*kept_->terrain.data_, view, control,
+              [&](const LookAround& around) { out = around.skyline(step_deg); });
+  return out;
+}
 
 Map Session::draw(const MapSpec& spec, const Control& control) const {
   Map map;

@@ -97,11 +97,12 @@ void check_report(const RenderSettings& settings, const GivenOptions& given) {
 
 void check_eye(RenderSettings& settings, const GivenOptions& given) {
   if (!settings.map.view.has_eye()) {
-    for (const char* option : {"--eye-height", "--look-azimuth", "--pitch"})
+    for (const char* option : {"--eye-height", "--eye-summit", "--look-azimuth", "--pitch"})
       if (insists_on(given, option))
         throw UsageError(fmt::format("{} has no meaning without an eye", option),
                          "give --eye X,Y or --eye-lonlat LON,LAT too");
     settings.map.view.eye_height_m.reset();
+    settings.map.view.eye_summit_m.reset();
     settings.map.view.look_azimuth.reset();
     settings.map.view.pitch = {};
   }
@@ -175,7 +176,7 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
          {std::pair{"--distance", "leave it out"}, std::pair{"--fov", "leave it out"},
           std::pair{"--eye", "give --view-from AZ/EL"},
           std::pair{"--eye-lonlat", "give --view-from AZ/EL"},
-          std::pair{"--eye-height", "leave it out"},
+          std::pair{"--eye-height", "leave it out"}, std::pair{"--eye-summit", "leave it out"},
           std::pair{"--look-azimuth", "give --view-from AZ/EL"},
           std::pair{"--pitch", "give --view-from AZ/EL"}})
       if (insists_on(given, option) || (std::string_view(option).starts_with("--eye") &&
@@ -318,10 +319,21 @@ bool replaces_input(const std::string& input, const std::string& output) {
   return false;
 }
 
+void check_output_file(const RenderSettings& settings, const std::string& path,
+                       const std::string& option) {
+  check_no_input(settings, path, option, option);
+  for (const auto& [other, what] :
+       {std::pair{settings.output, "OUTPUT"}, std::pair{settings.report, "report"}})
+    if (!other.empty() && other != "-" && other != path && same_file(other, path))
+      throw UsageError(fmt::format("{} '{}' is the {} too", option, path, what),
+                       fmt::format("give {} another name", option));
+}
+
 void check_settings(RenderSettings& settings, const GivenOptions& given) {
   check_output(settings, given);
   check_report(settings, given);
   check_picture_settings(settings, given);
+  check_skyline(settings, given);
   check_plotting(settings, given);
   check_no_shape_file(settings);
 }

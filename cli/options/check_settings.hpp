@@ -18,6 +18,15 @@ void check_settings(RenderSettings& settings, const GivenOptions& given);
 /// The same of view and page alone.
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given);
 
+/// Throws UsageError where the skyline's table or its step has no meaning, or the table replaces an
+/// input or another output.
+void check_skyline(const RenderSettings& settings, const GivenOptions& given);
+
+/// Throws UsageError where a file that `option` names to be written is an input, the OUTPUT or the
+/// report.
+void check_output_file(const RenderSettings& settings, const std::string& path,
+                       const std::string& option);
+
 /// Whether writing `output` would replace a file that `input` is read from: the same file by any
 /// spelling or link, also behind GDAL's /vsi prefixes ("/vsizip/a.zip/b.tif") and subdataset names
 /// ("NETCDF:\"a.nc\":band").

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <utility>
@@ -51,16 +50,6 @@ bool take_mesh(const std::string& text, MeshSpec& mesh) {
   }
   mesh.spacing_m = parse_metres(text);
   return mesh.spacing_m && *mesh.spacing_m > 0;
-}
-
-// A file may have colons in its own name.
-OverlayInput parse_overlay(const std::string& text) {
-  const std::size_t colon = text.rfind(':');
-  std::error_code ignored;
-  if (colon == std::string::npos || colon == 0 || std::filesystem::exists(text, ignored) ||
-      text.find('/', colon) != std::string::npos)
-    return {text, "", ""};
-  return {text.substr(0, colon), text.substr(colon + 1), ""};
 }
 
 } // namespace

@@ -32,6 +32,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 33> kOptions
     {"field_of_view", "--fov"},
     {"eye_map", "--eye"},
     {"eye_lonlat", "--eye-lonlat"},
+    {"eye_summit_m", "--eye-summit"},
     {"look_at_map", "--look-at"},
     {"look_at_lonlat", "--look-at-lonlat"},
     {"curvature", "--curvature"},

@@ -34,6 +34,7 @@ struct Option {
   std::string name = {};       ///< "--fov", or "INPUT" for a positional argument (always required)
   char letter = 0;             ///< of the short form; 0 for none
   std::string value = {};      ///< placeholder, "DEG"; empty for a switch
+  std::string if_alone = {};   ///< a number that it has where none follows it; empty: one has to
   std::string help = {};       ///< a sentence without a full stop
   std::string allowed = {};    ///< which values are right, with their unit; also used in errors
   std::string by_default = {}; ///< empty where the help says all

@@ -25,6 +25,7 @@ void add_ground_line_options(std::vector<Option>& options, RenderSettings& setti
 void add_scene_options(std::vector<Option>& options, RenderSettings& settings);
 void add_page_options(std::vector<Option>& options, RenderSettings& settings);
 void add_output_options(std::vector<Option>& options, RenderSettings& settings);
+void add_skyline_options(std::vector<Option>& options, RenderSettings& settings);
 void add_plotting_options(std::vector<Option>& options, RenderSettings& settings);
 void add_pen_time_options(std::vector<Option>& options, RenderSettings& settings);
 

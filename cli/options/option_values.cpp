@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 namespace orograph {
 namespace {
@@ -202,6 +203,16 @@ std::optional<double> parse_scale(std::string_view text) {
   if (text.starts_with("1:")) text.remove_prefix(2);
   const auto scale = parse_number(text);
   return scale && *scale > 0 ? scale : std::nullopt;
+}
+
+// A file may have colons in its own name.
+OverlayInput parse_overlay(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  std::error_code ignored;
+  if (colon == std::string::npos || colon == 0 || std::filesystem::exists(text, ignored) ||
+      text.find('/', colon) != std::string::npos)
+    return {.path = text};
+  return {.path = text.substr(0, colon), .layer = text.substr(colon + 1)};
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

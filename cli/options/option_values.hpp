@@ -2,6 +2,7 @@
 // The values of options, from text. Nothing here knows which option it reads.
 #pragma once
 
+#include "dem/read/overlay_input.hpp"
 #include "draw/sheets.hpp"
 #include "geometry/angle.hpp"
 #include "geometry/box.hpp"
@@ -83,6 +84,9 @@ std::optional<SheetsRequest> parse_sheets(std::string_view text);
 
 /// "1:25000", or the number alone, above 0: how much smaller the page is.
 std::optional<double> parse_scale(std::string_view text);
+
+/// "FILE" or "FILE:LAYER".
+OverlayInput parse_overlay(const std::string& text);
 
 /// The parts between separators; empty parts stay.
 std::vector<std::string> split(std::string_view text, char separator);

@@ -10,6 +10,7 @@
 #include "cli/render_settings.hpp"
 #include "cli/sweep/sweep.hpp"
 #include "cli/tin.hpp"
+#include "cli/visible.hpp"
 
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ Command info_command(InfoSettings& settings);
 /// What `read` takes of a terrain's files, for programs; INPUT is one or several.
 InfoSettings take_reading(const NamedValues& options);
 Command tin_command(TinSettings& settings);
+Command visible_command(VisibleSettings& settings);
 
 /// What `orograph render` takes but for the terrain, the drawing's file, report and messages: for
 /// programs that have these in ways of their own.
@@ -46,5 +48,6 @@ std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& a
 std::optional<FragmentationSettings> parse_fragmentation(const std::vector<std::string>& arguments);
 std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments);
 std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments);
+std::optional<VisibleSettings> parse_visible(const std::vector<std::string>& arguments);
 
 } // namespace orograph

@@ -6,6 +6,7 @@
 #include "cli/options/settings_file.hpp"
 #include "cli/options/suggest_option.hpp"
 #include "geometry/error.hpp"
+#include "text/words.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -69,6 +70,10 @@ std::vector<std::string> tie_values(const Command& command,
       continue;
     }
     const bool last = i + 1 == arguments.size();
+    if (!option->if_alone.empty() && (last || !is_finite_number(arguments[i + 1]))) {
+      tied.push_back(option->name + "=" + option->if_alone);
+      continue;
+    }
     if (last || (arguments[i + 1].starts_with('-') && arguments[i + 1].size() > 1 &&
                  !looks_negative(arguments[i + 1])))
       throw UsageError(option->name + " has no value", how_to_give(*option));

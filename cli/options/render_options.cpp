@@ -26,7 +26,7 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
     return is_perspective && (!view.distance_m || view.field_of_view);
   if (option == "distance" || option == "refraction" || option == "curvature-coefficient")
     return is_perspective;
-  if (option == "eye-height") return view.has_eye();
+  if (option == "eye-height" || option == "eye-summit") return view.has_eye();
   if (option == "pitch") return view.look_azimuth.has_value();
   if (option == "dpi") return settings.write.format == Format::png;
   if (option == "device") return language_of(settings.write.format).has_value();
@@ -112,8 +112,8 @@ std::vector<Conflict> picture_conflicts() {
       {"--quiet", "--progress", "give one of the two"}};
   for (const char* option :
        {"--view-from", "--projection", "--oblique", "--axonometric", "--distance", "--fov", "--eye",
-        "--eye-lonlat", "--eye-height", "--look-at", "--look-at-lonlat", "--look-azimuth",
-        "--pitch", "--roll"})
+        "--eye-lonlat", "--eye-height", "--eye-summit", "--look-at", "--look-at-lonlat",
+        "--look-azimuth", "--pitch", "--roll"})
     conflicts.push_back({"--view", option, "the file holds the whole view"});
   for (const Conflict& conflict : terrain_conflicts()) conflicts.push_back(conflict);
   return conflicts;
@@ -147,6 +147,7 @@ Command render_command(RenderSettings& settings) {
                            fmt::join(format_names(), ", ")),
        .take = stored_name(settings.output)});
   add_drawing_options(command.options, settings);
+  add_skyline_options(command.options, settings);
   add_general_options(command.options, settings.settings_file, settings.quiet, settings.progress);
   command.options.push_back(full_help_option());
   command.daily = daily_options();

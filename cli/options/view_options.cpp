@@ -61,6 +61,15 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
                    .by_default = fmt::format("{}", kEyeHeight_m)},
                   {.unit = "metres", .low = 0, .low_excluded = true},
                   [&s](double m) { s.map.view.eye_height_m = m; }));
+  options.push_back(with_number(
+      {.group = kGroup,
+       .name = "--eye-summit",
+       .value = "[M]",
+       .if_alone = "50",
+       .help = "Put the eye on the highest ground within M metres of its place, 50 without M, as "
+               "high above it as it was, and say where that is"},
+      {.unit = "metres", .low = 0, .high = 100000, .low_excluded = true},
+      [&s](double m) { s.map.view.eye_summit_m = m; }));
   options.push_back({.group = kGroup,
                      .name = "--look-at",
                      .value = "X,Y[,Z]",

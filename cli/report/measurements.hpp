@@ -3,6 +3,8 @@
 // gnuplot, which runs nowhere else.
 #pragma once
 
+#include "text/csv_text.hpp"
+
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -21,10 +23,6 @@ template <class Optional>
 Value known(const Optional& x) {
   return x ? Value(*x) : Value();
 }
-
-/// A text as a cell of CSV, in quotes where it needs them (RFC 4180). A text that a spreadsheet
-/// would take for a formula has a ' in front, which spreadsheets take for "this is text".
-std::string csv_text(const std::string& text);
 
 /// Seconds as milliseconds, with so many decimals.
 std::string milliseconds(double seconds, int decimals);

@@ -198,6 +198,25 @@ void count_sheets(RunReport& report, std::span<const Drawing> sheets,
   report.pen_lifts = travel.lifts;
 }
 
+Json json_of(const SkylinePlace& place) {
+  return {{"azimuth_deg", place.bearing.azimuth_deg},
+          {"altitude_deg", place.bearing.altitude_deg},
+          {"distance_m", place.bearing.distance_m},
+          {"map", {place.map.x, place.map.y, place.height}},
+          {"lonlat", place.lonlat ? Json{place.lonlat->x, place.lonlat->y} : Json()},
+          {"at_border", place.at_border}};
+}
+
+Json json_of(const Skyline& skyline) {
+  return {{"directions", skyline.directions.size()},
+          {"at_border", std::ranges::count_if(skyline.directions,
+                                              [](const auto& direction) {
+                                                return direction.place &&
+                                                       direction.place->at_border;
+                                              })},
+          {"most_distant", skyline.most_distant ? json_of(*skyline.most_distant) : Json()}};
+}
+
 Json json_of(const CheckCounts& check) {
   return {{"asked", check.asked},
           {"ties", check.ties},
@@ -312,6 +331,7 @@ std::string report_text(const RunReport& report) {
                   {"ink_left_out_mm",
                    {{"silhouette_jump", report.left_out.silhouette_jump_mm},
                     {"min_stroke", report.left_out.min_stroke_mm}}},
+                  {"skyline", report.skyline ? json_of(*report.skyline) : Json()},
                   {"check", report.check ? json_of(*report.check) : Json()},
                   {"seconds", json_of(report.seconds)},
                   {"peak_memory_bytes", report.peak_memory_bytes},

@@ -6,6 +6,7 @@
 #include "cli/options/option.hpp"
 #include "draw/drawing.hpp"
 #include "map/draw_map.hpp"
+#include "map/place_sight.hpp"
 #include "placing/view_file.hpp"
 
 #include <cstdint>
@@ -34,6 +35,7 @@ struct RunReport : MapFacts {
   Page page;
   std::vector<std::optional<double>> minutes_of_layers; ///< as many as layers
   std::vector<SheetFacts> sheets;                       ///< none: one page
+  std::optional<Skyline> skyline;                       ///< where its table is asked for
   std::uint64_t peak_memory_bytes = 0;
   std::map<std::string, std::string> libraries; ///< name to version
 };

@@ -7,6 +7,7 @@
 #include "dem/read/vector_layer.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,12 +36,69 @@ using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
                                            fmt::join(fields, ", "), fields.front()));
 }
 
+// Coordinates in columns of a CSV: longitudes and latitudes go before others, which are the
+// terrain's.
+struct CoordinateColumns {
+  const char *x, *y;
+  bool are_degrees;
+};
+constexpr CoordinateColumns kCoordinateColumns[] = {
+    {"X_POSSIBLE_NAMES=lon,long,lng,longitude", "Y_POSSIBLE_NAMES=lat,latitude", true},
+    {"X_POSSIBLE_NAMES=x,east,easting,e", "Y_POSSIBLE_NAMES=y,north,northing,n", false}};
+
+struct OpenedOverlay {
+  Dataset dataset;
+  bool in_degrees = false; ///< as its columns say, without a CRS
+};
+
+bool has_geometries(GDALDataset& dataset) {
+  for (OGRLayer* layer : dataset.GetLayers())
+    if (layer->GetGeomType() != wkbNone) return true;
+  return false;
+}
+
+OpenedOverlay open_overlay(const std::string& path) {
+  const auto open = [&](const char* const* options) {
+    return Dataset(GDALDataset::Open(
+        path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, options));
+  };
+  if (extension_of(path) != ".csv") return {open(nullptr)};
+  for (const auto& [x, y, are_degrees] : kCoordinateColumns) {
+    // In the terrain's CRS columns would only say again where a point is.
+    const char* const keep = are_degrees ? "KEEP_GEOM_COLUMNS=YES" : "KEEP_GEOM_COLUMNS=NO";
+    const char* const options[] = {x, y, keep, "AUTODETECT_TYPE=YES", nullptr};
+    Dataset dataset = open(options);
+    if (!dataset || has_geometries(*dataset)) return {std::move(dataset), are_degrees};
+  }
+  throw Error(path + " has no columns of coordinates",
+              "name them lon and lat, or x and y in the terrain's CRS");
+}
+
+// The one that is meant: named, the only one, or the only one that isn't empty, as GPX has.
+std::string layer_meant(GDALDataset& dataset, const OverlayInput& input) {
+  if (!input.layer.empty() || dataset.GetLayerCount() < 2) return input.layer;
+  std::string found;
+  for (OGRLayer* layer : dataset.GetLayers()) {
+    if (layer->GetGeomType() == wkbNone || layer->GetFeatureCount() == 0) continue;
+    if (!found.empty()) return {};
+    found = layer->GetName();
+  }
+  return found;
+}
+
+Crs plane_of_layer(OGRLayer& layer, bool in_degrees) {
+  if (const OGRSpatialReference* given = layer.GetSpatialRef(); tells_place(given))
+    return plane_of(Crs(given->Clone()));
+  return in_degrees ? plane_of(crs_from_text("EPSG:4326")) : nullptr;
+}
+
 // From a layer's plane to the terrain's; null where coordinates are the same.
 class Way {
 public:
-  Way(OGRLayer& layer, const OverlayInput& input, const MapFrame& map, Overlay& overlay) {
-    const OGRSpatialReference* given = layer.GetSpatialRef();
-    const bool has_place = tells_place(given), map_has = !map.crs_wkt.empty();
+  Way(OGRLayer& layer, bool in_degrees, const OverlayInput& input, const MapFrame& map,
+      Overlay& overlay) {
+    const Crs from = plane_of_layer(layer, in_degrees);
+    const bool has_place = from != nullptr, map_has = !map.crs_wkt.empty();
     if (!has_place || !map_has) {
       if (has_place != map_has)
         overlay.notes.push_back(fmt::format("{} has no CRS: coordinates of {} are taken as the "
@@ -48,7 +106,7 @@ public:
                                             has_place ? "The terrain" : input.path, input.path));
       return;
     }
-    const Crs from = plane_of(Crs(given->Clone())), to = plane_of(crs_from_text(map.crs_wkt));
+    const Crs to = plane_of(crs_from_text(map.crs_wkt));
     if (from->IsSame(to.get())) return;
     there_.reset(OGRCreateCoordinateTransformation(from.get(), to.get()));
     if (there_) back_.reset(there_->GetInverse());
@@ -90,13 +148,13 @@ std::optional<Box2> box_there(const Box2& map, const Way& way) {
 class OverlayReader {
 public:
   OverlayReader(const Way& way, const Box2& bounds, double cell, std::optional<double> turn,
-                Overlay& out)
-      : way_(way), bounds_(bounds), cell_(cell), turn_(turn), out_(out) {}
+                bool everywhere, Overlay& out)
+      : way_(way), bounds_(bounds), cell_(cell), turn_(turn), everywhere_(everywhere), out_(out) {}
 
   void add(const OGRFeature& feature) {
     const std::size_t first = out_.lines.size();
     if (const OGRGeometry* geometry = feature.GetGeometryRef()) add(*geometry, feature.GetFID());
-    if (out_.lines.size() > first)
+    if (out_.lines.size() > first || everywhere_)
       out_.features.push_back({attributes_of(feature), first, out_.lines.size() - first});
   }
   bool is_over_terrain() const { return over_terrain_; }
@@ -217,6 +275,7 @@ private:
   Box2 bounds_;
   double cell_;
   std::optional<double> turn_;
+  bool everywhere_;
   Overlay& out_;
   Vec2 last_given_{};
   bool over_terrain_ = false;
@@ -233,13 +292,12 @@ Overlay read_overlay(const OverlayInput& input, const MapFrame& map, const Box2&
                      double cell) {
   const NetworkGate gate({input.path}, input.allow_network);
   const GdalMessages messages;
-  const Dataset dataset(GDALDataset::Open(input.path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY |
-                                                                  GDAL_OF_VERBOSE_ERROR));
+  const auto [dataset, in_degrees] = open_overlay(input.path);
   if (!dataset)
     throw Error(fmt::format("{} can't be opened as a vector file ({})", input.path,
                             messages.last_failure()),
                 "give layers that GDAL reads, such as GeoPackage, Shapefile or GeoJSON");
-  OGRLayer& layer = layer_of(*dataset, input.path, input.layer,
+  OGRLayer& layer = layer_of(*dataset, input.path, layer_meant(*dataset, input),
                              fmt::format("name one, as in {}:LAYER", input.path));
   Overlay out;
   out.notes = gate.doubts();
@@ -249,11 +307,11 @@ Overlay read_overlay(const OverlayInput& input, const MapFrame& map, const Box2&
     out.fields.emplace_back(kind.GetFieldDefn(i)->GetNameRef());
   if (!input.where.empty() && layer.SetAttributeFilter(input.where.c_str()) != OGRERR_NONE)
     refuse_condition(layer, input, messages);
-  const Way way(layer, input, map, out);
+  const Way way(layer, in_degrees, input, map, out);
   const std::optional<double> turn = whole_turn(map.crs_wkt);
-  if (const auto box = box_there(bounds, way); box && !turn)
+  if (const auto box = box_there(bounds, way); box && !turn && !input.everywhere)
     layer.SetSpatialFilterRect(box->low.x, box->low.y, box->high.x, box->high.y);
-  OverlayReader reader(way, bounds, cell, turn, out);
+  OverlayReader reader(way, bounds, cell, turn, input.everywhere, out);
   layer.ResetReading();
   for (const auto& feature : layer) {
     throw_if_stopped();

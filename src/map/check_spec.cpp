@@ -16,6 +16,7 @@
 namespace orograph {
 namespace {
 
+constexpr double kMostSummit_m = 100000;
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 // From `low` to `high`, both included.
@@ -64,6 +65,7 @@ void check_view(const ViewSpec& view) {
   }
   if (view.distance_m) check_above_0("distance_m", *view.distance_m, kNone, " m");
   if (view.eye_height_m) check_above_0("eye_height_m", *view.eye_height_m, kNone, " m");
+  if (view.eye_summit_m) check_above_0("eye_summit_m", *view.eye_summit_m, kMostSummit_m, " m");
   if (view.look_azimuth)
     check_range("look_azimuth", view.look_azimuth->in_degrees(), -1e6, 1e6, " degrees");
   if (view.pitch) check_range("pitch", view.pitch->in_degrees(), -90, 90, " degrees");
@@ -164,6 +166,28 @@ void check_page(const PageRequest& page) {
 }
 
 } // namespace
+
+void check_eye_spec(const ViewSpec& view) {
+  if (!view.has_eye())
+    throw UsageError("there is no eye to look from", "`eye_map` or `eye_lonlat`");
+  if (view.file)
+    throw UsageError("a view in a file has no eye to look around from",
+                     "`eye_map` or `eye_lonlat` without it");
+  ViewSpec eye = view; // in what picture doesn't matter
+  eye.projection = Projection::perspective;
+  check_view(eye);
+}
+
+void check_sights(const std::vector<Vec2>& places, double above_m) {
+  check_range("above_m", above_m, 0, kNone, " m");
+  for (const Vec2 place : places)
+    if (!std::isfinite(place.x) || !std::isfinite(place.y))
+      throw UsageError(fmt::format("a place is {},{}", place.x, place.y), "finite numbers");
+}
+
+void check_skyline_step(double step_deg) {
+  check_range("step_deg", step_deg, 0.001, 90, " degrees");
+}
 
 void check_spec(const MapSpec& spec, bool has_solids) {
   if (!spec.view.file) check_view(spec.view);

@@ -52,7 +52,9 @@ struct ViewSpec {
   std::optional<GivenPlace> eye_map, look_at_map;       ///< in map coordinates
   std::optional<GivenPlace> eye_lonlat, look_at_lonlat; ///< longitude and latitude, WGS 84
   std::optional<double> eye_height_m;                   ///< above the ground; none: kEyeHeight_m
-  std::optional<Angle> look_azimuth;                    ///< from true north where it is known
+  /// The eye goes to the highest ground within so many metres, as high above it as it was.
+  std::optional<double> eye_summit_m;
+  std::optional<Angle> look_azimuth; ///< from true north where it is known
   /// Upwards; beside `look_azimuth`. None, and nothing to look at either: the picture's window is
   /// shifted so that skyline and foreground fill it (placing/frame_eye_view.hpp).
   std::optional<Angle> pitch;

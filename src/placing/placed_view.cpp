@@ -8,6 +8,7 @@
 #include "placing/frame_eye_view.hpp"
 #include "placing/geodesy.hpp"
 #include "placing/give_tone.hpp"
+#include "placing/observer.hpp"
 #include "placing/placed_solids.hpp"
 #include "placing/places.hpp"
 #include "placing/view_in_frame.hpp"
@@ -63,20 +64,6 @@ std::optional<double> ground_under_eye(const View& view, const Surface& surface)
   if (!view.is_perspective()) return std::nullopt;
   const auto height = height_at(surface, view.depth_origin_m);
   return height ? std::optional(*height * view.exaggeration) : std::nullopt;
-}
-
-void check_eye(const View& view, double ground_z_m, const MapFrame& map) {
-  // On the ground itself, but for rounding, is not under it.
-  constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
-  if (view.eye_z_m >= ground_z_m - kRounding * std::abs(ground_z_m)) return;
-  const auto height = [&](double z_m) {
-    const Vec2 at = view.depth_origin_m;
-    return map.to_map({at.x, at.y, z_m / view.exaggeration}).z;
-  };
-  throw Error(
-      fmt::format("the eye, at height {:.6g}, is under the ground, which is at {:.6g} there",
-                  height(view.eye_z_m), height(ground_z_m)),
-      "raise the eye, or move it");
 }
 
 void place_view_file(PlacedView& placed, const ViewFile& file, const MapFrame& map,
@@ -323,7 +310,7 @@ PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& 
   if (solids) check_eye_outside(placed.solids, *solids, placed.view);
   const std::optional<double> under_eye_m = ground_under_eye(placed.view, surface);
   if (under_eye_m) {
-    check_eye(placed.view, *under_eye_m, terrain.map);
+    check_above_ground(placed.view, *under_eye_m, terrain.map);
     keep_off_the_ground(placed.view, *under_eye_m, placed.cell_m);
     if (spec.view.has_eye())
       placed.near_skyline =

@@ -5,6 +5,7 @@
 #include "dem/height_at.hpp"
 #include "dem/read/lonlat.hpp"
 #include "geometry/error.hpp"
+#include "placing/eye_summit.hpp"
 #include "placing/terrain_facts.hpp"
 
 #include <fmt/format.h>
@@ -94,33 +95,11 @@ double height_near(const Grid& grid, Vec3 ground_m) {
   return std::isnan(height) ? 0 : height;
 }
 
-// The ground at a place on the map. On the ellipsoid uprights lean away from the origin's, so that
-// height and place in the frame are found together.
-std::optional<Vec3> on_ground(Vec2 place, const TerrainData& terrain) {
-  Vec3 at = terrain.map.to_ground_m({place.x, place.y, 0});
-  if (!terrain.map.earth) {
-    const auto height = height_at(terrain.surface, {at.x, at.y});
-    return height ? std::optional(Vec3{at.x, at.y, *height}) : std::nullopt;
-  }
-  // At about its height, lest it is beyond the terrain's border or a gap's.
-  const double height_m = height_near(std::get<Grid>(terrain.surface), at);
-  at = terrain.map.to_ground_m({place.x, place.y, height_m / terrain.map.height_unit_m});
-  constexpr int kSteps = 8; // each is nearer by what the upright leans, a fiftieth 100 km away
-  Vec3 ground = at;
-  for (int i = 0; i < kSteps; ++i) {
-    const auto z = height_at(terrain.surface, {at.x, at.y});
-    if (!z) return std::nullopt;
-    ground = {at.x, at.y, *z};
-    at = terrain.map.to_ground_m({place.x, place.y, terrain.map.to_map(ground).z});
-  }
-  return ground; // not `at`, which a rounding may have put below it
-}
-
 Vec3 ground_m(const NamedPlace& at, Vec2 place, const TerrainData& terrain) {
   if (!has_ground(terrain.surface))
     throw Error(at.text() + ": without a terrain there is no ground to stand on",
                 fmt::format("give a height, {}", at.with_height()));
-  if (const auto ground = on_ground(place, terrain)) return *ground;
+  if (const auto ground = ground_at(place, terrain)) return *ground;
   const Box2 bounds = map_bounds(terrain);
   if (holds(bounds, place))
     throw Error(fmt::format("{}: the terrain has a gap there, so the ground's height isn't known",
@@ -184,6 +163,30 @@ Vec2 place_on_map(const NamedPlace& at, const TerrainData& terrain) {
   return in_turn_of(terrain, place);
 }
 
+// On the ellipsoid uprights lean away from the origin's, so that height and place in the frame are
+// found together.
+std::optional<Vec3> ground_at(Vec2 place, const TerrainData& terrain) {
+  Vec3 at = terrain.map.to_ground_m({place.x, place.y, 0});
+  if (!terrain.map.earth) {
+    const auto height = height_at(terrain.surface, {at.x, at.y});
+    return height ? std::optional(Vec3{at.x, at.y, *height}) : std::nullopt;
+  }
+  // At about its height, lest it is beyond the terrain's border or a gap's.
+  const double height_m = height_near(std::get<Grid>(terrain.surface), at);
+  at = terrain.map.to_ground_m({place.x, place.y, height_m / terrain.map.height_unit_m});
+  constexpr int kSteps = 8; // each is nearer by what the upright leans, a fiftieth 100 km away
+  Vec3 ground = at;
+  for (int i = 0; i < kSteps; ++i) {
+    const auto z = height_at(terrain.surface, {at.x, at.y});
+    if (!z) return std::nullopt;
+    ground = {at.x, at.y, *z};
+    const Vec3 next = terrain.map.to_ground_m({place.x, place.y, terrain.map.to_map(ground).z});
+    if (next.x == at.x && next.y == at.y) break;
+    at = next;
+  }
+  return ground; // not `at`, which a rounding may have put below it
+}
+
 Vec3 place_in_ground_frame(const NamedPlace& at, const TerrainData& terrain,
                            double above_ground_m) {
   const Vec2 place = place_on_map(at, terrain);
@@ -192,7 +195,8 @@ Vec3 place_in_ground_frame(const NamedPlace& at, const TerrainData& terrain,
   return ground_m(at, place, terrain) + Vec3{0, 0, above_ground_m};
 }
 
-void place_eye(ViewRequest& request, const ViewSpec& view, const TerrainData& terrain) {
+void place_eye(ViewRequest& request, const ViewSpec& asked, const TerrainData& terrain) {
+  const ViewSpec view = on_summit(asked, terrain);
   if (const auto eye = eye_of(view)) {
     const double above_m = view.eye_height_m.value_or(kEyeHeight_m) / request.exaggeration;
     request.eye_m = place_in_ground_frame(*eye, terrain, above_m);
@@ -202,7 +206,8 @@ void place_eye(ViewRequest& request, const ViewSpec& view, const TerrainData& te
     request.look_at_m = place_in_ground_frame(*target, terrain, 0);
 }
 
-std::optional<Vec2> given_place(const ViewSpec& view, const TerrainData& terrain) {
+std::optional<Vec2> given_place(const ViewSpec& asked, const TerrainData& terrain) {
+  const ViewSpec view = on_summit(asked, terrain);
   if (const auto eye = eye_of(view)) return place_on_map(*eye, terrain);
   if (const auto target = target_of(view)) return place_on_map(*target, terrain);
   return std::nullopt;

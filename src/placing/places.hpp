@@ -29,11 +29,16 @@ struct NamedPlace {
 /// where longitude and latitude aren't known, are swapped, beyond a pole, or far from the terrain.
 Vec2 place_on_map(const NamedPlace& at, const TerrainData& terrain);
 
-/// The same in the ground frame, true height: that given, or the ground's and `above_ground_m`.
-/// Throws Error as well where there is no ground to stand on.
+/// The ground at a place in these coordinates, in the ground frame, true height; none where there
+/// is none.
+std::optional<Vec3> ground_at(Vec2 place, const TerrainData& terrain);
+
+/// A named place in the ground frame, true height: that given, or the ground's and
+/// `above_ground_m`. Throws Error as well where there is no ground to stand on.
 Vec3 place_in_ground_frame(const NamedPlace& at, const TerrainData& terrain, double above_ground_m);
 
-/// Sets eye, and target or direction of looking, of `request`, as far as `view` gives them.
+/// Sets eye, and target or direction of looking, of `request`, as far as `view` gives them; the eye
+/// on a summit where it asks for one (placing/eye_summit.hpp).
 /// What has no height stands on the ground, the eye as high above it as asked for after the ground
 /// has been exaggerated by `request.exaggeration`; heights that are given are the file's. A
 /// direction counts from true north where the CRS tells it, else from the map's upwards.

@@ -15,6 +15,11 @@ std::vector<BorderEdge> border_of(const Tin& tin, const SurfaceExtent&) {
 
 } // namespace
 
+std::vector<BorderEdge> border_of(const Surface& surface) {
+  if (const Grid* grid = std::get_if<Grid>(&surface)) return border_edges(*grid, false);
+  return border_edges(std::get<Tin>(surface));
+}
+
 double chosen_exaggeration(const Box3& terrain) {
   const Vec3 size = terrain.high - terrain.low;
   const double steepness = size.z / std::max(size.x, size.y);

@@ -25,6 +25,9 @@ struct TerrainFacts {
 /// heights, a third where some are missing.
 TerrainFacts facts_of(const TerrainData& terrain);
 
+/// The edges of its border, voids' borders too: `border_edges` of either kind. Cost: one pass.
+std::vector<BorderEdge> border_of(const Surface& surface);
+
 /// 1, 1.5 or 2, so that most terrains read well from 25 degrees: by highest less lowest height over
 /// the longer side of the ground. Steep terrain, from 0.12 on, is left true; 0.06 is a high
 /// mountain range of 30 km.

@@ -26,13 +26,15 @@ struct Tables {
   InfoSettings info_settings;
   TinSettings tin_settings;
   FragmentationSettings fragmentation_settings;
+  VisibleSettings visible_settings;
   std::vector<Command> commands{render_command(render_settings),
                                 sweep_command(sweep_settings),
                                 merge_command(merge_settings),
                                 accuracy_command(accuracy_settings),
                                 info_command(info_settings),
                                 tin_command(tin_settings),
-                                fragmentation_command(fragmentation_settings)};
+                                fragmentation_command(fragmentation_settings),
+                                visible_command(visible_settings)};
 };
 
 std::string without_backslashes(std::string text) {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an eye sees of a terrain, without a picture: which places, and its skyline all round.
+#pragma once
+
+#include "dem/terrain.hpp"
+#include "geometry/box.hpp"
+#include "geometry/vec.hpp"
+#include "map/place_sight.hpp"
+#include "placing/observer.hpp"
+#include "profiles/outline.hpp"
+#include "profiles/sight_lines.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// An eye over its terrain. Its answers don't depend on the number of threads.
+class LookAround {
+public:
+  /// REQUIRES a terrain with ground, that it outlives this, and `border_edges` of it.
+  LookAround(const TerrainData& terrain, std::span<const BorderEdge> border,
+             const Observer& observer);
+
+  /// Of places in map coordinates (longitudes in any turn), `above_m` above the ground, which
+  /// exaggeration leaves as it is. Cost: some 5 ns for a triangle on the way to each.
+  std::vector<PlaceSight> sights(std::span<const Vec2> places, double above_m) const;
+
+  /// From north clockwise, every `step_deg` below 360. The most distant place is that of directions
+  /// no farther apart than a cell at the terrain's farthest corner, or 0.01 degrees.
+  Skyline skyline(double step_deg) const;
+
+private:
+  PlaceSight sight_of(Vec2 place, double above_m) const;
+  SkylinePlace place_of(Vec2 towards, const SightLine& sight) const;
+  Vec2 direction(double true_azimuth_deg) const;
+  std::optional<Bearing> geodesic_to(Vec2 map) const;
+  Vec3 to_map(Vec2 direction, double distance_m, double z_m) const;
+
+  const TerrainData& terrain_;
+  View view_;
+  SightLines lines_;
+  Box2 bounds_; ///< of the terrain, in map coordinates
+  Vec3 eye_map_;
+  std::optional<Vec2> eye_lonlat_; ///< none where the CRS isn't on the earth
+};
+
+} // namespace orograph
