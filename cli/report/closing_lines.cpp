@@ -42,6 +42,9 @@ std::string view_in_words(const PlacedView& placed, const ViewSpec& asked) {
     return from + ", orthographic";
   case Projection::oblique:
     return fmt::format("from azimuth {}, oblique", from_azimuth);
+  case Projection::cylindrical: // whose view is one in perspective
+  case Projection::equirectangular:
+    break;
   }
   return from;
 }

@@ -25,6 +25,10 @@ std::string projection_name(Projection projection) {
     return "orthographic";
   case Projection::oblique:
     return "oblique";
+  case Projection::cylindrical:
+    return "cylindrical";
+  case Projection::equirectangular:
+    return "equirectangular";
   }
   return "perspective";
 }
