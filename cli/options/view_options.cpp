@@ -182,8 +182,9 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
       {.group = kGroup,
        .name = "--fov",
        .value = "DEG",
-       .help = "Horizontal field of view, less than 180 in perspective; no parallel view has one",
-       .by_default = "30; 360 of a panorama"},
+       .help = "Horizontal field of view, less than 180 in perspective, and of a panorama up to "
+               "360, which it has by default; no parallel view has one",
+       .by_default = "30"},
       {.unit = "degrees", .low = 0, .high = 360, .low_excluded = true},
       [&s](double deg) { s.map.view.field_of_view = Angle::degrees(deg); }));
   add_eye_options(options, s);

@@ -32,6 +32,11 @@ std::string view_in_words(const PlacedView& placed, const ViewSpec& asked) {
     const double deg = std::round(10 * atan2_angle(towards.x, towards.y).in_degrees()) / 10;
     return deg < 0 ? deg + 360 : deg;
   };
+  if (placed.panorama)
+    return fmt::format("{} panorama of {:.6g} degrees",
+                       asked.projection == Projection::cylindrical ? "cylindrical"
+                                                                   : "equirectangular",
+                       placed.panorama->width_deg);
   if (asked.has_eye()) return fmt::format("from the eye towards azimuth {}", azimuth(view.forward));
   const double from_azimuth = azimuth(-1.0 * view.forward);
   const std::string from = fmt::format("from {}/{:.3g}", from_azimuth, view.elevation.in_degrees());

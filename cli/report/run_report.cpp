@@ -93,12 +93,21 @@ Json json_of(const ViewFile& view) {
       {"exaggeration", view.exaggeration}};
 }
 
+Json json_of(const PanoramaFacts& panorama) {
+  return {{"azimuth_from_deg", panorama.azimuth_from_deg},
+          {"azimuth_to_deg", panorama.azimuth_to_deg},
+          {"altitude_low_deg", panorama.altitude_low_deg},
+          {"altitude_high_deg", panorama.altitude_high_deg},
+          {"radius_mm", panorama.radius_mm},
+          {"strips", panorama.strips}};
+}
+
 Json json_of(const ViewFacts& view) {
   Json rows = Json::array();
   for (std::size_t row = 0; row < 3; ++row)
     rows.push_back({view.homography.m[3 * row], view.homography.m[3 * row + 1],
                     view.homography.m[3 * row + 2]});
-  return {{"projection", view.projection},
+  Json json = {{"projection", view.projection},
           {"view_from_azimuth_deg", view.view_from_azimuth_deg},
           {"view_from_auto", view.view_from_auto},
           {"look_azimuth_deg", view.look_azimuth_deg},
@@ -132,6 +141,11 @@ Json json_of(const ViewFacts& view) {
             {"effective_radius_m", view.curvature.effective_radius_m}}},
           {"homography", rows},
           {"phigs", json_of(view.phigs)}};
+  if (view.panorama) { // which is no plane picture
+    json["panorama"] = json_of(*view.panorama);
+    json["phigs"] = nullptr;
+  }
+  return json;
 }
 
 Json json_of(const Counts& counts) {
@@ -248,7 +262,7 @@ NamedValues settings_of(const MapFacts& facts, const RenderSettings& settings) {
                                settings.map.view.oblique.rise.in_degrees()));
   if (style.light) {
     add("light-by", style.light->by_density ? "density" : "width");
-    add("haze", fmt::format("{}", style.haze_in(facts.view.projection == "perspective")));
+    add("haze", fmt::format("{}", style.haze_in(facts.view.eye.has_value())));
   }
   add("min-stroke", fmt::format("{}", settings.map.min_stroke_mm()));
   return all;

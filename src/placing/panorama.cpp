@@ -24,6 +24,7 @@ constexpr double kSector_deg = 360.0 / kSectors;
 
 constexpr double kColumn_deg = 2.5;     // between directions in which the skyline is looked for
 constexpr double kForeground_deg = 25;  // under the lowest skyline
+constexpr double kSkylineShare = 0.75;  // of the height, in which the skyline is to be
 constexpr double kSteepest_deg = 80;    // up or down; on a cylinder they run to infinity
 constexpr double kBetweenStrips = 0.08; // share of a strip's height
 constexpr double kRounding_deg = 1e-9;
@@ -112,12 +113,34 @@ double tangent_at(const GroundAhead& column, const View& ahead, std::size_t i) {
   return column.y(ahead, i) / std::hypot(1, column.x);
 }
 
+// Of all that are given, the one under which, no farther than `room`, most others are; the highest
+// of such.
+double top_of_most(std::vector<double> heights, double room, double otherwise) {
+  std::ranges::sort(heights);
+  std::size_t most = 0, first = 0;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    while (heights[first] < heights[i] - room) ++first;
+    if (i + 1 - first < most) continue;
+    most = i + 1 - first;
+    otherwise = heights[i];
+  }
+  return otherwise;
+}
+
 // Of all strips together, a strip's height being 1.
 double heights_of_strips(int strips) {
   return strips + (strips - 1) * kBetweenStrips;
 }
 
 } // namespace
+
+double Panorama::whole_sector_mm() const {
+  return radians(kSector_deg) * page.radius_mm;
+}
+
+double whole_sector_half_width() {
+  return tangent(0.5 * kSector_deg);
+}
 
 double Panorama::altitude_deg(double tangent) const {
   return atan2_angle(tangent, 1).in_degrees();
@@ -153,6 +176,7 @@ std::vector<Sector> sectors_of(const Panorama& panorama, const View& ahead) {
     sector.to_view = {dot(sector.view.forward, ahead.forward),
                       dot(sector.view.forward, ahead.right)};
     const auto x_mm = [&](double deg) { return page.x_mm(radians(deg - panorama.middle_deg)); };
+    sector.azimuth = radians(wedge.axis_deg - panorama.middle_deg);
     sector.to_page = {{page.radius_mm, 0, x_mm(wedge.axis_deg), //
                        0, -page.radius_mm, page.ahead_mm.y,     //
                        0, 0, 1}};
@@ -184,12 +208,14 @@ void frame_panorama(Panorama& panorama, const View& ahead, const TerrainShape& t
     panorama.high_tangent = tan(asked->high);
     return;
   }
+  std::vector<double> skylines;
   double highest = greatest_tangent(terrain.points, panorama, ahead);
   double lowest_skyline = kInfinity, lowest = stands_over_ground ? -kInfinity : kInfinity;
   for (const GroundAhead& column : about) {
     const auto at = column.skyline(ahead);
     if (at < 0) continue;
     const double skyline = tangent_at(column, ahead, static_cast<std::size_t>(at));
+    skylines.push_back(height_of(panorama.kind, skyline));
     highest = std::max(highest, skyline);
     lowest_skyline = std::min(lowest_skyline, skyline);
     if (!stands_over_ground) lowest = std::min(lowest, tangent_at(column, ahead, 0));
@@ -226,7 +252,11 @@ void frame_panorama(Panorama& panorama, const View& ahead, const TerrainShape& t
                                                       : 1 / upright);
   }
   const double high = std::min(wanted, most / strips), steep = height(steepest);
-  const double top = std::min(height(highest) + kSkyShare * high, steep);
+  const double room = (kSkylineShare - kSkyShare) * high;
+  const double skyline = height(highest) - height(lowest_skyline) <= room
+                             ? height(highest)
+                             : top_of_most(std::move(skylines), room, height(highest));
+  const double top = std::min(skyline + kSkyShare * high, steep);
   panorama.high_tangent = tangent_of(panorama.kind, top);
   panorama.low_tangent = tangent_of(panorama.kind, std::max(top - high, -steep));
 }

@@ -30,6 +30,7 @@ struct Panorama {
   Box2 frame_mm;        ///< on that page
   std::vector<PanoramaStrip> strips; ///< left to right, where there are several
 
+  double whole_sector_mm() const; ///< how wide a sector is that the page shows all of
   double altitude_deg(double tangent) const;
 };
 
@@ -46,13 +47,18 @@ Panorama panorama_asked(const ViewSpec& view, const ViewRequest& request);
 /// altitudes and a page.
 std::vector<Sector> sectors_of(const Panorama& panorama, const View& ahead);
 
+/// Half the width in X of a sector that the page shows all of.
+double whole_sector_half_width();
+
 /// In all directions that are shown, some degrees apart.
 std::vector<GroundAhead> ground_about(const Panorama& panorama, const View& ahead,
                                       const CutSurface& of);
 
 /// Chooses altitudes by what is seen, where none are asked for: the highest skyline, and a little
 /// sky above it; below, 25 degrees under the lowest skyline, or as the ground ends, or as much as
-/// the page has room for. Throws Error where there is no ground in those directions.
+/// the page has room for. Where it hasn't room for all of the skyline, as where a rock beside the
+/// eye rises far above it, most of it is in the upper three quarters. Throws Error where there is
+/// no ground in those directions.
 void frame_panorama(Panorama& panorama, const View& ahead, const TerrainShape& terrain,
                     const std::vector<GroundAhead>& about, bool stands_over_ground,
                     const std::optional<AltitudeRange>& asked, const PageRequest& page);
