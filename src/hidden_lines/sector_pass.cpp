@@ -219,8 +219,10 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
                           cutter,
                           tolerance,
                           view.is_perspective() ? view.near_m : -kInfinity,
-                          in_list || instruments.beyond_page ? XRange{-kInfinity, kInfinity}
-                                                             : page_range(sector),
+                          // A panorama's profiles turn at its sectors' borders.
+                          !sector.frame_mm && (in_list || instruments.beyond_page)
+                              ? XRange{-kInfinity, kInfinity}
+                              : page_range(sector),
                           watched,
                           watched ? nullptr : ground,
                           instruments.vertices_a_strip,

@@ -151,8 +151,7 @@ Layer in_strips(const Layer& layer, std::span<const PanoramaStrip> strips) {
       ++out.strokes.back().point_count;
     };
     const auto points = layer.points(stroke);
-    std::size_t strip = strip_of(points.size() > 1 ? 0.5 * (points[0].x + points[1].x)
-                                                   : points[0].x);
+    std::size_t strip = strip_of(points[0].x);
     begin();
     add(points[0], strip, 0);
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -17,12 +17,13 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Sectors of 15 degrees: at their sides a flat picture is 1 / cos^2 of half of that, 1.7 %, wider
-// than the panorama; each looks over a narrow wedge of ground.
-constexpr int kSectors = 24;
+// Profiles are polygons about the eye, whose corners are seen in the foreground as bends: with
+// sectors of 15 degrees of 7 degrees where one looks 25 degrees down, with these of 2, a tenth of a
+// millimetre high. A 360 degree view takes 22 % longer with 72 than with 24.
+constexpr int kSectors = 72;
 constexpr double kSector_deg = 360.0 / kSectors;
 
-constexpr double kColumn_deg = 2.5;     // between directions in which the skyline is looked for
+constexpr double kColumn_deg = 5;       // between directions in which the skyline is looked for
 constexpr double kForeground_deg = 25;  // under the lowest skyline
 constexpr double kSkylineShare = 0.75;  // of the height, in which the skyline is to be
 constexpr double kSteepest_deg = 80;    // up or down; on a cylinder they run to infinity
