@@ -27,12 +27,12 @@ struct BlockInView {
   double y_high = kInfinity;
   double nearest_m = -kInfinity;
 };
+constexpr BlockInView kOutside{kInfinity, -kInfinity, -kInfinity, 0};
 
-// The greatest height of each block in a row of blocks, its border's vertices too; -infinity where
-// there is none.
+// Of a row of blocks.
 template <class Height>
 void greatest_heights(const Grid& grid, const Heights<Height>& heights, int block_row,
-                      std::vector<Height>& lanes, std::vector<double>& out) {
+                      std::vector<Height>& lanes, double* out) {
   const int first = block_row * kSide, last = std::min(first + kSide, grid.rows - 1);
   lanes.assign(static_cast<std::size_t>(grid.columns), -std::numeric_limits<Height>::infinity());
   for (int row = first; row <= last; ++row) {
@@ -40,10 +40,13 @@ void greatest_heights(const Grid& grid, const Heights<Height>& heights, int bloc
     Height* const lane = lanes.data();
     for (int c = 0; c < grid.columns; ++c) lane[c] = h[c] > lane[c] ? h[c] : lane[c];
   }
-  out.clear();
   for (int c = 0; c < grid.columns - 1; c += kSide)
-    out.push_back(*std::max_element(lanes.begin() + c,
-                                    lanes.begin() + std::min(c + kSide, grid.columns - 1) + 1));
+    *out++ = *std::max_element(lanes.begin() + c,
+                               lanes.begin() + std::min(c + kSide, grid.columns - 1) + 1);
+}
+
+int blocks_in(int cells) {
+  return (cells + kSide - 1) / kSide;
 }
 
 // A lower bound of how far a rectangle's ground sinks: a quadratic form is no farther below the
@@ -60,9 +63,10 @@ double least_drop(const FrameDrop& drop, const std::array<ProfilePoint, 4>& corn
 
 class Finder {
 public:
-  Finder(const Grid& grid, const View& view, const SeenGroundRequest& request)
-      : grid_(grid), view_(view), request_(request), cutter_(grid, view, no_level_),
-        over_blocks_(grid, view), all_(grid),
+  Finder(const Grid& grid, const std::vector<double>& heights, const View& view,
+         const SeenGroundRequest& request)
+      : grid_(grid), heights_(heights), view_(view), request_(request),
+        cutter_(grid, view, no_level_), over_blocks_(grid, view), all_(grid),
         rounding_m_(1e-9 * (reach_m(grid) + length(view.depth_origin_m))),
         in_view_(all_.seen.size()) {}
 
@@ -92,6 +96,7 @@ private:
   }
 
   const Grid& grid_;
+  const std::vector<double>& heights_;
   const View& view_;
   const SeenGroundRequest& request_;
   TriangleSet no_level_;
@@ -122,10 +127,19 @@ BlockInView Finder::place_block(int column, int row, double height) const {
     farthest = std::max(farthest, p.v);
   }
   block.nearest_m = nearest - rounding_m_;
+  if (view_.is_perspective()) {
+    if (farthest < -view_.near_m - rounding_m_) return kOutside;
+    if (!(block.nearest_m > view_.near_m)) return {-kInfinity, kInfinity, kInfinity, -kInfinity};
+    // All corners on the outer side of one of the range's sides, by more than rounding.
+    const auto is_beyond = [&](double x, double side) {
+      return std::isfinite(x) && std::ranges::all_of(corners, [&](const ProfilePoint& p) {
+               return side * (p.u - x * p.v) > 4 * rounding_m_ * (1 + std::abs(x));
+             });
+    };
+    if (is_beyond(request_.range.begin, -1) || is_beyond(request_.range.end, 1)) return kOutside;
+  }
   const double z = height * view_.exaggeration - least_drop(view_.drop, corners);
   if (view_.is_perspective()) {
-    if (farthest < -view_.near_m - rounding_m_) return {kInfinity, -kInfinity, -kInfinity, 0};
-    if (!(block.nearest_m > view_.near_m)) return {-kInfinity, kInfinity, kInfinity, -kInfinity};
     const double above = z - view_.eye_z_m;
     block.y_high = above > 0 ? above / nearest : above / farthest;
   } else {
@@ -154,16 +168,9 @@ bool Finder::is_in_view(const BlockInView& block) const {
 void Finder::place_blocks() {
   on_all_cores(static_cast<std::size_t>(all_.rows), [&](std::size_t task) {
     const int row = static_cast<int>(task);
-    std::vector<double> heights;
-    std::visit(
-        [&]<class Height>(const Heights<Height>& all) {
-          std::vector<Height> lanes;
-          greatest_heights(grid_, all, row, lanes, heights);
-        },
-        grid_.heights_m);
     for (int column = 0; column < all_.columns; ++column) {
       const std::size_t i = all_.index(column, row);
-      const double height = heights[static_cast<std::size_t>(column)];
+      const double height = heights_[i];
       if (height > -kInfinity) in_view_[i] = place_block(column, row, height);
       all_.seen[i] = height > -kInfinity && is_in_view(in_view_[i]) ? 1 : 0;
     }
@@ -299,8 +306,24 @@ void Finder::sweep_band(std::size_t band, SeenGround& seen) const {
 
 } // namespace
 
-SeenGround find_seen_ground(const Grid& grid, const View& view, const SeenGroundRequest& request) {
-  return Finder(grid, view, request).find();
+std::vector<double> block_heights(const Grid& grid) {
+  const int columns = blocks_in(grid.columns - 1), rows = blocks_in(grid.rows - 1);
+  std::vector<double> out(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  on_all_cores(static_cast<std::size_t>(rows), [&](std::size_t row) {
+    std::visit(
+        [&]<class Height>(const Heights<Height>& heights) {
+          std::vector<Height> lanes;
+          greatest_heights(grid, heights, static_cast<int>(row), lanes,
+                           &out[row * static_cast<std::size_t>(columns)]);
+        },
+        grid.heights_m);
+  });
+  return out;
+}
+
+SeenGround find_seen_ground(const Grid& grid, const std::vector<double>& block_heights,
+                            const View& view, const SeenGroundRequest& request) {
+  return Finder(grid, block_heights, view, request).find();
 }
 
 } // namespace orograph

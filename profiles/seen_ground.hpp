@@ -53,6 +53,10 @@ private:
   double u_along_, v_along_, u_across_, v_across_; ///< in a cell
 };
 
+/// The greatest height of each block, its border's vertices too, row by row; -infinity where there
+/// is none. Cost: 1 ns a height, on all cores.
+std::vector<double> block_heights(const Grid& grid);
+
 struct SeenGroundRequest {
   XRange range;       ///< what is shown; may be infinite
   double tolerance_y; ///< ground less than this under the horizon is looked at
@@ -65,7 +69,9 @@ struct SeenGroundRequest {
 ///
 /// The horizon is that of profiles some cells apart, as a lower bound in narrow columns of X: what
 /// the surface hides is more. A block's upper bound is its greatest height.
-/// REQUIRES a grid on a map plane. The same on any number of cores. Cost: 2 to 3 ns a height.
-SeenGround find_seen_ground(const Grid& grid, const View& view, const SeenGroundRequest& request);
+/// REQUIRES a grid on a map plane, and its `block_heights`. The same on any number of cores. Cost:
+/// a look at each block, and 1 to 2 ns a height of those in the range.
+SeenGround find_seen_ground(const Grid& grid, const std::vector<double>& block_heights,
+                            const View& view, const SeenGroundRequest& request);
 
 } // namespace orograph

@@ -4,6 +4,7 @@
 
 #include "dem/surface.hpp"
 #include "geometry/profile_point.hpp"
+#include "geometry/turn.hpp"
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
@@ -34,10 +35,10 @@ struct EdgePoint {
   double t;
 };
 
-/// Points of lines on the ground, in the profile frame of a view or of the sector behind it.
+/// Points of lines on the ground, in the profile frame of a view.
 struct GroundPoints {
   std::span<const ProfilePoint> points;
-  bool behind = false; ///< asked for as that sector has them (view/sectors.hpp)
+  Turn turn = {}; ///< to the frame that they are asked for in: that of one of the view's sectors
 };
 
 /// `line_of`, for who asks it of millions of edges: with what is the same for all edges of a grid
@@ -77,8 +78,7 @@ public:
 private:
   ProfilePoint end(std::uint32_t number) const {
     if (number < first_point_) return line_of(surface_, view_, {number, number}).from;
-    const ProfilePoint& at = points_.points[number - first_point_];
-    return points_.behind ? ProfilePoint{-at.u, -at.v, at.z} : at;
+    return points_.turn(points_.points[number - first_point_]);
   }
 
   ProfilePoint at(std::uint32_t column, std::uint32_t row, std::uint32_t index) const {

@@ -2,6 +2,7 @@
 // What one option alone can't tell.
 #include "cli/options/check_settings.hpp"
 
+#include "cli/options/check_panorama.hpp"
 #include "cli/options/check_plotting.hpp"
 #include "cli/options/option_values.hpp"
 #include "cli/render.hpp"
@@ -171,7 +172,8 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
   if (settings.map.view.from_auto && settings.map.view.projection == Projection::oblique)
     throw UsageError("--view-from auto chooses an elevation, and an oblique view has its own",
                      "give --view-from AZ/EL, or use --projection orthographic");
-  if (settings.map.view.projection != Projection::perspective) {
+  if (!is_panorama(settings.map.view.projection) &&
+      settings.map.view.projection != Projection::perspective) {
     for (const auto& [option, right] :
          {std::pair{"--distance", "leave it out"}, std::pair{"--fov", "leave it out"},
           std::pair{"--eye", "give --view-from AZ/EL"},
@@ -192,6 +194,7 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
     settings.map.view.field_of_view.reset();
   }
   check_eye(settings, given);
+  check_panorama(settings, given);
 }
 
 void check_tone(const Style& style, const GivenOptions& given) {

@@ -20,6 +20,7 @@ std::vector<Conflict> picture_conflicts();
 void add_terrain_options(std::vector<Option>& options, std::vector<std::string>& inputs,
                          ReadOptions& reading);
 void add_view_options(std::vector<Option>& options, RenderSettings& settings);
+void add_panorama_options(std::vector<Option>& options, RenderSettings& settings);
 void add_line_options(std::vector<Option>& options, RenderSettings& settings);
 void add_ground_line_options(std::vector<Option>& options, RenderSettings& settings);
 void add_scene_options(std::vector<Option>& options, RenderSettings& settings);

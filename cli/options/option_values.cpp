@@ -199,6 +199,14 @@ std::optional<SheetsRequest> parse_sheets(std::string_view text) {
   return SheetsRequest{.columns = *columns, .rows = *rows};
 }
 
+std::optional<Vec2> parse_range(std::string_view text) {
+  const auto parts = split(text, ':');
+  if (parts.size() != 2) return std::nullopt;
+  const auto from = parse_number(parts[0]), to = parse_number(parts[1]);
+  if (!from || !to) return std::nullopt;
+  return Vec2{*from, *to};
+}
+
 std::optional<double> parse_scale(std::string_view text) {
   if (text.starts_with("1:")) text.remove_prefix(2);
   const auto scale = parse_number(text);

@@ -38,6 +38,9 @@ std::optional<double> parse_azimuth_deg(std::string_view text);
 /// The same where only a name will do.
 std::optional<double> parse_compass_deg(std::string_view text);
 
+/// "A:B".
+std::optional<Vec2> parse_range(std::string_view text);
+
 struct ViewFrom {
   Angle azimuth, elevation;
 };

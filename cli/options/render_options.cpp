@@ -22,10 +22,14 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
   const bool is_perspective = view.projection == Projection::perspective;
   const bool is_oblique = view.projection == Projection::oblique; // which --oblique says
   if (option == "projection" || option == "oblique") return is_oblique == (option == "oblique");
+  const bool is_round = is_panorama(view.projection);
   if (option == "fov") // of a distance that is given alone, the field follows
-    return is_perspective && (!view.distance_m || view.field_of_view);
-  if (option == "distance" || option == "refraction" || option == "curvature-coefficient")
-    return is_perspective;
+    return is_perspective ? !view.distance_m || view.field_of_view : is_round && view.field_of_view;
+  if (option == "distance") return is_perspective;
+  if (option == "refraction" || option == "curvature-coefficient")
+    return is_perspective || is_round;
+  if (option == "strips") return is_round;
+  if (option == "roll") return !is_round;
   if (option == "eye-height" || option == "eye-summit") return view.has_eye();
   if (option == "pitch") return view.look_azimuth.has_value();
   if (option == "dpi") return settings.write.format == Format::png;
@@ -45,6 +49,7 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
 
 void add_drawing_options(std::vector<Option>& options, RenderSettings& settings) {
   add_view_options(options, settings);
+  add_panorama_options(options, settings);
   add_line_options(options, settings);
   add_ground_line_options(options, settings);
   add_scene_options(options, settings);
@@ -103,6 +108,10 @@ std::vector<Conflict> picture_conflicts() {
       {"--look-at-lonlat", "--look-azimuth", "look at a point, or in a direction"},
       {"--look-at", "--pitch", "the point tells how steeply to look"},
       {"--look-at-lonlat", "--pitch", "the point tells how steeply to look"},
+      {"--azimuth-range", "--fov", "give one of the two"},
+      {"--azimuth-range", "--look-azimuth", "the range is its own direction"},
+      {"--azimuth-range", "--look-at", "the range is its own direction"},
+      {"--azimuth-range", "--look-at-lonlat", "the range is its own direction"},
       {"--portrait", "--landscape", "give one of the two"},
       {"--view-from", "--axonometric", "give one of the two"},
       {"--projection", "--axonometric", "leave --projection out"},
@@ -113,7 +122,7 @@ std::vector<Conflict> picture_conflicts() {
   for (const char* option :
        {"--view-from", "--projection", "--oblique", "--axonometric", "--distance", "--fov", "--eye",
         "--eye-lonlat", "--eye-height", "--eye-summit", "--look-at", "--look-at-lonlat",
-        "--look-azimuth", "--pitch", "--roll"})
+        "--look-azimuth", "--pitch", "--roll", "--azimuth-range", "--altitude-range", "--strips"})
     conflicts.push_back({"--view", option, "the file holds the whole view"});
   for (const Conflict& conflict : terrain_conflicts()) conflicts.push_back(conflict);
   return conflicts;

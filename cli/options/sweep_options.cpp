@@ -243,7 +243,8 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
   if (insists_on(given, "--eye-step") && settings.eye_path.empty())
     throw UsageError("--eye-step has no meaning without a path", "give --eye-path FILE too");
   if (!settings.eye_path.empty()) {
-    if (render.map.view.projection != Projection::perspective)
+    if (render.map.view.projection != Projection::perspective &&
+        !is_panorama(render.map.view.projection))
       throw UsageError("--eye-path has no meaning in a parallel view",
                        "give --azimuth and --elevation, or use --projection perspective");
     RenderSettings on_path = render; // somewhere on it
@@ -292,6 +293,7 @@ Command sweep_command(SweepSettings& settings) {
                   .take = stored_name(settings.out_dir)});
   std::vector<Option> picture;
   add_view_options(picture, render);
+  add_panorama_options(picture, render);
   add_line_options(picture, render);
   add_ground_line_options(picture, render);
   add_scene_options(picture, render);

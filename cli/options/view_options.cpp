@@ -46,7 +46,8 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
   options.push_back({.group = kGroup,
                      .name = "--eye",
                      .value = "X,Y[,Z]",
-                     .help = "Stand at this point, without Z on the ground there; perspective only",
+                     .help = "Stand at this point, without Z on the ground there; in perspective "
+                             "and for panoramas",
                      .allowed = kMapPlace,
                      .take = stored(parse_place, s.map.view.eye_map)});
   options.push_back(
@@ -131,16 +132,21 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                      }});
   Option projection = with_choice<Projection>({.group = kGroup,
                                                .name = "--projection",
-                                               .help = "Kind of picture",
+                                               .help = "Kind of picture; the last two are "
+                                                       "panoramas from an eye, with azimuths to "
+                                                       "the right and upwards the tangents of "
+                                                       "altitudes, as on a cylinder, or altitudes",
                                                .by_default = "perspective"},
                                               {{"perspective", Projection::perspective},
                                                {"orthographic", Projection::orthographic},
-                                               {"oblique", Projection::oblique}},
+                                               {"oblique", Projection::oblique},
+                                               {"cylindrical", Projection::cylindrical},
+                                               {"equirectangular", Projection::equirectangular}},
                                               s.map.view.projection);
   projection.take = [take = projection.take](const std::string& text) {
     if (text == "panorama")
-      throw UsageError("--projection panorama doesn't work yet",
-                       "use perspective, orthographic or oblique");
+      throw UsageError("--projection panorama is one of two",
+                       "cylindrical, as panoramas are drawn, or equirectangular");
     return take(text);
   };
   options.push_back(std::move(projection));
@@ -187,9 +193,10 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
       {.group = kGroup,
        .name = "--fov",
        .value = "DEG",
-       .help = "Horizontal field of view; perspective only",
+       .help = "Horizontal field of view, less than 180 in perspective, and of a panorama up to "
+               "360, which it has by default; no parallel view has one",
        .by_default = "30"},
-      {.unit = "degrees", .low = 0, .high = 180, .low_excluded = true, .high_excluded = true},
+      {.unit = "degrees", .low = 0, .high = 360, .low_excluded = true},
       [&s](double deg) { s.map.view.field_of_view = Angle::degrees(deg); }));
   add_eye_options(options, s);
   options.push_back(with_number({.group = kGroup,

@@ -32,6 +32,11 @@ std::string view_in_words(const PlacedView& placed, const ViewSpec& asked) {
     const double deg = std::round(10 * atan2_angle(towards.x, towards.y).in_degrees()) / 10;
     return deg < 0 ? deg + 360 : deg;
   };
+  if (placed.panorama)
+    return fmt::format("{} panorama of {:.6g} degrees",
+                       asked.projection == Projection::cylindrical ? "cylindrical"
+                                                                   : "equirectangular",
+                       placed.panorama->width_deg);
   if (asked.has_eye()) return fmt::format("from the eye towards azimuth {}", azimuth(view.forward));
   const double from_azimuth = azimuth(-1.0 * view.forward);
   const Angle elevation = placed.chosen_view      ? placed.chosen_view->elevation
@@ -45,6 +50,9 @@ std::string view_in_words(const PlacedView& placed, const ViewSpec& asked) {
     return from + ", orthographic";
   case Projection::oblique:
     return fmt::format("from azimuth {}, oblique", from_azimuth);
+  case Projection::cylindrical: // whose view is one in perspective
+  case Projection::equirectangular:
+    break;
   }
   return from;
 }

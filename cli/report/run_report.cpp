@@ -93,45 +93,59 @@ Json json_of(const ViewFile& view) {
       {"exaggeration", view.exaggeration}};
 }
 
+Json json_of(const PanoramaFacts& panorama) {
+  return {{"azimuth_from_deg", panorama.azimuth_from_deg},
+          {"azimuth_to_deg", panorama.azimuth_to_deg},
+          {"altitude_low_deg", panorama.altitude_low_deg},
+          {"altitude_high_deg", panorama.altitude_high_deg},
+          {"radius_mm", panorama.radius_mm},
+          {"strips", panorama.strips}};
+}
+
 Json json_of(const ViewFacts& view) {
   Json rows = Json::array();
   for (std::size_t row = 0; row < 3; ++row)
     rows.push_back({view.homography.m[3 * row], view.homography.m[3 * row + 1],
                     view.homography.m[3 * row + 2]});
-  return {{"projection", view.projection},
-          {"view_from_azimuth_deg", view.view_from_azimuth_deg},
-          {"view_from_auto", view.view_from_auto},
-          {"look_azimuth_deg", view.look_azimuth_deg},
-          {"look_azimuth_true_deg", view.look_azimuth_true_deg},
-          {"elevation_deg", view.elevation_deg},
-          {"eye", point_or_null(view.eye)},
-          {"eye_lonlat", point_or_null(view.eye_lonlat)},
-          {"eye_height_m", view.eye_height_m},
-          {"look_at", point_or_null(view.look_at)},
-          {"look_at_lonlat", point_or_null(view.look_at_lonlat)},
-          {"distance_m", view.distance_m},
-          {"geodesic", view.geodesic ? Json{{"distance_m", view.geodesic->distance_m},
-                                            {"azimuth_deg", view.geodesic->azimuth_deg}}
-                                     : Json()},
-          {"depth_origin", json_of(view.depth_origin)},
-          {"forward", json_of(view.forward)},
-          {"field_of_view_deg", view.field_of_view_deg},
-          {"oblique", view.oblique
-                          ? Json{{"length", view.oblique->x}, {"rise_deg", view.oblique->y}}
-                          : Json()},
-          {"roll_deg", view.roll_deg},
-          {"exaggeration", view.exaggeration},
-          {"exaggeration_auto", view.exaggeration_auto},
-          {"curvature",
-           {{"setting", view.curvature.setting},
-            {"applied", view.curvature.applied},
-            {"on_ellipsoid", view.curvature.on_ellipsoid},
-            {"would_move_mm", view.curvature.would_move_mm},
-            {"refraction", view.curvature.refraction},
-            {"curvature_coefficient", view.curvature.curvature_coefficient},
-            {"effective_radius_m", view.curvature.effective_radius_m}}},
-          {"homography", rows},
-          {"phigs", json_of(view.phigs)}};
+  Json json = {{"projection", view.projection},
+               {"view_from_azimuth_deg", view.view_from_azimuth_deg},
+               {"view_from_auto", view.view_from_auto},
+               {"look_azimuth_deg", view.look_azimuth_deg},
+               {"look_azimuth_true_deg", view.look_azimuth_true_deg},
+               {"elevation_deg", view.elevation_deg},
+               {"eye", point_or_null(view.eye)},
+               {"eye_lonlat", point_or_null(view.eye_lonlat)},
+               {"eye_height_m", view.eye_height_m},
+               {"look_at", point_or_null(view.look_at)},
+               {"look_at_lonlat", point_or_null(view.look_at_lonlat)},
+               {"distance_m", view.distance_m},
+               {"geodesic", view.geodesic ? Json{{"distance_m", view.geodesic->distance_m},
+                                                 {"azimuth_deg", view.geodesic->azimuth_deg}}
+                                          : Json()},
+               {"depth_origin", json_of(view.depth_origin)},
+               {"forward", json_of(view.forward)},
+               {"field_of_view_deg", view.field_of_view_deg},
+               {"oblique", view.oblique
+                               ? Json{{"length", view.oblique->x}, {"rise_deg", view.oblique->y}}
+                               : Json()},
+               {"roll_deg", view.roll_deg},
+               {"exaggeration", view.exaggeration},
+               {"exaggeration_auto", view.exaggeration_auto},
+               {"curvature",
+                {{"setting", view.curvature.setting},
+                 {"applied", view.curvature.applied},
+                 {"on_ellipsoid", view.curvature.on_ellipsoid},
+                 {"would_move_mm", view.curvature.would_move_mm},
+                 {"refraction", view.curvature.refraction},
+                 {"curvature_coefficient", view.curvature.curvature_coefficient},
+                 {"effective_radius_m", view.curvature.effective_radius_m}}},
+               {"homography", rows},
+               {"phigs", json_of(view.phigs)}};
+  if (view.panorama) { // which is no plane picture
+    json["panorama"] = json_of(*view.panorama);
+    json["phigs"] = nullptr;
+  }
+  return json;
 }
 
 Json json_of(const Counts& counts) {
@@ -267,7 +281,7 @@ NamedValues settings_of(const MapFacts& facts, const RenderSettings& settings) {
                                settings.map.view.oblique.rise.in_degrees()));
   if (style.light) {
     add("light-by", style.light->by_density ? "density" : "width");
-    add("haze", fmt::format("{}", style.haze_in(facts.view.projection == "perspective")));
+    add("haze", fmt::format("{}", style.haze_in(facts.view.eye.has_value())));
   }
   add("min-stroke", fmt::format("{}", settings.map.min_stroke_mm()));
   return all;

@@ -18,6 +18,8 @@ struct PageRequest {
   /// page. None: the picture is as large as fits.
   std::optional<double> scale = std::nullopt;
 
+  int strips = 1; ///< of a panorama: it is cut into so many, one beneath the other
+
   bool ends_with_picture() const { return crop || !height_mm; }
 };
 

@@ -37,14 +37,15 @@ struct Way {
 };
 
 // Of a level line's width, the share of one that goes along a chord.
-double lit_share(Vec2 chord, const LineShade& shade) {
+double lit_share(Vec2 chord, double x_mm, const LineShade& shade) {
   const double size = plain_length(chord);
   if (!(size > 0)) return 1;
   Vec2 normal{chord.y / size, -chord.x / size};
   if (dot(normal, shade.up) < 0) normal = -1.0 * normal;
-  const double level = dot(shade.up, shade.towards_light);
+  const Vec2 towards_light = shade.standing ? shade.standing->on_page(x_mm) : shade.towards_light;
+  const double level = dot(shade.up, towards_light);
   const double sure = std::min(1.0, dot(normal, shade.up) / kSteep);
-  const double darker = sure * (level - dot(normal, shade.towards_light));
+  const double darker = sure * (level - dot(normal, towards_light));
   return std::clamp(1 + 0.5 * shade.contrast * darker, 0.5, 2.0);
 }
 
@@ -82,8 +83,8 @@ private:
     const double middle_mm = 0.5 * (way.mm[i] + way.mm[i + 1]);
     const Vec2 chord =
         way.at(middle_mm + 0.5 * kNormalOver_mm) - way.at(middle_mm - 0.5 * kNormalOver_mm);
-    const double share =
-        lit_share(chord, shade_) * haze_share(layer_.depths_m[stroke.first_point + i], shade_);
+    const double share = lit_share(chord, way.points[i].x, shade_) *
+                         haze_share(layer_.depths_m[stroke.first_point + i], shade_);
     return std::log(share) / std::log(kWidthRatio);
   }
 

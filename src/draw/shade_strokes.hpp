@@ -4,12 +4,30 @@
 
 #include "draw/drawing.hpp"
 
+#include <cmath>
+#include <optional>
+
 namespace orograph {
+
+/// Light from one direction all over a panorama, which it meets at another angle everywhere.
+struct StandingLight {
+  Vec3 towards;                ///< right, away from the viewer, up; at `middle_mm`
+  double middle_mm, radius_mm; ///< x on the page, and how wide a radian is
+
+  /// On the page, unit.
+  Vec2 on_page(double x_mm) const {
+    const double turn = (x_mm - middle_mm) / radius_mm;
+    const Vec2 way{towards.x * std::cos(turn) - towards.y * std::sin(turn), -towards.z};
+    const double size = plain_length(way);
+    return size > 0 ? (1 / size) * way : Vec2{0, -1};
+  }
+};
 
 /// Which way light falls on a picture's outlines, and how they fade with depth.
 struct LineShade {
-  Vec2 up;                              ///< on the page, y down: where heights rise; unit
-  Vec2 towards_light;                   ///< on the page; unit
+  Vec2 up;            ///< on the page, y down: where heights rise; unit
+  Vec2 towards_light; ///< on the page; unit
+  std::optional<StandingLight> standing = std::nullopt; ///< instead of it
   double contrast = 1;                  ///< 0: all outlines are as heavy as level ones
   double haze = 0;                      ///< share of their width that lines at `farthest_m` lose
   double nearest_m = 0, farthest_m = 0; ///< depths; at the first nothing is lost

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace orograph {
 namespace {
@@ -43,6 +45,13 @@ bool to_page_mm(const Homography& to_page, const PointsAtDepth& depth, const Box
          box.low.y >= frame.low.y && box.high.y <= frame.high.y;
 }
 
+// Where a straight line is at an azimuth between those of its ends.
+ProfilePoint at_azimuth(ProfilePoint a, ProfilePoint b, double azimuth) {
+  const double s = std::sin(azimuth), c = std::cos(azimuth);
+  const double across = a.u * c - a.v * s, b_across = b.u * c - b.v * s;
+  return point_between(a, b, across / (across - b_across));
+}
+
 StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) {
   return {a.plane + share * (b.plane - a.plane), point_between(a.scene, b.scene, share)};
 }
@@ -66,6 +75,88 @@ void StrokeBuilder::begin(std::int32_t profile, double depth_m) {
   stroke_.depth_m = depth_m;
   stroke_.width_mm = width_mm_ = 0;
   last_.reset();
+  bent_.reset();
+}
+
+// A panorama's point is bent first: what is clipped, then, lies flat on the page.
+void StrokeBuilder::add_bent_at(ProfilePoint scene, double azimuth) {
+  const PanoramaPage& page = *settings_.panorama;
+  const double tangent = page.tangent(scene);
+  if (!std::isfinite(tangent)) return; // straight above or below the eye
+  add_straight({{page.x_mm(azimuth), page.y_mm(tangent), 1}, scene});
+  bent_ = {scene, azimuth};
+}
+
+// To a point on the same side of the seam.
+void StrokeBuilder::bend_to(ProfilePoint to, double azimuth) {
+  constexpr double kMostTurn = 0.5;
+  const auto [from, from_azimuth] = *bent_;
+  if (const double turn = azimuth - from_azimuth; std::abs(turn) > kMostTurn) {
+    const double half = from_azimuth + 0.5 * turn;
+    bend_to(at_azimuth(from, to, half), half);
+    bend_to(to, azimuth);
+    return;
+  }
+  // What is far below the frame, as the ground at the eye's feet is, may stay straight.
+  const PanoramaPage& page = *settings_.panorama;
+  const double most = 2 *
+                      std::max(std::abs(settings_.frame_mm.low.y - page.ahead_mm.y),
+                               std::abs(settings_.frame_mm.high.y - page.ahead_mm.y)) /
+                      page.radius_mm;
+  std::array<double, 2> crossings = page.crossings(from, to, most);
+  for (const double share : crossings)
+    if (share > 0 && share < 1) {
+      const ProfilePoint at = point_between(from, to, share);
+      bend_part_to(at,
+                   std::clamp(PanoramaPage::azimuth(at), std::min(from_azimuth, azimuth),
+                              std::max(from_azimuth, azimuth)),
+                   most);
+    }
+  bend_part_to(to, azimuth, most);
+}
+
+// A straight line is a sine on the cylinder, whose curvature is its height: y'' = -y. On the net
+// of altitudes it is that sine's arc tangent; its curvature has a bound in the ends' tangents and
+// their difference.
+void StrokeBuilder::bend_part_to(ProfilePoint to, double azimuth, double most) {
+  const PanoramaPage& page = *settings_.panorama;
+  const auto [from, from_azimuth] = *bent_;
+  const double turn = azimuth - from_azimuth;
+  const double tangent = page.tangent(to), from_tangent = page.tangent(from);
+  constexpr double kRise = 1.15; // of a sine between two ends half a radian apart, over the higher
+  const double highest = kRise * std::max(std::abs(tangent), std::abs(from_tangent)),
+               step = tangent - from_tangent;
+  const bool is_outside =
+      std::abs(page.tangent(point_between(from, to, 0.5))) > most && highest > most;
+  const double steep = page.kind == PanoramaKind::cylindrical ? 0 : 2 * step * step;
+  const double bent_mm = highest * (turn * turn + steep) * page.radius_mm / 8;
+  const double pieces = is_outside || std::abs(turn) < 1e-12 || !std::isfinite(bent_mm)
+                            ? 1
+                            : std::ceil(std::sqrt(bent_mm / settings_.bend_mm));
+  for (int i = 1; i < pieces; ++i) {
+    const double at = from_azimuth + i / pieces * turn;
+    add_bent_at(at_azimuth(from, to, at), at);
+  }
+  add_bent_at(to, azimuth);
+}
+
+void StrokeBuilder::add_bent(ProfilePoint scene) {
+  const double azimuth = PanoramaPage::azimuth(scene);
+  if (!bent_) {
+    add_bent_at(scene, azimuth);
+    return;
+  }
+  const ProfilePoint from = bent_->scene;
+  if (const auto share = seam_crossing(from, scene)) {
+    const double side = from.u >= 0 ? 1 : -1;
+    ProfilePoint seam = point_between(from, scene, *share);
+    seam.u = 0;
+    bend_to(seam, side * std::numbers::pi);
+    flush();
+    last_.reset();
+    add_bent_at(seam, -side * std::numbers::pi);
+  }
+  bend_to(scene, azimuth);
 }
 
 void StrokeBuilder::add_clipped(const StrokePoint& point, const Vec3& page) {
@@ -110,6 +201,10 @@ bool StrokeBuilder::append_inside(const PointsAtDepth& depth, std::span<const do
 
 void StrokeBuilder::add(const PointsAtDepth& depth, std::span<const double> u_m,
                         std::span<const double> z_m) {
+  if (settings_.panorama) {
+    for (std::size_t i = 0; i < u_m.size(); ++i) add(depth.at(u_m[i], z_m[i]));
+    return;
+  }
   while (!u_m.empty()) {
     const std::size_t count = std::min(u_m.size(), kPointsAtOnce);
     if (!append_inside(depth, u_m.first(count), z_m.first(count)))
@@ -122,6 +217,7 @@ void StrokeBuilder::add(const PointsAtDepth& depth, std::span<const double> u_m,
 void StrokeBuilder::end() {
   flush();
   last_.reset();
+  bent_.reset();
 }
 
 bool StrokeBuilder::is_long_enough() {
@@ -166,6 +262,10 @@ void StrokeBuilder::drop_short_widenings() {
   widenings_.resize(kept);
 }
 
+double StrokeBuilder::depth_m(ProfilePoint scene) const {
+  return settings_.panorama ? plain_length({scene.u, scene.v}) : scene.v;
+}
+
 void StrokeBuilder::append_stroke(std::size_t first, std::size_t last) {
   const auto points = std::span(page_mm_).subspan(first, last + 1 - first);
   simplify(points, settings_.simplify_mm, kept_);
@@ -174,7 +274,8 @@ void StrokeBuilder::append_stroke(std::size_t first, std::size_t last) {
   for (const std::uint32_t i : kept_) {
     layer_.page_mm.push_back(points[i]);
     if (settings_.to_map) layer_.map.push_back(settings_.to_map(scene_[first + i]));
-    if (settings_.keeps_depths) layer_.depths_m.push_back(static_cast<float>(scene_[first + i].v));
+    if (settings_.keeps_depths)
+      layer_.depths_m.push_back(static_cast<float>(depth_m(scene_[first + i])));
   }
   layer_.strokes.push_back(stroke_);
 }

@@ -5,7 +5,9 @@
 #include "draw/drawing.hpp"
 #include "geometry/clip_by_planes.hpp"
 #include "geometry/homography.hpp"
+#include "geometry/panorama_page.hpp"
 #include "geometry/profile_point.hpp"
+#include "geometry/turn.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -28,8 +30,12 @@ struct PointsAtDepth {
   double u_sign; ///< -1 where the profile's frame looks the other way than the scene's
   double v;      ///< of all points, in the scene
   double aside, per_z, above, w; ///< in the plane X w is u + aside and Y w is per_z z + above
+  /// Of a panorama, whose scene has no one depth for them: from the profile's frame, in which they
+  /// are at depth v, to the scene's.
+  std::optional<Turn> turn = std::nullopt;
 
   StrokePoint at(double u, double z) const {
+    if (turn) return {{}, (*turn)({u, v, z})};
     const double scene_u = u_sign * u;
     return {{scene_u + aside, per_z * z + above, w}, {scene_u, v, z}};
   }
@@ -53,7 +59,11 @@ PlaneValues plane_values(const Box2& frame_mm, const std::optional<VolumeDepth>&
                          const Vec3& page, ProfilePoint scene);
 
 struct StrokeSettings {
-  Homography to_page;               ///< visibility plane to page
+  Homography to_page; ///< visibility plane to page
+  /// Instead of it: from the scene to the page, on which straight lines are bent. They get points
+  /// between, so that nowhere more than `bend_mm` is lost.
+  std::optional<PanoramaPage> panorama = std::nullopt;
+  double bend_mm = 0;
   Box2 frame_mm;                    ///< strokes end here
   std::optional<VolumeDepth> depth; ///< and at the front and back plane, where there are any
   double simplify_mm = 0.02;
@@ -79,14 +89,10 @@ public:
   /// soon, keeps its width. 0: the layer's pen.
   void widen(double width_mm);
   void add(const StrokePoint& point) {
-    // From inside to inside, as nearly always: there is nothing to clip.
-    const Vec3 page = settings_.to_page.of(point.plane);
-    if (!settings_.depth && last_ && last_->inside && is_in_frame(page)) {
-      append(point, page);
-      last_->point = point;
-      return;
-    }
-    add_clipped(point, page);
+    if (settings_.panorama)
+      add_bent(point.scene);
+    else
+      add_straight(point);
   }
   /// The same of many points at once, in order along the polyline: a quarter of the time.
   void add(const PointsAtDepth& depth, std::span<const double> u_m, std::span<const double> z_m);
@@ -100,6 +106,20 @@ private:
     StrokePoint point;
     bool inside; ///< in the view volume
   };
+  void add_straight(const StrokePoint& point) {
+    // From inside to inside, as nearly always: there is nothing to clip.
+    const Vec3 page = settings_.to_page.of(point.plane);
+    if (!settings_.depth && last_ && last_->inside && is_in_frame(page)) {
+      append(point, page);
+      last_->point = point;
+      return;
+    }
+    add_clipped(point, page);
+  }
+  void add_bent(ProfilePoint scene);
+  void add_bent_at(ProfilePoint scene, double azimuth);
+  void bend_to(ProfilePoint scene, double azimuth);
+  void bend_part_to(ProfilePoint scene, double azimuth, double most_tangent);
   // In homogeneous page coordinates; what is in a side's plane, to rounding, is inside.
   bool is_in_frame(const Vec3& page) const {
     const auto& [x, y, w] = page;
@@ -124,6 +144,7 @@ private:
   bool append_inside(const PointsAtDepth& depth, std::span<const double> u_m,
                      std::span<const double> z_m);
   bool is_long_enough();
+  double depth_m(ProfilePoint scene) const;
   void drop_short_widenings();
   void append_stroke(std::size_t first, std::size_t last);
   void flush();
@@ -132,6 +153,11 @@ private:
   Layer& layer_;
   Stroke stroke_;
   std::optional<Last> last_;
+  struct Bent {
+    ProfilePoint scene;
+    double azimuth;
+  };
+  std::optional<Bent> bent_; ///< the last point, of a panorama
   std::vector<Vec2> page_mm_;
   std::vector<ProfilePoint> scene_;
   std::vector<std::uint32_t> kept_;

@@ -103,7 +103,7 @@ private:
     draper_.drape(std::vector<Vec2>{place, place + Vec2{metre.x, 0}}, above_m_, draped_);
     if (draped_.points.empty()) return;
     const ProfilePoint at = draped_.points.front();
-    if (!(placed_.to_page.of(project_homogeneous(placed_.view, at)).z > 0)) return;
+    if (!(placed_.on_page(at).z > 0)) return;
     const double mm_a_metre = mm_a_metre_at(placed_, at);
     if (!(mm_a_metre > 0)) return;
     const double half_m = 0.5 * kMark_mm / mm_a_metre;

@@ -85,9 +85,8 @@ private:
   }
   std::optional<PieceInFrame> in_frame(const Hollow& hollow, std::size_t piece) const {
     const ProfilePoint a = point_at(hollow.line[piece].at), b = point_at(end_of(hollow, piece));
-    const auto page = [&](ProfilePoint p) {
-      return placed_.to_page.of(project_homogeneous(placed_.view, p));
-    };
+    if (placed_.panorama && seam_crossing(a, b)) return std::nullopt;
+    const auto page = [&](ProfilePoint p) { return placed_.on_page(p); };
     const auto values = [&](ProfilePoint p) {
       return plane_values(placed_.frame_mm, placed_.depth, page(p), p);
     };

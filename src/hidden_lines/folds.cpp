@@ -43,14 +43,13 @@ std::vector<LinePart> Folds::among(const LinePictures& lines,
 }
 
 double Folds::length_mm(const ProfileLine& whole, const LinePart& part) const {
-  const double sign = sector_.behind ? -1 : 1; // from the sector's frame to the scene's
   const ProfilePoint a = point_between(whole.from, whole.to, part.t_begin),
                      b = point_between(whole.from, whole.to, part.t_end);
   const auto page = [&](ProfilePoint p) {
     return sector_.to_page.of(project_homogeneous(sector_.view, p));
   };
   const auto values = [&](ProfilePoint p) {
-    return plane_values(placed_.frame_mm, placed_.depth, page(p), {sign * p.u, sign * p.v, p.z});
+    return plane_values(placed_.frame_mm, placed_.depth, page(p), sector_.to_view(p));
   };
   const auto shares = clip_by_planes(values(a), values(b));
   if (!shares) return 0;

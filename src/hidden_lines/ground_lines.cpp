@@ -9,6 +9,7 @@
 #include "placing/vertex_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace orograph {
 namespace {
@@ -94,9 +95,9 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
 }
 
 double mm_a_metre_at(const PlacedView& placed, ProfilePoint at) {
-  const Vec3 here = project_homogeneous(placed.view, at);
-  return placed.to_page.mm_per_step(here, project_homogeneous(placed.view, {at.u + 1, at.v, at.z}) -
-                                              here);
+  if (!placed.panorama) return placed.mm_per_step(at, {1, 0, 0});
+  const Vec2 across = (1 / std::hypot(at.u, at.v)) * Vec2{at.v, -at.u};
+  return placed.mm_per_step(at, {across.x, across.y, 0});
 }
 
 void append_to(std::vector<EdgeLine>& lines, const GroundLines& on_ground) {

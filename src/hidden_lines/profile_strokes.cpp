@@ -11,6 +11,7 @@ namespace {
 // As `project_homogeneous`, of a profile of a sector of the view.
 PointsAtDepth points_at_depth(const View& view, const Sector& sector, double depth_m) {
   const double sign = sector.behind ? -1 : 1, v = sign * depth_m;
+  if (sector.frame_mm) return {1, depth_m, 0, 1, 0, 1, sector.to_view};
   if (view.is_perspective()) return {sign, v, 0, 1, -view.eye_z_m, v};
   return {sign, v, v * view.x_per_v, view.y_per_z, v * view.y_per_v, 1};
 }

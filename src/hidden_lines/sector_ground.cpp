@@ -13,12 +13,13 @@ std::vector<SeenGround> ground_of_sectors(const TerrainData& terrain, const Plac
   if (!grid || grid->is_on_earth() || style.occluder != Occluder::surface ||
       instruments.looks_everywhere())
     return {};
+  const std::vector<double> heights = block_heights(*grid);
   std::vector<SeenGround> out;
   for (const Sector& sector : placed.sectors) {
     const double tolerance_y = style.visibility_tolerance_mm > 0
                                    ? tie_tolerance(sector, style.visibility_tolerance_mm).greatest_y
                                    : 0;
-    out.push_back(find_seen_ground(*grid, sector.view, {page_range(sector), tolerance_y}));
+    out.push_back(find_seen_ground(*grid, heights, sector.view, {page_range(sector), tolerance_y}));
   }
   return out;
 }

@@ -157,6 +157,12 @@ bool goes_in_order(const Grid& grid, const Sector& sector, const Instruments& in
 
 } // namespace
 
+const SilhouetteMarks* LinesOfView::silhouettes_by(bool rows_are_strips) const {
+  for (const std::optional<SilhouetteMarks>* marks : {&silhouettes, &turned_silhouettes})
+    if (*marks && (*marks)->rows_are_strips == rows_are_strips) return &**marks;
+  return nullptr;
+}
+
 LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
                           const Instruments& instruments, const SeenGround* ground,
                           const HiddenKinds& hidden) {
@@ -175,9 +181,15 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
   if (!finds || hidden.has(LineKind::silhouette)) {
     out.listed = lines_of(terrain, placed, style, ground);
   } else {
-    const LatticeOrder order(*grid, placed.sectors.front().view);
+    const auto by_rows = [&](const Sector& sector) {
+      return LatticeOrder(*grid, sector.view).rows_are_strips();
+    };
+    const bool first = by_rows(placed.sectors.front());
     out.listed = lines_but_silhouettes(terrain, placed, style);
-    out.silhouettes = silhouette_marks(*grid, placed.view, order.rows_are_strips(), ground);
+    out.silhouettes = silhouette_marks(*grid, placed.view, first, ground);
+    if (std::ranges::any_of(placed.sectors,
+                            [&](const Sector& sector) { return by_rows(sector) != first; }))
+      out.turned_silhouettes = silhouette_marks(*grid, placed.view, !first, ground);
   }
   append_to(out.listed, out.on_ground);
   return out;
@@ -197,30 +209,33 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   const bool in_list = !surface || instruments.needs_list();
   const bool watched = !instruments.observers.empty();
   const Folds folds(terrain.surface, placed, sector, style.silhouette_jump);
-  const SectorInWork work{terrain,
-                          placed,
-                          sector,
-                          lines.listed,
-                          lines.on_ground,
-                          cutter,
-                          tolerance,
-                          view.is_perspective() ? view.near_m : -kInfinity,
-                          in_list || instruments.beyond_page ? XRange{-kInfinity, kInfinity}
-                                                             : page_range(sector),
-                          watched,
-                          watched ? nullptr : ground,
-                          instruments.vertices_a_strip,
-                          lines.silhouettes ? &*lines.silhouettes : nullptr,
-                          &folds,
-                          draws_silhouettes(style),
-                          lines.on_ground.levels_to_find_m,
-                          profiles && profiles->hidden};
+  const Grid* grid = grid_in_order(terrain, style, instruments);
+  const SilhouetteMarks* silhouettes =
+      grid && lines.silhouettes ? lines.silhouettes_by(LatticeOrder(*grid, view).rows_are_strips())
+                                : nullptr;
+  const SectorInWork work{
+      terrain, placed, sector, lines.listed, lines.on_ground, cutter, tolerance,
+      view.is_perspective() ? view.near_m : -kInfinity,
+      // A panorama's profiles turn at its sectors' borders.
+      !sector.frame_mm && (in_list || instruments.beyond_page) ? XRange{-kInfinity, kInfinity}
+                                                               : page_range(sector),
+      watched, watched ? nullptr : ground, instruments.vertices_a_strip, silhouettes, &folds,
+      draws_silhouettes(style), lines.on_ground.levels_to_find_m, profiles && profiles->hidden};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
+  // A panorama's profiles go on beyond the sector: what is left out, and rounded, is all of one.
+  std::optional<StrokeSettings> settings;
+  if (profiles) {
+    settings = profiles->settings;
+    if (sector.frame_mm) {
+      settings->frame_mm = *sector.frame_mm;
+      settings->min_stroke_mm = 0;
+    }
+  }
   // Tone is given to what is seen: planes between those planned are nowhere else.
   const auto add_hidden = [&](ProfileInWork& profile, std::span<const VisibleRun> visible) {
     if (profile.planned.level < 0) return;
-    StrokeBuilder builder(profiles->settings, profile.hidden_strokes);
+    StrokeBuilder builder(*settings, profile.hidden_strokes);
     ProfileStrokes(placed.view, sector, style.flat == FlatGround::draw, builder)
         .add(profile.profile, {profile.planned.depth_m, profile.planned.number},
              hidden_runs(profile.profile, visible));
@@ -228,7 +243,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   const LayOut lay_out = [&](ProfileInWork& profile) {
     if (!profiles) return;
     profile.strokes.clear();
-    StrokeBuilder builder(profiles->settings, profile.strokes);
+    StrokeBuilder builder(*settings, profile.strokes);
     ProfileStrokes strokes(placed.view, sector, style.flat == FlatGround::draw, builder);
     std::vector<VisibleRun> not_behind_solids;
     if (solids) {
@@ -242,7 +257,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
       add_hidden(profile, runs);
     }
     profile.left_out_mm = builder.left_out_mm();
-    profile.dropped_strokes = round_strokes(profile.strokes).empty_strokes;
+    if (!sector.frame_mm) profile.dropped_strokes = round_strokes(profile.strokes).empty_strokes;
   };
   const Show show = [&](ProfileInWork& profile) {
     Stopwatch own;
@@ -262,7 +277,6 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     profile_done();
   };
   watch.mark(seconds.facing);
-  const Grid* grid = grid_in_order(terrain, style, instruments);
   const bool in_order = grid && goes_in_order(*grid, sector, instruments);
   SectorParts found_parts =
       in_list    ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)

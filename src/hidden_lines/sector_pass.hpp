@@ -55,6 +55,10 @@ struct LinesOfView {
   /// The silhouettes, where they aren't listed; each sector finds those that it looks at.
   std::optional<SilhouetteMarks> silhouettes;
   HiddenKinds hidden = {}; ///< of which what isn't visible is asked for, too
+  /// By the lattice's other direction, where some of a panorama's sectors want that.
+  std::optional<SilhouetteMarks> turned_silhouettes = {};
+
+  const SilhouetteMarks* silhouettes_by(bool rows_are_strips) const;
 };
 /// `ground`: what any sector looks at, where that isn't all. Hidden silhouettes need a list.
 LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,

@@ -13,6 +13,13 @@ namespace {
 
 constexpr double kSlit = 1e-12; // share of a segment
 
+// A panorama's in each of its sectors.
+std::size_t profile_count(const PlacedView& placed) {
+  std::size_t count = 0;
+  for (const Sector& sector : placed.sectors) count += sector.profiles.size();
+  return count;
+}
+
 // The segments that lie in the range that was clipped, and what is visible of them.
 struct Clipped {
   std::vector<Segment> segments;
@@ -39,7 +46,7 @@ Clipped within(const SeenProfile& seen) {
 Check::Check(const Surface& surface, const PlacedView& placed, double tolerance_mm,
              std::uint64_t points)
     : surface_(surface), tolerance_mm_(tolerance_mm),
-      a_profile_(points / 2 / std::max<std::size_t>(1, placed.depths_m.size()) + 1),
+      a_profile_(points / 2 / std::max<std::size_t>(1, profile_count(placed)) + 1),
       a_sector_(points / 2 / placed.sectors.size()) {}
 
 void Check::begin(const Sector& sector) {

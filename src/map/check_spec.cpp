@@ -39,8 +39,42 @@ void check_finite(const char* field, const std::optional<GivenPlace>& place) {
     throw UsageError(fmt::format("`{}` is {},{}", field, place->x, place->y), "finite numbers");
 }
 
+void check_panorama(const ViewSpec& view) {
+  if (!view.has_eye()) throw UsageError("a panorama needs an eye", "`eye_map` or `eye_lonlat`");
+  for (const auto& [is_given, field] :
+       {std::pair{view.distance_m.has_value(), "distance_m"},
+        std::pair{view.from_auto, "from_auto"}, std::pair{view.pitch.has_value(), "pitch"},
+        std::pair{view.roll != Angle(), "roll"}})
+    if (is_given)
+      throw UsageError(fmt::format("`{}` has no meaning in a panorama", field), "leave it out");
+  if (view.azimuth_range) {
+    const auto& [from, to] = *view.azimuth_range;
+    const double width_deg = to.in_degrees() - from.in_degrees();
+    check_range("azimuth_range.from", from.in_degrees(), -1e6, 1e6, " degrees");
+    if (!(width_deg > 0 && width_deg <= 360))
+      throw UsageError(fmt::format("`azimuth_range` is {} degrees wide", width_deg),
+                       "above 0 and at most 360 degrees, from less to more");
+    if (view.field_of_view || view.look_azimuth || view.look_at_map || view.look_at_lonlat)
+      throw UsageError("`azimuth_range` stands beside a field of view or a direction",
+                       "one of them");
+  }
+  if (view.altitude_range) {
+    const auto& [low, high] = *view.altitude_range;
+    check_range("altitude_range.low", low.in_degrees(), -80, 80, " degrees");
+    check_range("altitude_range.high", high.in_degrees(), -80, 80, " degrees");
+    if (!(low < high)) throw UsageError("`altitude_range` doesn't rise", "the lower one first");
+  }
+}
+
 void check_view(const ViewSpec& view) {
-  if (view.projection != Projection::perspective)
+  const bool is_round = is_panorama(view.projection);
+  if (is_round) {
+    check_panorama(view);
+  } else if (view.azimuth_range || view.altitude_range) {
+    throw UsageError("`azimuth_range` and `altitude_range` have no meaning but in a panorama",
+                     "leave them out, or ask for Projection::cylindrical");
+  }
+  if (view.projection != Projection::perspective && !is_round)
     for (const auto& [is_given, field] :
          {std::pair{view.eye_map.has_value(), "eye_map"},
           std::pair{view.eye_lonlat.has_value(), "eye_lonlat"},
@@ -59,9 +93,10 @@ void check_view(const ViewSpec& view) {
   check_range("from_elevation", view.from_elevation.in_degrees(), 0, 90, " degrees");
   if (view.field_of_view) {
     const double field_deg = view.field_of_view->in_degrees();
-    if (!(field_deg > 0 && field_deg < 180))
+    if (!(field_deg > 0 && (is_round ? field_deg <= 360 : field_deg < 180)))
       throw UsageError(fmt::format("`field_of_view` is {} degrees", field_deg),
-                       "above 0 and below 180 degrees");
+                       is_round ? "above 0 and at most 360 degrees"
+                                : "above 0 and below 180 degrees");
   }
   if (view.distance_m) check_above_0("distance_m", *view.distance_m, kNone, " m");
   if (view.eye_height_m) check_above_0("eye_height_m", *view.eye_height_m, kNone, " m");
@@ -162,6 +197,7 @@ void check_style(const Style& style, bool has_solids) {
 void check_page(const PageRequest& page) {
   check_range("width_mm", page.width_mm, 1, 10000);
   if (page.height_mm) check_range("height_mm", *page.height_mm, 1, 10000);
+  check_range("strips", page.strips, 1, 20);
   if (page.scale) check_above_0("scale", *page.scale, kNone);
 }
 
@@ -191,6 +227,8 @@ void check_skyline_step(double step_deg) {
 
 void check_spec(const MapSpec& spec, bool has_solids) {
   if (!spec.view.file) check_view(spec.view);
+  if (spec.page.strips > 1 && (spec.view.file || !is_panorama(spec.view.projection)))
+    throw UsageError("`strips` has no meaning but in a panorama", "1");
   check_style(spec.style, has_solids);
   check_page(spec.page);
   if (spec.ground_points && spec.style.asks_for("pen-up"))

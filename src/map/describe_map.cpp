@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -25,6 +26,10 @@ std::string projection_name(Projection projection) {
     return "orthographic";
   case Projection::oblique:
     return "oblique";
+  case Projection::cylindrical:
+    return "cylindrical";
+  case Projection::equirectangular:
+    return "equirectangular";
   }
   return "perspective";
 }
@@ -94,18 +99,27 @@ double eye_height_m(const View& view, const Surface& surface) {
   return ground_m ? view.eye_z_m - *ground_m * view.exaggeration : kNotMeasured;
 }
 
+PanoramaFacts describe_panorama(const Panorama& panorama, double middle_deg) {
+  return {middle_deg - 0.5 * panorama.width_deg,
+          middle_deg + 0.5 * panorama.width_deg,
+          panorama.altitude_deg(panorama.low_tangent),
+          panorama.altitude_deg(panorama.high_tangent),
+          panorama.page.radius_mm,
+          std::max(1, static_cast<int>(panorama.strips.size()))};
+}
+
 ViewFacts describe_view(const PlacedView& placed, const TerrainData& terrain, const MapSpec& spec) {
   const View& view = placed.view;
   const MapFrame& map = terrain.map;
   const std::optional<ViewFile>& given = spec.view.file;
   ViewFacts out;
-  out.projection = projection_name(view.projection);
+  out.projection = projection_name(placed.panorama ? spec.view.projection : view.projection);
   out.look_azimuth_deg = azimuth_deg(view.forward);
   out.view_from_azimuth_deg = azimuth_deg(-1.0 * view.forward);
   out.view_from_auto = placed.chosen_view.has_value();
   out.elevation_deg = view.elevation.in_degrees();
   out.look_azimuth_true_deg = true_azimuth_deg(view, map);
-  if (!spec.view.look_azimuth && !placed.framed_by_skyline) {
+  if (!spec.view.look_azimuth && !placed.framed_by_skyline && !placed.panorama) {
     out.look_at = map.to_map(view.look_at_m);
     out.look_at_lonlat = lonlat_of(map, out.look_at);
   }
@@ -122,6 +136,12 @@ ViewFacts describe_view(const PlacedView& placed, const TerrainData& terrain, co
     }
     out.field_of_view_deg = atan2_angle(view.window.high.x, 1).in_degrees() -
                             atan2_angle(view.window.low.x, 1).in_degrees();
+  }
+  if (placed.panorama) {
+    const double middle_deg =
+        std::isnan(out.look_azimuth_true_deg) ? out.look_azimuth_deg : out.look_azimuth_true_deg;
+    out.panorama = describe_panorama(*placed.panorama, middle_deg);
+    out.field_of_view_deg = placed.panorama->width_deg;
   }
   // On the ellipsoid what is under the eye along the frame's upright depends on its height.
   const Vec3 origin =
@@ -176,14 +196,22 @@ InputFacts describe_input(const TerrainData& terrain) {
 void entitle(Drawing& drawing, const TerrainData& terrain, const PlacedView& placed,
              const std::string& title) {
   const View& view = placed.view;
+  const Panorama* panorama = placed.panorama ? &*placed.panorama : nullptr;
   drawing.title =
       !title.empty() ? title : std::filesystem::path(terrain.source).filename().string();
   drawing.description =
-      fmt::format("{} view from azimuth {:.6g}, elevation {:.6g} degrees; "
-                  "exaggeration {:.6g}; {} profiles; CRS {}",
-                  projection_name(view.projection), azimuth_deg(-1.0 * view.forward),
-                  view.elevation.in_degrees(), placed.exaggeration, placed.depths_m.size(),
-                  terrain.map.crs_name);
+      panorama
+          ? fmt::format("{} panorama of {:.6g} degrees, radius {:.6g} mm; exaggeration {:.6g}; "
+                        "{} profiles; CRS {}",
+                        panorama->kind == PanoramaKind::cylindrical ? "cylindrical"
+                                                                    : "equirectangular",
+                        panorama->width_deg, panorama->page.radius_mm, placed.exaggeration,
+                        placed.depths_m.size(), terrain.map.crs_name)
+          : fmt::format("{} view from azimuth {:.6g}, elevation {:.6g} degrees; "
+                        "exaggeration {:.6g}; {} profiles; CRS {}",
+                        projection_name(view.projection), azimuth_deg(-1.0 * view.forward),
+                        view.elevation.in_degrees(), placed.exaggeration, placed.depths_m.size(),
+                        terrain.map.crs_name);
 }
 
 void describe_map(Map& map, const TerrainData& terrain, const PlacedView& placed,

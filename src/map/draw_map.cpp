@@ -20,6 +20,7 @@
 #include "map/draw_contours.hpp"
 #include "map/draw_features.hpp"
 #include "map/draw_solids.hpp"
+#include "map/finish_panorama.hpp"
 #include "map/layer_table.hpp"
 #include "map/stroke_darkness.hpp"
 
@@ -78,7 +79,14 @@ std::vector<LinePart> by_edge(const std::vector<EdgeLine>& lines, std::vector<Li
 StrokeSettings stroke_settings(const TerrainData& terrain, const PlacedView& placed,
                                const MapSpec& spec) {
   StrokeSettings strokes;
-  strokes.to_page = placed.to_page;
+  if (placed.panorama) {
+    // Far below what simplification may move, and less than the page's step in any case.
+    constexpr double kLeastBend_mm = 5e-7, kShareOfSimplification = 1e-3;
+    strokes.panorama = placed.panorama->page;
+    strokes.bend_mm = std::max(kLeastBend_mm, kShareOfSimplification * spec.style.simplify_mm);
+  } else {
+    strokes.to_page = placed.to_page;
+  }
   strokes.frame_mm = placed.frame_mm;
   strokes.depth = placed.depth;
   strokes.simplify_mm = spec.style.simplify_mm;
@@ -110,7 +118,9 @@ public:
     std::vector<LinePart> all;
     for (const SectorLines& sector : sectors_) append(sector.*kind, all);
     throw_if_stopped();
-    if (sectors_.size() > 1 && has_ground(terrain_.surface))
+    if (placed_.panorama) // sectors overlap by a hair
+      join(all);
+    else if (sectors_.size() > 1 && has_ground(terrain_.surface))
       join_sectors(terrain_.surface, points_, placed_.view, lines_,
                    std::max(0.0, placed_.sectors.front().view.drawn_from_m), all);
     return all;
@@ -199,7 +209,7 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
   const auto solids = [&](std::vector<LinePart> SolidParts::*kind,
                           const std::vector<LinePart>& beneath) {
     std::vector<LinePart> parts = found.of(kind);
-    drop_repeated(placed.solids, placed.view, placed.to_page, beneath, parts);
+    drop_repeated(placed, beneath, parts);
     return parts;
   };
   std::vector<LineLayer> layers;
@@ -215,7 +225,7 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     switch (row.source) {
     case LineSource::profiles:
       added.layer = std::move(row.is_hidden() ? hidden_profiles : profiles);
-      added.is_rounded = !row.is_hidden();
+      added.is_rounded = !row.is_hidden() && !placed.panorama;
       tell_darkness(added.layer, placed);
       break;
     case LineSource::edges:
@@ -298,8 +308,10 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   watch.mark(seconds.facing);
 
   double profiles_done = 0;
+  std::size_t profile_count = 0;
+  for (const Sector& sector : placed.sectors) profile_count += sector.profiles.size();
   const auto profile_done = [&] {
-    if (progress) progress(++profiles_done / static_cast<double>(placed.depths_m.size()));
+    if (progress) progress(++profiles_done / static_cast<double>(profile_count));
   };
   std::vector<SectorLines> sectors;
   for (std::size_t i = 0; i < placed.sectors.size(); ++i)
@@ -310,6 +322,12 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
                                         profile_layer ? &*profile_layer : nullptr,
                                         {counts, seconds}, profile_done));
   if (check) map.facts.check = check->counts();
+  if (placed.panorama && profile_layer) {
+    join_at_borders(*profiles, placed.sectors, strokes.min_stroke_mm, profile_layer->left_out_mm);
+    double of_hidden_mm = 0; // which aren't counted
+    if (hidden_profiles)
+      join_at_borders(*hidden_profiles, placed.sectors, strokes.min_stroke_mm, of_hidden_mm);
+  }
 
   watch = {};
   SeenContours contours; // which only a view of one sector finds
@@ -373,6 +391,8 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     task.layer.depths_m.clear();
     if (task.layer.is_hidden && !spec.ground_points)
       task.layer = dashed(task.layer, kDash_mm, kDashGap_mm);
+    if (placed.panorama && !placed.panorama->strips.empty())
+      task.layer = in_strips(task.layer, placed.panorama->strips);
     task.dropped =
         task.is_rounded ? drop_repeated_strokes(task.layer) : round_to_page_step(task.layer);
   });

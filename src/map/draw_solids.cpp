@@ -41,11 +41,10 @@ public:
                          to_profile_frame(view_, vertices[at.edge->to]), t);
   }
   // None where an end has no picture.
-  std::optional<PageEnds> ends(const LinePart& part, const Homography& to_page) const {
+  std::optional<PageEnds> ends(const LinePart& part, const PlacedView& placed) const {
     std::array<std::array<double, 2>, 2> ends;
     for (std::size_t i = 0; i < 2; ++i) {
-      const Vec3 page =
-          to_page.of(project_homogeneous(view_, point(part, i == 0 ? part.t_begin : part.t_end)));
+      const Vec3 page = placed.on_page(point(part, i == 0 ? part.t_begin : part.t_end));
       if (!(page.z > 0)) return std::nullopt;
       ends[i] = {std::round(page.x / page.z / kPageStep_mm),
                  std::round(page.y / page.z / kPageStep_mm)};
@@ -67,13 +66,12 @@ private:
 
 } // namespace
 
-void drop_repeated(std::span<const StandingSolid> standing, const View& view,
-                   const Homography& to_page, const std::vector<LinePart>& drawn,
+void drop_repeated(const PlacedView& placed, const std::vector<LinePart>& drawn,
                    std::vector<LinePart>& parts) {
-  const EdgePlaces places(standing, view);
+  const EdgePlaces places(placed.solids, placed.view);
   std::set<PageEnds> known;
   const auto is_known = [&](const LinePart& part) {
-    const std::optional<PageEnds> ends = places.ends(part, to_page);
+    const std::optional<PageEnds> ends = places.ends(part, placed);
     return ends && !known.insert(*ends).second;
   };
   for (const LinePart& part : drawn) is_known(part);

@@ -60,6 +60,16 @@ struct Geodesic {
   double distance_m, azimuth_deg; ///< at the eye, from true north
 };
 
+/// What a panorama shows of the horizon, and how large.
+struct PanoramaFacts {
+  /// From its left side to its right one, from less to more; from true north, or from the map's
+  /// where the CRS doesn't tell it.
+  double azimuth_from_deg = 0, azimuth_to_deg = 360;
+  double altitude_low_deg = 0, altitude_high_deg = 0;
+  double radius_mm = 0; ///< a radian of azimuth on the page
+  int strips = 1;
+};
+
 /// Points are in map coordinates with true heights, whatever the exaggeration.
 struct ViewFacts {
   std::string projection;
@@ -79,13 +89,14 @@ struct ViewFacts {
   Vec2 depth_origin;                  ///< where depth is 0
   Vec2 forward;                       ///< unit, horizontal
   double field_of_view_deg = kNotMeasured;
+  std::optional<PanoramaFacts> panorama;
   std::optional<Vec2> oblique; ///< length and rise in degrees of lines away from the viewer
   double roll_deg = 0;
   double exaggeration = 1;
   bool exaggeration_auto = false;
   CurvatureFacts curvature;
-  Homography homography; ///< visibility plane to page mm
-  ViewFile phigs;        ///< the same view, as a file holds it
+  Homography homography; ///< visibility plane to page mm; of a panorama near its middle
+  ViewFile phigs;        ///< the same view, as a file holds it; not of a panorama
 };
 
 struct ProfileFacts {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -91,6 +92,88 @@ void tone_sector(Sector& sector, const PlacedView& placed, const Surface& surfac
   }
 }
 
+// Columns of a whole sector half a millimetre wide; of one that the page shows in part those that
+// are on it. So they lie in the same directions wherever the page begins.
+PageColumns columns_of(const Sector& sector, const Panorama& panorama) {
+  constexpr double kColumn_mm = 0.5, kMost = 512;
+  const double half = whole_sector_half_width(), width_mm = panorama.whole_sector_mm();
+  const double whole = std::clamp(std::round(width_mm / kColumn_mm), 1.0, kMost);
+  const double width = 2 * half / whole;
+  const auto at = [&](double x) { return (x + half) / width; };
+  constexpr double kRounding = 1e-6;
+  const double first = std::max(0.0, std::floor(at(sector.view.window.low.x) + kRounding)),
+               end = std::min(whole, std::ceil(at(sector.view.window.high.x) - kRounding));
+  PageColumns columns;
+  columns.begin = -half + first * width;
+  columns.width = width;
+  columns.count = static_cast<std::size_t>(end - first);
+  columns.mm = width_mm / whole;
+  const double forward = sector.azimuth;
+  for (std::size_t i = 0; i < columns.count; ++i) {
+    const double x = columns.middle(i), aside = std::atan(x);
+    columns.fan.push_back({x, width, forward + aside, aside});
+  }
+  return columns;
+}
+
+// All of a panorama at once: lines go on from sector to sector, and so do their runs and widths.
+void tone_panorama(PlacedView& placed, const Surface& surface, const ToneRequest& request) {
+  std::vector<Sector>& sectors = placed.sectors;
+  std::vector<std::unique_ptr<SurfaceCutter>> cutters;
+  std::vector<SampledSector> sampled;
+  PageColumns all;
+  std::vector<std::size_t> firsts;
+  for (const Sector& sector : sectors) {
+    const PageColumns columns = columns_of(sector, *placed.panorama);
+    cutters.push_back(std::make_unique<SurfaceCutter>(surface, sector.view, placed.level.triangles,
+                                                      placed.border));
+    sampled.push_back({*cutters.back(), sector.view, sector.to_page, columns});
+    firsts.push_back(all.fan.size());
+    all.mm = columns.mm;
+    all.fan.insert(all.fan.end(), columns.fan.begin(), columns.fan.end());
+  }
+  all.count = all.fan.size();
+  const std::vector<SampledSector> own = sampled;
+  const ProfileSampler sampler(std::move(sampled), placed.panorama->page);
+  std::vector<TonedProfile> toned =
+      toned_profiles(sampler, all, placed.view, placed.frame_mm, placed.depths_m,
+                     std::max(placed.nearest_m, placed.view.near_m), request);
+  placed.depths_m.clear();
+  for (Sector& sector : sectors) sector.profiles.clear();
+  for (TonedProfile& profile : toned) {
+    const auto number = static_cast<std::int32_t>(placed.depths_m.size());
+    placed.depths_m.push_back(profile.depth_m);
+    for (std::size_t k = 0; k < sectors.size(); ++k) {
+      PlannedProfile planned{profile.depth_m, number};
+      planned.level = profile.level;
+      const PageColumns& columns = own[k].columns;
+      const auto first = static_cast<double>(firsts[k]), count = static_cast<double>(columns.count);
+      if (!profile.darkness.empty()) {
+        const auto begin = profile.darkness.begin() + static_cast<std::ptrdiff_t>(firsts[k]);
+        planned.darkness.assign(begin, begin + static_cast<std::ptrdiff_t>(columns.count));
+      }
+      if (request.is_even || request.is_shown_by(LightShownBy::width)) {
+        planned.runs.emplace();
+        for (const ToneRun& run : profile.runs) {
+          const double from = std::max(run.x_begin - first, 0.0),
+                       to = std::min(run.x_end - first, count);
+          if (!(from < to)) continue;
+          // What goes on in the next sector goes on a column beyond this one's side.
+          planned.runs->push_back({columns.begin + columns.width * (from > 0 ? from : -1),
+                                   columns.begin + columns.width * (to < count ? to : count + 1),
+                                   request.is_shown_by(LightShownBy::width) ? run.width_mm : 0});
+        }
+        if (request.is_even && planned.runs->empty() &&
+            !(request.keeps_unseen && profile.level >= 0))
+          continue;
+      }
+      if (profile.depth_m < sectors[k].farthest_m)
+        sectors[k].profiles.push_back(std::move(planned));
+    }
+  }
+  for (std::size_t k = 0; k < sectors.size(); ++k) sectors[k].columns = own[k].columns;
+}
+
 } // namespace
 
 std::optional<LineShade> ridge_shade(const PlacedView& placed, const MapSpec& spec) {
@@ -109,12 +192,16 @@ std::optional<LineShade> ridge_shade(const PlacedView& placed, const MapSpec& sp
   shade.up = direction({step.x - image.x / image.z * step.z, step.y - image.y / image.z * step.z},
                        {0, -1});
   if (ray.z < 0) shade.up = -1.0 * shade.up;
-  const Vec3 light = towards_light(*style.light, sector.view);
+  const Vec3 light = towards_light(*style.light, placed.view);
   const double upwards =
       light.z * cos(sector.view.elevation) + light.y * sin(sector.view.elevation);
   const Vec2 right{-shade.up.y, shade.up.x};
   shade.towards_light = direction(light.x * right + upwards * shade.up, shade.up);
   shade.contrast = style.light->contrast;
+  if (placed.panorama && !style.light->of_picture) {
+    const PanoramaPage& page = placed.panorama->page;
+    shade.standing = StandingLight{light, page.ahead_mm.x, page.radius_mm};
+  }
   if (!shows_beside(placed.view)) { // else depth isn't how far something is
     shade.haze = style.haze_in(sector.view.is_perspective());
     shade.nearest_m = std::max(placed.nearest_m, sector.view.near_m);
@@ -139,6 +226,15 @@ void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec) 
   request.haze = shows_beside(placed.view) ? 0 : style.haze_in(placed.view.is_perspective());
   request.draws_level = style.flat == FlatGround::draw;
   request.keeps_unseen = style.asks_for("hidden-profiles");
+  if (placed.panorama) {
+    if (style.light) {
+      request.light =
+          ground_light(*style.light, widths, request.spacing_mm, placed.view, spec.ground_points);
+      request.light->stands = !style.light->of_picture;
+    }
+    tone_panorama(placed, surface, request);
+    return;
+  }
   std::vector<double> depths_m;
   // What is behind the eye has depths below 0, and comes first.
   for (std::size_t i = placed.sectors.size(); i-- > 0;) {

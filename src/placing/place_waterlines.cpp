@@ -18,12 +18,6 @@ constexpr double kGrowth = 1.4;
 // for views along the water, where they would go out too far to the sides.
 constexpr double kMostDepth = 2;
 
-// On the page, of a metre on the ground.
-double mm_per_step(const PlacedView& placed, ProfilePoint from, ProfilePoint to) {
-  const Vec3 here = project_homogeneous(placed.view, from);
-  return placed.to_page.mm_per_step(here, project_homogeneous(placed.view, to) - here);
-}
-
 } // namespace
 
 Isolines place_waterlines(const PlacedView& placed, const Surface& surface, double pen_width_mm) {
@@ -33,14 +27,16 @@ Isolines place_waterlines(const PlacedView& placed, const Surface& surface, doub
   for (const SurfaceEdge& edge : placed.level.shores) {
     throw_if_stopped(mm_per_m.size());
     const ProfilePoint at = ends(edge).from;
-    const Vec3 image = placed.to_page.of(project_homogeneous(view, at));
-    if (!(image.z > 0) || (view.is_perspective() && at.v < view.near_m)) continue;
+    const Vec3 image = placed.on_page(at);
+    const double away_m = placed.panorama ? std::hypot(at.u, at.v) : at.v;
+    if (!(image.z > 0) || (view.is_perspective() && away_m < view.near_m)) continue;
     const Vec2 mm{image.x / image.z, image.y / image.z};
     if (mm.x < placed.frame_mm.low.x || mm.x > placed.frame_mm.high.x ||
         mm.y < placed.frame_mm.low.y || mm.y > placed.frame_mm.high.y)
       continue;
-    const double across = mm_per_step(placed, at, {at.u + 1, at.v, at.z}),
-                 along = mm_per_step(placed, at, {at.u, at.v + 1, at.z});
+    const Vec2 ahead = placed.panorama ? (1 / away_m) * Vec2{at.u, at.v} : Vec2{0, 1};
+    const double across = placed.mm_per_step(at, {ahead.y, -ahead.x, 0}),
+                 along = placed.mm_per_step(at, {ahead.x, ahead.y, 0});
     mm_per_m.push_back(std::max(std::sqrt(across * along), across / kMostDepth));
   }
   if (mm_per_m.empty()) return {};

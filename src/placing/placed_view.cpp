@@ -26,6 +26,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace orograph {
@@ -33,7 +34,8 @@ namespace {
 
 ViewRequest view_request(const MapSpec& spec, const TerrainData& terrain, double exaggeration) {
   ViewRequest request;
-  request.projection = spec.view.projection;
+  request.projection =
+      is_panorama(spec.view.projection) ? Projection::perspective : spec.view.projection;
   request.oblique = spec.view.oblique;
   request.field_of_view = spec.view.field_of_view;
   request.distance_m = spec.view.distance_m;
@@ -76,28 +78,27 @@ void place_view_file(PlacedView& placed, const ViewFile& file, const MapFrame& m
 }
 
 // Those between which the terrain lies. A TIN's are its vertices': its cutter has more to make.
-void find_depths(PlacedView& placed, const Surface& surface) {
+std::pair<double, double> depths_of(const PlacedView& placed, const Surface& surface,
+                                    const View& view) {
   if (const Tin* tin = std::get_if<Tin>(&surface)) {
-    placed.nearest_m = std::numeric_limits<double>::infinity();
-    placed.farthest_m = -placed.nearest_m;
+    double nearest_m = std::numeric_limits<double>::infinity(), farthest_m = -nearest_m;
     std::size_t step = 0;
     for (const Vec3& vertex : tin->vertices_m) {
       throw_if_stopped(step++);
-      const double depth_m = to_profile_frame(placed.view, vertex).v;
-      placed.nearest_m = std::min(placed.nearest_m, depth_m);
-      placed.farthest_m = std::max(placed.farthest_m, depth_m);
+      const double depth_m = to_profile_frame(view, vertex).v;
+      nearest_m = std::min(nearest_m, depth_m);
+      farthest_m = std::max(farthest_m, depth_m);
     }
-    return;
+    return {nearest_m, farthest_m};
   }
-  const SurfaceCutter cutter(surface, placed.view, placed.level.triangles, placed.border);
-  placed.nearest_m = cutter.nearest_m();
-  placed.farthest_m = cutter.farthest_m();
+  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.border);
+  return {cutter.nearest_m(), cutter.farthest_m()};
 }
 
 // Level, towards the terrain's centre where nothing says otherwise; north from straight above it.
 LookDirection level_look(const ViewRequest& request, const TerrainShape& shape) {
   if (request.look) return *request.look;
-  const Vec3 towards = shape.box.centre() - *request.eye_m;
+  const Vec3 towards = request.look_at_m.value_or(shape.box.centre()) - *request.eye_m;
   if (towards.x == 0 && towards.y == 0) return {};
   return {atan2_angle(towards.x, towards.y), Angle()};
 }
@@ -108,6 +109,8 @@ CutSurface cut_surface(const PlacedView& placed, const Surface& surface) {
 
 std::vector<GroundAhead> ground_ahead_of(const PlacedView& placed, const Surface& surface,
                                          const EarthDrop& drop) {
+  if (placed.panorama)
+    return ground_about(*placed.panorama, placed.view, cut_surface(placed, surface));
   constexpr int kColumns = 17;
   return ground_ahead(placed.view, drop, cut_surface(placed, surface), kColumns);
 }
@@ -135,9 +138,39 @@ bool frame_by_skyline(PlacedView& placed, const TerrainData& terrain, const MapS
                         over_ground, window_shape(spec.page));
 }
 
+// The eye, the directions and the page of a panorama.
+void place_panorama(PlacedView& placed, const TerrainData& terrain, const MapSpec& spec,
+                    const TerrainShape& shape, double exaggeration, const EarthDrop& drop) {
+  MapSpec looking = spec;
+  looking.view = looking_to_middle(spec.view);
+  ViewRequest request = view_request(looking, terrain, exaggeration);
+  request.drop = drop;
+  request.look = level_look(request, shape);
+  Panorama panorama = panorama_asked(spec.view, request);
+  View& view = placed.view;
+  view = level_view(request, placed.cell_m);
+  std::vector<GroundAhead> about;
+  if (has_ground(terrain.surface))
+    about = ground_about(panorama, view, cut_surface(placed, terrain.surface));
+  frame_panorama(panorama, view, shape, about, ground_under_eye(view, terrain.surface).has_value(),
+                 spec.view.altitude_range, spec.page);
+  placed.page = place_panorama_on_page(panorama, view, spec.page);
+  placed.frame_mm = panorama.frame_mm;
+  const std::vector<Sector> sectors = sectors_of(panorama, view);
+  view.window = sectors[sectors.size() / 2].view.window;
+  const PanoramaPage& page = panorama.page;
+  placed.to_page = {
+      {page.radius_mm, 0, page.ahead_mm.x, 0, -page.radius_mm, page.ahead_mm.y, 0, 0, 1}};
+  placed.panorama = std::move(panorama);
+}
+
 // View and page, on ground that sinks by `drop`.
 void place_on_earth(PlacedView& placed, const TerrainData& terrain, const MapSpec& spec,
                     const TerrainShape& shape, double exaggeration, const EarthDrop& drop) {
+  if (!spec.view.file && is_panorama(spec.view.projection)) {
+    place_panorama(placed, terrain, spec, shape, exaggeration, drop);
+    return;
+  }
   if (spec.view.file) {
     place_view_file(placed, *spec.view.file, terrain.map, exaggeration, drop);
   } else {
@@ -231,8 +264,24 @@ void take_extent(PlacedView& placed, const BlockedPoints& points) {
   placed.cell_m = 0.01 * length(extent.high - extent.low);
 }
 
+// Without profiles.
+std::vector<Sector> panorama_sectors(const PlacedView& placed, const Surface& surface) {
+  std::vector<Sector> sectors = sectors_of(*placed.panorama, placed.view);
+  for (Sector& sector : sectors)
+    std::tie(sector.nearest_m, sector.farthest_m) = depths_of(placed, surface, sector.view);
+  return sectors;
+}
+
+// All have the same, so that profiles go on from one to the next.
+void share_profiles(PlacedView& placed) {
+  for (Sector& sector : placed.sectors)
+    for (std::size_t i = 0; i < placed.depths_m.size(); ++i)
+      if (placed.depths_m[i] < sector.farthest_m)
+        sector.profiles.push_back({placed.depths_m[i], static_cast<std::int32_t>(i)});
+}
+
 // Those of the two sides of the eye on which there is something.
-std::vector<Sector> sectors_of(const PlacedView& placed) {
+std::vector<Sector> plane_sectors(const PlacedView& placed) {
   Sector ahead;
   ahead.view = placed.view;
   ahead.to_page = placed.to_page;
@@ -246,6 +295,7 @@ std::vector<Sector> sectors_of(const PlacedView& placed) {
   if (shows_beside(placed.view) && nearest_m < -placed.view.near_m) {
     Sector behind;
     behind.behind = true;
+    behind.to_view = {-1, 0};
     behind.view = sector_behind(placed.view);
     behind.to_page = homography_behind(placed.to_page);
     behind.nearest_m = -placed.farthest_m;
@@ -320,15 +370,25 @@ PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& 
 
   placed.plan = spec.style.plan.value_or(PageSpacing{kPenWidthsApart * spec.style.pen_width_mm});
   if (!on_ground) {
-    placed.sectors = sectors_of(placed);
+    placed.sectors =
+        placed.panorama ? sectors_of(*placed.panorama, placed.view) : plane_sectors(placed);
     return placed;
   }
-  find_depths(placed, surface);
+  if (placed.panorama) {
+    placed.sectors = panorama_sectors(placed, surface);
+    placed.nearest_m = std::ranges::min(placed.sectors, {}, &Sector::nearest_m).nearest_m;
+    placed.farthest_m = std::ranges::max(placed.sectors, {}, &Sector::farthest_m).farthest_m;
+  } else {
+    std::tie(placed.nearest_m, placed.farthest_m) = depths_of(placed, surface, placed.view);
+  }
   PlanGround ground = plan_ground(placed, under_eye_m);
-  if (const Grid* grid = std::get_if<Grid>(&surface))
+  if (const Grid* grid = std::get_if<Grid>(&surface); grid && !placed.panorama)
     ground.row_depths_m = row_depths(*grid, placed.view);
   placed.depths_m = plan_depths(placed.plan, ground, placed.view, placed.to_page);
-  placed.sectors = sectors_of(placed);
+  if (placed.panorama)
+    share_profiles(placed);
+  else
+    placed.sectors = plane_sectors(placed);
   give_tone(placed, surface, spec); // which may need more profiles
   placed.ridge_shade = ridge_shade(placed, spec);
   return placed;

@@ -10,6 +10,7 @@
 #include "placing/choose_view.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/near_skyline.hpp"
+#include "placing/panorama.hpp"
 #include "placing/sector.hpp"
 #include "placing/terrain_facts.hpp"
 #include "placing/terrain_of_view.hpp"
@@ -19,6 +20,7 @@
 #include "solids/standing_solid.hpp"
 #include "view/view.hpp"
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,24 +41,40 @@ struct PlacedView {
   std::vector<BorderEdge> border;
   std::vector<StandingSolid> solids;
   LevelGround level;
-  View view;
+  View view; ///< of a panorama: that to its middle
+  std::optional<Panorama> panorama;
   bool framed_by_skyline = false; ///< looks level, its window shifted (placing/frame_eye_view.hpp)
   std::optional<ChosenView> chosen_view; ///< where the spec leaves it to us
   std::optional<NearSkyline> near_skyline;
   Page page;
-  Homography to_page;               ///< visibility plane to page mm
+  Homography to_page;               ///< visibility plane to page mm; of a panorama near its middle
   Box2 frame_mm;                    ///< strokes end here
   std::optional<VolumeDepth> depth; ///< and at the front and back plane, where there are any
   EarthCurvature curvature;
   PlanRequest plan;
   std::vector<double> depths_m;         ///< of all profiles, rising; in `view`
   double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
-  std::vector<Sector> sectors;          ///< ahead, then behind; at least one
+  std::vector<Sector> sectors;          ///< ahead, then behind, or a panorama's; at least one
   double cell_m = 0;                    ///< the terrain's finest ground detail
   double exaggeration = 1; ///< of all heights; `view` still has to do it except on the ellipsoid
   bool exaggeration_chosen = false;     ///< by us, not by the user
   std::span<const Overlay> overlays;    ///< to be laid on the ground
   std::optional<LineShade> ridge_shade; ///< none: light doesn't show in lines' widths
+
+  /// The page's place of a point of `view`'s profile frame, over its last coordinate; a panorama's
+  /// before it is cut into strips. Above 0 where there is one.
+  Vec3 on_page(ProfilePoint at) const {
+    if (!panorama) return to_page.of(project_homogeneous(view, at));
+    const Vec2 mm = panorama->page(at);
+    return {mm.x, mm.y, std::isfinite(mm.y) ? 1.0 : 0.0};
+  }
+  /// Length on the page of a small step from a point of the frame, over the step's.
+  double mm_per_step(ProfilePoint at, Vec3 step) const {
+    if (panorama) return panorama->page.mm_per_step(at, step);
+    const Vec3 here = project_homogeneous(view, at);
+    return to_page.mm_per_step(
+        here, project_homogeneous(view, {at.u + step.x, at.v + step.y, at.z + step.z}) - here);
+  }
 };
 
 /// REQUIRES that the terrain, and the solids, outlive the placed view. Solids stand on `uncut`,

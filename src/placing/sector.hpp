@@ -2,7 +2,9 @@
 // The parts of a view that have a visibility plane of their own.
 #pragma once
 
+#include "geometry/box.hpp"
 #include "geometry/homography.hpp"
+#include "geometry/turn.hpp"
 #include "horizon/clip_profile.hpp"
 #include "horizon/compare.hpp"
 #include "view/view.hpp"
@@ -24,13 +26,18 @@ struct PlannedProfile {
   std::vector<float> darkness = {};              ///< as in TonedProfile, in the sector's columns
 };
 
-/// What is ahead of the eye, or, where the page shows any of that, behind it.
+/// What is ahead of the eye, or, where the page shows any of that, behind it; or one of a
+/// panorama's.
 struct Sector {
   View view;
-  Homography to_page;                   ///< its visibility plane to page mm
+  Turn to_view;                         ///< from its profile frame to that of the whole view
+  Homography to_page;                   ///< its visibility plane to page mm; of a panorama nearly
   std::vector<PlannedProfile> profiles; ///< front to back
   double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
   bool behind = false;
+  std::optional<Box2> frame_mm; ///< of a panorama's: its profiles' strokes end here
+  double azimuth =
+      0; ///< of a panorama's: of its forward direction, from the page's middle; radians
   PageColumns columns;      ///< of its profiles' darkness
   bool keeps_strip = false; ///< has a sector behind it, and what lies between the two
 };

@@ -31,7 +31,7 @@ Slope slope_at(const PlanOnPage& plan, const PageColumns& columns, const View& v
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const SampledProfile& at = plan.profiles[j];
   const auto& z = at.z_m;
-  const double u_step = columns.step_u_m(view, at.depth_m);
+  const double u_step = columns.step_u_m(view, at.depth_m, i);
   Slope slope;
   slope.per_u = change(i > 0 ? z[i - 1] : kNone, z[i], i + 1 < z.size() ? z[i + 1] : kNone, u_step);
   // Along the column first, which is not straight away from the viewer.
@@ -46,22 +46,32 @@ Slope slope_at(const PlanOnPage& plan, const PageColumns& columns, const View& v
   return slope;
 }
 
+// Of a panorama's column: turned by an angle clockwise, as the column's own direction is, so that
+// it counts from that.
+Vec3 turned(Vec3 v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {v.x * c - v.y * s, v.x * s + v.y * c, v.z};
+}
+
 } // namespace
 
 std::vector<float> darkness_of(const PlanOnPage& plan, const PageColumns& columns, const View& view,
                                const ToneRequest& request) {
   if (!request.light) return {};
   const GroundLight& light = *request.light;
-  const auto normals = sums_on_page<3>(
-      plan.seen, columns, std::max(light.smooth_mm, 0.5 * columns.mm),
-      [&](std::size_t j, std::size_t i) -> Sums<3> {
-        const Slope slope = slope_at(plan, columns, view, j, i);
-        // By how much of the page it shows.
-        const double weight = (1e-3 + plan.seen[j].gap_mm[i]) /
-                              std::sqrt(slope.per_u * slope.per_u + slope.per_v * slope.per_v + 1);
-        return {static_cast<float>(-slope.per_u * weight),
-                static_cast<float>(-slope.per_v * weight), static_cast<float>(weight)};
-      });
+  const auto normals =
+      sums_on_page<3>(plan.seen, columns, std::max(light.smooth_mm, 0.5 * columns.mm),
+                      [&](std::size_t j, std::size_t i) -> Sums<3> {
+                        const Slope slope = slope_at(plan, columns, view, j, i);
+                        Vec3 up{-slope.per_u, -slope.per_v, 1};
+                        if (!columns.fan.empty()) up = turned(up, columns.fan[i].aside);
+                        // By how much of the page it shows.
+                        const double weight =
+                            (1e-3 + plan.seen[j].gap_mm[i]) /
+                            std::sqrt(slope.per_u * slope.per_u + slope.per_v * slope.per_v + 1);
+                        return {static_cast<float>(up.x * weight),
+                                static_cast<float>(up.y * weight), static_cast<float>(weight)};
+                      });
   std::vector<float> darkness(normals.size() * columns.count);
   const auto of_lit = [&](double lit) {
     return light.least + (light.greatest - light.least) * std::pow(1 - lit, kGamma);
@@ -69,13 +79,17 @@ std::vector<float> darkness_of(const PlanOnPage& plan, const PageColumns& column
   const double level = of_lit(std::max(0.0, light.towards.z));
   const double nearest_m = plan.profiles.empty() ? 0 : plan.profiles.front().depth_m,
                range_m = plan.profiles.empty() ? 1 : plan.profiles.back().depth_m - nearest_m;
+  std::vector<Vec3> towards(columns.count, light.towards);
+  if (light.stands)
+    for (std::size_t i = 0; i < columns.fan.size(); ++i)
+      towards[i] = turned(light.towards, columns.fan[i].azimuth);
   on_all_cores(plan.profiles.size(), [&](std::size_t j) {
     const double far = range_m > 0 ? (plan.profiles[j].depth_m - nearest_m) / range_m : 0;
     for (std::size_t i = 0; i < columns.count; ++i) {
       const auto [x, y, z] = normals[j][i];
       const Vec3 n{x, y, z};
       const double size = std::sqrt(dot(n, n));
-      const double lit = size > 0 ? std::max(0.0, dot(n, light.towards) / size)
+      const double lit = size > 0 ? std::max(0.0, dot(n, towards[i]) / size)
                                   : std::numeric_limits<double>::quiet_NaN();
       darkness[j * columns.count + i] =
           static_cast<float>((1 - request.haze * far) *

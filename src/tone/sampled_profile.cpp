@@ -21,23 +21,41 @@ PageColumns page_columns(XRange range, bool of_u, const Box2& frame_mm, double m
 }
 
 void ProfileSampler::sample(double depth_m, SampledProfile& out) const {
-  thread_local HeightsAlong ground;
-  const PlacesAlong at{columns_.first_u_m(view_, depth_m), columns_.step_u_m(view_, depth_m),
-                       columns_.count};
-  cutter_.heights(depth_m, at, ground);
+  std::size_t count = 0;
+  for (const SampledSector& sector : sectors_) count += sector.columns.count;
   out.depth_m = depth_m;
-  out.z_m.assign(columns_.count, std::numeric_limits<double>::quiet_NaN());
-  out.is_level = ground.is_level;
-  out.x_mm.assign(columns_.count, 0);
-  out.y_mm.assign(columns_.count, 0);
-  for (std::size_t i = 0; i < columns_.count; ++i) {
+  out.z_m.assign(count, std::numeric_limits<double>::quiet_NaN());
+  out.is_level.assign(count, 0);
+  out.x_mm.assign(count, 0);
+  out.y_mm.assign(count, 0);
+  std::size_t first = 0;
+  for (const SampledSector& sector : sectors_) {
+    sample(depth_m, sector, first, out);
+    first += sector.columns.count;
+  }
+}
+
+void ProfileSampler::sample(double depth_m, const SampledSector& sector, std::size_t first,
+                            SampledProfile& out) const {
+  const auto& [cutter, view, to_page, columns] = sector;
+  thread_local HeightsAlong ground;
+  const PlacesAlong at{columns.first_u_m(view, depth_m), columns.step_u_m(view, depth_m),
+                       columns.count};
+  cutter.heights(depth_m, at, ground);
+  std::ranges::copy(ground.is_level, out.is_level.begin() + static_cast<std::ptrdiff_t>(first));
+  for (std::size_t i = 0; i < columns.count; ++i) {
     if (std::isnan(ground.z_m[i])) continue;
-    const Vec2 plane = project(view_, {at[i], depth_m, ground.z_m[i]});
-    if (!(to_page_.w(plane) > 0)) continue;
-    const Vec2 page = to_page_(plane);
-    out.z_m[i] = ground.z_m[i];
-    out.x_mm[i] = static_cast<float>(page.x);
-    out.y_mm[i] = static_cast<float>(page.y);
+    const ProfilePoint here{at[i], depth_m, ground.z_m[i]};
+    const Vec2 plane = project(view, here);
+    if (!(to_page.w(plane) > 0)) continue;
+    Vec2 page = to_page(plane);
+    if (page_) {
+      const auto& fan = columns.fan[i];
+      page = {page_->x_mm(fan.azimuth), page_->y_mm(page_->tangent(here))};
+    }
+    out.z_m[first + i] = ground.z_m[i];
+    out.x_mm[first + i] = static_cast<float>(page.x);
+    out.y_mm[first + i] = static_cast<float>(page.y);
   }
 }
 

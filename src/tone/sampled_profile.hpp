@@ -3,10 +3,13 @@
 #pragma once
 
 #include "geometry/homography.hpp"
+#include "geometry/panorama_page.hpp"
 #include "profiles/cut_surface.hpp"
 #include "view/view.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "tone/page_columns.hpp"
@@ -23,22 +26,34 @@ struct SampledProfile {
   std::vector<float> x_mm, y_mm; ///< on the page
 };
 
+/// What columns, one behind the other, see in one visibility plane.
+struct SampledSector {
+  const SurfaceCutter& cutter;
+  const View& view;
+  const Homography& to_page;
+  PageColumns columns;
+};
+
 /// Cuts and samples. Safe from several threads.
 class ProfileSampler {
 public:
   /// REQUIRES that all outlive it.
   ProfileSampler(const SurfaceCutter& cutter, const View& view, const Homography& to_page,
                  const PageColumns& columns)
-      : cutter_(cutter), view_(view), to_page_(to_page), columns_(columns) {}
+      : sectors_{{cutter, view, to_page, columns}} {}
+  /// Of a panorama, left to right.
+  ProfileSampler(std::vector<SampledSector> sectors, const PanoramaPage& page)
+      : sectors_(std::move(sectors)), page_(page) {}
 
   /// Fills all but level and halvings in.
   void sample(double depth_m, SampledProfile& out) const;
 
 private:
-  const SurfaceCutter& cutter_;
-  const View& view_;
-  const Homography& to_page_;
-  const PageColumns& columns_;
+  void sample(double depth_m, const SampledSector& sector, std::size_t first,
+              SampledProfile& out) const;
+
+  std::vector<SampledSector> sectors_;
+  std::optional<PanoramaPage> page_;
 };
 
 } // namespace orograph

@@ -59,12 +59,19 @@ std::vector<TonedProfile> toned_profiles(const SurfaceCutter& cutter, const Tone
                                          const ToneRequest& request) {
   const PageColumns columns = columns_of(page);
   const ProfileSampler sampler(cutter, page.view, page.to_page, columns);
+  return toned_profiles(sampler, columns, page.view, page.frame_mm, depths_m, nearest_m, request);
+}
+
+std::vector<TonedProfile> toned_profiles(const ProfileSampler& sampler, const PageColumns& columns,
+                                         const View& view, const Box2& frame_mm,
+                                         std::span<const double> depths_m, double nearest_m,
+                                         const ToneRequest& request) {
   const PlanOnPage plan = request.is_even
-                              ? plan_on_page(sampler, depths_m, nearest_m, columns, page.view,
-                                             page.frame_mm, request.spacing_mm, request.draws_level)
-                              : as_planned(sampler, depths_m, columns, page.view, page.frame_mm);
+                              ? plan_on_page(sampler, depths_m, nearest_m, columns, view, frame_mm,
+                                             request.spacing_mm, request.draws_level)
+                              : as_planned(sampler, depths_m, columns, view, frame_mm);
   const std::vector<float> gaps = planned_gaps_mm(plan, columns);
-  const std::vector<float> darkness = darkness_of(plan, columns, page.view, request);
+  const std::vector<float> darkness = darkness_of(plan, columns, view, request);
   std::vector<TonedProfile> toned(plan.profiles.size());
   on_all_cores(plan.profiles.size(), [&](std::size_t j) {
     const std::size_t first = j * columns.count;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tone/page_columns.hpp"
+#include "tone/sampled_profile.hpp"
 #include "tone/tone_request.hpp"
 
 namespace orograph {
@@ -55,6 +56,13 @@ PageColumns columns_of(const TonePage& page);
 /// left out. With light, a line has the width that makes the ground as dark as it should be;
 /// towards its end the line that goes gets thinner and those that stay get wider.
 std::vector<TonedProfile> toned_profiles(const SurfaceCutter& cutter, const TonePage& page,
+                                         std::span<const double> depths_m, double nearest_m,
+                                         const ToneRequest& request);
+
+/// The same of a panorama, whose profiles' runs are between columns, by number. `view` is any of
+/// its sectors'.
+std::vector<TonedProfile> toned_profiles(const ProfileSampler& sampler, const PageColumns& columns,
+                                         const View& view, const Box2& frame_mm,
                                          std::span<const double> depths_m, double nearest_m,
                                          const ToneRequest& request);
 

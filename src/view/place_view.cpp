@@ -271,6 +271,16 @@ void set_oblique(View& view, const Oblique& oblique) {
 
 } // namespace
 
+View level_view(const ViewRequest& request, double cell_m) {
+  View view;
+  view.exaggeration = request.exaggeration;
+  look_along(view, {request.look->azimuth, Angle()}, *request.eye_m);
+  view.drop = drop_in_frame(request.drop, view.forward);
+  view.near_m = kNearShareOfCell * cell_m;
+  view.frames_terrain = false;
+  return view;
+}
+
 View place_view(const ViewRequest& request, const TerrainShape& terrain, double aspect) {
   View view;
   view.projection = request.projection;

@@ -33,4 +33,8 @@ struct TerrainShape {
 /// coincide; a parallel view looks up; all terrain is behind the eye.
 View place_view(const ViewRequest& request, const TerrainShape& terrain, double aspect);
 
+/// A perspective view of the eye that looks level, in the request's direction; without a window.
+/// REQUIRES an eye and a direction.
+View level_view(const ViewRequest& request, double cell_m);
+
 } // namespace orograph

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kinds of plane projection that a view may have.
+// The kinds of projection that a view may have.
 #pragma once
 
 #include "geometry/angle.hpp"
 
 namespace orograph {
 
-enum class Projection { perspective, orthographic, oblique };
+/// The last two are panoramas: no plane pictures, but of all that is about an eye.
+enum class Projection { perspective, orthographic, oblique, cylindrical, equirectangular };
+
+constexpr bool is_panorama(Projection projection) {
+  return projection == Projection::cylindrical || projection == Projection::equirectangular;
+}
 
 /// Of a view by its PHIGS parameters, which don't tell parallel kinds apart.
 enum class PhigsProjection { perspective, parallel };

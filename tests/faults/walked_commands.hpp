@@ -25,14 +25,14 @@ const std::vector<WalkedCommand>& walked_commands();
 void make_inputs(const MadeFolder& folder);
 
 struct Walk {
-  std::size_t faults = 0;  ///< calls that were made to fail
-  std::size_t refused = 0; ///< runs that told of it, with exit code 1
+  std::size_t faults = 0;         ///< calls that were made to fail
+  std::size_t refused = 0;        ///< runs that told of it, with exit code 1
   std::vector<std::string> wrong; ///< "svg memory:12: what"
 };
 
 /// Runs the command so often that of each of these kinds of calls up to `each` fail in turn, spread
-/// over all that there are: what comes out must be what comes out without a fault, or one line, exit
-/// code 1, and nothing but what was there before.
+/// over all that there are: what comes out must be what comes out without a fault, or one line,
+/// exit code 1, and nothing but what was there before.
 Walk walk(const WalkedCommand& command, const std::vector<std::string>& kinds, std::size_t each);
 
 /// Of fail_call.cpp.

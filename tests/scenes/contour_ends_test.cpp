@@ -68,7 +68,7 @@ const GroundLine& piece_of(const LinesOfView& lines, std::uint32_t i) {
 class SectorOnPage {
 public:
   SectorOnPage(const Surface& surface, const Sector& sector, std::span<const ProfilePoint> points)
-      : sector_(sector), ends_(surface, sector.view, {points, sector.behind}) {}
+      : sector_(sector), ends_(surface, sector.view, {points, sector.to_view.back()}) {}
 
   ProfilePoint at(const EdgeLine& line, double t) const {
     const ProfileLine whole = ends_(line.edge);

@@ -298,7 +298,7 @@ TEST_CASE("visible and hidden ink is that of the line within the frame", "[slow]
     for (const Sector& sector : placed->sectors) {
       const double from_m = std::max(sector.view.near_m, sector.view.drawn_from_m);
       const EdgeEnds ends(scene.terrain.surface, sector.view,
-                          {lines.on_ground.points, sector.behind});
+                          {lines.on_ground.points, sector.to_view.back()});
       for (const EdgeLine& line : lines.listed) {
         if (!line.drawn) continue;
         const ProfileLine whole = ends(line.edge);
