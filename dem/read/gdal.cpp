@@ -19,8 +19,8 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-// GDAL ends the process where it has no memory, behind the handler that it tells so: that one doesn't
-// come back.
+// GDAL ends the process where it has no memory, behind the handler that it tells so: that one
+// doesn't come back.
 void throw_if_without_memory(CPLErr severity, CPLErrorNum number) {
   if (severity == CE_Fatal && number == CPLE_OutOfMemory) throw std::bad_alloc();
 }

@@ -16,8 +16,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <system_error>
 #include <string_view>
+#include <system_error>
 
 namespace orograph {
 namespace {
@@ -232,19 +232,19 @@ void take_warnings(const GdalMessages& messages, RasterSource& source) {
   }
 }
 
-// Drivers that have the CRS in a file of its own take one that can't be opened, or isn't one, for none.
+// Drivers that have the CRS in a file of its own take one that can't be opened, or isn't one, for
+// none.
 void refuse_unread_crs(GDALDataset& dataset, const std::string& path) {
   const std::string_view driver = dataset.GetDriverName();
-  const bool has_own_file =
-      driver == "AAIGrid" || driver == "GRASSASCIIGrid" || driver == "EHdr";
+  const bool has_own_file = driver == "AAIGrid" || driver == "GRASSASCIIGrid" || driver == "EHdr";
   if (!has_own_file || dataset.GetSpatialRef() != nullptr) return;
   for (const char* const extension : {".prj", ".PRJ"}) {
-    const std::string crs_path =
-        std::filesystem::path(path).replace_extension(extension).string();
+    const std::string crs_path = std::filesystem::path(path).replace_extension(extension).string();
     std::error_code ignored;
     if (std::filesystem::exists(crs_path, ignored))
-      throw Error(fmt::format("{}, which tells the CRS of {}, can't be read as one", crs_path, path),
-                  "mend it, or take it away if the CRS isn't known");
+      throw Error(
+          fmt::format("{}, which tells the CRS of {}, can't be read as one", crs_path, path),
+          "mend it, or take it away if the CRS isn't known");
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A library to be preloaded (LD_PRELOAD) that makes the Nth call of one kind fail, from the beginning
-// of `main` on, in the first process alone. By the environment:
+// A library to be preloaded (LD_PRELOAD) that makes the Nth call of one kind fail, from the
+// beginning of `main` on, in the first process alone. By the environment:
 //   OROGRAPH_FAULT=KIND:N    the Nth fails; KIND:N+ all from the Nth on; KIND:0 none. Kinds: write,
 //                            short (half is written or read), sync, rename, open, mkdir, read,
 //                            memory, thread
@@ -125,8 +125,8 @@ extern "C" {
 int __libc_start_main(int (*main)(int, char**, char**), int argc, char** argv, void (*init)(),
                       void (*fini)(), void (*rtld_fini)(), void* stack_end) {
   real_main = main;
-  using Start = int(int (*)(int, char**, char**), int, char**, void (*)(), void (*)(), void (*)(),
-                    void*);
+  using Start =
+      int(int (*)(int, char**, char**), int, char**, void (*)(), void (*)(), void (*)(), void*);
   return next<Start>("__libc_start_main")(main_with_faults, argc, argv, init, fini, rtld_fini,
                                           stack_end);
 }

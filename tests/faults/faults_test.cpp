@@ -37,7 +37,8 @@ TEST_CASE("a call that fails leaves a right file, or one line and none") {
 // hold OROGRAPH_WALK_COMMAND (all).
 TEST_CASE("the whole walk", "[.walk]") {
   const std::size_t each = std::strtoul(asked("OROGRAPH_WALK_EACH", "50").c_str(), nullptr, 10);
-  const std::string of = asked("OROGRAPH_WALK_COMMAND", ""), kind_of = asked("OROGRAPH_WALK_KIND", "");
+  const std::string of = asked("OROGRAPH_WALK_COMMAND", ""),
+                    kind_of = asked("OROGRAPH_WALK_KIND", "");
   std::size_t faults = 0, wrong = 0;
   for (const std::string& kind : fault_kinds()) {
     if (!kind_of.empty() && kind != kind_of) continue;

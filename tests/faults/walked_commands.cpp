@@ -80,7 +80,8 @@ public:
       if (right == first_.files.end()) return "leaves " + name;
       const std::string& whole = right->second;
       const bool is_whole = !whole.empty() && content.ends_with(whole.back());
-      const bool may_vary = varying_.contains(name) || (command_.in_parts && !name.ends_with(".svg"));
+      const bool may_vary =
+          varying_.contains(name) || (command_.in_parts && !name.ends_with(".svg"));
       if (content != right->second && !(may_vary && is_whole)) return "leaves another " + name;
     }
     if (run.exit_code == 1) return fault_of_message(run.err);
@@ -180,11 +181,11 @@ std::vector<WalkedCommand> made_commands() {
   render("settings", "hill.asc", "map.svg", {"--settings", "settings.toml"});
   render("pens", "hill.asc", "map.svg", {"--pens", "pens.toml"});
   render("a check", "hill.asc", "map.svg", {"--check", "200"});
-  commands.push_back({"sweep",
-                      {"sweep", "hill.asc", "out", "--azimuth", "0,90", "--profiles", "8",
-                       "--no-seconds"},
-                      {},
-                      true});
+  commands.push_back(
+      {"sweep",
+       {"sweep", "hill.asc", "out", "--azimuth", "0,90", "--profiles", "8", "--no-seconds"},
+       {},
+       true});
   commands.push_back({"sweep, resumed",
                       {"sweep", "hill.asc", "out", "--azimuth", "0,90", "--profiles", "8",
                        "--no-seconds", "--resume"},
@@ -198,10 +199,8 @@ std::vector<WalkedCommand> made_commands() {
                        "100", "--output", "measured"},
                       {},
                       true});
-  commands.push_back({"fragmentation",
-                      {"fragmentation", "hill.asc", "--output", "measured"},
-                      {},
-                      true});
+  commands.push_back(
+      {"fragmentation", {"fragmentation", "hill.asc", "--output", "measured"}, {}, true});
   return commands;
 }
 
@@ -260,8 +259,8 @@ Walk walk(const WalkedCommand& command, const std::vector<std::string>& kinds, s
 }
 
 const std::vector<std::string>& fault_kinds() {
-  static const std::vector<std::string> kinds{"write", "short",  "sync",   "rename", "open",
-                                              "mkdir", "read", "memory", "thread"};
+  static const std::vector<std::string> kinds{"write", "short", "sync",   "rename", "open",
+                                              "mkdir", "read",  "memory", "thread"};
   return kinds;
 }
 

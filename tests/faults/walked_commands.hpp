@@ -33,8 +33,8 @@ struct Walk {
 };
 
 /// Runs the command so often that of each of these kinds of calls up to `each` fail in turn, spread
-/// over all that there are: what comes out must be what comes out without a fault, or one line, exit
-/// code 1, and nothing but what was there before.
+/// over all that there are: what comes out must be what comes out without a fault, or one line,
+/// exit code 1, and nothing but what was there before.
 Walk walk(const WalkedCommand& command, const std::vector<std::string>& kinds, std::size_t each);
 
 /// Of fail_call.cpp.

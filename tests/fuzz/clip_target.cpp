@@ -20,8 +20,9 @@ void fuzz_clip(FuzzBytes all) {
     for (int i = 0; i < count; ++i) {
       const double to_x = x + std::abs(bytes.number()), to_y = bytes.number();
       if (to_x > x && bytes.whole(0, 3) != 0)
-        segments.push_back({x, y, to_x, to_y, (static_cast<std::uint64_t>(list) << 32U) |
-                                                  static_cast<std::uint64_t>(i)});
+        segments.push_back(
+            {x, y, to_x, to_y,
+             (static_cast<std::uint64_t>(list) << 32U) | static_cast<std::uint64_t>(i)});
       x = std::max(x, to_x);
       y = to_y;
     }

@@ -41,8 +41,8 @@ void fuzz_pass(FuzzBytes all) {
   MapSpec spec;
   ViewSpec& view = spec.view;
   view.exaggeration = 1;
-  view.from_azimuth = Angle::degrees(bytes.whole(0, 1) ? 45.0 * bytes.whole(0, 7)
-                                                       : 360.0 * bytes.next() / 256);
+  view.from_azimuth =
+      Angle::degrees(bytes.whole(0, 1) ? 45.0 * bytes.whole(0, 7) : 360.0 * bytes.next() / 256);
   view.from_elevation = Angle::degrees(std::clamp(std::abs(10 * bytes.number()), 0.0, 90.0));
   switch (bytes.whole(0, 3)) {
   case 0:
@@ -56,10 +56,10 @@ void fuzz_pass(FuzzBytes all) {
     view.from_elevation = Angle::degrees(0.5 * view.from_elevation.in_degrees());
     break;
   default: {
-    const Vec2 at = grid.plane().position_m(bytes.whole(0, grid.columns - 1),
-                                            bytes.whole(0, grid.rows - 1));
-    const Vec2 to = grid.plane().position_m(bytes.whole(0, grid.columns - 1),
-                                            bytes.whole(0, grid.rows - 1));
+    const Vec2 at =
+        grid.plane().position_m(bytes.whole(0, grid.columns - 1), bytes.whole(0, grid.rows - 1));
+    const Vec2 to =
+        grid.plane().position_m(bytes.whole(0, grid.columns - 1), bytes.whole(0, grid.rows - 1));
     const double height = grid.height_m(0, 0) + cell_m * bytes.number();
     view.eye_map = Vec3{at.x + cell_m * bytes.next() / 256, at.y, height};
     view.look_at_map = Vec3{to.x, to.y, height - cell_m * bytes.whole(0, 3)};

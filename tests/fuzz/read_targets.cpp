@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Readers of the library: what they take is a terrain, a scene, pens as they promise, or they refuse
-// it with an Error.
+// Readers of the library: what they take is a terrain, a scene, pens as they promise, or they
+// refuse it with an Error.
 #include "dem/overlay.hpp"
 #include "dem/read/gdal.hpp"
 #include "dem/read/read_overlay.hpp"

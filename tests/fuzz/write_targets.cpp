@@ -82,7 +82,10 @@ void fuzz_svg(FuzzBytes all) {
     for (const Stroke& stroke : layer.strokes) {
       std::string path;
       for (const Vec2 point : layer.points(stroke))
-        path += fmt::format("{}{},{}", path.empty() ? "M" : path.find('L') == path.npos ? "L" : " ",
+        path += fmt::format("{}{},{}",
+                            path.empty()                  ? "M"
+                            : path.find('L') == path.npos ? "L"
+                                                          : " ",
                             point.x, point.y);
       expect(next_path() == path, "SVG has another path than " + path);
     }
@@ -100,8 +103,7 @@ void fuzz_hpgl(FuzzBytes all) {
   device.relative = bytes.whole(0, 1) == 1;
   device.longest = static_cast<std::size_t>(bytes.whole(40, 255));
   const Drawing drawing = drawing_of(bytes);
-  const std::string hpgl =
-      written(drawing, "map.hpgl", {.format = Format::hpgl, .device = device});
+  const std::string hpgl = written(drawing, "map.hpgl", {.format = Format::hpgl, .device = device});
   const SeenHpgl seen = seen_hpgl(hpgl, device.unit_mm);
   const std::string fault =
       fault_of_moves(drawing, seen.moves, with_y_up, 0.5 * device.unit_mm + 1e-9);

@@ -92,13 +92,15 @@ TEST_CASE("ten thousand profiles that each rise by less than the tolerance are n
   CHECK(drawn == last_seed(10000) / 4);
 }
 
-TEST_CASE("in steep perspective two lines that meet are one only where they are as close all along") {
+TEST_CASE(
+    "in steep perspective two lines that meet are one only where they are as close all along") {
   // The page's w falls from 1 to 0.01 on the way, and the tolerance in Y with its square.
   TieTolerance tolerance;
   tolerance.mm = 1e-4;
   tolerance.page.m = {1, 0, 0, 0, 1, 0, -0.99, 1, 1};
   tolerance.greatest_y = 1;
-  const Segment nearer{0, 0, 1, 0, 1}, farther{0, 0.9e-4, 1, 0, 2}, steeper{0, 0.9e-4, 1, 0.5e-8, 3};
+  const Segment nearer{0, 0, 1, 0, 1}, farther{0, 0.9e-4, 1, 0, 2},
+      steeper{0, 0.9e-4, 1, 0.5e-8, 3};
   const auto apart_mm = [&](double x) {
     return length(tolerance.page({x, height_at(nearer, x)}) -
                   tolerance.page({x, height_at(farther, x)}));

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace orograph {
 namespace {
@@ -30,8 +32,7 @@ HardScene lattice(Random& random, double cell_m, const Height& height) {
 
   MapSpec& spec = scene.spec;
   spec.view.exaggeration = 1;
-  spec.view.projection =
-      random.chance(0.5) ? Projection::perspective : Projection::orthographic;
+  spec.view.projection = random.chance(0.5) ? Projection::perspective : Projection::orthographic;
   spec.view.from_azimuth = Angle::degrees(random.chance(0.4)   ? 45.0 * random.whole(0, 7)
                                           : random.chance(0.3) ? 90.0 * random.whole(0, 3) + 1e-9
                                                                : random.between(0, 360));
@@ -70,15 +71,15 @@ HardScene sheets(Random& random) {
 
 HardScene checkerboards(Random& random) {
   const double high_m = random.pick({1e-6, 0.1, 1.0, 100.0});
-  HardScene scene = lattice(random, 1, [&](int column, int row) {
-    return (column + row) % 2 == 0 ? high_m : 0.0;
-  });
+  HardScene scene = lattice(
+      random, 1, [&](int column, int row) { return (column + row) % 2 == 0 ? high_m : 0.0; });
   return scene;
 }
 
 HardScene whole_numbers(Random& random) {
   const int highest = random.whole(1, 4);
-  return lattice(random, 1, [&](int, int) { return static_cast<double>(random.whole(0, highest)); });
+  return lattice(random, 1,
+                 [&](int, int) { return static_cast<double>(random.whole(0, highest)); });
 }
 
 HardScene ulps(Random& random) {
@@ -157,8 +158,8 @@ HardScene along_the_lattice(Random& random) {
 // An eye on the surface, or little above it, that looks at a vertex.
 void put_eye(HardScene& scene, Random& random, Vec2 eye) {
   const Grid& grid = std::get<Grid>(scene.terrain.surface);
-  const Vec2 target = grid.plane().position_m(random.whole(0, grid.columns - 1),
-                                              random.whole(0, grid.rows - 1));
+  const Vec2 target =
+      grid.plane().position_m(random.whole(0, grid.columns - 1), random.whole(0, grid.rows - 1));
   const double ground_m = height_at(grid, eye).value_or(0), cell_m = grid.plane().column_step_m.x;
   ViewSpec& view = scene.spec.view;
   view.projection = Projection::perspective;
@@ -170,17 +171,17 @@ void put_eye(HardScene& scene, Random& random, Vec2 eye) {
 HardScene eyes_on_vertices(Random& random) {
   HardScene scene = random.chance(0.5) ? rough(random) : whole_numbers(random);
   const Grid& grid = std::get<Grid>(scene.terrain.surface);
-  put_eye(scene, random,
-          grid.plane().position_m(random.whole(0, grid.columns - 1),
-                                  random.whole(0, grid.rows - 1)));
+  put_eye(
+      scene, random,
+      grid.plane().position_m(random.whole(0, grid.columns - 1), random.whole(0, grid.rows - 1)));
   return scene;
 }
 
 HardScene eyes_on_edges(Random& random) {
   HardScene scene = random.chance(0.5) ? rough(random) : whole_numbers(random);
   const Grid& grid = std::get<Grid>(scene.terrain.surface);
-  const Vec2 from = grid.plane().position_m(random.whole(0, grid.columns - 2),
-                                            random.whole(0, grid.rows - 2));
+  const Vec2 from =
+      grid.plane().position_m(random.whole(0, grid.columns - 2), random.whole(0, grid.rows - 2));
   const auto& [first, column, row] = grid.plane();
   const Vec2 step = random.pick({column, row, column + row});
   put_eye(scene, random, from + random.pick({0.5, 0.25, random.share()}) * step);
@@ -196,25 +197,24 @@ HardScene voids(Random& random) {
   });
 }
 
-const std::vector<HardFamily> kFamilies{
-    {"needles, 100 m to 1000 km on 30 m", needles},
-    {"sheets edge-on, bent, off by 1e-15 to 1e-9", sheets},
-    {"checkerboards", checkerboards},
-    {"whole numbers", whole_numbers},
-    {"ulps apart", ulps},
-    {"cells of 1e6 to 1e15 m", huge_numbers},
-    {"cells of 1e-3 to 1e-12 m", tiny_numbers},
-    {"1e7 m from the origin", far_from_origin},
-    {"denormals and signed zeros", denormals},
-    {"slopes of 1e9", steep},
-    {"elevation 0", from_level},
-    {"elevation 90", from_above},
-    {"elevation 1e-9", from_nearly_level},
-    {"elevation 90 less 1e-9 to 1e-3", from_nearly_above},
-    {"profiles through vertices", along_the_lattice},
-    {"eyes on vertices", eyes_on_vertices},
-    {"eyes on edges", eyes_on_edges},
-    {"voids that touch at corners", voids}};
+const std::vector<HardFamily> kFamilies{{"needles, 100 m to 1000 km on 30 m", needles},
+                                        {"sheets edge-on, bent, off by 1e-15 to 1e-9", sheets},
+                                        {"checkerboards", checkerboards},
+                                        {"whole numbers", whole_numbers},
+                                        {"ulps apart", ulps},
+                                        {"cells of 1e6 to 1e15 m", huge_numbers},
+                                        {"cells of 1e-3 to 1e-12 m", tiny_numbers},
+                                        {"1e7 m from the origin", far_from_origin},
+                                        {"denormals and signed zeros", denormals},
+                                        {"slopes of 1e9", steep},
+                                        {"elevation 0", from_level},
+                                        {"elevation 90", from_above},
+                                        {"elevation 1e-9", from_nearly_level},
+                                        {"elevation 90 less 1e-9 to 1e-3", from_nearly_above},
+                                        {"profiles through vertices", along_the_lattice},
+                                        {"eyes on vertices", eyes_on_vertices},
+                                        {"eyes on edges", eyes_on_edges},
+                                        {"voids that touch at corners", voids}};
 
 } // namespace
 

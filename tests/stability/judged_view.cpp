@@ -42,8 +42,9 @@ class SectorJudge {
 public:
   SectorJudge(const Grid& grid, const Sector& sector, const Box2& frame_mm, double tolerance_mm,
               Judged& judged)
-      : sector_(sector), frame_mm_(frame_mm), sight_(grid, sector.view), tolerance_(tie_tolerance(sector, tolerance_mm)),
-        tolerance_mm_(tolerance_mm), judged_(judged) {}
+      : sector_(sector), frame_mm_(frame_mm), sight_(grid, sector.view),
+        tolerance_(tie_tolerance(sector, tolerance_mm)), tolerance_mm_(tolerance_mm),
+        judged_(judged) {}
 
   // Not in front of the near plane, beside what was clipped, or beside the page.
   bool may_ask(const ProfileLine& line, double t, XRange range) const {
@@ -75,10 +76,10 @@ public:
     }
     if (judged_.wrong++ == 0) {
       const LongPlace at = place_on(line, t);
-      judged_.first_wrong = fmt::format(
-          "{} at {} of the line {},{},{} to {},{},{}: above by {}", drawn ? "drawn" : "missing", t,
-          line.from.u, line.from.v, line.from.z, line.to.u, line.to.v, line.to.z,
-          static_cast<double>(sight_.above(at)));
+      judged_.first_wrong =
+          fmt::format("{} at {} of the line {},{},{} to {},{},{}: above by {}",
+                      drawn ? "drawn" : "missing", t, line.from.u, line.from.v, line.from.z,
+                      line.to.u, line.to.v, line.to.z, static_cast<double>(sight_.above(at)));
     }
   }
 
@@ -108,8 +109,9 @@ private:
   enum class Standing { visible, hidden, tied };
 
   long double tolerance_at(const LongPlace& place) const {
-    const Vec2 at = project(sector_.view, {static_cast<double>(place.u), static_cast<double>(place.v),
-                                           static_cast<double>(place.z)});
+    const Vec2 at =
+        project(sector_.view, {static_cast<double>(place.u), static_cast<double>(place.v),
+                               static_cast<double>(place.z)});
     return tolerance_.at(at.x, at.y);
   }
   Standing standing_of(const LongPlace& place) const {
@@ -120,8 +122,8 @@ private:
   Standing standing_at(const ProfileLine& line, double t) const {
     return standing_of(place_on(line, t));
   }
-  // Whether nothing in front speaks against it by more than that; beyond the line's own ends nothing
-  // does.
+  // Whether nothing in front speaks against it by more than that; beyond the line's own ends
+  // nothing does.
   bool is_right(const ProfileLine& line, double t, bool drawn, double by_mm) const {
     if (!(t > 0 && t < 1)) return true;
     const LongPlace place = place_on(line, t);
@@ -215,8 +217,8 @@ private:
     if (lines_.empty()) return;
     SectorJudge& judge = judges_[static_cast<std::size_t>(&sector - first_)];
     for (std::uint64_t i = 0; i < points; ++i) {
-      const auto n = static_cast<std::size_t>(
-          random_.whole(0, static_cast<int>(lines_.size()) - 1));
+      const auto n =
+          static_cast<std::size_t>(random_.whole(0, static_cast<int>(lines_.size()) - 1));
       const ProfileLine& line = lines_[n];
       const double t = random_.share();
       if (judge.may_ask(line, t, range)) judge.ask(line, t, shows(drawn_[n], t));
@@ -276,7 +278,8 @@ Judged judge_view(TerrainData terrain, MapSpec spec, std::uint64_t points, std::
     Instruments instruments;
     instruments.observers = {&judge};
     instruments.order_always = seed % 2 == 0;
-    const Map map = draw_map(terrain, placed, spec, [](double) {}, instruments);
+    const Map map = draw_map(
+        terrain, placed, spec, [](double) {}, instruments);
     if (const auto fault = find_fault(map.drawing)) {
       if (judged.wrong++ == 0) judged.first_wrong = *fault;
     }

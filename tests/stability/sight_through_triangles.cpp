@@ -59,9 +59,9 @@ long double SightThroughTriangles::above(const LongPlace& place) const {
   for (const auto& corners : triangles_) {
     std::array<long double, 3> aside{};
     for (std::size_t i = 0; i < 3; ++i)
-      aside[i] =
-          ((corners[i].u - from_u) * along_v - (corners[i].v - from_v) * along_u) / length;
-    if (std::min({aside[0], aside[1], aside[2]}) > 0 || std::max({aside[0], aside[1], aside[2]}) < 0)
+      aside[i] = ((corners[i].u - from_u) * along_v - (corners[i].v - from_v) * along_u) / length;
+    if (std::min({aside[0], aside[1], aside[2]}) > 0 ||
+        std::max({aside[0], aside[1], aside[2]}) < 0)
       continue;
     OnSection begin{kInfinity, 0}, end{-kInfinity, 0};
     const auto meet = [&](const OnSection& at) {

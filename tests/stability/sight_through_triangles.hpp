@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a place is visible, by sight through every triangle, in long double: no horizon, no order,
-// no neighbours, no walk along a lattice.
+// Whether a place is visible, by sight through every triangle, in long double: no horizon, no
+// order, no neighbours, no walk along a lattice.
 #pragma once
 
 #include "dem/grid.hpp"
@@ -23,8 +23,8 @@ public:
   SightThroughTriangles(const Grid& grid, const View& view);
 
   /// How far a place of the surface is above all that stands in front of it, in Y of the visibility
-  /// plane; negative below it, infinite where nothing does. What leads up to the place is in front of
-  /// it where it begins. REQUIRES a place beyond the near plane. Cost: all triangles.
+  /// plane; negative below it, infinite where nothing does. What leads up to the place is in front
+  /// of it where it begins. REQUIRES a place beyond the near plane. Cost: all triangles.
   long double above(const LongPlace& place) const;
 
   /// Bound on the rounding of a place on the ground in double precision, along any direction.

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <mutex>
@@ -43,8 +45,10 @@ Judged judge_family(const HardFamily& family, std::uint64_t scenes, std::uint64_
 void print_row(std::string_view name, const Judged& sum) {
   fmt::print("| {} | {} | {} | {} | {:.2f} | {:.2f} | {} | {} | {:.0e} |\n", name,
              sum.scenes - sum.refused, sum.points, sum.ties,
-             100.0 * static_cast<double>(sum.ties) / static_cast<double>(std::max<std::uint64_t>(1, sum.points)),
-             100.0 * static_cast<double>(sum.in_rounding) / static_cast<double>(std::max<std::uint64_t>(1, sum.points)),
+             100.0 * static_cast<double>(sum.ties) /
+                 static_cast<double>(std::max<std::uint64_t>(1, sum.points)),
+             100.0 * static_cast<double>(sum.in_rounding) /
+                 static_cast<double>(std::max<std::uint64_t>(1, sum.points)),
              sum.wrong, sum.ends, sum.farthest_mm);
   std::fflush(stdout);
 }

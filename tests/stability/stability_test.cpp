@@ -13,8 +13,8 @@ TEST_CASE("no point of any hard family is wrong") {
     for (std::uint64_t seed = 1; seed <= last_seed(150); ++seed) {
       Random random(seed);
       HardScene scene = family.make(random);
-      const Judged one = judge_view(std::move(scene.terrain), scene.spec, 10, seed,
-                                    random.chance(0.25));
+      const Judged one =
+          judge_view(std::move(scene.terrain), scene.spec, 10, seed, random.chance(0.25));
       INFO(family.name << ", seed " << seed << ": " << one.first_wrong);
       CHECK(one.wrong == 0);
       sum.add(one);
@@ -28,7 +28,8 @@ TEST_CASE("no point of any hard family is wrong") {
 
 TEST_CASE("sight through triangles tells what stands in front by its definition") {
   // A wall of 10 m along the second of three columns, seen from the west on the level.
-  Grid grid{3, 3, PlaneLattice{{0, 0}, {10, 0}, {0, -10}}, Heights<double>{0, 10, 0, 0, 10, 0, 0, 10, 0}};
+  Grid grid{3, 3, PlaneLattice{{0, 0}, {10, 0}, {0, -10}},
+            Heights<double>{0, 10, 0, 0, 10, 0, 0, 10, 0}};
   View view;
   view.projection = Projection::orthographic;
   view.forward = {1, 0};
@@ -37,7 +38,7 @@ TEST_CASE("sight through triangles tells what stands in front by its definition"
   // In the profile frame u is south, v east.
   CHECK(std::abs(sight.above({5, 20, 0}) + 10) < 1e-12L); // behind the wall, 10 m below its top
   CHECK(std::abs(sight.above({5, 10, 10}) - 5) < 1e-12L); // its top, above the bend at a diagonal
-  CHECK(std::isinf(sight.above({5, 0, 0}))); // that border, with nothing in front
+  CHECK(std::isinf(sight.above({5, 0, 0})));              // that border, with nothing in front
   CHECK(std::abs(sight.above({5, 15, 5}) + 5) < 1e-12L);  // half way down its eastern side
 
   // In perspective from 20 m above the western border: the far foot is on the ray that leaves the

@@ -50,8 +50,8 @@ Drawing random_strokes(std::uint64_t seed, const Page& page, const Box2& inside_
 namespace {
 
 // How far along the moves the pen may be, once it has drawn some of the drawing's points: at the
-// beginning (2k) or the end (2k + 1) of move k, rising. Several where points are closer to each other
-// than the pen's own places.
+// beginning (2k) or the end (2k + 1) of move k, rising. Several where points are closer to each
+// other than the pen's own places.
 class PenPlaces {
 public:
   PenPlaces(const std::vector<SeenMove>& moves, double tolerance_mm)
@@ -69,8 +69,8 @@ public:
   void draw_to(Vec2 at, int pen) {
     std::vector<std::size_t> next;
     for (const std::size_t place : places_) {
-      const bool goes_on = place % 2 == 1 && place + 1 < 2 * moves_.size() &&
-                           of(place) == of(place + 1);
+      const bool goes_on =
+          place % 2 == 1 && place + 1 < 2 * moves_.size() && of(place) == of(place + 1);
       for (const std::size_t to : {place, goes_on ? place + 2 : place + 1 - place % 2})
         if (is_near(to, at, pen)) next.push_back(to);
     }

@@ -23,8 +23,9 @@ struct SeenMove {
 Drawing random_strokes(std::uint64_t seed, const Page& page, const Box2& inside_mm, int pens);
 
 /// What is wrong with the moves as a picture of the drawing, or nothing: the pen goes from point to
-/// point of each stroke in order, by the layer's pen, each within `tolerance_mm` along either axis of
-/// where it should be, and nowhere else. Points that fall on one place of the pen's are one move less.
+/// point of each stroke in order, by the layer's pen, each within `tolerance_mm` along either axis
+/// of where it should be, and nowhere else. Points that fall on one place of the pen's are one move
+/// less.
 std::string fault_of_moves(const Drawing& drawing, const std::vector<SeenMove>& moves,
                            const std::function<Vec2(Vec2 page_mm)>& to_device, double tolerance_mm);
 

@@ -35,8 +35,8 @@ TEST_CASE("G-code reads back within half a step, by the pen that draws it") {
       for (std::size_t i = 0; i < drawing.layers.size(); ++i)
         drawing.layers[i].pen = Pen{.number = static_cast<int>(i) + 1, .speed_mm_s = 20};
       const bool has_z = std::string(name) == "grbl-z";
-      const SeenGcode gcode = seen_gcode(written(drawing, device),
-                                   [&](double z, double s) { return has_z ? z < 2 : s < 79; });
+      const SeenGcode gcode = seen_gcode(
+          written(drawing, device), [&](double z, double s) { return has_z ? z < 2 : s < 79; });
       CHECK(fault_of_moves(
                 drawing, gcode.moves,
                 [](Vec2 p) {

@@ -23,7 +23,8 @@ struct SeenGcode {
 };
 
 // Which words lower the pen differs: `is_down` says it of a machine's Z and S.
-inline SeenGcode seen_gcode(const std::string& gcode, const std::function<bool(double z, double s)>& is_down) {
+inline SeenGcode seen_gcode(const std::string& gcode,
+                            const std::function<bool(double z, double s)>& is_down) {
   SeenGcode all;
   Vec2 at;
   double z = 99, s = 99, feed = 0;
