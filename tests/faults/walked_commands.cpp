@@ -14,6 +14,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <thread>
 
 namespace orograph {
@@ -90,6 +91,23 @@ public:
     return run.out == first_.run.out || varying_.size() > 0 ? "" : "says something else";
   }
 
+  // Whether the call that failed was another library's own: by the first frame of its stack that is
+  // neither the preloaded library nor the C or C++ library.
+  bool is_of_others(const std::string& fault) {
+    tells_ = true;
+    const std::string told = outcome(fault).run.err;
+    tells_ = false;
+    std::istringstream lines(told);
+    for (std::string line; std::getline(lines, line);) {
+      const bool is_frame = line.find("[0x") != line.npos;
+      if (!is_frame || line.find("/fail_call.so") != line.npos ||
+          line.find("/libc.so") != line.npos || line.find("/libstdc++.so") != line.npos)
+        continue;
+      return line.find(OROGRAPH_PROGRAM) == line.npos && line.find(".so") != line.npos;
+    }
+    return false;
+  }
+
   Outcome outcome(const std::string& fault) {
     const MadeFolder folder;
     make_inputs(folder);
@@ -101,6 +119,7 @@ public:
     std::vector<std::string> command{"env", "LD_PRELOAD=" OROGRAPH_FAIL_CALL,
                                      "OROGRAPH_FAULT=" + fault, "TMPDIR=" + folder.path()};
     if (count_) command.emplace_back("OROGRAPH_FAULT_COUNT=1");
+    if (tells_) command.emplace_back("OROGRAPH_FAULT_TRACE=1");
     command.emplace_back(OROGRAPH_PROGRAM);
     command.insert(command.end(), command_.arguments.begin(), command_.arguments.end());
     RunningProgram program(command, {.folder = folder.path()});
@@ -125,7 +144,7 @@ public:
 
 private:
   const WalkedCommand& command_;
-  bool count_ = false;
+  bool count_ = false, tells_ = false;
   std::string counts_;
   Outcome first_;
   std::set<std::string> varying_; ///< what differs from run to run
@@ -208,7 +227,7 @@ void make_inputs(const MadeFolder& folder) {
                R"("urn:ogc:def:crs:EPSG::32632"}},"features":[{"type":"Feature","properties":)"
                R"({"class":"road"},"geometry":{"type":"LineString","coordinates":[[20,20],[130,)"
                R"(120]]}}]})");
-  folder.write("scene.toml", "[[solid]]\nname = \"hut\"\nshape = \"box\"\nsize = [20, 20, 20]\n\n"
+  folder.write("scene.toml", "[part.hut]\nshape = \"box\"\nsize = [20, 20, 20]\n\n"
                              "[[place]]\npart = \"hut\"\nat = [60, 60]\n");
   folder.write("settings.toml", "fov = 40\ncontours = \"20m\"\n");
   folder.write("pens.toml", "[[pen]]\nwidth = 0.3\n");
@@ -228,7 +247,11 @@ Walk walk(const WalkedCommand& command, const std::vector<std::string>& kinds, s
       const auto outcome = walker.outcome(fault);
       ++walk.faults;
       walk.refused += outcome.run.exit_code == 1 ? 1 : 0;
-      if (const std::string wrong = walker.fault_of(outcome); !wrong.empty())
+      const std::string wrong = walker.fault_of(outcome);
+      if (wrong.empty()) continue;
+      if (outcome.run.exit_code > 128 && kind == "memory" && walker.is_of_others(fault))
+        ++walk.ended_by_others;
+      else
         walk.wrong.push_back(command.name + " " + fault + ": " + wrong);
     }
   }

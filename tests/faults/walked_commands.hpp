@@ -25,8 +25,10 @@ const std::vector<WalkedCommand>& walked_commands();
 void make_inputs(const MadeFolder& folder);
 
 struct Walk {
-  std::size_t faults = 0;         ///< calls that were made to fail
-  std::size_t refused = 0;        ///< runs that told of it, with exit code 1
+  std::size_t faults = 0;  ///< calls that were made to fail
+  std::size_t refused = 0; ///< runs that told of it, with exit code 1
+  /// Runs that another library ended, by abort() or worse where its own call had no memory.
+  std::size_t ended_by_others = 0;
   std::vector<std::string> wrong; ///< "svg memory:12: what"
 };
 

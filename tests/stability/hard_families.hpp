@@ -6,10 +6,8 @@
 #include "placing/map_spec.hpp"
 #include "tests/support/random.hpp"
 
-#include <functional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace orograph {
 
