@@ -70,7 +70,7 @@ std::vector<std::string> tie_values(const Command& command,
       continue;
     }
     const bool last = i + 1 == arguments.size();
-    if (!option->if_alone.empty() && (last || !is_finite_number(arguments[i + 1]))) {
+    if (!option->if_alone.empty() && (last || !number_of<double>(arguments[i + 1]))) {
       tied.push_back(option->name + "=" + option->if_alone);
       continue;
     }

@@ -178,7 +178,8 @@ NamedValues options_in_force(const Command& command, const GivenOptions& given,
     // How the work is done, and what is told of it, decides nothing of what is drawn.
     const bool decides = !option.is_positional() && option.group != "General" &&
                          option.name != "--overwrite" && option.name != "--report" &&
-                         !option.name.starts_with("--horizon-") && option.name != "--check";
+                         option.name != "--horizon-table" && option.name != "--horizon-step" &&
+                         option.name != "--check";
     if (!decides) continue;
     const auto found = given.find(option.name);
     std::vector<std::string> values;

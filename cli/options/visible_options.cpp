@@ -97,8 +97,7 @@ Command visible_command(VisibleSettings& settings) {
       .conflicts = terrain_conflicts(),
       .examples = {{"orograph visible dem.tif peaks.csv --eye-lonlat 6.9,45.8 --eye-summit",
                     "Which peaks are seen from the summit there, as CSV."},
-                   {"orograph visible dem.tif houses.gpkg --eye 250800,4071000 --eye-height 120 "
-                    "--output seen.geojson",
+                   {"orograph visible dem.tif houses.gpkg --eye 2508,4071 --eye-height 120",
                     "From which houses a mast is seen, 120 m high."}}};
   command.conflicts.push_back({"--eye", "--eye-lonlat", "give one of the two"});
   command.conflicts.push_back({"--refraction", "--curvature-coefficient", "give one of the two"});

@@ -135,7 +135,7 @@ TEST_CASE("What can't be looked at is one line with what would be right") {
            {{"points.csv", "--eye", "100,100"}, 1, "outside of the terrain"},
            {{"points.csv", "--eye", kEye + ",-100"}, 1, "under the ground"},
            {{"points.csv", "--eye", kEye, "--eye-summit", "0"}, 2, "--eye-summit '0'"},
-           {{"points.csv", "--eye", kEye, "--eye-summit", "nan"}, 2, ""},
+           {{"points.csv", "--eye", kEye, "--eye-summit", "nan"}, 2, "--eye-summit 'nan'"},
            {{"points.csv", "--eye", kEye, "--target-height", "-1"}, 2, "--target-height '-1'"},
            {{"points.csv", "--eye", kEye, "--output", "a.shp"}, 2, "names no format"},
            {{"points.csv", "--eye", kEye, "--output", "points.csv"}, 2, "points.csv"},
