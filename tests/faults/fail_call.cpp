@@ -73,6 +73,8 @@ int fail(int error_number) {
   return -1;
 }
 
+constexpr int kErrorSeen = 0x20; ///< of a FILE of glibc's: what ferror tells
+
 // At least one byte, so that it isn't an end of file.
 size_t shortened(size_t size) {
   return size > 1 && fails(Kind::short_io) ? size / 2 : size;
@@ -154,6 +156,7 @@ ssize_t writev(int file, const iovec* parts, int count) {
 size_t fwrite(const void* things, size_t size, size_t count, FILE* file) {
   if (fails(Kind::write)) {
     errno = ENOSPC;
+    file->_flags |= kErrorSeen;
     return 0;
   }
   NEXT(fwrite);
@@ -178,6 +181,7 @@ ssize_t pread(int file, void* bytes, size_t size, off_t at) {
 size_t fread(void* things, size_t size, size_t count, FILE* file) {
   if (fails(Kind::read)) {
     errno = EIO;
+    file->_flags |= kErrorSeen;
     return 0;
   }
   NEXT(fread);

@@ -51,6 +51,9 @@ TEST_CASE("the whole walk", "[.walk]") {
       all.ended_by_others += found.ended_by_others;
       all.wrong.insert(all.wrong.end(), found.wrong.begin(), found.wrong.end());
       for (const std::string& one : found.wrong) std::cout << one << std::endl;
+      std::cout << kind << ", " << command.name << ": " << found.faults << " faults, "
+                << found.refused << " refused, " << found.ended_by_others << " ended by others, "
+                << found.wrong.size() << " wrong" << std::endl;
     }
     std::cout << "| " << kind << " | " << all.faults << " | " << all.refused << " | "
               << all.ended_by_others << " | " << all.wrong.size() << " |" << std::endl;

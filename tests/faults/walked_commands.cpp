@@ -199,8 +199,6 @@ std::vector<WalkedCommand> made_commands() {
                        "100", "--output", "measured"},
                       {},
                       true});
-  commands.push_back(
-      {"fragmentation", {"fragmentation", "hill.asc", "--output", "measured"}, {}, true});
   return commands;
 }
 

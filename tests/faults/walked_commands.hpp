@@ -20,7 +20,7 @@ struct WalkedCommand {
 };
 
 /// Every command, render to every format, and every kind of input; they read the files of
-/// `make_inputs`.
+/// `make_inputs`. Not `fragmentation`, which takes 20 s at the least.
 const std::vector<WalkedCommand>& walked_commands();
 void make_inputs(const MadeFolder& folder);
 
