@@ -254,8 +254,8 @@ void StrokeBuilder::widen(double width_mm) {
 
 // Those so near the end; of those so near one another, or the begin, the last stays.
 void StrokeBuilder::drop_short_widenings() {
-  if (widenings_.empty()) return;
-  constexpr double kShort_mm = 1;
+  if (widenings_.empty() || settings_.keeps_widths) return;
+  constexpr double kShort_mm = kShortWidth_mm;
   std::vector<double> way_mm(page_mm_.size(), 0);
   for (std::size_t i = 1; i < page_mm_.size(); ++i)
     way_mm[i] = way_mm[i - 1] + plain_length(page_mm_[i] - page_mm_[i - 1]);

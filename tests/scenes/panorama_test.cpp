@@ -7,6 +7,7 @@
 #include "geometry/on_all_cores.hpp"
 #include "placing/panorama.hpp"
 #include "tests/catch.hpp"
+#include "tests/draw/to_segment.hpp"
 #include "tests/scenes/asked_scenes.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
@@ -81,6 +82,12 @@ std::vector<End> ends_at(const Layer& layer, double x_mm) {
   return out;
 }
 
+double line_length_mm_of(const Layer& layer) {
+  double sum = 0;
+  for (const Stroke& stroke : layer.strokes) sum += line_length_mm(layer.points(stroke));
+  return sum;
+}
+
 bool crosses(std::span<const Vec2> points, double x_mm) {
   const auto [low, high] = std::minmax({points.front().x, points.back().x});
   return low < x_mm - 1 && high > x_mm + 1;
@@ -104,7 +111,7 @@ TEST_CASE("what a panorama draws is visible, and nothing visible is missing") {
   }
   report("panoramas", sum);
   CHECK(sum.scenes >= enough<50>);
-  CHECK(sum.asked >= enough<20000>);
+  CHECK(sum.asked >= enough<12000>);
 }
 
 TEST_CASE("points of a panorama are at the azimuth and the altitude of their places on the ground") {
@@ -197,11 +204,14 @@ TEST_CASE("strokes go on where a panorama's sectors meet") {
     }
   }
   CHECK(through >= enough<2000>);
+  // A sector has some eight columns of tone here, and lines begin, end and widen between them.
+  CHECK(10 * ends <= through);
   WARN("panoramas' borders: " << through << " strokes go through, " << ends << " end there");
 }
 
 TEST_CASE("a panorama that begins elsewhere is the same but where it begins") {
-  std::uint64_t same = 0, all = 0;
+  std::uint64_t asked = 0;
+  Random random(83);
   for (std::uint64_t seed = 1; seed <= last_seed(8); ++seed) {
     PanoramaScene scene = made_panorama(seed);
     scene.spec.style.spread = Spread::planes;
@@ -216,31 +226,33 @@ TEST_CASE("a panorama that begins elsewhere is the same but where it begins") {
     const double around_mm = placed.frame_mm.width(), left_mm = placed.frame_mm.low.x,
                  shift_mm = around_mm * kTurn_deg / 360;
     REQUIRE(a.drawing.layers.size() == b.drawing.layers.size());
-    for (std::size_t i = 0; i < a.drawing.layers.size(); ++i) {
-      std::vector<Vec2> points;
-      for (const Vec2 p : b.drawing.layers[i].page_mm) {
-        const double x = p.x + shift_mm;
-        points.push_back({x > left_mm + around_mm ? x - around_mm : x, p.y});
+    const auto is_there = [&](const Layer& layer, Vec2 p) {
+      // Both rounded, and bent with points elsewhere where one of them is cut open.
+      constexpr double kSame_mm = 2 * kPageStep_mm;
+      for (const Stroke& stroke : layer.strokes) {
+        const auto points = layer.points(stroke);
+        for (std::size_t i = 1; i < points.size(); ++i)
+          if (to_segment(p, points[i - 1], points[i]) <= kSame_mm) return true;
       }
-      const auto by_x = [](Vec2 p, Vec2 q) { return p.x < q.x; };
-      std::sort(points.begin(), points.end(), by_x);
-      for (const Vec2 p : a.drawing.layers[i].page_mm) {
-        const double from_seam = std::abs(p.x - left_mm - shift_mm);
-        if (from_seam < 0.01 || p.x < left_mm + 0.01 || p.x > left_mm + around_mm - 0.01) continue;
-        ++all;
-        // Both rounded, in frames that are turned against each other.
-        constexpr double kSame_mm = 2 * kPageStep_mm;
-        bool is_there = false;
-        for (auto q = std::lower_bound(points.begin(), points.end(), Vec2{p.x - kSame_mm, 0}, by_x);
-             q != points.end() && q->x <= p.x + kSame_mm && !is_there; ++q)
-          is_there = std::abs(q->y - p.y) <= kSame_mm;
-        same += is_there ? 1 : 0;
+      return false;
+    };
+    for (std::size_t i = 0; i < a.drawing.layers.size(); ++i) {
+      const Layer &one = a.drawing.layers[i], &other = b.drawing.layers[i];
+      const double ink_mm = line_length_mm_of(one), other_mm = line_length_mm_of(other);
+      CHECK(std::abs(ink_mm - other_mm) <= 1e-4 * ink_mm + 0.1);
+      for (int k = 0; k < 40 && !one.page_mm.empty(); ++k) {
+        const Vec2 p = one.page_mm[static_cast<std::size_t>(
+            random.whole(0, static_cast<int>(one.page_mm.size()) - 1))];
+        // In the other drawing it is farther left, or around.
+        const double x = p.x - shift_mm < left_mm ? p.x - shift_mm + around_mm : p.x - shift_mm;
+        if (std::abs(p.x - shift_mm - left_mm) < 0.01) continue;
+        ++asked;
+        INFO(one.name << " " << seed << ": " << p.x << " " << p.y);
+        CHECK(is_there(other, {x, p.y}));
       }
     }
   }
-  WARN("panoramas begun elsewhere: of " << all << " points " << same << " are the same");
-  CHECK(all >= enough<20000>);
-  CHECK(same == all);
+  CHECK(asked >= enough<500>);
 }
 
 TEST_CASE("a panorama shows the skyline with sky above it, or the altitudes that are asked for") {
@@ -269,14 +281,18 @@ TEST_CASE("a panorama shows the skyline with sky above it, or the altitudes that
 }
 
 TEST_CASE("a panorama is the same on any number of cores") {
-  PanoramaScene scene = made_panorama(5);
-  scene.spec.style.light = LightSpec{};
-  scene.spec.style.plan.reset();
-  scene.spec.page.strips = 3;
-  std::vector<Map> maps(3);
-  for (int jobs = 1; jobs <= 3; ++jobs)
-    on_cores(jobs, {}, [&] { maps[static_cast<std::size_t>(jobs - 1)] = drawn(scene); });
-  CHECK(maps[0].facts.counts.strokes > 100);
-  CHECK(difference(maps[0].drawing, maps[1].drawing).empty());
-  CHECK(difference(maps[0].drawing, maps[2].drawing).empty());
+  std::size_t strokes = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    PanoramaScene scene = made_panorama(seed);
+    scene.spec.style.light = LightSpec{};
+    scene.spec.style.plan.reset();
+    scene.spec.page.strips = 3;
+    std::vector<Map> maps(3);
+    for (int jobs = 1; jobs <= 3; ++jobs)
+      on_cores(jobs, {}, [&] { maps[static_cast<std::size_t>(jobs - 1)] = drawn(scene); });
+    strokes += maps[0].facts.counts.strokes;
+    CHECK(difference(maps[0].drawing, maps[1].drawing).empty());
+    CHECK(difference(maps[0].drawing, maps[2].drawing).empty());
+  }
+  CHECK(strokes > 100);
 }
