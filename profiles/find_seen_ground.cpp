@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -45,10 +47,6 @@ void greatest_heights(const Grid& grid, const Heights<Height>& heights, int bloc
                                lanes.begin() + std::min(c + kSide, grid.columns - 1) + 1);
 }
 
-int blocks_in(int cells) {
-  return (cells + kSide - 1) / kSide;
-}
-
 // A lower bound of how far a rectangle's ground sinks: a quadratic form is no farther below the
 // line between two places than a quarter of what it is for the way between them.
 double least_drop(const FrameDrop& drop, const std::array<ProfilePoint, 4>& corners) {
@@ -67,8 +65,7 @@ public:
          const SeenGroundRequest& request)
       : grid_(grid), heights_(heights), view_(view), request_(request),
         cutter_(grid, view, no_level_), over_blocks_(grid, view), all_(grid),
-        rounding_m_(1e-9 * (reach_m(grid) + length(view.depth_origin_m))),
-        in_view_(all_.seen.size()) {}
+        rounding_m_(1e-9 * (reach_m(grid) + length(view.depth_origin_m))) {}
 
   SeenGround find() {
     place_blocks();
@@ -85,6 +82,10 @@ public:
   }
 
 private:
+  struct Columns {
+    int first, end;
+  };
+  Columns columns_in_view(int row) const;
   void place_blocks();
   BlockInView place_block(int column, int row, double height) const;
   bool is_in_view(const BlockInView& block) const;
@@ -104,11 +105,14 @@ private:
   PlaneOverBlocks over_blocks_;
   SeenGround all_;
   double rounding_m_;
+  /// Of each row those blocks that may be in view, with their numbers; others are not.
   std::vector<BlockInView> in_view_;
+  std::vector<std::uint32_t> numbers_;
   double x_begin_ = 0, x_end_ = 0; ///< finite; where there is terrain
   double first_plane_m_ = 0, between_m_ = 0;
   std::size_t planes_ = 0;
-  /// Blocks that are wholly behind a plane, but not the next, and where each plane's end.
+  /// Blocks, by their place in `in_view_`, that are wholly behind a plane, but not the next, and
+  /// where each plane's end.
   std::vector<std::uint32_t> by_plane_, plane_end_;
 };
 
@@ -165,14 +169,68 @@ bool Finder::is_in_view(const BlockInView& block) const {
          block.x_end >= request_.range.begin;
 }
 
+// Between which columns all blocks of a row are that reach into the range, or beside the eye.
+Finder::Columns Finder::columns_in_view(int row) const {
+  const Columns all{0, all_.columns};
+  const XRange& range = request_.range;
+  if (!view_.is_perspective() || std::isinf(range.begin) || std::isinf(range.end)) return all;
+  const auto middle = [&](double column) { // of a block, in cells
+    const PlaneLattice& plane = grid_.plane();
+    const Vec2 at = plane.first_vertex_m + ((column + 0.5) * kSide) * plane.column_step_m +
+                    ((row + 0.5) * kSide) * plane.row_step_m - view_.depth_origin_m;
+    return Vec2{dot(at, view_.right), dot(at, view_.forward)};
+  };
+  const Vec2 first = middle(0), step = middle(1) - first;
+  const double radius_m =
+      rounding_m_ + view_.near_m +
+      kSide * (length(grid_.plane().column_step_m) + length(grid_.plane().row_step_m));
+  // Where first + column * step along (u, v) is at least -radius_m for each direction.
+  const auto within = [&](std::initializer_list<Vec2> inwards) {
+    double low = 0, high = all_.columns;
+    for (const Vec2 way : inwards) {
+      const double there = dot(way, first) / length(way) + radius_m,
+                   per = dot(way, step) / length(way);
+      if (per > 0)
+        low = std::max(low, -there / per);
+      else if (per < 0)
+        high = std::min(high, -there / per);
+      else if (there < 0)
+        return std::pair(kInfinity, -kInfinity);
+    }
+    return low <= high ? std::pair(low, high) : std::pair(kInfinity, -kInfinity);
+  };
+  const auto wedge = within({{1, -range.begin}, {-1, range.end}, {0, 1}}),
+             beside = within({{0, 1}, {0, -1}});
+  const double low = std::min(wedge.first, beside.first),
+               high = std::max(wedge.second, beside.second);
+  if (!(low <= high)) return {0, 0};
+  return {std::max(0, static_cast<int>(std::floor(low)) - 1),
+          std::min(all_.columns, static_cast<int>(std::ceil(high)) + 2)};
+}
+
 void Finder::place_blocks() {
-  on_all_cores(static_cast<std::size_t>(all_.rows), [&](std::size_t task) {
+  std::ranges::fill(all_.seen, std::uint8_t{0});
+  const auto rows = static_cast<std::size_t>(all_.rows);
+  std::vector<Columns> columns(rows);
+  std::vector<std::size_t> firsts(rows);
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    columns[row] = columns_in_view(static_cast<int>(row));
+    firsts[row] = count;
+    count += static_cast<std::size_t>(columns[row].end - columns[row].first);
+  }
+  in_view_.assign(count, kOutside);
+  numbers_.resize(count);
+  on_all_cores(rows, [&](std::size_t task) {
     const int row = static_cast<int>(task);
-    for (int column = 0; column < all_.columns; ++column) {
+    std::size_t at = firsts[task];
+    for (int column = columns[task].first; column < columns[task].end; ++column, ++at) {
       const std::size_t i = all_.index(column, row);
       const double height = heights_[i];
-      if (height > -kInfinity) in_view_[i] = place_block(column, row, height);
-      all_.seen[i] = height > -kInfinity && is_in_view(in_view_[i]) ? 1 : 0;
+      numbers_[at] = static_cast<std::uint32_t>(i);
+      if (!(height > -kInfinity)) continue;
+      in_view_[at] = place_block(column, row, height);
+      all_.seen[i] = is_in_view(in_view_[at]) ? 1 : 0;
     }
   });
 }
@@ -184,7 +242,7 @@ void Finder::plan_planes() {
   x_end_ = -kInfinity;
   for (std::size_t i = 0; i < in_view_.size(); ++i) {
     const BlockInView& block = in_view_[i];
-    if (all_.seen[i] == 0 || !(block.nearest_m > -kInfinity)) continue;
+    if (all_.seen[numbers_[i]] == 0 || !(block.nearest_m > -kInfinity)) continue;
     nearest = std::min(nearest, block.nearest_m);
     farthest = std::max(farthest, block.nearest_m);
     x_begin_ = std::min(x_begin_, block.x_begin);
@@ -208,7 +266,7 @@ void Finder::plan_planes() {
   };
   const auto is_asked = [&](std::size_t i) {
     const BlockInView& block = in_view_[i];
-    return all_.seen[i] != 0 && block.nearest_m > first_plane_m_ &&
+    return all_.seen[numbers_[i]] != 0 && block.nearest_m > first_plane_m_ &&
            (block.x_begin >= x_begin_ || x_begin_ <= request_.range.begin) &&
            (block.x_end <= x_end_ || x_end_ >= request_.range.end);
   };
@@ -299,7 +357,7 @@ void Finder::sweep_band(std::size_t band, SeenGround& seen) const {
       const double slack = request_.tolerance_y + 1e-9 * std::abs(block.y_high) +
                            (view_.is_perspective() ? 1e-9 : rounding_m_);
       if (is_beside || horizon.hides(block.x_begin, block.x_end, block.y_high + slack))
-        seen.seen[by_plane_[k]] = 0;
+        seen.seen[numbers_[by_plane_[k]]] = 0;
     }
   }
 }
@@ -307,7 +365,8 @@ void Finder::sweep_band(std::size_t band, SeenGround& seen) const {
 } // namespace
 
 std::vector<double> block_heights(const Grid& grid) {
-  const int columns = blocks_in(grid.columns - 1), rows = blocks_in(grid.rows - 1);
+  const int columns = SeenGround::blocks_in(grid.columns - 1),
+            rows = SeenGround::blocks_in(grid.rows - 1);
   std::vector<double> out(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   on_all_cores(static_cast<std::size_t>(rows), [&](std::size_t row) {
     std::visit(

@@ -22,6 +22,8 @@ struct SeenGround {
   std::vector<std::uint8_t> seen; ///< row-major; 0 or 1
 
   explicit SeenGround(const Grid& grid);
+  /// Along so many cells.
+  static int blocks_in(int cells) { return (cells + kSide - 1) / kSide; }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
            static_cast<std::size_t>(column);

@@ -6,6 +6,7 @@
 #include "cli/options/option_values.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/parse_arguments.hpp"
+#include "geometry/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -192,6 +193,9 @@ std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& a
   if (asks_for_help(given)) return std::nullopt;
   refuse_scenes(settings.render.inputs);
   check_picture_settings(settings.render, given);
+  if (is_panorama(settings.render.map.view.projection))
+    throw UsageError("accuracy measures plane pictures, and a panorama is none",
+                     "use --projection perspective; orograph render --check asks panoramas");
   check_prefix(settings.render, settings.prefix, {".csv", ".json", ".svg"});
   return settings;
 }

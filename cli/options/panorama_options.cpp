@@ -92,6 +92,9 @@ void check_panorama(const RenderSettings& settings, const GivenOptions& given) {
   }
   if (!view.has_eye())
     throw UsageError("a panorama needs an eye", "give --eye X,Y or --eye-lonlat LON,LAT too");
+  if (settings.report.ends_with(".toml"))
+    throw UsageError(fmt::format("--report {}: a view file can't hold a panorama", settings.report),
+                     "give the report a name that ends in .json");
   for (const auto& [option, right] :
        {std::pair{"--view-from", "leave it out: the eye is where it stands"},
         std::pair{"--distance", "leave it out"},

@@ -46,10 +46,13 @@ bool to_page_mm(const Homography& to_page, const PointsAtDepth& depth, const Box
 }
 
 // Where a straight line is at an azimuth between those of its ends.
-ProfilePoint at_azimuth(ProfilePoint a, ProfilePoint b, double azimuth) {
+double share_at_azimuth(ProfilePoint a, ProfilePoint b, double azimuth) {
   const double s = std::sin(azimuth), c = std::cos(azimuth);
   const double across = a.u * c - a.v * s, b_across = b.u * c - b.v * s;
-  return point_between(a, b, across / (across - b_across));
+  return std::clamp(across / (across - b_across), 0.0, 1.0);
+}
+ProfilePoint at_azimuth(ProfilePoint a, ProfilePoint b, double azimuth) {
+  return point_between(a, b, share_at_azimuth(a, b, azimuth));
 }
 
 StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) {
@@ -93,8 +96,20 @@ void StrokeBuilder::bend_to(ProfilePoint to, double azimuth) {
   const auto [from, from_azimuth] = *bent_;
   if (const double turn = azimuth - from_azimuth; std::abs(turn) > kMostTurn) {
     const double half = from_azimuth + 0.5 * turn;
-    bend_to(at_azimuth(from, to, half), half);
-    bend_to(to, azimuth);
+    const double share = share_at_azimuth(from, to, half);
+    const ProfilePoint middle = point_between(from, to, share);
+    constexpr double kMostTangent = 1e7, kBeside = 1e-9;
+    if (std::abs(settings_.panorama->tangent(middle)) < kMostTangent) {
+      bend_to(middle, half);
+      bend_to(to, azimuth);
+      return;
+    }
+    // Through below the eye, or above it: down beyond the page on one side, and up on the other.
+    add_bent_at(point_between(from, to, share * (1 - kBeside)), from_azimuth);
+    flush();
+    last_.reset();
+    add_bent_at(point_between(from, to, share + (1 - share) * kBeside), azimuth);
+    add_bent_at(to, azimuth);
     return;
   }
   // What is far below the frame, as the ground at the eye's feet is, may stay straight.
@@ -242,8 +257,8 @@ void StrokeBuilder::widen(double width_mm) {
 
 // Those so near the end; of those so near one another, or the begin, the last stays.
 void StrokeBuilder::drop_short_widenings() {
-  if (widenings_.empty()) return;
-  constexpr double kShort_mm = 1;
+  if (widenings_.empty() || settings_.keeps_widths) return;
+  constexpr double kShort_mm = kShortWidth_mm;
   std::vector<double> way_mm(page_mm_.size(), 0);
   for (std::size_t i = 1; i < page_mm_.size(); ++i)
     way_mm[i] = way_mm[i - 1] + plain_length(page_mm_[i] - page_mm_[i - 1]);

@@ -58,6 +58,9 @@ constexpr double kInPlane = 1e-9;
 PlaneValues plane_values(const Box2& frame_mm, const std::optional<VolumeDepth>& depth,
                          const Vec3& page, ProfilePoint scene);
 
+/// Of one width less of a line isn't worth its own stroke.
+constexpr double kShortWidth_mm = 1;
+
 struct StrokeSettings {
   Homography to_page; ///< visibility plane to page
   /// Instead of it: from the scene to the page, on which straight lines are bent. They get points
@@ -70,6 +73,7 @@ struct StrokeSettings {
   double min_stroke_mm = 0;                 ///< shorter strokes are left out
   std::function<Vec3(ProfilePoint)> to_map; ///< empty where the output isn't tied to the ground
   bool keeps_depths = false;                ///< `Layer::depths_m` is filled
+  bool keeps_widths = false;                ///< however short: lines go on elsewhere
 
   bool keeps_scene() const { return to_map || keeps_depths; }
 };
@@ -86,7 +90,7 @@ public:
   void begin(std::int32_t profile, double depth_m);
   /// From the last point on the polyline is this wide: another stroke, which begins where the one
   /// before it ends. What comes out of the frame less than a millimetre before its end, or ends so
-  /// soon, keeps its width. 0: the layer's pen.
+  /// soon, keeps its width, unless the settings say otherwise. 0: the layer's pen.
   void widen(double width_mm);
   void add(const StrokePoint& point) {
     if (settings_.panorama)

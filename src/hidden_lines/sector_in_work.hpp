@@ -74,7 +74,7 @@ struct SectorInWork {
   const Folds* folds = nullptr;
   bool draws_silhouettes = false;
   /// Rising, of contours that aren't among the lines; the pass finds them itself.
-  std::span<const double> contour_levels_m;
+  std::span<const double> contour_levels_m = {};
   bool hidden_profiles = false; ///< whether what isn't visible of profiles is drawn as well
 
   /// Of a line on the ground.

@@ -223,13 +223,15 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
       draws_silhouettes(style), lines.on_ground.levels_to_find_m, profiles && profiles->hidden};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
-  // A panorama's profiles go on beyond the sector: what is left out, and rounded, is all of one.
+  // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and
+  // what is rounded, is all of one.
   std::optional<StrokeSettings> settings;
   if (profiles) {
     settings = profiles->settings;
     if (sector.frame_mm) {
       settings->frame_mm = *sector.frame_mm;
       settings->min_stroke_mm = 0;
+      settings->keeps_widths = true;
     }
   }
   // Tone is given to what is seen: planes between those planned are nowhere else.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map/finish_panorama.hpp"
 
+#include "draw/stroke_builder.hpp"
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
@@ -21,10 +22,6 @@ constexpr double kSamePlace_mm = 1e-6;
 bool is_same_line(const Stroke& a, const Stroke& b) {
   return a.profile == b.profile && a.feature == b.feature;
 }
-bool is_same_pen(const Stroke& a, const Stroke& b) {
-  return a.width_mm == b.width_mm && a.level == b.level;
-}
-
 // Which stroke goes on from where one ends; and which one has another in front of it.
 class Successors {
 public:
@@ -88,6 +85,31 @@ private:
   std::vector<bool> has_before_;
 };
 
+// Of a line that sectors and widths have parted.
+struct LinePiece {
+  Stroke stroke;
+  double begin_mm; // along the line
+};
+
+// As a line's widths are in one sector (StrokeBuilder::widen).
+void widen_short_parts(std::vector<LinePiece>& line, double length_mm) {
+  std::size_t part = 0; // where the present width begins
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double width_mm = line[i].stroke.width_mm;
+    if (width_mm == line[part].stroke.width_mm) continue;
+    const bool is_end = length_mm - line[i].begin_mm < kShortWidth_mm;
+    if (is_end) {
+      for (std::size_t k = i; k < line.size(); ++k)
+        line[k].stroke.width_mm = line[part].stroke.width_mm;
+      return;
+    }
+    if (line[i].begin_mm - line[part].begin_mm < kShortWidth_mm)
+      for (std::size_t k = part; k < i; ++k) line[k].stroke.width_mm = width_mm;
+    else
+      part = i;
+  }
+}
+
 void append_points(const Layer& from, const Stroke& stroke, std::size_t first, Layer& to) {
   const auto begin = static_cast<std::ptrdiff_t>(stroke.first_point + first),
              end = static_cast<std::ptrdiff_t>(stroke.first_point + stroke.point_count);
@@ -103,20 +125,24 @@ void join_at_borders(Layer& profiles, std::span<const Sector> sectors, double mi
   const Successors successors(profiles, sectors);
   Layer out = profiles;
   out.clear();
+  std::vector<LinePiece> line;
   for (std::uint32_t first = 0; first < profiles.strokes.size(); ++first) {
     throw_if_stopped(first);
     if (successors.has_before(first)) continue;
     double length_mm = 0;
-    for (std::uint32_t i = first; i != kNoStroke; i = successors.next(i))
+    line.clear();
+    for (std::uint32_t i = first; i != kNoStroke; i = successors.next(i)) {
+      line.push_back({profiles.strokes[i], length_mm});
       length_mm += line_length_mm(profiles.points(profiles.strokes[i]));
+    }
     if (length_mm < min_stroke_mm) {
       left_out_mm += length_mm;
       continue;
     }
-    for (std::uint32_t i = first, before = kNoStroke; i != kNoStroke;
-         before = i, i = successors.next(i)) {
-      const Stroke& stroke = profiles.strokes[i];
-      const bool goes_on = before != kNoStroke && is_same_pen(profiles.strokes[before], stroke);
+    widen_short_parts(line, length_mm);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Stroke& stroke = line[i].stroke;
+      const bool goes_on = i > 0 && line[i - 1].stroke.width_mm == stroke.width_mm;
       if (!goes_on) {
         out.strokes.push_back(stroke);
         out.strokes.back().first_point = static_cast<std::uint32_t>(out.page_mm.size());
