@@ -63,8 +63,8 @@ class Finder {
 public:
   Finder(const Grid& grid, const std::vector<double>& heights, const View& view,
          const SeenGroundRequest& request)
-      : grid_(grid), heights_(heights), view_(view), request_(request), cutter_(grid, view, no_level_),
-        over_blocks_(grid, view), all_(grid),
+      : grid_(grid), heights_(heights), view_(view), request_(request),
+        cutter_(grid, view, no_level_), over_blocks_(grid, view), all_(grid),
         rounding_m_(1e-9 * (reach_m(grid) + length(view.depth_origin_m))) {}
 
   SeenGround find() {
@@ -188,7 +188,8 @@ Finder::Columns Finder::columns_in_view(int row) const {
   const auto within = [&](std::initializer_list<Vec2> inwards) {
     double low = 0, high = all_.columns;
     for (const Vec2 way : inwards) {
-      const double there = dot(way, first) / length(way) + radius_m, per = dot(way, step) / length(way);
+      const double there = dot(way, first) / length(way) + radius_m,
+                   per = dot(way, step) / length(way);
       if (per > 0)
         low = std::max(low, -there / per);
       else if (per < 0)
@@ -364,7 +365,8 @@ void Finder::sweep_band(std::size_t band, SeenGround& seen) const {
 } // namespace
 
 std::vector<double> block_heights(const Grid& grid) {
-  const int columns = SeenGround::blocks_in(grid.columns - 1), rows = SeenGround::blocks_in(grid.rows - 1);
+  const int columns = SeenGround::blocks_in(grid.columns - 1),
+            rows = SeenGround::blocks_in(grid.rows - 1);
   std::vector<double> out(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   on_all_cores(static_cast<std::size_t>(rows), [&](std::size_t row) {
     std::visit(

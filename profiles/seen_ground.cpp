@@ -72,7 +72,8 @@ void PlaneOverBlocks::seen_parts(double depth_m, const URange& within, const See
   const double low = a_at(within.low_m), high = a_at(within.high_m);
   const int first = static_cast<int>(std::floor(low)), last = static_cast<int>(std::floor(high));
   const int step = u_per_a > 0 ? 1 : -1;
-  const int most = SeenGround::blocks_in(cells_along_) - 1, most_across = SeenGround::blocks_in(cells_across_) - 1;
+  const int most = SeenGround::blocks_in(cells_along_) - 1,
+            most_across = SeenGround::blocks_in(cells_across_) - 1;
   const int begin = std::clamp(first / kSide, 0, most), end = std::clamp(last / kSide, 0, most);
   const auto take = [&](double a, double b) {
     const double from = u0 + u_per_a * a, to = u0 + u_per_a * b;

@@ -71,8 +71,8 @@ struct SeenGroundRequest {
 ///
 /// The horizon is that of profiles some cells apart, as a lower bound in narrow columns of X: what
 /// the surface hides is more. A block's upper bound is its greatest height.
-/// REQUIRES a grid on a map plane, and its `block_heights`. The same on any number of cores. Cost: a
-/// look at each block, and 1 to 2 ns a height of those in the range.
+/// REQUIRES a grid on a map plane, and its `block_heights`. The same on any number of cores. Cost:
+/// a look at each block, and 1 to 2 ns a height of those in the range.
 SeenGround find_seen_ground(const Grid& grid, const std::vector<double>& block_heights,
                             const View& view, const SeenGroundRequest& request);
 

@@ -59,21 +59,21 @@ void add_panorama_options(std::vector<Option>& options, RenderSettings& s) {
                      .by_default = "--fov, which is 360 here, about --look-azimuth or --look-at; "
                                    "without a direction from north to north",
                      .take = stored(azimuth_range, s.map.view.azimuth_range)});
-  options.push_back({.group = kGroup,
-                     .name = "--altitude-range",
-                     .value = "A:B",
-                     .help = "From the lower side to the upper one, above the horizontal",
-                     .allowed = fmt::format("degrees from -{0} to {0}, A less than B",
-                                            kMostAltitude_deg),
-                     .by_default = "what is seen: the highest skyline and a little sky, ground down "
-                                   "to 25 degrees below the lowest skyline or as the page has room",
-                     .take = stored(altitude_range, s.map.view.altitude_range)});
+  options.push_back(
+      {.group = kGroup,
+       .name = "--altitude-range",
+       .value = "A:B",
+       .help = "From the lower side to the upper one, above the horizontal",
+       .allowed = fmt::format("degrees from -{0} to {0}, A less than B", kMostAltitude_deg),
+       .by_default = "what is seen: the highest skyline and a little sky, ground down "
+                     "to 25 degrees below the lowest skyline or as the page has room",
+       .take = stored(altitude_range, s.map.view.altitude_range)});
   options.push_back(with_integer({.group = kGroup,
                                   .name = "--strips",
                                   .value = "N",
                                   .help = "Cut a long panorama into so many strips of equal "
                                           "azimuths, one beneath the other on the page",
-                                  .by_default = "1"},
+                                  .by_default = "all in one"},
                                  1, kMostStrips, [&s](int n) { s.map.page.strips = n; }));
 }
 

@@ -24,8 +24,7 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
   if (option == "projection" || option == "oblique") return is_oblique == (option == "oblique");
   const bool is_round = is_panorama(view.projection);
   if (option == "fov") // of a distance that is given alone, the field follows
-    return is_perspective ? !view.distance_m || view.field_of_view
-                          : is_round && view.field_of_view;
+    return is_perspective ? !view.distance_m || view.field_of_view : is_round && view.field_of_view;
   if (option == "distance") return is_perspective;
   if (option == "refraction" || option == "curvature-coefficient")
     return is_perspective || is_round;

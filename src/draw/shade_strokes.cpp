@@ -83,8 +83,8 @@ private:
     const double middle_mm = 0.5 * (way.mm[i] + way.mm[i + 1]);
     const Vec2 chord =
         way.at(middle_mm + 0.5 * kNormalOver_mm) - way.at(middle_mm - 0.5 * kNormalOver_mm);
-    const double share =
-        lit_share(chord, way.points[i].x, shade_) * haze_share(layer_.depths_m[stroke.first_point + i], shade_);
+    const double share = lit_share(chord, way.points[i].x, shade_) *
+                         haze_share(layer_.depths_m[stroke.first_point + i], shade_);
     return std::log(share) / std::log(kWidthRatio);
   }
 

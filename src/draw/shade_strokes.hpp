@@ -11,7 +11,7 @@ namespace orograph {
 
 /// Light from one direction all over a panorama, which it meets at another angle everywhere.
 struct StandingLight {
-  Vec3 towards;               ///< right, away from the viewer, up; at `middle_mm`
+  Vec3 towards;                ///< right, away from the viewer, up; at `middle_mm`
   double middle_mm, radius_mm; ///< x on the page, and how wide a radian is
 
   /// On the page, unit.
@@ -25,8 +25,8 @@ struct StandingLight {
 
 /// Which way light falls on a picture's outlines, and how they fade with depth.
 struct LineShade {
-  Vec2 up;                              ///< on the page, y down: where heights rise; unit
-  Vec2 towards_light;                   ///< on the page; unit
+  Vec2 up;            ///< on the page, y down: where heights rise; unit
+  Vec2 towards_light; ///< on the page; unit
   std::optional<StandingLight> standing = std::nullopt; ///< instead of it
   double contrast = 1;                  ///< 0: all outlines are as heavy as level ones
   double haze = 0;                      ///< share of their width that lines at `farthest_m` lose

@@ -114,15 +114,18 @@ void StrokeBuilder::bend_to(ProfilePoint to, double azimuth) {
   }
   // What is far below the frame, as the ground at the eye's feet is, may stay straight.
   const PanoramaPage& page = *settings_.panorama;
-  const double most = 2 * std::max(std::abs(settings_.frame_mm.low.y - page.ahead_mm.y),
-                                   std::abs(settings_.frame_mm.high.y - page.ahead_mm.y)) /
+  const double most = 2 *
+                      std::max(std::abs(settings_.frame_mm.low.y - page.ahead_mm.y),
+                               std::abs(settings_.frame_mm.high.y - page.ahead_mm.y)) /
                       page.radius_mm;
   std::array<double, 2> crossings = page.crossings(from, to, most);
   for (const double share : crossings)
     if (share > 0 && share < 1) {
       const ProfilePoint at = point_between(from, to, share);
-      bend_part_to(at, std::clamp(PanoramaPage::azimuth(at), std::min(from_azimuth, azimuth),
-                                  std::max(from_azimuth, azimuth)), most);
+      bend_part_to(at,
+                   std::clamp(PanoramaPage::azimuth(at), std::min(from_azimuth, azimuth),
+                              std::max(from_azimuth, azimuth)),
+                   most);
     }
   bend_part_to(to, azimuth, most);
 }
@@ -286,7 +289,8 @@ void StrokeBuilder::append_stroke(std::size_t first, std::size_t last) {
   for (const std::uint32_t i : kept_) {
     layer_.page_mm.push_back(points[i]);
     if (settings_.to_map) layer_.map.push_back(settings_.to_map(scene_[first + i]));
-    if (settings_.keeps_depths) layer_.depths_m.push_back(static_cast<float>(depth_m(scene_[first + i])));
+    if (settings_.keeps_depths)
+      layer_.depths_m.push_back(static_cast<float>(depth_m(scene_[first + i])));
   }
   layer_.strokes.push_back(stroke_);
 }

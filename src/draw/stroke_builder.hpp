@@ -62,7 +62,7 @@ PlaneValues plane_values(const Box2& frame_mm, const std::optional<VolumeDepth>&
 constexpr double kShortWidth_mm = 1;
 
 struct StrokeSettings {
-  Homography to_page;               ///< visibility plane to page
+  Homography to_page; ///< visibility plane to page
   /// Instead of it: from the scene to the page, on which straight lines are bent. They get points
   /// between, so that nowhere more than `bend_mm` is lost.
   std::optional<PanoramaPage> panorama = std::nullopt;

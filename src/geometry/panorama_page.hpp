@@ -53,8 +53,7 @@ struct PanoramaPage {
     const double square = p.u * p.u + p.v * p.v, away = std::sqrt(square), up = p.z - eye_z_m;
     const double turned = (p.v * step.x - p.u * step.y) / square;
     const double raised = step.z / away - up * (p.u * step.x + p.v * step.y) / (square * away);
-    const double of_altitude =
-        kind == PanoramaKind::cylindrical ? 1 : square / (square + up * up);
+    const double of_altitude = kind == PanoramaKind::cylindrical ? 1 : square / (square + up * up);
     return radius_mm * std::hypot(turned, of_altitude * raised);
   }
 };

@@ -64,8 +64,8 @@ std::uint64_t source_id(std::uint32_t line) {
 LinePictures::LinePictures(const Surface& surface, std::span<const ProfilePoint> points,
                            const Sector& sector, const std::vector<EdgeLine>& lines, XRange range,
                            double from_m)
-    : ends_(surface, sector.view, {points, sector.to_view.back()}), sector_(sector), view_(sector.view),
-      lines_(lines), range_(range), from_m_(from_m),
+    : ends_(surface, sector.view, {points, sector.to_view.back()}), sector_(sector),
+      view_(sector.view), lines_(lines), range_(range), from_m_(from_m),
       rounding_m_(position_rounding_m(surface, sector.view)) {
   beside_range_ = {range.begin - margin(view_, range.begin, from_m, rounding_m_),
                    range.end + margin(view_, range.end, from_m, rounding_m_)};

@@ -208,28 +208,16 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   const Folds folds(terrain.surface, placed, sector, style.silhouette_jump);
   const Grid* grid = grid_in_order(terrain, style, instruments);
   const SilhouetteMarks* silhouettes =
-      grid && lines.silhouettes
-          ? lines.silhouettes_by(LatticeOrder(*grid, view).rows_are_strips())
-          : nullptr;
-  const SectorInWork work{terrain,
-                          placed,
-                          sector,
-                          lines.listed,
-                          lines.on_ground,
-                          cutter,
-                          tolerance,
-                          view.is_perspective() ? view.near_m : -kInfinity,
-                          // A panorama's profiles turn at its sectors' borders.
-                          !sector.frame_mm && (in_list || instruments.beyond_page)
-                              ? XRange{-kInfinity, kInfinity}
-                              : page_range(sector),
-                          watched,
-                          watched ? nullptr : ground,
-                          instruments.vertices_a_strip,
-                          silhouettes,
-                          &folds,
-                          draws_silhouettes(style),
-                          profiles && profiles->hidden};
+      grid && lines.silhouettes ? lines.silhouettes_by(LatticeOrder(*grid, view).rows_are_strips())
+                                : nullptr;
+  const SectorInWork work{
+      terrain, placed, sector, lines.listed, lines.on_ground, cutter, tolerance,
+      view.is_perspective() ? view.near_m : -kInfinity,
+      // A panorama's profiles turn at its sectors' borders.
+      !sector.frame_mm && (in_list || instruments.beyond_page) ? XRange{-kInfinity, kInfinity}
+                                                               : page_range(sector),
+      watched, watched ? nullptr : ground, instruments.vertices_a_strip, silhouettes, &folds,
+      draws_silhouettes(style), profiles && profiles->hidden};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and
@@ -268,8 +256,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
       add_hidden(profile, runs);
     }
     profile.left_out_mm = builder.left_out_mm();
-    if (!sector.frame_mm)
-      profile.dropped_strokes = round_strokes(profile.strokes).empty_strokes;
+    if (!sector.frame_mm) profile.dropped_strokes = round_strokes(profile.strokes).empty_strokes;
   };
   const Show show = [&](ProfileInWork& profile) {
     Stopwatch own;

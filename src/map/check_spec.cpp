@@ -40,10 +40,10 @@ void check_finite(const char* field, const std::optional<GivenPlace>& place) {
 
 void check_panorama(const ViewSpec& view) {
   if (!view.has_eye()) throw UsageError("a panorama needs an eye", "`eye_map` or `eye_lonlat`");
-  for (const auto& [is_given, field] : {std::pair{view.distance_m.has_value(), "distance_m"},
-                                        std::pair{view.from_auto, "from_auto"},
-                                        std::pair{view.pitch.has_value(), "pitch"},
-                                        std::pair{view.roll != Angle(), "roll"}})
+  for (const auto& [is_given, field] :
+       {std::pair{view.distance_m.has_value(), "distance_m"},
+        std::pair{view.from_auto, "from_auto"}, std::pair{view.pitch.has_value(), "pitch"},
+        std::pair{view.roll != Angle(), "roll"}})
     if (is_given)
       throw UsageError(fmt::format("`{}` has no meaning in a panorama", field), "leave it out");
   if (view.azimuth_range) {

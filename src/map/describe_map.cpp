@@ -138,8 +138,8 @@ ViewFacts describe_view(const PlacedView& placed, const TerrainData& terrain, co
                             atan2_angle(view.window.low.x, 1).in_degrees();
   }
   if (placed.panorama) {
-    const double middle_deg = std::isnan(out.look_azimuth_true_deg) ? out.look_azimuth_deg
-                                                                    : out.look_azimuth_true_deg;
+    const double middle_deg =
+        std::isnan(out.look_azimuth_true_deg) ? out.look_azimuth_deg : out.look_azimuth_true_deg;
     out.panorama = describe_panorama(*placed.panorama, middle_deg);
     out.field_of_view_deg = placed.panorama->width_deg;
   }
@@ -200,17 +200,18 @@ void entitle(Drawing& drawing, const TerrainData& terrain, const PlacedView& pla
   drawing.title =
       !title.empty() ? title : std::filesystem::path(terrain.source).filename().string();
   drawing.description =
-      panorama ? fmt::format("{} panorama of {:.6g} degrees, radius {:.6g} mm; exaggeration {:.6g}; "
-                             "{} profiles; CRS {}",
-                             panorama->kind == PanoramaKind::cylindrical ? "cylindrical"
-                                                                         : "equirectangular",
-                             panorama->width_deg, panorama->page.radius_mm, placed.exaggeration,
-                             placed.depths_m.size(), terrain.map.crs_name) :
-      fmt::format("{} view from azimuth {:.6g}, elevation {:.6g} degrees; "
-                  "exaggeration {:.6g}; {} profiles; CRS {}",
-                  projection_name(view.projection), azimuth_deg(-1.0 * view.forward),
-                  view.elevation.in_degrees(), placed.exaggeration, placed.depths_m.size(),
-                  terrain.map.crs_name);
+      panorama
+          ? fmt::format("{} panorama of {:.6g} degrees, radius {:.6g} mm; exaggeration {:.6g}; "
+                        "{} profiles; CRS {}",
+                        panorama->kind == PanoramaKind::cylindrical ? "cylindrical"
+                                                                    : "equirectangular",
+                        panorama->width_deg, panorama->page.radius_mm, placed.exaggeration,
+                        placed.depths_m.size(), terrain.map.crs_name)
+          : fmt::format("{} view from azimuth {:.6g}, elevation {:.6g} degrees; "
+                        "exaggeration {:.6g}; {} profiles; CRS {}",
+                        projection_name(view.projection), azimuth_deg(-1.0 * view.forward),
+                        view.elevation.in_degrees(), placed.exaggeration, placed.depths_m.size(),
+                        terrain.map.crs_name);
 }
 
 void describe_map(Map& map, const TerrainData& terrain, const PlacedView& placed,

@@ -28,8 +28,7 @@ public:
   Successors(const Layer& layer, std::span<const Sector> sectors)
       : layer_(layer), next_(layer.strokes.size(), kNoStroke), has_before_(layer.strokes.size()) {
     link_widths();
-    for (std::size_t i = 0; i + 1 < sectors.size(); ++i)
-      link_at(sectors[i].frame_mm->high.x);
+    for (std::size_t i = 0; i + 1 < sectors.size(); ++i) link_at(sectors[i].frame_mm->high.x);
   }
 
   std::uint32_t next(std::uint32_t stroke) const { return next_[stroke]; }

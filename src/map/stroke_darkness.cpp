@@ -39,14 +39,12 @@ float mean_darkness(std::span<const Vec2> points, std::span<const Place> places,
   double sum = 0, length_mm = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double mm = plain_length(points[i] - points[i - 1]);
-    const auto steps =
-        static_cast<std::size_t>(std::ceil(mm / places.front().sector->columns.mm));
+    const auto steps = static_cast<std::size_t>(std::ceil(mm / places.front().sector->columns.mm));
     for (std::size_t k = 0; k < steps; ++k) {
       const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(steps);
       const Vec2 p = points[i - 1] + share * (points[i] - points[i - 1]);
-      const auto place = std::ranges::find_if(places, [&](const Place& at) {
-        return !panorama || p.x <= at.sector->frame_mm->high.x;
-      });
+      const auto place = std::ranges::find_if(
+          places, [&](const Place& at) { return !panorama || p.x <= at.sector->frame_mm->high.x; });
       if (place == places.end() || place->planned->darkness.empty()) continue;
       const float darkness = place->darkness_at(p, panorama);
       if (std::isnan(darkness)) continue;

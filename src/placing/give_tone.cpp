@@ -147,8 +147,7 @@ void tone_panorama(PlacedView& placed, const Surface& surface, const ToneRequest
       PlannedProfile planned{profile.depth_m, number};
       planned.level = profile.level;
       const PageColumns& columns = own[k].columns;
-      const auto first = static_cast<double>(firsts[k]),
-                 count = static_cast<double>(columns.count);
+      const auto first = static_cast<double>(firsts[k]), count = static_cast<double>(columns.count);
       if (!profile.darkness.empty()) {
         const auto begin = profile.darkness.begin() + static_cast<std::ptrdiff_t>(firsts[k]);
         planned.darkness.assign(begin, begin + static_cast<std::ptrdiff_t>(columns.count));
@@ -160,10 +159,9 @@ void tone_panorama(PlacedView& placed, const Surface& surface, const ToneRequest
                        to = std::min(run.x_end - first, count);
           if (!(from < to)) continue;
           // What goes on in the next sector goes on a column beyond this one's side.
-          planned.runs->push_back(
-              {columns.begin + columns.width * (from > 0 ? from : -1),
-               columns.begin + columns.width * (to < count ? to : count + 1),
-               request.is_shown_by(LightShownBy::width) ? run.width_mm : 0});
+          planned.runs->push_back({columns.begin + columns.width * (from > 0 ? from : -1),
+                                   columns.begin + columns.width * (to < count ? to : count + 1),
+                                   request.is_shown_by(LightShownBy::width) ? run.width_mm : 0});
         }
         if (request.is_even && planned.runs->empty() &&
             !(request.keeps_unseen && profile.level >= 0))

@@ -55,15 +55,15 @@ struct ViewSpec {
   /// Where the viewer stands, seen from the target: azimuth clockwise from north, elevation above
   /// the horizontal, 0 to 90 degrees. Without an eye.
   Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);
-  bool from_auto = false;             ///< both chosen, to show most ground with most relief
+  bool from_auto = false; ///< both chosen, to show most ground with most relief
   /// Horizontal; in perspective, or a panorama's: up to 360 degrees, which it has where nothing is
   /// given.
   std::optional<Angle> field_of_view;
   /// Of a panorama; instead of a field of view, and of a direction or a point to look at, which
   /// else are in its middle. None of them: from north to north.
   std::optional<AzimuthRange> azimuth_range;
-  std::optional<AltitudeRange> altitude_range; ///< of a panorama; none: what is seen
-  std::optional<double> distance_m;   ///< eye to target in space
+  std::optional<AltitudeRange> altitude_range;          ///< of a panorama; none: what is seen
+  std::optional<double> distance_m;                     ///< eye to target in space
   std::optional<GivenPlace> eye_map, look_at_map;       ///< in map coordinates
   std::optional<GivenPlace> eye_lonlat, look_at_lonlat; ///< longitude and latitude, WGS 84
   std::optional<double> eye_height_m;                   ///< above the ground; none: kEyeHeight_m

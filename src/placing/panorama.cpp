@@ -92,22 +92,22 @@ struct Altitude {
     const Vec2 at = view.depth_origin_m;
     const double nearest = std::hypot(std::max({box.low.x - at.x, at.x - box.high.x, 0.0}),
                                       std::max({box.low.y - at.y, at.y - box.high.y, 0.0}));
-    const double farthest = std::hypot(std::max(std::abs(box.low.x - at.x), std::abs(box.high.x - at.x)),
-                                       std::max(std::abs(box.low.y - at.y), std::abs(box.high.y - at.y)));
+    const double farthest =
+        std::hypot(std::max(std::abs(box.low.x - at.x), std::abs(box.high.x - at.x)),
+                   std::max(std::abs(box.low.y - at.y), std::abs(box.high.y - at.y)));
     // What sinks is a quadratic form, of any sign where rays bend more than the earth.
     const double least = std::min({0.0, view.drop.per_uu - std::abs(view.drop.per_uv),
                                    view.drop.per_vv - std::abs(view.drop.per_uv)});
-    const double above = box.high.z * view.exaggeration - least * farthest * farthest - view.eye_z_m;
+    const double above =
+        box.high.z * view.exaggeration - least * farthest * farthest - view.eye_z_m;
     return above / (above > 0 ? std::max(nearest, view.near_m) : farthest);
   }
 };
 
 double greatest_tangent(const BlockedPoints& points, const Panorama& panorama, const View& ahead) {
-  const Altitude altitude{ahead, panorama.width_deg < 360 ? radians(0.5 * panorama.width_deg)
-                                                          : kInfinity};
-  return greatest(
-             points, altitude, [&](const Box3& box) { return altitude.bound(box); }, {})
-      .value;
+  const Altitude altitude{ahead,
+                          panorama.width_deg < 360 ? radians(0.5 * panorama.width_deg) : kInfinity};
+  return greatest(points, altitude, [&](const Box3& box) { return altitude.bound(box); }, {}).value;
 }
 
 double tangent_at(const GroundAhead& column, const View& ahead, std::size_t i) {
@@ -161,9 +161,9 @@ Panorama panorama_asked(const ViewSpec& view, const ViewRequest& request) {
   out.kind = view.projection == Projection::cylindrical ? PanoramaKind::cylindrical
                                                         : PanoramaKind::equirectangular;
   out.drop = request.drop;
-  out.width_deg = view.azimuth_range ? view.azimuth_range->to.in_degrees() -
-                                           view.azimuth_range->from.in_degrees()
-                                     : view.field_of_view.value_or(Angle::degrees(360)).in_degrees();
+  out.width_deg = view.azimuth_range
+                      ? view.azimuth_range->to.in_degrees() - view.azimuth_range->from.in_degrees()
+                      : view.field_of_view.value_or(Angle::degrees(360)).in_degrees();
   out.middle_deg = request.look->azimuth.in_degrees();
   return out;
 }
@@ -242,15 +242,15 @@ void frame_panorama(Panorama& panorama, const View& ahead, const TerrainShape& t
   // No foreground is worth more than a square; on a page whatever it has room for.
   double most = width;
   if (page.height_mm) {
-    const double aspect = (*page.height_mm - 2 * page.margin_mm) /
-                          (page.width_mm - 2 * page.margin_mm);
+    const double aspect =
+        (*page.height_mm - 2 * page.margin_mm) / (page.width_mm - 2 * page.margin_mm);
     const double upright = std::max(aspect, 1 / aspect);
-    const bool is_upright = page.orientation == Orientation::portrait ||
-                            (page.orientation == Orientation::by_picture && wanted * strips > width);
-    most = width *
-           (page.orientation == Orientation::as_given ? aspect
-            : is_upright                              ? upright
-                                                      : 1 / upright);
+    const bool is_upright =
+        page.orientation == Orientation::portrait ||
+        (page.orientation == Orientation::by_picture && wanted * strips > width);
+    most = width * (page.orientation == Orientation::as_given ? aspect
+                    : is_upright                              ? upright
+                                                              : 1 / upright);
   }
   const double high = std::min(wanted, most / strips), steep = height(steepest);
   const double room = (kSkylineShare - kSkyShare) * high;
@@ -270,8 +270,8 @@ Page place_panorama_on_page(Panorama& panorama, const View& ahead, const PageReq
   const Placement placement = place_on_page(window, request);
   const double radius_mm = placement.to_page.m[0];
   const Vec2 upper_left_mm = placement.to_page({0, window.high.y});
-  panorama.page = {panorama.kind, radius_mm,
-                   upper_left_mm + radius_mm * Vec2{0.5 * width, high}, ahead.eye_z_m};
+  panorama.page = {panorama.kind, radius_mm, upper_left_mm + radius_mm * Vec2{0.5 * width, high},
+                   ahead.eye_z_m};
   panorama.frame_mm = {{panorama.page.x_mm(-0.5 * width), upper_left_mm.y},
                        {panorama.page.x_mm(0.5 * width), upper_left_mm.y + radius_mm * height}};
   panorama.strips.clear();

@@ -26,8 +26,8 @@ struct Panorama {
   double middle_deg = 0, width_deg = 360;    ///< azimuths
   double low_tangent = -1, high_tangent = 1; ///< of altitudes
   EarthDrop drop;                            ///< of the view's ground
-  PanoramaPage page;    ///< of all of it in one strip; the frame's forward is in the middle
-  Box2 frame_mm;        ///< on that page
+  PanoramaPage page; ///< of all of it in one strip; the frame's forward is in the middle
+  Box2 frame_mm;     ///< on that page
   std::vector<PanoramaStrip> strips; ///< left to right, where there are several
 
   double whole_sector_mm() const; ///< how wide a sector is that the page shows all of

@@ -165,15 +165,15 @@ void place_panorama(PlacedView& placed, const TerrainData& terrain, const MapSpe
   std::vector<GroundAhead> about;
   if (has_ground(terrain.surface))
     about = ground_about(panorama, view, cut_surface(placed, terrain.surface));
-  frame_panorama(panorama, view, shape, about,
-                 ground_under_eye(view, terrain.surface).has_value(), spec.view.altitude_range,
-                 spec.page);
+  frame_panorama(panorama, view, shape, about, ground_under_eye(view, terrain.surface).has_value(),
+                 spec.view.altitude_range, spec.page);
   placed.page = place_panorama_on_page(panorama, view, spec.page);
   placed.frame_mm = panorama.frame_mm;
   const std::vector<Sector> sectors = sectors_of(panorama, view);
   view.window = sectors[sectors.size() / 2].view.window;
   const PanoramaPage& page = panorama.page;
-  placed.to_page = {{page.radius_mm, 0, page.ahead_mm.x, 0, -page.radius_mm, page.ahead_mm.y, 0, 0, 1}};
+  placed.to_page = {
+      {page.radius_mm, 0, page.ahead_mm.x, 0, -page.radius_mm, page.ahead_mm.y, 0, 0, 1}};
   placed.panorama = std::move(panorama);
 }
 
@@ -383,8 +383,8 @@ PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& 
 
   placed.plan = spec.style.plan.value_or(PageSpacing{kPenWidthsApart * spec.style.pen_width_mm});
   if (!on_ground) {
-    placed.sectors = placed.panorama ? sectors_of(*placed.panorama, placed.view)
-                                     : plane_sectors(placed);
+    placed.sectors =
+        placed.panorama ? sectors_of(*placed.panorama, placed.view) : plane_sectors(placed);
     return placed;
   }
   if (placed.panorama) {

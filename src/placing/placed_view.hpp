@@ -47,14 +47,14 @@ struct PlacedView {
   std::optional<ChosenView> chosen_view; ///< where the spec leaves it to us
   std::optional<NearSkyline> near_skyline;
   Page page;
-  Homography to_page; ///< visibility plane to page mm; of a panorama near its middle
-  Box2 frame_mm;      ///< strokes end here
+  Homography to_page;               ///< visibility plane to page mm; of a panorama near its middle
+  Box2 frame_mm;                    ///< strokes end here
   std::optional<VolumeDepth> depth; ///< and at the front and back plane, where there are any
   EarthCurvature curvature;
   PlanRequest plan;
   std::vector<double> depths_m;         ///< of all profiles, rising; in `view`
   double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
-  std::vector<Sector> sectors; ///< ahead, then behind, or a panorama's; at least one
+  std::vector<Sector> sectors;          ///< ahead, then behind, or a panorama's; at least one
   double cell_m = 0;                    ///< the terrain's finest ground detail
   double exaggeration = 1; ///< of all heights; `view` still has to do it except on the ellipsoid
   bool exaggeration_chosen = false;     ///< by us, not by the user

@@ -36,7 +36,8 @@ struct Sector {
   double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
   bool behind = false;
   std::optional<Box2> frame_mm; ///< of a panorama's: its profiles' strokes end here
-  double azimuth = 0; ///< of a panorama's: of its forward direction, from the page's middle; radians
+  double azimuth =
+      0; ///< of a panorama's: of its forward direction, from the page's middle; radians
   PageColumns columns;      ///< of its profiles' darkness
   bool keeps_strip = false; ///< has a sector behind it, and what lies between the two
 };

@@ -59,18 +59,19 @@ std::vector<float> darkness_of(const PlanOnPage& plan, const PageColumns& column
                                const ToneRequest& request) {
   if (!request.light) return {};
   const GroundLight& light = *request.light;
-  const auto normals = sums_on_page<3>(
-      plan.seen, columns, std::max(light.smooth_mm, 0.5 * columns.mm),
-      [&](std::size_t j, std::size_t i) -> Sums<3> {
-        const Slope slope = slope_at(plan, columns, view, j, i);
-        Vec3 up{-slope.per_u, -slope.per_v, 1};
-        if (!columns.fan.empty()) up = turned(up, columns.fan[i].aside);
-        // By how much of the page it shows.
-        const double weight = (1e-3 + plan.seen[j].gap_mm[i]) /
-                              std::sqrt(slope.per_u * slope.per_u + slope.per_v * slope.per_v + 1);
-        return {static_cast<float>(up.x * weight), static_cast<float>(up.y * weight),
-                static_cast<float>(weight)};
-      });
+  const auto normals =
+      sums_on_page<3>(plan.seen, columns, std::max(light.smooth_mm, 0.5 * columns.mm),
+                      [&](std::size_t j, std::size_t i) -> Sums<3> {
+                        const Slope slope = slope_at(plan, columns, view, j, i);
+                        Vec3 up{-slope.per_u, -slope.per_v, 1};
+                        if (!columns.fan.empty()) up = turned(up, columns.fan[i].aside);
+                        // By how much of the page it shows.
+                        const double weight =
+                            (1e-3 + plan.seen[j].gap_mm[i]) /
+                            std::sqrt(slope.per_u * slope.per_u + slope.per_v * slope.per_v + 1);
+                        return {static_cast<float>(up.x * weight),
+                                static_cast<float>(up.y * weight), static_cast<float>(weight)};
+                      });
   std::vector<float> darkness(normals.size() * columns.count);
   const auto of_lit = [&](double lit) {
     return light.least + (light.greatest - light.least) * std::pow(1 - lit, kGamma);

@@ -27,8 +27,8 @@ struct FanColumn {
 struct PageColumns {
   double begin = 0, width = 1; ///< of X, or of u
   std::size_t count = 0;
-  double mm = 1;     ///< about the width on the page
-  bool of_u = false; ///< else of X
+  double mm = 1;                   ///< about the width on the page
+  bool of_u = false;               ///< else of X
   std::vector<FanColumn> fan = {}; ///< of a panorama all of them
 
   double middle(std::size_t i) const { return begin + (static_cast<double>(i) + 0.5) * width; }

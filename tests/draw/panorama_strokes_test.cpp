@@ -29,8 +29,7 @@ ProfilePoint made_point(Random& random, double eye_z) {
 Vec2 by_definition(const PanoramaPage& page, ProfilePoint p) {
   const long double u = p.u, v = p.v, up = static_cast<long double>(p.z) - page.eye_z_m;
   const long double altitude = std::atan2(up, std::hypot(u, v));
-  const long double height =
-      page.kind == PanoramaKind::cylindrical ? std::tan(altitude) : altitude;
+  const long double height = page.kind == PanoramaKind::cylindrical ? std::tan(altitude) : altitude;
   return {static_cast<double>(page.ahead_mm.x + page.radius_mm * std::atan2(u, v)),
           static_cast<double>(page.ahead_mm.y - page.radius_mm * height)};
 }
@@ -56,13 +55,16 @@ TEST_CASE("a panorama's strokes lie where azimuths and altitudes put their lines
   for (int round = 0; round < rounds(400); ++round) {
     StrokeSettings settings;
     const double eye_z = random.between(0, 3000), radius_mm = random.between(20, 300);
-    settings.panorama = PanoramaPage{random.pick({PanoramaKind::cylindrical,
-                                                  PanoramaKind::equirectangular}),
-                                     radius_mm, {10 + radius_mm * std::numbers::pi, 80}, eye_z};
+    settings.panorama =
+        PanoramaPage{random.pick({PanoramaKind::cylindrical, PanoramaKind::equirectangular}),
+                     radius_mm,
+                     {10 + radius_mm * std::numbers::pi, 80},
+                     eye_z};
     const double half = random.chance(0.5) ? std::numbers::pi : random.between(0.1, 3);
     const Vec2 ahead = settings.panorama->ahead_mm;
-    settings.frame_mm = {{ahead.x - radius_mm * half, ahead.y - random.between(0.1, 0.5) * radius_mm},
-                         {ahead.x + radius_mm * half, ahead.y + random.between(0.1, 1) * radius_mm}};
+    settings.frame_mm = {
+        {ahead.x - radius_mm * half, ahead.y - random.between(0.1, 0.5) * radius_mm},
+        {ahead.x + radius_mm * half, ahead.y + random.between(0.1, 1) * radius_mm}};
     const bool simplifies = random.chance(0.3);
     settings.simplify_mm = simplifies ? 0.02 : 0;
     settings.bend_mm = simplifies ? 2e-5 : 5e-7;
@@ -86,8 +88,8 @@ TEST_CASE("a panorama's strokes lie where azimuths and altitudes put their lines
                        : 0;
     for (int k = 0; k < 250; ++k) {
       const auto i = static_cast<std::size_t>(random.whole(1, count - 1));
-      const Vec2 p = by_definition(*settings.panorama,
-                                   point_between(line[i - 1], line[i], random.share()));
+      const Vec2 p =
+          by_definition(*settings.panorama, point_between(line[i - 1], line[i], random.share()));
       const Box2& frame = settings.frame_mm;
       // Just at the frame it is cut, and there a simplified line may be elsewhere.
       constexpr double kAtFrame_mm = 0.1;
@@ -113,7 +115,9 @@ TEST_CASE("a small step on a panorama's page is as long as by differences") {
   Random random(40);
   for (int round = 0; round < rounds(2000); ++round) {
     const PanoramaPage page{random.pick({PanoramaKind::cylindrical, PanoramaKind::equirectangular}),
-                            random.between(20, 300), {500, 100}, random.between(0, 3000)};
+                            random.between(20, 300),
+                            {500, 100},
+                            random.between(0, 3000)};
     ProfilePoint p = made_point(random, page.eye_z_m);
     p.v = std::abs(p.v); // not across the seam
     const double away = std::hypot(p.u, p.v), h = 1e-6 * away;

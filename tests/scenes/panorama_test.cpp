@@ -41,10 +41,9 @@ PanoramaScene made_panorama(std::uint64_t seed, int most = 24) {
          random.between(0.1, 0.9) * (grid.rows - 1) * grid.plane().row_step_m;
     height = height_at(grid, at);
   }
-  out.spec.view.projection =
-      random.pick({Projection::cylindrical, Projection::equirectangular});
-  out.spec.view.eye_map = GivenPlace(
-      out.terrain.map.to_map({at.x, at.y, *height + random.pick({0.5, 20.0, 200.0})}));
+  out.spec.view.projection = random.pick({Projection::cylindrical, Projection::equirectangular});
+  out.spec.view.eye_map =
+      GivenPlace(out.terrain.map.to_map({at.x, at.y, *height + random.pick({0.5, 20.0, 200.0})}));
   out.spec.view.exaggeration = random.pick({1.0, 1.5});
   out.spec.view.curvature = random.pick({Curvature::on, Curvature::off});
   out.spec.page.width_mm = random.pick({300.0, 1000.0});
@@ -74,8 +73,8 @@ std::vector<End> ends_at(const Layer& layer, double x_mm) {
   std::vector<End> out;
   for (const Stroke& stroke : layer.strokes) {
     const auto points = layer.points(stroke);
-    for (const auto& [end, next] :
-         {std::pair{points.front(), points[1]}, std::pair{points.back(), points[points.size() - 2]}})
+    for (const auto& [end, next] : {std::pair{points.front(), points[1]},
+                                    std::pair{points.back(), points[points.size() - 2]}})
       if (std::abs(end.x - x_mm) <= kPageStep_mm)
         out.push_back({end, stroke.width_mm, next.x < end.x});
   }
@@ -100,8 +99,8 @@ TEST_CASE("what a panorama draws is visible, and nothing visible is missing") {
   for (std::uint64_t seed = 1; seed <= last_seed(60); ++seed) {
     PanoramaScene scene = made_panorama(seed);
     if (seed % 3 == 0)
-      scene.spec.view.azimuth_range =
-          AzimuthRange{Angle::degrees(350), Angle::degrees(350 + 10.0 * static_cast<double>(seed % 7 + 1))};
+      scene.spec.view.azimuth_range = AzimuthRange{
+          Angle::degrees(350), Angle::degrees(350 + 10.0 * static_cast<double>(seed % 7 + 1))};
     CAPTURE(seed);
     try {
       sum.add(ask(scene.terrain, scene.spec, 1000));
@@ -114,7 +113,8 @@ TEST_CASE("what a panorama draws is visible, and nothing visible is missing") {
   CHECK(sum.asked >= enough<12000>);
 }
 
-TEST_CASE("points of a panorama are at the azimuth and the altitude of their places on the ground") {
+TEST_CASE(
+    "points of a panorama are at the azimuth and the altitude of their places on the ground") {
   std::uint64_t asked = 0;
   for (std::uint64_t seed = 1; seed <= last_seed(24); ++seed) {
     PanoramaScene scene = made_panorama(seed);
@@ -143,10 +143,10 @@ TEST_CASE("points of a panorama are at the azimuth and the altitude of their pla
         const long double azimuth = std::remainder(std::atan2(x, y) - middle, turn);
         const long double tangent = z / std::hypot(x, y);
         const double across = static_cast<double>(panorama.page.radius_mm * azimuth),
-                     up = static_cast<double>(
-                         panorama.page.radius_mm *
-                         (panorama.kind == PanoramaKind::cylindrical ? tangent
-                                                                     : std::atan(tangent)));
+                     up = static_cast<double>(panorama.page.radius_mm *
+                                              (panorama.kind == PanoramaKind::cylindrical
+                                                   ? tangent
+                                                   : std::atan(tangent)));
         // On either side of the seam, and in whatever strip.
         double least = 1e9;
         for (const double side : {0.0, 1.0, -1.0}) {
@@ -163,9 +163,9 @@ TEST_CASE("points of a panorama are at the azimuth and the altitude of their pla
         // Rounding; ends that are cut at the frame or a strip keep a neighbour's place on the map.
         if (least > page_rounding_mm() + 2e-5 + 1e-6) {
           const Vec2 p = layer.page_mm[i];
-          const bool at_frame =
-              std::abs(p.y - placed.frame_mm.low.y) < 1e-3 ||
-              std::abs(p.y - placed.frame_mm.high.y) < 1e-3 || !panorama.strips.empty();
+          const bool at_frame = std::abs(p.y - placed.frame_mm.low.y) < 1e-3 ||
+                                std::abs(p.y - placed.frame_mm.high.y) < 1e-3 ||
+                                !panorama.strips.empty();
           REQUIRE(at_frame);
         }
       }
