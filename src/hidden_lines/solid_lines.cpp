@@ -263,8 +263,9 @@ void keep_in_range(SolidParts& parts, std::span<const StandingSolid> standing, c
       const ProfilePoint from = to_profile_frame(view, solid->vertices_m[edge->from]),
                          to = to_profile_frame(view, solid->vertices_m[edge->to]);
       // Of both sides of the range, 0 or more inside; linear along the edge.
-      for (const auto& [a, b] : {std::pair{from.u - range.begin * from.v, to.u - range.begin * to.v},
-                                 std::pair{range.end * from.v - from.u, range.end * to.v - to.u}}) {
+      for (const auto& [a, b] :
+           {std::pair{from.u - range.begin * from.v, to.u - range.begin * to.v},
+            std::pair{range.end * from.v - from.u, range.end * to.v - to.u}}) {
         if (a >= 0 && b >= 0) continue;
         const double crossing = a < 0 && b < 0 ? 0 : a / (a - b);
         if (a < 0) part.t_begin = b < 0 ? part.t_end : std::max(part.t_begin, crossing);

@@ -17,11 +17,11 @@ enum class LightShownBy { width, density, nothing };
 /// contrast of 1.
 struct GroundLight {
   Vec3 towards;           ///< unit; in the profile frame: right, away from the viewer, up
-  bool stands = false;    ///< in a panorama: towards that of its middle, else of each column
   double least, greatest; ///< darkness where light falls squarely, and where none falls
   double contrast = 1;    ///< factor of how far it is from that of level ground
   double smooth_mm = 1;   ///< normals are means over about this, on the page
   LightShownBy shown_by = LightShownBy::width;
+  bool stands = false;    ///< in a panorama: towards that of its middle, else of each column
 };
 
 struct ToneRequest {
