@@ -21,7 +21,7 @@ struct GroundLight {
   double contrast = 1;    ///< factor of how far it is from that of level ground
   double smooth_mm = 1;   ///< normals are means over about this, on the page
   LightShownBy shown_by = LightShownBy::width;
-  bool stands = false;    ///< in a panorama: towards that of its middle, else of each column
+  bool stands = false; ///< in a panorama: towards that of its middle, else of each column
 };
 
 struct ToneRequest {
