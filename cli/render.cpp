@@ -69,8 +69,9 @@ void check_not_empty(const Map& map, const RenderSettings& settings) {
   if (map.facts.counts.strokes == 0)
     throw Error(fmt::format("nothing of the {} is on the page",
                             is_scene(settings.inputs.front()) ? "scene" : "terrain"),
-                settings.map.view.file
-                    ? "turn the view towards it, or widen its window"
+                settings.map.view.file ? "turn the view towards it, or widen its window"
+                : settings.map.view.altitude_range
+                    ? "widen --altitude-range, or leave it out"
                     : "turn the view towards it, widen --fov, or raise an eye that faces a slope");
 }
 

@@ -73,7 +73,7 @@ void add_panorama_options(std::vector<Option>& options, RenderSettings& s) {
                                   .value = "N",
                                   .help = "Cut a long panorama into so many strips of equal "
                                           "azimuths, one beneath the other on the page",
-                                  .by_default = "1"},
+                                  .by_default = "all in one"},
                                  1, kMostStrips, [&s](int n) { s.map.page.strips = n; }));
 }
 

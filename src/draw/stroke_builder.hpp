@@ -58,6 +58,13 @@ constexpr double kInPlane = 1e-9;
 PlaneValues plane_values(const Box2& frame_mm, const std::optional<VolumeDepth>& depth,
                          const Vec3& page, ProfilePoint scene);
 
+/// How far a panorama's bent lines may be off: far below what simplification may move, and below
+/// the page's step where nothing is simplified.
+constexpr double panorama_bend_mm(double simplify_mm) {
+  constexpr double kLeast_mm = 5e-7, kShareOfSimplification = 1e-3;
+  return std::max(kLeast_mm, kShareOfSimplification * simplify_mm);
+}
+
 /// Of one width less of a line isn't worth its own stroke.
 constexpr double kShortWidth_mm = 1;
 

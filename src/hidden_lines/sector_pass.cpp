@@ -132,6 +132,7 @@ SectorLines solids_alone(const PlacedView& placed, const Sector& sector) {
   const SolidsInView solids(placed.solids, sector.view);
   SectorLines out;
   out.solids = seen_edges(solids, nullptr);
+  if (sector.frame_mm) keep_in_range(out.solids, placed.solids, sector.view, page_range(sector));
   return out;
 }
 
@@ -320,6 +321,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     const std::vector<Segment> cut = near_cut(work);
     const HidingGround hiding{terrain, placed, sector, lines.listed, found_parts.visible, cut};
     out.solids = seen_edges(*solids, &hiding);
+    if (sector.frame_mm) keep_in_range(out.solids, placed.solids, view, work.range);
     watch.mark(seconds.clip);
   }
   out.folded_mm = found_parts.folded_mm;

@@ -248,6 +248,34 @@ SolidParts seen_edges(const SolidsInView& solids, const HidingGround* ground) {
   return out;
 }
 
+void keep_in_range(SolidParts& parts, std::span<const StandingSolid> standing, const View& view,
+                   XRange range) {
+  struct NumberedEdge {
+    const StandingSolid* solid;
+    const SolidEdge* edge;
+  };
+  std::vector<NumberedEdge> edges;
+  for (const StandingSolid& solid : standing)
+    for (const SolidEdge& edge : solid.solid->edges) edges.push_back({&solid, &edge});
+  for (std::vector<LinePart>* of_kind : {&parts.visible, &parts.hidden}) {
+    for (LinePart& part : *of_kind) {
+      const auto& [solid, edge] = edges[part.line];
+      const ProfilePoint from = to_profile_frame(view, solid->vertices_m[edge->from]),
+                         to = to_profile_frame(view, solid->vertices_m[edge->to]);
+      // Of both sides of the range, 0 or more inside; linear along the edge.
+      for (const auto& [a, b] :
+           {std::pair{from.u - range.begin * from.v, to.u - range.begin * to.v},
+            std::pair{range.end * from.v - from.u, range.end * to.v - to.u}}) {
+        if (a >= 0 && b >= 0) continue;
+        const double crossing = a < 0 && b < 0 ? 0 : a / (a - b);
+        if (a < 0) part.t_begin = b < 0 ? part.t_end : std::max(part.t_begin, crossing);
+        if (b < 0) part.t_end = std::min(part.t_end, crossing);
+      }
+    }
+    std::erase_if(*of_kind, [](const LinePart& part) { return !(part.t_begin < part.t_end); });
+  }
+}
+
 namespace {
 
 // What of a line's part is left, from a share of the line to another.

@@ -41,6 +41,10 @@ struct HidingGround {
 /// shadows that are found.
 SolidParts seen_edges(const SolidsInView& solids, const HidingGround* ground);
 
+/// What of them is within a range of X: of a panorama's sector, which knows what hides there alone.
+void keep_in_range(SolidParts& parts, std::span<const StandingSolid> standing, const View& view,
+                   XRange range);
+
 /// Takes out of the runs of a profile what is behind solids. Cost: a look at each span, and the
 /// triangles of solids that are in front of it.
 void leave_out_behind(const SolidsInView& solids, const Profile& profile,

@@ -80,10 +80,8 @@ StrokeSettings stroke_settings(const TerrainData& terrain, const PlacedView& pla
                                const MapSpec& spec) {
   StrokeSettings strokes;
   if (placed.panorama) {
-    // Far below what simplification may move, and less than the page's step in any case.
-    constexpr double kLeastBend_mm = 5e-7, kShareOfSimplification = 1e-3;
     strokes.panorama = placed.panorama->page;
-    strokes.bend_mm = std::max(kLeastBend_mm, kShareOfSimplification * spec.style.simplify_mm);
+    strokes.bend_mm = panorama_bend_mm(spec.style.simplify_mm);
   } else {
     strokes.to_page = placed.to_page;
   }

@@ -2,6 +2,7 @@
 #include "map/error_budget.hpp"
 
 #include "dem/extent.hpp"
+#include "draw/stroke_builder.hpp"
 #include "placing/geodesy.hpp"
 
 #include <algorithm>
@@ -93,6 +94,7 @@ ErrorBudget error_budget(const TerrainData& terrain, const PlacedView& placed,
   budget.shore_smoothing_mm = draws_shores && !spec.ground_points ? spec.style.shore_smooth_mm : 0;
   budget.visibility_tolerance_mm = spec.style.visibility_tolerance_mm;
   budget.arithmetic_mm = kArithmetic_mm;
+  if (placed.panorama) budget.arithmetic_mm += panorama_bend_mm(spec.style.simplify_mm);
   budget.geodesy_mm = geodesy_mm(terrain, placed, spec);
   budget.rounding_mm = page_rounding_mm();
   return budget;

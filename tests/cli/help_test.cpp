@@ -240,11 +240,12 @@ TEST_CASE("programs are told what people know of some options") {
     return usage;
   };
   CHECK(of("fov")["type"] == "real");
-  CHECK(of("fov")["max_value"] == 180);
-  CHECK(of("fov")["max_value_is_included"] == false);
+  CHECK(of("fov")["max_value"] == 360);
+  CHECK(of("fov")["max_value_is_included"] == true);
   CHECK(of("fov")["default"] == "30");
   CHECK(of("fov")["unit"] == "degrees");
-  CHECK(of("projection")["choices"] == nlohmann::json{"perspective", "orthographic", "oblique"});
+  CHECK(of("projection")["choices"] ==
+        nlohmann::json{"perspective", "orthographic", "oblique", "cylindrical", "equirectangular"});
   CHECK(of("of")["choices"].size() == 10);
   CHECK(of("layers")["list"] == true);
   CHECK(of("layers")["choices"][0] == "profiles");

@@ -22,12 +22,16 @@ bool has(const Command& command, std::string_view name) {
 TEST_CASE("each word of other programs leads to an option that there is") {
   RenderSettings render_settings;
   SweepSettings sweep_settings;
-  const Command render = render_command(render_settings), sweep = sweep_command(sweep_settings);
+  VisibleSettings visible_settings;
+  const Command render = render_command(render_settings), sweep = sweep_command(sweep_settings),
+                visible = visible_command(visible_settings);
   std::set<std::string_view> seen;
   for (const OtherWord& word : other_words()) {
     INFO(word.word);
     CHECK(seen.insert(word.word).second);
-    const Command& command = word.option.empty() || has(render, word.option) ? render : sweep;
+    const Command& command = word.option.empty() || has(render, word.option) ? render
+                             : has(sweep, word.option)                       ? sweep
+                                                                             : visible;
     CHECK_FALSE(has(command, "--" + std::string(word.word)));
     CHECK((word.option.empty() || has(command, word.option)));
     CHECK((!word.option.empty() || !word.says.empty()));
