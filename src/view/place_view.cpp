@@ -203,7 +203,8 @@ void frame_perspective(View& view, const ViewRequest& request, const TerrainShap
 // distance, 16 degrees at 2000 km, and with an elevation below that all ground would be turned
 // away.
 //
-// `put_eye` puts it where the view's elevation says.
+// `put_eye` puts it where the view's elevation says. Where a step leads to an eye that hasn't all
+// of the terrain in front of it, the place before it stays.
 template <class PutEye>
 void look_from_above_target(View& view, Angle elevation, const PutEye& put_eye) {
   constexpr int kMostSteps =
@@ -216,8 +217,14 @@ void look_from_above_target(View& view, Angle elevation, const PutEye& put_eye) 
     const double away_m = view.distance_m * cos(view.elevation);
     const Angle sloping = elevation + atan2_angle(2 * view.drop.per_vv * away_m, 1);
     change_deg = std::abs((sloping + -view.elevation).in_degrees());
+    const View before = view;
     set_elevation(view, sloping);
-    put_eye();
+    try {
+      put_eye();
+    } catch (const Error&) { // on a planet hardly larger than the terrain
+      view = before;
+      return;
+    }
   }
 }
 

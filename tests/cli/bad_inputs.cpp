@@ -47,7 +47,7 @@ void write_settings(const MadeFolder& folder) {
   write("dashed", "--fov = 20");
   write("input", "input = 'hill.asc'");
   write("itself", "settings = 'set-unknown.toml'");
-  write("range", "fov = 200");
+  write("range", "fov = 400");
   write("word", "spread = 'wide'");
   write("latitude", "eye-lonlat = '46,120'");
   write("list", "fov = [20]");
@@ -65,7 +65,7 @@ void write_settings(const MadeFolder& folder) {
   write("huge", "title = '" + std::string(1'000'001, 'a') + "'");
   folder.write("set-syntax.json", "{\n\"settings\": {\n");
   folder.write("set-none.json", "{\"view\": {}}");
-  folder.write("set-number.json", "{\"settings\": {\"fov\": 200}}");
+  folder.write("set-number.json", "{\"settings\": {\"fov\": 400}}");
   folder.write("set-object.json", "{\"settings\": {\"fov\": {}}}");
   folder.write("set-nested.json", std::string(1'000'000, '[') + std::string(1'000'000, ']'));
 }

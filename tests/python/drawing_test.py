@@ -94,7 +94,7 @@ def error_of(call, *arguments, **options):
         ({"contour_tick": True}, "did you mean contour_ticks?"),
         ({"azimuth": 3}, "view_from"),
         ({"spacing": 3}, "0.6mm on the page"),
-        ({"fov": 200}, "above 0 and below 180"),
+        ({"fov": 400}, "above 0 and at most 360"),
         ({"fov": float("nan")}, "fov 'nan' can't be used"),
         ({"fov": [1, 2]}, "fov '1,2' can't be used"),
         ({"fov": True}, "fov True can't be used"),

@@ -20,6 +20,7 @@ class ReadOptions(TypedDict, total=False):
     overview: int | str | None
     fill_voids: float | str | None
     height_unit: str | None
+    allow_network: bool | None
     input_layer: str | None
     repair: bool | None
     columns: Several | None
@@ -34,7 +35,9 @@ class RenderOptions(TypedDict, total=False):
     """Those of `orograph render` that draw one."""
 
     view_from: Several | None
-    projection: Literal["perspective", "orthographic", "oblique"] | None
+    projection: (
+        Literal["perspective", "orthographic", "oblique", "cylindrical", "equirectangular"] | None
+    )
     oblique: Several | None
     axonometric: Literal["isometric", "dimetric", "trimetric"] | None
     view: Path | None
@@ -43,6 +46,10 @@ class RenderOptions(TypedDict, total=False):
     eye: Several | None
     eye_lonlat: Several | None
     eye_height: float | str | None
+    eye_summit: float | str | bool | None
+    azimuth_range: Several | None
+    altitude_range: Several | None
+    strips: int | str | None
     look_at: Several | None
     look_at_lonlat: Several | None
     look_azimuth: float | str | None
