@@ -35,7 +35,7 @@ TEST_CASE("a call that fails leaves a right file, or one line and none") {
 
 // The whole walk, by hand: OROGRAPH_WALK_EACH calls of each kind (50) of the commands whose names
 // hold OROGRAPH_WALK_COMMAND (all).
-TEST_CASE("the whole walk", "[.walk]") {
+TEST_CASE("the whole walk", "[.walk][slow]") {
   const std::size_t each = std::strtoul(asked("OROGRAPH_WALK_EACH", "50").c_str(), nullptr, 10);
   const std::string of = asked("OROGRAPH_WALK_COMMAND", ""),
                     kind_of = asked("OROGRAPH_WALK_KIND", "");
