@@ -29,9 +29,9 @@ expect() {
 
 expect GREEN src/view/view.cpp '#include "geometry/vec.hpp"'
 expect GREEN src/view/view.cpp '#include <vector>'
-expect GREEN src/python/views.cpp '#include "cli/options/options.hpp"'
-expect GREEN src/python/module.cpp '#include <pybind11/numpy.h>'
-expect RED src/python/views.cpp '#include <pybind11/numpy.h>'
+expect GREEN python/views.cpp '#include "cli/options/options.hpp"'
+expect GREEN python/module.cpp '#include <pybind11/numpy.h>'
+expect RED python/views.cpp '#include <pybind11/numpy.h>'
 expect RED cli/render.cpp '#include "python/views.hpp"'
 expect RED src/map/draw_map.cpp '#include <pybind11/numpy.h>'
 expect GREEN src/view/view.cpp '#include <fmt/format.h>'

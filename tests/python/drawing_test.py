@@ -134,7 +134,7 @@ def test_none_is_the_default(ground):
 def test_every_option_is_in_the_docstring_and_in_the_stubs():
     from orograph.options import table
 
-    stub = (DATA.parent / "src/python/orograph/terrain.pyi").read_text()
+    stub = (DATA.parent / "python/orograph/terrain.pyi").read_text()
     for function, where, of in (
         ("render", orograph.Terrain.render, "RenderOptions"),
         ("read", orograph.read, "ReadOptions"),
@@ -148,7 +148,7 @@ def test_every_option_is_in_the_docstring_and_in_the_stubs():
 
 
 def test_stubs_have_what_there_is():
-    folder = DATA.parent / "src/python/orograph"
+    folder = DATA.parent / "python/orograph"
     for module, names in (("terrain", ["Terrain", "Session"]), ("drawing", ["Drawing"])):
         stub = (folder / f"{module}.pyi").read_text()
         for name in names:
