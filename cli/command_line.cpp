@@ -14,7 +14,6 @@
 #include "cli/sweep/ranks.hpp"
 #include "cli/tin.hpp"
 #include "cli/visible.hpp"
-#include "dem/read/gdal.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "write/output_file.hpp"
@@ -33,6 +32,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

@@ -2,7 +2,6 @@
 #include "dem/read/crs_frame.hpp"
 
 #include "dem/frame/local_frame.hpp"
-#include "dem/read/gdal.hpp"
 #include "geometry/angle.hpp"
 #include "geometry/error.hpp"
 
@@ -15,6 +14,8 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

@@ -2,7 +2,6 @@
 #include "dem/read/lonlat.hpp"
 
 #include "dem/read/crs_frame.hpp"
-#include "dem/read/gdal.hpp"
 
 #include <ogr_spatialref.h>
 
@@ -10,6 +9,8 @@
 #include <cmath>
 #include <memory>
 #include <vector>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

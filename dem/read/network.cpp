@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/network.hpp"
 
-#include "dem/read/gdal.hpp"
 #include "geometry/error.hpp"
 
 #include <cpl_error.h>
@@ -16,6 +15,8 @@
 #include <filesystem>
 #include <memory>
 #include <set>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/raster_heights.hpp"
 
-#include "dem/read/gdal.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
 
@@ -15,6 +14,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

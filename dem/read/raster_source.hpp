@@ -2,7 +2,6 @@
 // One raster among those of a terrain: what it tells before its heights are read.
 #pragma once
 
-#include "dem/read/gdal.hpp"
 #include "dem/read/raster_heights.hpp"
 #include "dem/read/raster_order.hpp"
 #include "dem/read/read_options.hpp"
@@ -11,6 +10,8 @@
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 

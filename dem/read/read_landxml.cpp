@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangulated surfaces from LandXML, through pugixml.
 #include "dem/read/crs_frame.hpp"
-#include "dem/read/gdal.hpp"
 #include "dem/read/length_units.hpp"
 #include "dem/read/map_shapes.hpp"
 #include "geometry/error.hpp"
@@ -15,6 +14,8 @@
 #include <cmath>
 #include <fstream>
 #include <unordered_map>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

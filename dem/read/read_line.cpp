@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/read_line.hpp"
 
-#include "dem/read/gdal.hpp"
 #include "dem/read/network.hpp"
 #include "geometry/error.hpp"
 
@@ -11,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

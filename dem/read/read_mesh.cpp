@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangles of mesh files, through CGAL: the only place that knows its readers.
 #include "dem/read/crs_frame.hpp"
-#include "dem/read/gdal.hpp"
 #include "dem/read/length_units.hpp"
 #include "dem/read/map_shapes.hpp"
 #include "geometry/error.hpp"
@@ -21,6 +20,8 @@
 #include <fstream>
 #include <sstream>
 #include <utility>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

@@ -2,7 +2,6 @@
 #include "dem/read/read_overlay.hpp"
 
 #include "dem/read/crs_frame.hpp"
-#include "dem/read/gdal.hpp"
 #include "dem/read/network.hpp"
 #include "dem/read/vector_layer.hpp"
 #include "geometry/error.hpp"
@@ -20,6 +19,8 @@
 #include <memory>
 #include <optional>
 #include <utility>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangles, points, lines and rings from vector layers, through OGR.
 #include "dem/read/crs_frame.hpp"
-#include "dem/read/gdal.hpp"
 #include "dem/read/length_units.hpp"
 #include "dem/read/map_shapes.hpp"
 #include "dem/read/vector_layer.hpp"
@@ -19,6 +18,8 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

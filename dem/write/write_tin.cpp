@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/write/write_tin.hpp"
 
-#include "dem/read/gdal.hpp"
 #include "geometry/error.hpp"
 #include "text/words.hpp"
 
@@ -21,6 +20,8 @@
 #include <memory>
 #include <string_view>
 #include <utility>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

@@ -47,7 +47,7 @@ std::unique_ptr<OGRFeature> polyline_of(const Stroke& stroke, const Layer& from,
 }
 
 bool write_polylines(const std::string& path, const Drawing& drawing) {
-  const OgrDataset dataset = create_dataset("DXF", path);
+  const Dataset dataset = create_dataset("DXF", path);
   OGRLayer* const layer = dataset ? dataset->CreateLayer("entities") : nullptr;
   if (layer == nullptr) return false;
   std::size_t step = 0;
@@ -125,8 +125,8 @@ void append_in_mm(std::string_view text, const Drawing& drawing, ByteSink& out) 
 
 // GDAL puts a second file beside it and goes back in the first, so it is made in memory.
 void write_dxf(const Drawing& drawing, ByteSink& out) {
-  const WritingOptions fixed;
-  const OgrMessages messages;
+  const OnOneDay day;
+  const GdalMessages messages;
   const MemoryFile file;
   if (!write_polylines(file.path(), drawing) || messages.has_failure())
     throw gdal_error(out.name(), messages);

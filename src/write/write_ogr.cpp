@@ -168,8 +168,8 @@ bool add_strokes(GDALDataset& dataset, const Drawing& drawing, OGRLayer& layer) 
 
 // Whether all went well, up to and including the closing.
 bool write(const char* driver_name, const std::string& path, const Drawing& drawing,
-           const CPLStringList& layer_options, const OgrMessages& messages) {
-  OgrDataset dataset = create_dataset(driver_name, path);
+           const CPLStringList& layer_options, const GdalMessages& messages) {
+  Dataset dataset = create_dataset(driver_name, path);
   if (!dataset) return false;
   OGRLayer* const layer = add_layer(*dataset, drawing, layer_options);
   if (layer == nullptr || !add_strokes(*dataset, drawing, *layer)) return false;
@@ -199,8 +199,8 @@ std::string first_value(GDALDataset& dataset, const char* sql) {
 } // namespace
 
 void write_geojson(const Drawing& drawing, ByteSink& out) {
-  const WritingOptions fixed;
-  const OgrMessages messages;
+  const OnOneDay day;
+  const GdalMessages messages;
   const SinkFilesystem filesystem(out);
   CPLStringList options;
   options.SetNameValue("RFC7946", "NO"); // RFC 7946 would have it reprojected to degrees
@@ -212,8 +212,8 @@ void write_geojson(const Drawing& drawing, ByteSink& out) {
 }
 
 void write_geopackage(const Drawing& drawing, const std::string& path, const std::string& name) {
-  const WritingOptions fixed;
-  const OgrMessages messages;
+  const OnOneDay day;
+  const GdalMessages messages;
   CPLStringList options;
   set_text(options, "IDENTIFIER", drawing.title);
   set_text(options, "DESCRIPTION", drawing.description);
@@ -222,9 +222,9 @@ void write_geopackage(const Drawing& drawing, const std::string& path, const std
 }
 
 void prove_geojson(const Drawing& drawing, const std::string& path, const std::string& name) {
-  const OgrMessages messages;
+  const GdalMessages messages;
   const char* const drivers[] = {"GeoJSON", nullptr};
-  const OgrDataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
+  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
   OGRLayer* const layer = dataset ? dataset->GetLayer(0) : nullptr;
   const auto expected = static_cast<GIntBig>(stroke_count(drawing));
   if (layer == nullptr || layer->GetFeatureCount() != expected || messages.has_failure())
@@ -232,10 +232,10 @@ void prove_geojson(const Drawing& drawing, const std::string& path, const std::s
 }
 
 void prove_geopackage(const Drawing& drawing, const std::string& path, const std::string& name) {
-  const WritingOptions fixed;
-  const OgrMessages messages;
+  const OnOneDay day;
+  const GdalMessages messages;
   const char* const drivers[] = {"GPKG", nullptr};
-  const OgrDataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
+  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
   const std::string expected = fmt::format("{}", stroke_count(drawing));
   if (!dataset || first_value(*dataset, "PRAGMA quick_check(1)") != "ok" ||
       first_value(*dataset, "SELECT COUNT(*) FROM strokes") != expected || messages.has_failure())

@@ -88,8 +88,8 @@ void set_point_value(OGRFeature& feature, int field, const PointValue& value) {
 
 // Whether all went well, up to and including the closing.
 bool write_point_rows(const PointTable& table, const std::string& path,
-                      const OgrMessages& messages) {
-  OgrDataset dataset = create_dataset("GeoJSON", path);
+                      const GdalMessages& messages) {
+  Dataset dataset = create_dataset("GeoJSON", path);
   if (!dataset) return false;
   OGRLayer* const layer = add_point_layer(*dataset, table);
   if (layer == nullptr) return false;
@@ -107,8 +107,8 @@ bool write_point_rows(const PointTable& table, const std::string& path,
 }
 
 void write_geojson_points(const PointTable& table, ByteSink& out) {
-  const WritingOptions fixed;
-  const OgrMessages messages;
+  const OnOneDay day;
+  const GdalMessages messages;
   const SinkFilesystem filesystem(out);
   const std::string path = std::string(SinkFilesystem::kFolder) + "points.geojson";
   if (!write_point_rows(table, path, messages) && out.append({}))

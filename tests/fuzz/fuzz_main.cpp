@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer's door to the targets; OROGRAPH_FUZZ_TARGET in the environment names one.
-#include "dem/read/gdal.hpp"
 #include "tests/fuzz/fuzz_targets.hpp"
 
 #include <cpl_conv.h>
@@ -10,6 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+
+#include "gdal/gdal.hpp"
 
 namespace {
 

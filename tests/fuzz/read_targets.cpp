@@ -2,7 +2,6 @@
 // Readers of the library: what they take is a terrain, a scene, pens as they promise, or they
 // refuse it with an Error.
 #include "dem/overlay.hpp"
-#include "dem/read/gdal.hpp"
 #include "dem/read/read_overlay.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "map/layer_table.hpp"
@@ -17,6 +16,8 @@
 #include <cmath>
 #include <variant>
 #include <vector>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph {
 namespace {

@@ -2,7 +2,6 @@
 // A program that uses GDAL itself keeps what it has set there, and several threads may read at
 // once.
 #include "dem/height_at.hpp"
-#include "dem/read/gdal.hpp"
 #include "dem/read/lonlat.hpp"
 #include "dem/read/map_shapes.hpp"
 #include "dem/read/read_terrain.hpp"
@@ -23,6 +22,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph::gdal_test {
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files don't lead GDAL to the network, nor unheard to other folders.
-#include "dem/read/gdal.hpp"
 #include "dem/read/network.hpp"
 #include "dem/read/read_line.hpp"
 #include "dem/read/read_terrain.hpp"
@@ -23,6 +22,8 @@
 #include <fstream>
 #include <string>
 #include <thread>
+
+#include "gdal/gdal.hpp"
 
 namespace orograph::network_test {
 namespace {

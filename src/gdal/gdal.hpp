@@ -50,6 +50,7 @@ public:
   GdalMessages& operator=(const GdalMessages&) = delete;
 
   bool has_failure() const { return !failures_.empty(); }
+  const std::vector<std::string>& failures() const { return failures_; }
   /// In one line; "no reason given" if there was none.
   std::string last_failure() const;
   const std::vector<std::string>& warnings() const { return warnings_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/read/gdal.hpp"
+#include "gdal/gdal.hpp"
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
