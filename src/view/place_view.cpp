@@ -182,20 +182,19 @@ void set_elevation(View& view, Angle elevation) {
   view.to_picture = picture_of(view);
 }
 
-void frame_perspective(View& view, const ViewRequest& request, const TerrainShape& terrain,
-                       PictureEnds& ends) {
+// Whether there is a place from which all of the terrain has a picture.
+bool put_eye_to_frame(View& view, const ViewRequest& request, const TerrainShape& terrain,
+                      PictureEnds& ends) {
   const double size = 2 * tan(0.5 * request.field_of_view.value_or(kDefaultField));
   for (const Fitted fitted : {Fitted::width_in_front, Fitted::longer_side}) {
     if (request.distance_m) {
-      if (picture_size(view, terrain, *request.distance_m, fitted, ends) < kInfinity) return;
+      if (picture_size(view, terrain, *request.distance_m, fitted, ends) < kInfinity) return true;
     } else if (const auto found = distance_for_size(view, terrain, size, fitted, ends)) {
       put_eye_at_distance(view, *found);
-      return;
+      return true;
     }
   }
-  throw Error(
-      "part of the terrain is beside or behind the eye, where it has no picture",
-      "use a greater `distance_m`, or give `field_of_view` too, to show a part of the terrain");
+  return false;
 }
 
 // Where the ground sinks with the square of its distance from the eye, the horizontal that
@@ -203,29 +202,25 @@ void frame_perspective(View& view, const ViewRequest& request, const TerrainShap
 // distance, 16 degrees at 2000 km, and with an elevation below that all ground would be turned
 // away.
 //
-// `put_eye` puts it where the view's elevation says. Where a step leads to an eye that hasn't all
-// of the terrain in front of it, the place before it stays.
+// `put_eye` puts the eye where the view's elevation says, and tells whether it could. Where it
+// couldn't after a step, on a planet hardly larger than the terrain, the place before it stays.
 template <class PutEye>
-void look_from_above_target(View& view, Angle elevation, const PutEye& put_eye) {
-  constexpr int kMostSteps =
-      30; // each is nearer by the slope's share: on the earth three are needed
+bool look_from_above_target(View& view, Angle elevation, const PutEye& put_eye) {
+  constexpr int kMostSteps = 30; // each is nearer by the slope's share: on the earth three do
   constexpr double kSame_deg = 1e-5;
-  put_eye();
-  if (!view.drop.any()) return;
-  double change_deg = 1;
+  if (!put_eye()) return false;
+  double change_deg = view.drop.any() ? 1 : 0;
   for (int i = 0; i < kMostSteps && change_deg > kSame_deg; ++i) {
-    const double away_m = view.distance_m * cos(view.elevation);
-    const Angle sloping = elevation + atan2_angle(2 * view.drop.per_vv * away_m, 1);
-    change_deg = std::abs((sloping + -view.elevation).in_degrees());
     const View before = view;
-    set_elevation(view, sloping);
-    try {
-      put_eye();
-    } catch (const Error&) { // on a planet hardly larger than the terrain
+    const double away_m = view.distance_m * cos(view.elevation);
+    set_elevation(view, elevation + atan2_angle(2 * view.drop.per_vv * away_m, 1));
+    change_deg = std::abs((view.elevation + -before.elevation).in_degrees());
+    if (!put_eye()) {
       view = before;
-      return;
+      break;
     }
   }
+  return true;
 }
 
 Box2 window_of_field(Angle field, double aspect) {
@@ -315,8 +310,10 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
   view.frames_terrain = !by_field;
   if (by_field) {
     if (!request.eye_m)
-      look_from_above_target(view, request.from_elevation,
-                             [&] { put_eye_at_distance(view, *request.distance_m); });
+      look_from_above_target(view, request.from_elevation, [&] {
+        put_eye_at_distance(view, *request.distance_m);
+        return true;
+      });
     view.window = window_of_field(request.field_of_view.value_or(kDefaultField), aspect);
     const auto in_front_of_picture = [&](Vec3 p) {
       return view.to_picture.of(project_homogeneous(view, to_profile_frame(view, p))).z;
@@ -326,9 +323,12 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
       throw Error("all of the terrain is behind the eye", "turn the view towards it");
   } else {
     PictureEnds ends;
-    if (view.is_perspective())
-      look_from_above_target(view, request.from_elevation,
-                             [&] { frame_perspective(view, request, terrain, ends); });
+    if (view.is_perspective() && !look_from_above_target(view, request.from_elevation, [&] {
+          return put_eye_to_frame(view, request, terrain, ends);
+        }))
+      throw Error(
+          "part of the terrain is beside or behind the eye, where it has no picture",
+          "use a greater `distance_m`, or give `field_of_view` too, to show a part of the terrain");
     view.window = picture_box(view, terrain, ends);
   }
   view.near_m = near_plane_m(view, terrain.cell_m);
