@@ -2,6 +2,7 @@
 #include "dem/read/network.hpp"
 
 #include "geometry/error.hpp"
+#include "text/words.hpp"
 
 #include <cpl_error.h>
 #include <cpl_http.h>
@@ -12,8 +13,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "gdal/gdal.hpp"
@@ -38,18 +41,11 @@ constexpr std::array<std::string_view, 37> kClients{
     "geor:",   "rasdaman:",   "daas:",     "stacit:",   "stacta:",     "gft:",
     "iip:"};
 
-std::string lower_case(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
-
 // How files begin that describe a service to one of GDAL's drivers.
 constexpr std::array<std::string_view, 5> kServices{"<GDAL_WM", "<WMS_", "<WCS_GDAL",
                                                     "<OGRWFSDataSource", "<OGROAPIFDataSource"};
 
-bool is_element_with_name(std::string_view element) {
+bool names_a_source(std::string_view element) {
   return element == "SourceFilename" || element == "SourceDataset" || element == "SrcDataSource" ||
          element == "SrcSQL";
 }
@@ -62,11 +58,18 @@ struct FreeXml {
   void operator()(CPLXMLNode* node) const { CPLDestroyXMLNode(node); }
 };
 
-// Walks a VRT, and those that it names.
+struct NamedFiles {
+  std::optional<std::string> on_network; ///< the first one
+  std::optional<std::string> outside;    ///< the first file that isn't below the VRT's folder
+  std::size_t outside_count = 0;
+};
+
+// Walks a virtual raster or layer (VRT), and those that it names, for what GDAL would open. Other
+// files name nothing.
 class Walk {
 public:
   explicit Walk(std::string input) : folder_(folder_of(input)) { visit(std::move(input)); }
-  NamedByFile found() const { return found_; }
+  const NamedFiles& found() const { return found_; }
 
 private:
   static std::string folder_of(const std::string& path) {
@@ -109,7 +112,7 @@ private:
 
   void visit_node(const CPLXMLNode& node, const std::string& folder) {
     if (node.eType != CXT_Element) return;
-    if (is_element_with_name(node.pszValue)) take(node, folder);
+    if (names_a_source(node.pszValue)) take(node, folder);
     for (const CPLXMLNode* child = node.psChild; child; child = child->psNext)
       visit_node(*child, folder);
   }
@@ -142,7 +145,7 @@ private:
 
   std::string folder_;
   std::set<std::string> visited_;
-  NamedByFile found_;
+  NamedFiles found_;
 };
 
 CPLHTTPResult* refuse_request(const char*, CSLConstList, GDALProgressFunc, void*,
@@ -157,17 +160,13 @@ CPLHTTPResult* refuse_request(const char*, CSLConstList, GDALProgressFunc, void*
 } // namespace
 
 bool is_on_network(std::string_view name) {
-  std::string text = lower_case(name);
+  std::string text = in_lower_case(name);
   for (const std::string_view local : {"file://", "vrt://"})
     if (text.starts_with(local)) text.erase(0, local.size());
   const auto stands_in = [&](std::string_view part) { return text.find(part) != text.npos; };
   return stands_in("://") || std::ranges::any_of(kRemote, stands_in) ||
          std::ranges::any_of(kClients,
                              [&](std::string_view part) { return text.starts_with(part); });
-}
-
-NamedByFile named_by(const std::string& path) {
-  return Walk(path).found();
 }
 
 // No proxy answers at port 0, so whatever GDAL asks curl for fails at once.
@@ -188,7 +187,8 @@ NetworkGate::NetworkGate(const std::vector<std::string>& inputs, bool is_allowed
     closed_ = std::make_unique<Closed>();
   for (const std::string& input : inputs) {
     if (is_on_network(input)) continue;
-    const NamedByFile named = named_by(input);
+    const Walk walk(input);
+    const NamedFiles& named = walk.found();
     if (named.on_network && closed_)
       throw Error(fmt::format("{} reads from the network ({})", input, *named.on_network),
                   "give `allow_network` if you trust it");

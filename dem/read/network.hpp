@@ -3,9 +3,7 @@
 // isn't to tell them who opens it, nor to reach what only this machine can.
 #pragma once
 
-#include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,16 +13,6 @@ namespace orograph {
 /// Whether GDAL would ask a server for what has this name: a URL, /vsicurl/ and its kin, a
 /// database's or a service's prefix such as PG: or WMS:, or the XML that describes a service.
 bool is_on_network(std::string_view name);
-
-/// What a virtual raster or layer (VRT) names, and those that it names.
-struct NamedByFile {
-  std::optional<std::string> on_network; ///< the first one
-  std::optional<std::string> outside;    ///< the first file that isn't below the VRT's folder
-  std::size_t outside_count = 0;
-};
-
-/// Nothing for other files. Reads the virtual ones only, 1000 at most.
-NamedByFile named_by(const std::string& path);
 
 /// As long as it lives, GDAL asks no server in this thread, unless `is_allowed` or one of the
 /// inputs is itself on the network. Of GDAL's parts that don't keep to that, databases and netCDF,
