@@ -138,6 +138,7 @@ std::optional<VisibleSettings> parse_visible(const std::vector<std::string>& arg
   if (!settings.render.map.view.has_eye())
     throw UsageError("there is no eye to look from",
                      "give --eye X,Y[,Z] or --eye-lonlat LON,LAT[,H]");
+  settings.points.allow_network = settings.render.reading.allow_network;
   settings.render.overlays = {settings.points}; // an input that no output may replace
   check_picture_settings(settings.render, given);
   if (!given.contains("--of") && settings.output != "-") {

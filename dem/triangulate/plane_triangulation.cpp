@@ -102,11 +102,6 @@ Exact area(const ExactVec& a, const ExactVec& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-// Of a / b.
-double rounded_ratio(const Exact& a, const Exact& b) {
-  return CGAL::to_double(Exact(a / b));
-}
-
 // Where the lines through a and b and through c and d cross. REQUIRES that they aren't parallel.
 Vec2 crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const ExactVec u = difference(b, a), v = difference(d, c);
@@ -118,13 +113,14 @@ Vec2 crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 // p as a share of the way from a to b. REQUIRES a and b different, p on the line through them.
 double share_along(Vec2 a, Vec2 b, Vec2 p) {
   const ExactVec u = difference(b, a), v = difference(p, a);
-  return u.x != 0 ? rounded_ratio(v.x, u.x) : rounded_ratio(v.y, u.y);
+  return u.x != 0 ? CGAL::to_double(Exact(v.x / u.x)) : CGAL::to_double(Exact(v.y / u.y));
 }
 
 // Shares s with p = a + s[0] (b - a) + s[1] (c - a). REQUIRES that a, b, c aren't on one line.
 std::array<double, 2> shares_in(Vec2 a, Vec2 b, Vec2 c, Vec2 p) {
   const ExactVec u = difference(b, a), v = difference(c, a), w = difference(p, a);
-  return {rounded_ratio(area(w, v), area(u, v)), rounded_ratio(area(u, w), area(u, v))};
+  return {CGAL::to_double(Exact(area(w, v) / area(u, v))),
+          CGAL::to_double(Exact(area(u, w) / area(u, v)))};
 }
 
 } // namespace
@@ -178,14 +174,18 @@ struct PlaneTriangulation::Inside : WithLines {
     return v;
   }
 
-  Constraint_id start_line(Vertex_handle from, Vertex_handle to) {
-    const Constraint_id line = hierarchy.insert_constraint(from, to);
-    insert_subconstraint(from, to);
+  // A line from each to the next. REQUIRES two or more.
+  Constraint_id line_through(const std::vector<std::uint32_t>& numbers) {
+    Constraint_id line;
+    for (std::size_t k = 1; k < numbers.size(); ++k) {
+      const Vertex_handle from = vertices[numbers[k - 1]], to = vertices[numbers[k]];
+      if (k == 1)
+        line = hierarchy.insert_constraint(from, to);
+      else
+        hierarchy.append_constraint(line, from, to);
+      insert_subconstraint(from, to);
+    }
     return line;
-  }
-  void go_on(Constraint_id line, Vertex_handle from, Vertex_handle to) {
-    hierarchy.append_constraint(line, from, to);
-    insert_subconstraint(from, to);
   }
 
   // A split at a vertex that is there already; too many of them for one line go round in circles.
@@ -266,11 +266,7 @@ std::uint32_t PlaneTriangulation::add_line(std::uint32_t from, std::uint32_t to)
   throw_if_stopped();
   inside_->splits_in_vain = 0;
   inside_->near = inside_->vertices[from];
-  const std::vector<std::uint32_t> through = vertices_along(from, to);
-  const auto vertex = [&](std::size_t k) { return inside_->vertices[through[k]]; };
-  WithLines::Constraint_id line = inside_->start_line(vertex(0), vertex(1));
-  for (std::size_t k = 2; k < through.size(); ++k) inside_->go_on(line, vertex(k - 1), vertex(k));
-  inside_->lines.push_back(line);
+  inside_->lines.push_back(inside_->line_through(vertices_along(from, to)));
   return static_cast<std::uint32_t>(inside_->lines.size() - 1);
 }
 

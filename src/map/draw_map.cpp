@@ -21,6 +21,7 @@
 #include "map/draw_features.hpp"
 #include "map/draw_solids.hpp"
 #include "map/finish_panorama.hpp"
+#include "map/found_parts.hpp"
 #include "map/layer_table.hpp"
 #include "map/stroke_darkness.hpp"
 
@@ -95,90 +96,6 @@ StrokeSettings stroke_settings(const TerrainData& terrain, const PlacedView& pla
     };
   return strokes;
 }
-
-// Parts found sector by sector, of one kind at a time as parts of the whole view.
-class FoundParts {
-public:
-  // `points`: of lines on the ground.
-  FoundParts(const TerrainData& terrain, const PlacedView& placed,
-             std::span<const ProfilePoint> points, std::vector<EdgeLine> listed,
-             std::vector<SectorLines> sectors)
-      : terrain_(terrain), placed_(placed), points_(points), lines_(std::move(listed)),
-        sectors_(std::move(sectors)) {
-    number_as_one();
-    for (const SectorLines& sector : sectors_) folded_mm_ += sector.folded_mm;
-  }
-
-  /// Those of the list, and those found, in order of their edges.
-  const std::vector<EdgeLine>& lines() const { return lines_; }
-  double folded_mm() const { return folded_mm_; }
-  std::vector<LinePart> of(std::vector<LinePart> SectorLines::*kind) const {
-    std::vector<LinePart> all;
-    for (const SectorLines& sector : sectors_) append(sector.*kind, all);
-    throw_if_stopped();
-    if (placed_.panorama) // sectors overlap by a hair
-      join(all);
-    else if (sectors_.size() > 1 && has_ground(terrain_.surface))
-      join_sectors(terrain_.surface, points_, placed_.view, lines_,
-                   std::max(0.0, placed_.sectors.front().view.drawn_from_m), all);
-    return all;
-  }
-  /// Of lines: what two sectors show of one, and what they hide, meets in the strip between them.
-  std::vector<LinePart> hidden() const {
-    std::vector<LinePart> hidden = of(&SectorLines::hidden);
-    if (sectors_.size() < 2 || hidden.empty()) return hidden;
-    std::vector<LinePart> shown = of(&SectorLines::visible);
-    append(of(&SectorLines::skyline), shown);
-    join(shown);
-    return without(hidden, shown);
-  }
-  std::vector<LinePart> of(std::vector<LinePart> SolidParts::*kind) const {
-    std::vector<LinePart> all;
-    for (const SectorLines& sector : sectors_) append(sector.solids.*kind, all);
-    join(all);
-    return all;
-  }
-
-private:
-  // Lines that a sector has found have numbers of its own behind those of the list; a line that
-  // two have found is one.
-  void number_as_one() {
-    const std::size_t listed = lines_.size();
-    const auto by_edge = [](const EdgeLine& a, const EdgeLine& b) { return a.edge < b.edge; };
-    std::vector<EdgeLine> all;
-    for (const SectorLines& sector : sectors_) {
-      std::vector<EdgeLine> merged;
-      std::set_union(all.begin(), all.end(), sector.found.begin(), sector.found.end(),
-                     std::back_inserter(merged), by_edge);
-      all = std::move(merged);
-    }
-    lines_.insert(lines_.end(), all.begin(), all.end());
-    for (SectorLines& sector : sectors_) {
-      throw_if_stopped();
-      std::vector<std::uint32_t> numbers;
-      auto at = all.begin();
-      for (const EdgeLine& line : sector.found) {
-        at = std::lower_bound(at, all.end(), line, by_edge);
-        numbers.push_back(static_cast<std::uint32_t>(listed) +
-                          static_cast<std::uint32_t>(at - all.begin()));
-      }
-      for (std::vector<LinePart>* parts : {&sector.visible, &sector.skyline})
-        for (LinePart& part : *parts)
-          if (part.line >= listed) part.line = numbers[part.line - listed];
-    }
-  }
-
-  static void append(const std::vector<LinePart>& parts, std::vector<LinePart>& all) {
-    all.insert(all.end(), parts.begin(), parts.end());
-  }
-
-  const TerrainData& terrain_;
-  const PlacedView& placed_;
-  std::span<const ProfilePoint> points_;
-  std::vector<EdgeLine> lines_;
-  std::vector<SectorLines> sectors_;
-  double folded_mm_ = 0;
-};
 
 // Of lines that may have ground on either side.
 std::optional<LineShade> haze_alone(std::optional<LineShade> shade) {

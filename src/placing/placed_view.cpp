@@ -9,6 +9,7 @@
 #include "placing/geodesy.hpp"
 #include "placing/give_tone.hpp"
 #include "placing/observer.hpp"
+#include "placing/place_sectors.hpp"
 #include "placing/placed_solids.hpp"
 #include "placing/places.hpp"
 #include "placing/view_in_frame.hpp"
@@ -26,7 +27,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace orograph {
@@ -75,24 +75,6 @@ void place_view_file(PlacedView& placed, const ViewFile& file, const MapFrame& m
   if (!file.cuts()) return;
   const auto [per_u, per_v, per_z, at_origin] = volume_depth(phigs, frame_of(phigs));
   placed.depth = VolumeDepth{per_u, per_v, per_z, at_origin};
-}
-
-// Those between which the terrain lies. A TIN's are its vertices': its cutter has more to make.
-std::pair<double, double> depths_of(const PlacedView& placed, const Surface& surface,
-                                    const View& view) {
-  if (const Tin* tin = std::get_if<Tin>(&surface)) {
-    double nearest_m = std::numeric_limits<double>::infinity(), farthest_m = -nearest_m;
-    std::size_t step = 0;
-    for (const Vec3& vertex : tin->vertices_m) {
-      throw_if_stopped(step++);
-      const double depth_m = to_profile_frame(view, vertex).v;
-      nearest_m = std::min(nearest_m, depth_m);
-      farthest_m = std::max(farthest_m, depth_m);
-    }
-    return {nearest_m, farthest_m};
-  }
-  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.border);
-  return {cutter.nearest_m(), cutter.farthest_m()};
 }
 
 // Level, towards the terrain's centre where nothing says otherwise; north from straight above it.
@@ -264,59 +246,6 @@ void take_extent(PlacedView& placed, const BlockedPoints& points) {
   placed.cell_m = 0.01 * length(extent.high - extent.low);
 }
 
-// Without profiles.
-std::vector<Sector> panorama_sectors(const PlacedView& placed, const Surface& surface) {
-  std::vector<Sector> sectors = sectors_of(*placed.panorama, placed.view);
-  for (Sector& sector : sectors)
-    std::tie(sector.nearest_m, sector.farthest_m) = depths_of(placed, surface, sector.view);
-  return sectors;
-}
-
-// All have the same, so that profiles go on from one to the next.
-void share_profiles(PlacedView& placed) {
-  for (Sector& sector : placed.sectors)
-    for (std::size_t i = 0; i < placed.depths_m.size(); ++i)
-      if (placed.depths_m[i] < sector.farthest_m)
-        sector.profiles.push_back({placed.depths_m[i], static_cast<std::int32_t>(i)});
-}
-
-// Those of the two sides of the eye on which there is something.
-std::vector<Sector> plane_sectors(const PlacedView& placed) {
-  Sector ahead;
-  ahead.view = placed.view;
-  ahead.to_page = placed.to_page;
-  ahead.nearest_m = placed.nearest_m;
-  ahead.farthest_m = placed.farthest_m;
-  std::vector<Sector> sectors{ahead};
-  double nearest_m = placed.nearest_m;
-  for (const StandingSolid& solid : placed.solids)
-    for (const Vec3& vertex : solid.vertices_m)
-      nearest_m = std::min(nearest_m, to_profile_frame(placed.view, vertex).v);
-  if (shows_beside(placed.view) && nearest_m < -placed.view.near_m) {
-    Sector behind;
-    behind.behind = true;
-    behind.to_view = {-1, 0};
-    behind.view = sector_behind(placed.view);
-    behind.to_page = homography_behind(placed.to_page);
-    behind.nearest_m = -placed.farthest_m;
-    behind.farthest_m = -placed.nearest_m;
-    sectors.push_back(behind);
-    sectors.front().keeps_strip = placed.view.near_m < kNearShareOfCell * placed.cell_m;
-    if (sectors.front().keeps_strip)
-      for (Sector& sector : sectors)
-        sector.view.drawn_from_m = kNearPlanesAhead * placed.view.near_m;
-  }
-  for (Sector& sector : sectors) {
-    for (std::size_t i = 0; i < placed.depths_m.size(); ++i) {
-      const double depth = sector.behind ? -placed.depths_m[i] : placed.depths_m[i];
-      if (sectors.size() == 1 || depth > 0)
-        sector.profiles.push_back({depth, static_cast<std::int32_t>(i)});
-    }
-    if (sector.behind) std::reverse(sector.profiles.begin(), sector.profiles.end());
-  }
-  return sectors;
-}
-
 PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& spec,
                  const SceneFile* solids, const TerrainData& uncut) {
   const Surface& surface = terrain.surface;
@@ -369,26 +298,15 @@ PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& 
   }
 
   placed.plan = spec.style.plan.value_or(PageSpacing{kPenWidthsApart * spec.style.pen_width_mm});
-  if (!on_ground) {
-    placed.sectors =
-        placed.panorama ? sectors_of(*placed.panorama, placed.view) : plane_sectors(placed);
-    return placed;
+  if (on_ground) {
+    find_depths(placed, surface);
+    PlanGround ground = plan_ground(placed, under_eye_m);
+    if (const Grid* grid = std::get_if<Grid>(&surface); grid && !placed.panorama)
+      ground.row_depths_m = row_depths(*grid, placed.view);
+    placed.depths_m = plan_depths(placed.plan, ground, placed.view, placed.to_page);
   }
-  if (placed.panorama) {
-    placed.sectors = panorama_sectors(placed, surface);
-    placed.nearest_m = std::ranges::min(placed.sectors, {}, &Sector::nearest_m).nearest_m;
-    placed.farthest_m = std::ranges::max(placed.sectors, {}, &Sector::farthest_m).farthest_m;
-  } else {
-    std::tie(placed.nearest_m, placed.farthest_m) = depths_of(placed, surface, placed.view);
-  }
-  PlanGround ground = plan_ground(placed, under_eye_m);
-  if (const Grid* grid = std::get_if<Grid>(&surface); grid && !placed.panorama)
-    ground.row_depths_m = row_depths(*grid, placed.view);
-  placed.depths_m = plan_depths(placed.plan, ground, placed.view, placed.to_page);
-  if (placed.panorama)
-    share_profiles(placed);
-  else
-    placed.sectors = plane_sectors(placed);
+  place_sectors(placed);
+  if (!on_ground) return placed;
   give_tone(placed, surface, spec); // which may need more profiles
   placed.ridge_shade = ridge_shade(placed, spec);
   return placed;

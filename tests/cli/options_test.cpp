@@ -369,4 +369,17 @@ TEST_CASE("options of info") {
   CHECK_THROWS_AS(parse_info({"in.tif", "--fov", "30"}), UsageError);
 }
 
+TEST_CASE("points to look at come from the network where the terrain may") {
+  const std::vector<std::string> asked = {"dem.tif", "peaks.csv", "--eye",
+                                          "1,2",     "--output",  "seen.csv"};
+  const auto without = parse_visible(asked);
+  REQUIRE(without);
+  CHECK_FALSE(without->points.allow_network);
+  std::vector<std::string> allowed = asked;
+  allowed.push_back("--allow-network");
+  const auto with = parse_visible(allowed);
+  REQUIRE(with);
+  CHECK(with->points.allow_network);
+}
+
 } // namespace orograph::options_test

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map/found_parts.hpp"
+
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+void append(const std::vector<LinePart>& parts, std::vector<LinePart>& all) {
+  all.insert(all.end(), parts.begin(), parts.end());
+}
+
+} // namespace
+
+FoundParts::FoundParts(const TerrainData& terrain, const PlacedView& placed,
+                       std::span<const ProfilePoint> points, std::vector<EdgeLine> listed,
+                       std::vector<SectorLines> sectors)
+    : terrain_(terrain), placed_(placed), points_(points), lines_(std::move(listed)),
+      sectors_(std::move(sectors)) {
+  number_as_one();
+  for (const SectorLines& sector : sectors_) folded_mm_ += sector.folded_mm;
+}
+
+// Lines that a sector has found have numbers of its own behind those of the list; a line that
+// two have found is one.
+void FoundParts::number_as_one() {
+  const std::size_t listed = lines_.size();
+  const auto by_edge = [](const EdgeLine& a, const EdgeLine& b) { return a.edge < b.edge; };
+  std::vector<EdgeLine> all;
+  for (const SectorLines& sector : sectors_) {
+    std::vector<EdgeLine> merged;
+    std::set_union(all.begin(), all.end(), sector.found.begin(), sector.found.end(),
+                   std::back_inserter(merged), by_edge);
+    all = std::move(merged);
+  }
+  lines_.insert(lines_.end(), all.begin(), all.end());
+  for (SectorLines& sector : sectors_) {
+    throw_if_stopped();
+    std::vector<std::uint32_t> numbers;
+    auto at = all.begin();
+    for (const EdgeLine& line : sector.found) {
+      at = std::lower_bound(at, all.end(), line, by_edge);
+      numbers.push_back(static_cast<std::uint32_t>(listed) +
+                        static_cast<std::uint32_t>(at - all.begin()));
+    }
+    for (std::vector<LinePart>* parts : {&sector.visible, &sector.skyline})
+      for (LinePart& part : *parts)
+        if (part.line >= listed) part.line = numbers[part.line - listed];
+  }
+}
+
+std::vector<LinePart> FoundParts::of(std::vector<LinePart> SectorLines::*kind) const {
+  std::vector<LinePart> all;
+  for (const SectorLines& sector : sectors_) append(sector.*kind, all);
+  throw_if_stopped();
+  if (placed_.panorama) // sectors overlap by a hair
+    join(all);
+  else if (sectors_.size() > 1 && has_ground(terrain_.surface))
+    join_sectors(terrain_.surface, points_, placed_.view, lines_,
+                 std::max(0.0, placed_.sectors.front().view.drawn_from_m), all);
+  return all;
+}
+
+std::vector<LinePart> FoundParts::hidden() const {
+  std::vector<LinePart> hidden = of(&SectorLines::hidden);
+  if (sectors_.size() < 2 || hidden.empty()) return hidden;
+  std::vector<LinePart> shown = of(&SectorLines::visible);
+  append(of(&SectorLines::skyline), shown);
+  join(shown);
+  return without(hidden, shown);
+}
+
+std::vector<LinePart> FoundParts::of(std::vector<LinePart> SolidParts::*kind) const {
+  std::vector<LinePart> all;
+  for (const SectorLines& sector : sectors_) append(sector.solids.*kind, all);
+  join(all);
+  return all;
+}
+
+} // namespace orograph
