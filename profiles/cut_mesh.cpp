@@ -12,6 +12,8 @@
 #include "view/view.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -46,8 +48,15 @@ void keep_ground_in_front(std::vector<Run>& runs) {
   });
 }
 
-// The runs of `from`, in order and joined where one ends at the vertex at which the next begins.
-void put_in_order(const Profile& from, std::vector<Run>& runs, Profile& out) {
+// The runs of `from`, in order and joined where one ends at the vertex at which the next begins;
+// `out` is empty before. A single one is in order, and `from` gets what `out` had.
+void put_in_order(Profile& from, std::vector<Run>& runs, Profile& out) {
+  if (runs.size() == 1 && runs.front().begin == 0 && runs.front().end == from.size()) {
+    std::swap(from.u_m, out.u_m);
+    std::swap(from.z_m, out.z_m);
+    std::swap(from.after, out.after);
+    return;
+  }
   std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
     return a.u_first != b.u_first ? a.u_first < b.u_first : a.u_last < b.u_last;
   });
@@ -69,6 +78,31 @@ void put_in_order(const Profile& from, std::vector<Run>& runs, Profile& out) {
   }
 }
 
+// Crossings on their way into a profile: of edges between vertices that a walk has met. The walk
+// itself is a chain in which each step waits for the one before; where edges are crossed is
+// reckoned for many at once.
+struct CrossedEdges {
+  static constexpr std::size_t kMost = 256;
+
+  std::array<double, kMost + 2> u, v, z;     ///< of vertices
+  std::array<std::uint16_t, kMost> from, to; ///< the vertex of the lower index first
+  std::array<Span, kMost> before;
+  std::size_t count = 0;
+
+  void put(std::size_t vertex, ProfilePoint at) {
+    u[vertex] = at.u;
+    v[vertex] = at.v;
+    z[vertex] = at.z;
+  }
+};
+
+// Exact at both ends. REQUIRES that the plane parts a from b.
+ProfilePoint crossing(double depth_m, ProfilePoint a, ProfilePoint b) {
+  const double t = (depth_m - a.v) / (b.v - a.v);
+  const double u = a.u + t * (b.u - a.u), z = a.z + t * (b.z - a.z);
+  return {t >= 1 ? b.u : t <= 0 ? a.u : u, depth_m, t >= 1 ? b.z : t <= 0 ? a.z : z};
+}
+
 // A Mesh has triangles whose corners run counterclockwise seen from above, and
 //   Side               {triangle, k}: the side of a triangle opposite to its corner k
 //   vertex(t, k)       a triangle's corner, a MeshVertex
@@ -88,10 +122,13 @@ public:
     const std::size_t begin = out_.size();
     bool along = false;
     const MeshVertex from = corner(side, 1), to = corner(side, 2);
-    if (is_far(from) && !is_far(to))
-      run(side, from, to);
-    else if (from.at.v == depth_m_ && to.at.v == depth_m_ &&
-             is_far(corner(side, 0)) == is_far(from)) {
+    if (is_far(from) && !is_far(to)) {
+      if constexpr (requires { mesh_.lattice; })
+        run_over_lattice(side, from, to);
+      else
+        run(side, from, to);
+    } else if (from.at.v == depth_m_ && to.at.v == depth_m_ &&
+               is_far(corner(side, 0)) == is_far(from)) {
       run_along(side, from.at, to.at);
       along = true;
     }
@@ -124,11 +161,8 @@ private:
   void add_crossing(const MeshVertex& near, const MeshVertex& far, Span before, std::size_t begin) {
     const bool near_first = near.index < far.index;
     const ProfilePoint a = near_first ? near.at : far.at, b = near_first ? far.at : near.at;
-    const double t = (depth_m_ - a.v) / (b.v - a.v);
-    double u = a.u + t * (b.u - a.u), z = a.z + t * (b.z - a.z);
-    if (t >= 1) u = b.u, z = b.z;
-    if (t <= 0) u = a.u, z = a.z;
-    add(u, z, before, begin);
+    const ProfilePoint at = crossing(depth_m_, a, b);
+    add(at.u, at.z, before, begin);
   }
 
   // What the plane meets on its way through a triangle, from its side near-far to `ahead`.
@@ -162,6 +196,97 @@ private:
     }
   }
 
+  // The same, to the bit. The two triangles at an edge make a parallelogram of the lattice, so the
+  // vertex beyond the edge is near + far - (the one behind).
+  void run_over_lattice(const Side& side, const MeshVertex& from, const MeshVertex& to) {
+    const std::size_t begin = out_.size();
+    add_crossing(to, from, Span::gap, begin);
+    thread_local CrossedEdges edges;
+    edges.count = 0;
+    edges.put(0, to.at);
+    edges.put(1, from.at);
+    struct Met {
+      CellVertex place;
+      std::uint32_t index;
+      std::uint16_t number; ///< in `edges`
+    };
+    Met near{mesh_.corner(side.triangle, (side.k + 2U) % 3), to.index, 0},
+        far{mesh_.corner(side.triangle, (side.k + 1U) % 3), from.index, 1};
+    CellVertex next = mesh_.corner(side.triangle, side.k);
+    const Grid& grid = mesh_.grid;
+    const auto is_there = [&](CellVertex at) {
+      return at.column >= 0 && at.row >= 0 && at.column < grid.columns && at.row < grid.rows;
+    };
+    while (is_there(next)) {
+      const auto index = static_cast<std::uint32_t>(grid.index(next.column, next.row));
+      const double height = mesh_.heights[index];
+      if (std::isnan(height)) break;
+      const ProfilePoint at =
+          to_profile_frame(mesh_.view, mesh_.lattice.vertex_m(next.column, next.row, height));
+      const bool goes_beside_near = far_at_plane_ ? at.v >= depth_m_ : at.v > depth_m_;
+      const Met ahead{next, index, static_cast<std::uint16_t>(edges.count + 2)};
+      edges.put(ahead.number, at);
+      if (!mesh_.level.empty())
+        edges.before[edges.count] = span_between(near.place, far.place, next, edges.v[near.number],
+                                                 edges.v[far.number], at.v);
+      const CellVertex behind = goes_beside_near ? far.place : near.place;
+      near = goes_beside_near ? near : ahead;
+      far = goes_beside_near ? ahead : far;
+      const bool near_first = near.index < far.index;
+      edges.from[edges.count] = near_first ? near.number : far.number;
+      edges.to[edges.count] = near_first ? far.number : near.number;
+      next = {near.place.column + far.place.column - behind.column,
+              near.place.row + far.place.row - behind.row};
+      if (++edges.count < CrossedEdges::kMost) continue;
+      take(edges, begin);
+      const auto vertex = [&](std::size_t n) {
+        return ProfilePoint{edges.u[n], edges.v[n], edges.z[n]};
+      };
+      const ProfilePoint near_at = vertex(near.number), far_at = vertex(far.number);
+      edges.put(near.number = 0, near_at);
+      edges.put(far.number = 1, far_at);
+    }
+    take(edges, begin);
+  }
+
+  // Their crossings, to the run that began at `begin`.
+  void take(CrossedEdges& edges, std::size_t begin) {
+    std::array<double, CrossedEdges::kMost> u, z;
+    for (std::size_t i = 0; i < edges.count; ++i) {
+      const std::size_t a = edges.from[i], b = edges.to[i];
+      const ProfilePoint at = crossing(depth_m_, {edges.u[a], edges.v[a], edges.z[a]},
+                                       {edges.u[b], edges.v[b], edges.z[b]});
+      u[i] = at.u;
+      z[i] = at.z;
+    }
+    const bool has_level = !mesh_.level.empty();
+    for (std::size_t i = 0; i < edges.count; ++i)
+      add(u[i], z[i], has_level ? edges.before[i] : Span::slope, begin);
+    edges.count = 0;
+  }
+
+  // What the plane meets on its way through a lattice's triangle, as span_of.
+  Span span_between(CellVertex near, CellVertex far, CellVertex ahead, double near_v, double far_v,
+                    double ahead_v) const {
+    const auto span_in = [&](CellVertex a, CellVertex b, CellVertex c) {
+      const int column = std::min({a.column, b.column, c.column}),
+                row = std::min({a.row, b.row, c.row});
+      const auto is_north_east = [&](CellVertex p) { return p.column > column && p.row == row; };
+      const bool upper = is_north_east(a) || is_north_east(b) || is_north_east(c);
+      return mesh_.span_in(CellHalf{column, row, upper ? Half::upper : Half::lower});
+    };
+    const Span span = span_in(near, far, ahead);
+    const CellVertex on_plane = far_at_plane_ ? far : near, off_plane = far_at_plane_ ? near : far;
+    if ((far_at_plane_ ? far_v : near_v) != depth_m_ || ahead_v != depth_m_) return span;
+    const CellVertex beyond{on_plane.column + ahead.column - off_plane.column,
+                            on_plane.row + ahead.row - off_plane.row};
+    const Grid& grid = mesh_.grid;
+    if (beyond.column < 0 || beyond.row < 0 || beyond.column >= grid.columns ||
+        beyond.row >= grid.rows || std::isnan(grid.height_m(beyond.column, beyond.row)))
+      return span;
+    return std::max(span, span_in(on_plane, ahead, beyond));
+  }
+
   // A border edge that lies in the plane, with nothing in front of it.
   void run_along(const Side& side, ProfilePoint left, ProfilePoint right) {
     const std::size_t begin = out_.size();
@@ -181,8 +306,10 @@ private:
 template <class Mesh>
 void cut_mesh(const Mesh& mesh, const BorderSides<typename Mesh::Side>& border, double depth_m,
               bool far_at_plane, Profile& out) {
-  Profile found;
-  std::vector<Run> runs;
+  thread_local Profile found; // kept for its memory, as runs are
+  thread_local std::vector<Run> runs;
+  found.clear();
+  runs.clear();
   MeshWalk<Mesh> walk(mesh, depth_m, far_at_plane, found);
   for (const auto& side : border.at(depth_m))
     if (const auto run = walk.from(side)) runs.push_back(*run);

@@ -5,9 +5,11 @@
 #include "draw/pen_route.hpp"
 #include "draw/shorten_route.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -39,20 +41,32 @@ std::vector<ChainLink> meetings(const Layer& layer, Meeting which) {
     ends.push_back({points.front(), 2 * i});
     ends.push_back({points.back(), 2 * i + 1});
   }
-  const auto key_of = [&](const Met& end) {
-    const auto kind =
-        which == Meeting::any ? decltype(kind_of(Stroke{}))() : kind_of(layer.strokes[end.end / 2]);
-    return std::tuple(end.at_mm.x, end.at_mm.y, kind);
+  const auto compared = [&](const Met& a, const Met& b) -> std::partial_ordering {
+    if (const auto by_x = a.at_mm.x <=> b.at_mm.x; by_x != 0) return by_x;
+    if (const auto by_y = a.at_mm.y <=> b.at_mm.y; by_y != 0) return by_y;
+    if (which == Meeting::any) return std::partial_ordering::equivalent;
+    return kind_of(layer.strokes[a.end / 2]) <=> kind_of(layer.strokes[b.end / 2]);
   };
-  std::size_t step = 0;
-  std::sort(ends.begin(), ends.end(), [&](const Met& a, const Met& b) {
-    throw_if_stopped(step++);
-    return std::tuple(key_of(a), a.end) < std::tuple(key_of(b), b.end);
-  });
+  double least_mm = 0;
+  for (const Met& end : ends) least_mm = std::min(least_mm, end.at_mm.x);
+  const auto step_of = [&](const Met& end) {
+    return static_cast<std::uint64_t>((end.at_mm.x - least_mm) / kPageStep_mm);
+  };
+  sort_by_number(ends, step_of);
+  for (auto begin = ends.begin(); begin != ends.end();) {
+    throw_if_stopped(static_cast<std::size_t>(begin - ends.begin()));
+    const auto end = std::find_if(
+        begin, ends.end(), [&](const Met& other) { return step_of(other) != step_of(*begin); });
+    std::sort(begin, end, [&](const Met& a, const Met& b) {
+      const std::partial_ordering order = compared(a, b);
+      return order != 0 ? order < 0 : a.end < b.end;
+    });
+    begin = end;
+  }
   std::vector<ChainLink> links(layer.strokes.size());
   std::uint64_t meeting = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (i > 0 && key_of(ends[i]) != key_of(ends[i - 1])) ++meeting;
+    if (i > 0 && compared(ends[i], ends[i - 1]) != 0) ++meeting;
     ChainLink& link = links[ends[i].end / 2];
     (ends[i].end % 2 == 0 ? link.begin : link.end) = meeting;
   }

@@ -89,8 +89,11 @@ std::vector<float> darkness_of(const PlanOnPage& plan, const PageColumns& column
       const auto [x, y, z] = normals[j][i];
       const Vec3 n{x, y, z};
       const double size = std::sqrt(dot(n, n));
-      const double lit = size > 0 ? std::max(0.0, dot(n, towards[i]) / size)
-                                  : std::numeric_limits<double>::quiet_NaN();
+      if (!(size > 0)) { // nothing is seen there
+        darkness[j * columns.count + i] = std::numeric_limits<float>::quiet_NaN();
+        continue;
+      }
+      const double lit = std::max(0.0, dot(n, towards[i]) / size);
       darkness[j * columns.count + i] =
           static_cast<float>((1 - request.haze * far) *
                              std::clamp(level + light.contrast * (of_lit(lit) - level), 0.0, 1.0));

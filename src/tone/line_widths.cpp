@@ -36,7 +36,8 @@ public:
     if (line_.level < k) return 0;
     const double into_octave = lambda - k; // 0.5 is where lines go that don't fade
     if (!by_width) return line_.level > k || into_octave <= 0.5 ? request_.pen_width_mm : 0;
-    const double full_mm = darkness * planned_mm * std::exp2(k); // of each line, if all are drawn
+    const double full_mm = darkness * planned_mm *
+                           std::ldexp(1.0, static_cast<int>(k)); // of each line, if all are drawn
     const double share = std::clamp((0.5 + 0.5 * kFade - into_octave) / kFade, 0.0, 1.0);
     // It is drawn until it gets too thin, and at any rate where it wouldn't fade.
     const double ends_at = std::min(0.5, request_.least_width_mm / full_mm);
@@ -144,8 +145,9 @@ std::vector<ToneRun> runs_of_line(const LinePlace& line, const PageColumns& colu
       from = to;
     };
     for (std::size_t i = begin + 1; i < end; ++i) {
+      if (i - from < least || end - i < least) continue;
       const double here = step_of(i);
-      if (std::abs(here - step) < 1 || i - from < least || end - i < least) continue;
+      if (std::abs(here - step) < 1) continue;
       close(i);
       step = std::round(here);
     }

@@ -44,24 +44,30 @@ std::vector<std::vector<Sums<N>>> sums_on_page(std::span<const SeenProfile> seen
       return 1 / (1 + way + 0.5F * way * way); // about exp(-way)
     };
     std::array<Sums<N>, kColumnsOfTask> state{};
+    thread_local std::vector<Sums<N>> owns; // asked for once
+    thread_local std::vector<float> shares;
+    owns.resize(seen.size() * kColumnsOfTask);
+    shares.resize(seen.size() * kColumnsOfTask);
     for (std::size_t j = 0; j < seen.size(); ++j)
       for (std::size_t i = first; i < end; ++i) {
         if (seen[j].sight[i] == Sight::none) continue;
+        const std::size_t at = j * kColumnsOfTask + (i - first);
         Sums<N>& s = state[i - first];
-        const float share = kept(j, i);
-        for (float& sum : s) sum *= share;
-        add(s, own(j, i));
+        shares[at] = kept(j, i);
+        for (float& sum : s) sum *= shares[at];
+        owns[at] = own(j, i);
+        add(s, owns[at]);
         sums[j][i] = s;
       }
     state = {};
     for (std::size_t j = seen.size(); j-- > 0;)
       for (std::size_t i = first; i < end; ++i) {
         if (seen[j].sight[i] == Sight::none) continue;
+        const std::size_t at = j * kColumnsOfTask + (i - first);
         Sums<N>& s = state[i - first];
         add(sums[j][i], s);
-        add(s, own(j, i));
-        const float share = kept(j, i);
-        for (float& sum : s) sum *= share;
+        add(s, owns[at]);
+        for (float& sum : s) sum *= shares[at];
       }
   });
   const auto radius = static_cast<std::size_t>(std::lround(reach_mm / columns.mm));

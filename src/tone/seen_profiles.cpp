@@ -50,11 +50,10 @@ std::vector<SeenProfile> seen_profiles(std::span<const SampledProfile> profiles,
   }
   if (profiles.empty()) return seen;
   const double far_m = kFarInFront * (profiles.back().depth_m - profiles.front().depth_m);
-  const auto take = [&](std::size_t j, std::size_t i, ColumnHorizon& horizon) {
-    const SampledProfile& profile = profiles[j];
-    const double y = view.is_perspective()
-                         ? (profile.z_m[i] - view.eye_z_m) / profile.depth_m
-                         : profile.z_m[i] * view.y_per_z + profile.depth_m * view.y_per_v;
+  // y = z * per_z + from_0: what is seen is above all before it.
+  const auto take = [&](const SampledProfile& profile, double per_z, double from_0, std::size_t j,
+                        std::size_t i, ColumnHorizon& horizon) {
+    const double y = profile.z_m[i] * per_z + from_0;
     if (!(y > horizon.y)) { // nor does ground that isn't there
       horizon.before_void = std::isnan(profile.z_m[i]);
       return;
@@ -80,8 +79,14 @@ std::vector<SeenProfile> seen_profiles(std::span<const SampledProfile> profiles,
     const std::size_t first = task * kColumnsOfTask,
                       count = std::min(kColumnsOfTask, columns.count - first);
     std::array<ColumnHorizon, kColumnsOfTask> horizons;
-    for (std::size_t j = 0; j < profiles.size(); ++j)
-      for (std::size_t k = 0; k < count; ++k) take(j, first + k, horizons[k]);
+    for (std::size_t j = 0; j < profiles.size(); ++j) {
+      const SampledProfile& profile = profiles[j];
+      const double per_z = view.is_perspective() ? 1 / profile.depth_m : view.y_per_z,
+                   from_0 = view.is_perspective() ? -view.eye_z_m * per_z
+                                                  : profile.depth_m * view.y_per_v;
+      for (std::size_t k = 0; k < count; ++k)
+        take(profile, per_z, from_0, j, first + k, horizons[k]);
+    }
   });
   return seen;
 }
