@@ -13,6 +13,7 @@
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
 #include "map/look_around.hpp"
+#include "placing/level_of_detail.hpp"
 #include "placing/observer.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/read_overlays.hpp"
@@ -87,7 +88,9 @@ void render(const RenderSettings& settings) {
   const double read_s = seconds_since(start);
 
   const auto place_start = Clock::now();
-  const TerrainOfView terrain(whole, settings.map.view);
+  TerrainOfView terrain(whole, settings.map.view);
+  const std::optional<LevelOfDetail> level =
+      choose_level(terrain, settings.map, settings.solids.get(), nullptr);
   PlacedView placed = placed_view(terrain, settings.map, settings.solids.get());
   placed.overlays = overlays;
   const double place_s = seconds_since(place_start);
@@ -95,6 +98,7 @@ void render(const RenderSettings& settings) {
 
   ProgressBar bar(shows_progress(settings.quiet, settings.progress));
   Map map = draw_map(*terrain, placed, settings.map, [&](double fraction) { bar.show(fraction); });
+  map.facts.level = level;
   check_not_empty(map, settings);
   finish_drawing(map, settings);
   tell_check(map.facts.check);

@@ -195,8 +195,12 @@ LevelGround find_level_ground(const Grid& grid, std::size_t smallest) {
                     grid.heights_m);
 }
 
+std::size_t least_of_water(const Grid& grid) {
+  return std::max<std::size_t>(500, 2 * grid.size() / 5000);
+}
+
 LevelGround find_water(const Grid& grid) {
-  return find_level_ground(grid, std::max<std::size_t>(500, 2 * grid.size() / 5000));
+  return find_level_ground(grid, least_of_water(grid));
 }
 
 namespace {

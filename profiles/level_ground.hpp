@@ -29,6 +29,8 @@ LevelGround find_level_ground(const Tin& tin, double smallest_m2);
 /// its ground.
 LevelGround find_water(const Grid& grid);
 LevelGround find_water(const Tin& tin);
+/// Triangles that the smallest water of a grid has.
+std::size_t least_of_water(const Grid& grid);
 
 /// For each edge of the border whether its one triangle is of a set. `border` is `border_edges` of
 /// the surface. Cost: that of the border; of a TIN one pass over its triangles.

@@ -8,6 +8,7 @@
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
 #include "map/look_around.hpp"
+#include "placing/level_of_detail.hpp"
 #include "placing/observer.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/read_overlays.hpp"
@@ -172,11 +173,14 @@ Map Session::draw(const MapSpec& spec, const Control& control) const {
   as_requested([&] {
     check_spec(spec, kept_->solids.scene_ != nullptr);
     on_cores(control.jobs, control.stop, [&] {
-      const TerrainOfView terrain(*kept_->terrain.data_, spec.view);
-      PlacedView placed = placed_view(terrain, spec, kept_->solids.scene_.get(),
-                                      kept_->facts_for(terrain, control.stop));
+      TerrainOfView terrain(*kept_->terrain.data_, spec.view);
+      const SceneFile* const solids = kept_->solids.scene_.get();
+      const TerrainFacts* const facts = kept_->facts_for(terrain, control.stop);
+      const std::optional<LevelOfDetail> level = choose_level(terrain, spec, solids, facts);
+      PlacedView placed = placed_view(terrain, spec, solids, facts);
       if (kept_->overlays.overlays_) placed.overlays = *kept_->overlays.overlays_;
       map = draw_map(*terrain, placed, spec, control.progress);
+      map.facts.level = level;
       describe_map(map, *terrain, placed, spec);
     });
   });

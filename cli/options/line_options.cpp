@@ -99,6 +99,24 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
        .by_default = "even"},
       {{"even", Spread::even}, {"planes", Spread::planes}}, s.map.style.spread));
   options.push_back({.group = kGroup,
+                     .name = "--detail",
+                     .value = "MM|auto|file",
+                     .help =
+                         "Cells of the surface that is drawn: about so large on the page, where "
+                         "the file's are smaller; as the lines' spacing asks; or the file's own",
+                     .allowed = "millimetres from 0.01 to 100, or auto, or file",
+                     .by_default = "auto; in geojson and gpkg file",
+                     .words = {"auto", "file"},
+                     .take = [&s](const std::string& text) {
+                       DetailSpec& detail = s.map.style.detail;
+                       detail = {.of_file = text == "file"};
+                       if (text == "file" || text == "auto") return true;
+                       std::string_view number = text;
+                       if (number.ends_with("mm")) number.remove_suffix(2);
+                       detail.cell_mm = parse_number(number);
+                       return detail.cell_mm && *detail.cell_mm >= 0.01 && *detail.cell_mm <= 100;
+                     }});
+  options.push_back({.group = kGroup,
                      .name = "--light",
                      .value = "AZ/ALT|off",
                      .help = "Where light falls from on the ground, as lines' width shows: azimuth "

@@ -238,6 +238,16 @@ Json json_of(const CheckCounts& check) {
           {"visible_but_not_drawn", check.missing}};
 }
 
+Json json_of(const LevelOfDetail& level) {
+  return {{"step", level.step},
+          {"cell_m", level.cell_m},
+          {"cell_mm", level.cell_mm},
+          {"greatest_departure_m", level.greatest_m},
+          {"rms_departure_m", level.rms_m},
+          {"summits", level.summits},
+          {"summit_moved_mm", level.summit_moved_mm}};
+}
+
 Json json_of(const StageSeconds& seconds) {
   return {{"read", seconds.read},   {"place", seconds.place},     {"facing", seconds.facing},
           {"cut", seconds.cut},     {"project", seconds.project}, {"clip", seconds.clip},
@@ -334,6 +344,7 @@ std::string report_text(const RunReport& report) {
                    {{"width_mm", report.page.width_mm},
                     {"height_mm", report.page.height_mm},
                     {"margin_mm", report.page.margin_mm}}},
+                  {"level_of_detail", report.level ? json_of(*report.level) : Json()},
                   {"counts", json_of(report.counts)},
                   {"layers", json_of(report.layers, report.minutes_of_layers)},
                   {"pen_down_mm", report.pen_down_mm},

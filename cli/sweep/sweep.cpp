@@ -15,6 +15,7 @@
 #include "geometry/error.hpp"
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
+#include "placing/level_of_detail.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/read_overlays.hpp"
 #include "placing/terrain_of_view.hpp"
@@ -85,7 +86,10 @@ void draw_view(const SweepRun& run, std::size_t view) {
   try {
     const auto terrain = drawn_or_why(
         [&] { return std::make_unique<TerrainOfView>(run.terrain, settings.map.view); });
+    std::optional<LevelOfDetail> level;
     PlacedView placed = drawn_or_why([&] {
+      level = choose_level(*terrain, settings.map, settings.solids.get(),
+                           run.facts ? &*run.facts : nullptr);
       return placed_view(*terrain, settings.map, settings.solids.get(),
                          run.facts ? &*run.facts : nullptr);
     });
@@ -93,6 +97,7 @@ void draw_view(const SweepRun& run, std::size_t view) {
     GroundMeter ground(placed);
     Map map = drawn_or_why([&] {
       Map out = draw_map(**terrain, placed, settings.map, [](double) {}, {.observers = {&ground}});
+      out.facts.level = level;
       check_not_empty(out, settings);
       finish_drawing(out, settings);
       return out;

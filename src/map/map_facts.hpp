@@ -2,6 +2,7 @@
 // What is known of a map beside its lines: what it was drawn from, how it is seen, how exactly.
 #pragma once
 
+#include "dem/levels/level_of_detail.hpp"
 #include "dem/triangulate/triangulation_counts.hpp"
 #include "draw/drawing.hpp"
 #include "geometry/homography.hpp"
@@ -136,6 +137,7 @@ struct ErrorBudget {
 struct MapFacts {
   InputFacts input;
   ViewFacts view;
+  std::optional<LevelOfDetail> level; ///< none: the file's own surface is drawn
   ProfileFacts profiles;
   Counts counts;
   std::vector<LayerFacts> layers; ///< in drawing order

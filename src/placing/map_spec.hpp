@@ -151,8 +151,16 @@ struct MeshSpec {
   bool along_view = false; ///< x to the right and y away from the viewer; else on the map
 };
 
+/// How large the cells of the surface are that is drawn.
+struct DetailSpec {
+  bool of_file = false; ///< as large as the file's: its own surface
+  std::optional<double> cell_mm =
+      {}; ///< about so large on the page; none: as the lines' spacing asks
+};
+
 /// Which lines are drawn, and how exactly.
 struct Style {
+  DetailSpec detail; ///< where lines keep their places on the ground, the file's unless `cell_mm`
   std::optional<PlanRequest> plan; ///< none: four pen widths on the page
   Spread spread = Spread::even;    ///< of a plan in millimetres
   Occluder occluder = Occluder::surface;

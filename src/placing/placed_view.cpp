@@ -246,8 +246,13 @@ void take_extent(PlacedView& placed, const BlockedPoints& points) {
   placed.cell_m = 0.01 * length(extent.high - extent.low);
 }
 
-PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& spec,
-                 const SceneFile* solids, const TerrainData& uncut) {
+struct Picture {
+  PlacedView placed; ///< all but its lines
+  std::optional<double> under_eye_m;
+};
+
+Picture place_picture(const TerrainData& terrain, TerrainFacts facts, const MapSpec& spec,
+                      const SceneFile* solids, const TerrainData& uncut) {
   const Surface& surface = terrain.surface;
   PlacedView placed;
   placed.extent = std::move(facts.extent);
@@ -296,7 +301,14 @@ PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& 
           near_skyline(placed.view, ground_ahead_of(placed, surface, has_drop ? drop : EarthDrop{}),
                        placed.cell_m, placed.view.eye_z_m - *under_eye_m);
   }
+  return {std::move(placed), under_eye_m};
+}
 
+PlacedView place(const TerrainData& terrain, TerrainFacts facts, const MapSpec& spec,
+                 const SceneFile* solids, const TerrainData& uncut) {
+  const Surface& surface = terrain.surface;
+  auto [placed, under_eye_m] = place_picture(terrain, std::move(facts), spec, solids, uncut);
+  const bool on_ground = has_ground(surface);
   placed.plan = spec.style.plan.value_or(PageSpacing{kPenWidthsApart * spec.style.pen_width_mm});
   if (on_ground) {
     find_depths(placed, surface);
@@ -323,7 +335,14 @@ PlacedView placed_view(const TerrainOfView& terrain, const MapSpec& spec, const 
                        const TerrainFacts* of_whole) {
   if (of_whole && terrain.is_whole())
     return place(*terrain, *of_whole, spec, solids, terrain.uncut());
+  if (terrain.level_facts())
+    return place(*terrain, *terrain.level_facts(), spec, solids, terrain.uncut());
   return placed_view(*terrain, spec, solids, &terrain.uncut());
+}
+
+PlacedView placed_picture(const TerrainData& terrain, const TerrainFacts& facts,
+                          const MapSpec& spec, const SceneFile* solids) {
+  return place_picture(terrain, facts, spec, solids, terrain).placed;
 }
 
 } // namespace orograph

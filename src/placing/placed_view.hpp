@@ -89,4 +89,8 @@ PlacedView placed_view(const TerrainData& terrain, const MapSpec& spec,
 PlacedView placed_view(const TerrainOfView& terrain, const MapSpec& spec,
                        const SceneFile* solids = nullptr, const TerrainFacts* of_whole = nullptr);
 
+/// Its eye, page and curvature, without sectors, profiles and tone: most of the cost is theirs.
+PlacedView placed_picture(const TerrainData& terrain, const TerrainFacts& facts,
+                          const MapSpec& spec, const SceneFile* solids);
+
 } // namespace orograph

@@ -4,8 +4,10 @@
 
 #include "dem/terrain.hpp"
 #include "placing/map_spec.hpp"
+#include "placing/terrain_facts.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace orograph {
 
@@ -23,7 +25,8 @@ std::optional<TerrainData> cut_by_view(const TerrainData& terrain, const ViewSpe
 
 /// In the view's frame on the earth, if it is in degrees, and cut by the view's planes, if it has
 /// any (docs/decisions/0010-sectors-and-planes.md); else the whole terrain itself. Heights of a
-/// grid are shared, never copied.
+/// grid are shared, never copied. Where the page asks for larger cells it is a level of the terrain
+/// (placing/level_of_detail.hpp).
 class TerrainOfView {
 public:
   /// REQUIRES that `whole` outlives it. Throws Error as `stand_on_earth` does, and where the view's
@@ -32,16 +35,26 @@ public:
   TerrainOfView(const TerrainOfView&) = delete;
   TerrainOfView& operator=(const TerrainOfView&) = delete;
 
-  const TerrainData& operator*() const { return cut_ ? *cut_ : uncut(); }
+  const TerrainData& operator*() const { return cut_ && !level_ ? *cut_ : uncut(); }
   const TerrainData* operator->() const { return &**this; }
   /// Whether it is the whole terrain itself.
-  bool is_whole() const { return !cut_ && !on_earth_; }
+  bool is_whole() const { return !cut_ && !on_earth_ && !level_; }
+  bool is_cut() const { return cut_.has_value(); }
   /// In the same frame, before the planes cut it.
-  const TerrainData& uncut() const { return on_earth_ ? *on_earth_ : whole_; }
+  const TerrainData& uncut() const { return level_ ? *level_ : of_file(); }
+  /// In the same frame, as the file has it.
+  const TerrainData& of_file() const { return on_earth_ ? *on_earth_ : whole_; }
+
+  /// From now on it is this level. REQUIRES a terrain that isn't cut.
+  const TerrainData& take_level(TerrainData level) { return level_.emplace(std::move(level)); }
+  /// Of the level; they refer to it.
+  void take_level_facts(TerrainFacts facts) { level_facts_ = std::move(facts); }
+  const TerrainFacts* level_facts() const { return level_facts_ ? &*level_facts_ : nullptr; }
 
 private:
   const TerrainData& whole_;
-  std::optional<TerrainData> on_earth_, cut_;
+  std::optional<TerrainData> on_earth_, cut_, level_;
+  std::optional<TerrainFacts> level_facts_;
 };
 
 } // namespace orograph

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn instead of a file's own surface, and how far it is from that.
+#pragma once
+
+#include <cstddef>
+
+namespace orograph {
+
+struct LevelOfDetail {
+  int step = 1;                     ///< of the file's cells, about, to one that is drawn
+  double cell_m = 0, cell_mm = 0;   ///< on the ground; on the page at most
+  double greatest_m = 0, rms_m = 0; ///< departure of heights, at the file's vertices
+  std::size_t summits = 0;          ///< of the ten highest, those on the page
+  double summit_moved_mm = 0;       ///< on the page, at most of these
+};
+
+} // namespace orograph

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/levels/summits.hpp"
+
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+namespace orograph {
+namespace {
+
+constexpr int kApart = 16; // cells of the level
+
+struct Highest {
+  double height_m;
+  int column, row;
+};
+
+// Of each square of so many vertices on a side.
+std::vector<Highest> highest_of_squares(const Grid& grid, int side) {
+  const auto across = static_cast<std::size_t>((grid.columns + side - 1) / side),
+             down = static_cast<std::size_t>((grid.rows + side - 1) / side);
+  std::vector<Highest> squares(across * down, {-std::numeric_limits<double>::infinity(), 0, 0});
+  std::visit(
+      [&](const auto& heights) {
+        on_all_cores(down, [&](std::size_t band) {
+          const int first = static_cast<int>(band) * side, end = std::min(first + side, grid.rows);
+          for (int row = first; row < end; ++row)
+            for (int column = 0; column < grid.columns; ++column) {
+              Highest& highest = squares[band * across + static_cast<std::size_t>(column / side)];
+              const double height = heights[grid.index(column, row)];
+              if (height > highest.height_m) highest = {height, column, row};
+            }
+        });
+      },
+      grid.heights_m);
+  return squares;
+}
+
+} // namespace
+
+std::vector<Summit> summits_of(const Grid& grid, const Grid& level, std::size_t most) {
+  const double per_column = (level.columns - 1.0) / (grid.columns - 1),
+               per_row = (level.rows - 1.0) / (grid.rows - 1);
+  const int side = std::max(1, static_cast<int>(kApart / std::max(per_column, per_row)));
+  std::vector<Highest> squares = highest_of_squares(grid, side);
+  std::sort(squares.begin(), squares.end(), [](const Highest& a, const Highest& b) {
+    return a.height_m != b.height_m ? a.height_m > b.height_m
+           : a.row != b.row         ? a.row < b.row
+                                    : a.column < b.column;
+  });
+  std::vector<Summit> summits;
+  std::vector<Highest> taken;
+  for (const Highest& highest : squares) {
+    if (summits.size() == most || !std::isfinite(highest.height_m)) break;
+    const bool is_apart = std::none_of(taken.begin(), taken.end(), [&](const Highest& other) {
+      return std::abs(other.column - highest.column) < side &&
+             std::abs(other.row - highest.row) < side;
+    });
+    // The highest of its square may stand on a slope that goes on rising in the next one: that one
+    // comes first, and is near.
+    taken.push_back(highest);
+    if (!is_apart) continue;
+    Summit summit{grid.vertex_m(highest.column, highest.row), {}};
+    double drawn_m = -std::numeric_limits<double>::infinity();
+    const auto column = static_cast<int>(std::lround(highest.column * per_column)),
+               row = static_cast<int>(std::lround(highest.row * per_row));
+    for (int r = std::max(0, row - 1); r <= std::min(level.rows - 1, row + 1); ++r)
+      for (int c = std::max(0, column - 1); c <= std::min(level.columns - 1, column + 1); ++c)
+        if (const double height = level.height_m(c, r); height > drawn_m) {
+          drawn_m = height;
+          summit.drawn_m = level.vertex_m(c, r);
+        }
+    if (std::isfinite(drawn_m)) summits.push_back(summit);
+  }
+  return summits;
+}
+
+} // namespace orograph

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The highest summits of a grid, and what became of them in a level of it.
+#pragma once
+
+#include "dem/grid.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace orograph {
+
+struct Summit {
+  Vec3 of_file_m; ///< in the ground frame, its true height
+  Vec3 drawn_m;   ///< the highest vertex of the level within a cell of it
+};
+
+/// The `most` highest, from the highest on: each the highest ground within 16 cells of the level.
+/// REQUIRES a level that has the grid's corners. Cost: one look at each height.
+std::vector<Summit> summits_of(const Grid& grid, const Grid& level, std::size_t most);
+
+} // namespace orograph

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "placing/level_of_detail.hpp"
+
+#include "dem/levels/departure.hpp"
+#include "dem/levels/generalise.hpp"
+#include "dem/levels/summits.hpp"
+#include "placing/placed_view.hpp"
+#include "profiles/level_ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+// By looking at twelve terrains: cells of half the lines' spacing leave the noise of satellites'
+// heights in, cells of all of it take valleys away.
+constexpr double kCellsOfSpacing = 0.8;
+constexpr std::size_t kSummits = 10;
+
+double asked_mm(const Style& style) {
+  if (style.detail.cell_mm) return *style.detail.cell_mm;
+  const double usual_mm = kPenWidthsApart * style.pen_width_mm;
+  const auto* spacing = style.plan ? std::get_if<PageSpacing>(&*style.plan) : nullptr;
+  return kCellsOfSpacing * (spacing ? spacing->mm : usual_mm);
+}
+
+bool is_on_page(const PlacedView& placed, Vec3 on_page) {
+  if (!(on_page.z > 0)) return false;
+  const Vec2 at{on_page.x / on_page.z, on_page.y / on_page.z};
+  const Box2& frame = placed.frame_mm;
+  return at.x >= frame.low.x && at.x <= frame.high.x && at.y >= frame.low.y && at.y <= frame.high.y;
+}
+
+// How large a cell is on the page where it is largest; infinite at the eye's feet.
+double greatest_cell_mm(const PlacedView& placed, const Grid& grid) {
+  const View& view = placed.view;
+  const GridSteps steps = steps_of(grid);
+  const auto in_frame = [&](Vec2 step) {
+    return Vec3{dot(step, view.right), dot(step, view.forward), 0};
+  };
+  const Vec3 across = in_frame(steps.column_m), down = in_frame(steps.row_m);
+  double greatest = 0;
+  for (const Box3& box : placed.extent.blocks.boxes) {
+    if (view.is_perspective() && box.low.x <= view.depth_origin_m.x &&
+        view.depth_origin_m.x <= box.high.x && box.low.y <= view.depth_origin_m.y &&
+        view.depth_origin_m.y <= box.high.y)
+      return std::numeric_limits<double>::infinity();
+    for (const double x : {box.low.x, box.high.x})
+      for (const double y : {box.low.y, box.high.y})
+        for (const double z : {box.low.z, box.high.z}) {
+          const ProfilePoint at = to_profile_frame(view, {x, y, z});
+          if (!is_on_page(placed, placed.on_page(at))) continue;
+          greatest =
+              std::max({greatest, placed.mm_per_step(at, across), placed.mm_per_step(at, down)});
+        }
+  }
+  return greatest;
+}
+
+// Whether a vertex is one of a triangle of the set.
+bool has_vertex(const TriangleSet& triangles, const Grid& grid, int column, int row) {
+  const auto has = [&](int c, int r, Half half) {
+    return c >= 0 && r >= 0 && c + 1 < grid.columns && r + 1 < grid.rows &&
+           triangles.has(grid_triangle(grid, c, r, half));
+  };
+  return has(column, row, Half::upper) || has(column, row, Half::lower) ||
+         has(column - 1, row - 1, Half::upper) || has(column - 1, row - 1, Half::lower) ||
+         has(column - 1, row, Half::upper) || has(column, row - 1, Half::lower);
+}
+
+} // namespace
+
+std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec& spec,
+                                          const SceneFile* solids, const TerrainFacts* of_whole) {
+  const DetailSpec& detail = spec.style.detail;
+  if (detail.of_file || (spec.ground_points && !detail.cell_mm)) return std::nullopt;
+  const TerrainData& file = terrain.of_file();
+  const Grid* const grid = std::get_if<Grid>(&file.surface);
+  if (!grid || terrain.is_cut()) return std::nullopt;
+  const TerrainFacts own = of_whole ? TerrainFacts{} : facts_of(file);
+  const TerrainFacts& facts = of_whole ? *of_whole : own;
+  const PlacedView placed = placed_picture(file, facts, spec, solids);
+  const double cell_mm = greatest_cell_mm(placed, *grid);
+  if (!(cell_mm > 0)) return std::nullopt;
+  const double doublings = std::floor(std::log2(asked_mm(spec.style) / cell_mm) + 0.5);
+  const int smaller_side = std::min(grid->columns, grid->rows);
+  constexpr int kLeastCells = 16;
+  int step = 1;
+  for (int k = 0; k < doublings && smaller_side / (2 * step) >= kLeastCells; ++k) step *= 2;
+  if (step == 1) return std::nullopt;
+
+  const Grid made = generalised(*grid, step, [&](int column, int row) {
+    const TriangleSet& water = facts.water.triangles;
+    return !water.empty() && has_vertex(water, *grid, column, row);
+  });
+  LevelOfDetail level;
+  level.step = step;
+  level.cell_m = cell_size_m(made);
+  level.cell_mm = step * cell_mm;
+  const Departure departure = departure_of(made, *grid);
+  level.greatest_m = departure.greatest_m;
+  level.rms_m = departure.rms_m;
+  for (const Summit& summit : summits_of(*grid, made, kSummits)) {
+    const auto place = [&](Vec3 at) { return placed.on_page(to_profile_frame(placed.view, at)); };
+    const Vec3 from = place(summit.of_file_m), to = place(summit.drawn_m);
+    if (!is_on_page(placed, from) || !(to.z > 0)) continue;
+    ++level.summits;
+    level.summit_moved_mm =
+        std::max(level.summit_moved_mm,
+                 std::hypot(from.x / from.z - to.x / to.z, from.y / from.z - to.y / to.z));
+  }
+  TerrainData drawn = file;
+  drawn.surface_error_m += departure.greatest_m;
+  drawn.surface = made;
+  const TerrainData& in_place = terrain.take_level(std::move(drawn));
+  TerrainFacts of_level = facts_of(in_place);
+  const std::size_t cells_in_one = static_cast<std::size_t>(step) * static_cast<std::size_t>(step);
+  of_level.water =
+      find_level_ground(std::get<Grid>(in_place.surface),
+                        std::max<std::size_t>(2, least_of_water(*grid) / cells_in_one));
+  terrain.take_level_facts(std::move(of_level));
+  return level;
+}
+
+} // namespace orograph

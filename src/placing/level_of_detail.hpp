@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The size of cells that a page shows (docs/detail.md).
+#pragma once
+
+#include "dem/levels/level_of_detail.hpp"
+#include "placing/map_spec.hpp"
+#include "placing/terrain_facts.hpp"
+#include "placing/terrain_of_view.hpp"
+#include "solids/scene_file.hpp"
+
+#include <optional>
+
+namespace orograph {
+
+/// Where the page is to show the terrain in cells of `spec.style.detail` and the file's are smaller
+/// by half at least, `terrain` becomes a level of itself. None: it stays as it is; so do TINs, what
+/// the view's planes cut, and views that show the ground at the eye's feet. `of_whole` as in
+/// `placed_view`. Cost: some 10 ns a height of the file.
+std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec& spec,
+                                          const SceneFile* solids, const TerrainFacts* of_whole);
+
+} // namespace orograph

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Terrain in cells as large as the page asks for: it is drawn as a terrain that has such cells, and
+// what is told of it is so.
+#include "dem/height_at.hpp"
+#include "map/draw_map.hpp"
+#include "placing/level_of_detail.hpp"
+#include "placing/placed_view.hpp"
+#include "tests/catch.hpp"
+#include "tests/scenes/same_drawing.hpp"
+#include "tests/support/earth_terrain.hpp"
+#include "tests/support/random.hpp"
+
+#include <cmath>
+
+namespace orograph::level_of_detail_test {
+namespace {
+
+double height_m(double x, double y) {
+  return 300 * std::sin(x * 3) * std::cos(y * 2.3) + 120 * std::sin(11 * x + 7 * y) +
+         25 * std::sin(90 * x) * std::sin(101 * y);
+}
+
+TerrainData plane_terrain(Random& random) {
+  const int columns = random.whole(150, 260), rows = random.whole(150, 260);
+  std::vector<float> heights;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      heights.push_back(static_cast<float>(height_m(column * 0.02, row * 0.02)));
+  TerrainData terrain;
+  terrain.surface = Grid{columns, rows, PlaneLattice{{0, 0}, {30, 0}, {0, -30}},
+                         Heights<float>(std::move(heights))};
+  return terrain;
+}
+
+TerrainData degree_terrain() {
+  return earth_terrain({8, 0.0005, 200, 46, -0.0004, 210}, [](double lon_deg, double lat_deg) {
+    return height_m(40 * lon_deg, 50 * lat_deg);
+  });
+}
+
+MapSpec detailed(double cell_mm) {
+  MapSpec spec;
+  spec.style.detail.cell_mm = cell_mm;
+  spec.check = 3000;
+  return spec;
+}
+
+struct Drawn {
+  Map map;
+  std::optional<LevelOfDetail> level;
+};
+
+Drawn draw(const TerrainData& whole, const MapSpec& spec) {
+  TerrainOfView terrain(whole, spec.view);
+  const auto level = choose_level(terrain, spec, nullptr, nullptr);
+  return {draw_map(*terrain, placed_view(terrain, spec), spec, [](double) {}), level};
+}
+
+} // namespace
+
+TEST_CASE("a level is drawn as the terrain that it is, and by the ray walk rightly") {
+  for (std::uint64_t seed = 1; seed <= last_seed(10); ++seed) {
+    Random random(seed);
+    const bool on_earth = seed % 3 == 0;
+    const TerrainData whole = on_earth ? degree_terrain() : plane_terrain(random);
+    MapSpec spec = detailed(random.between(2.5, 9));
+    spec.view.from_azimuth = Angle::degrees(random.between(0, 360));
+    spec.view.from_elevation = Angle::degrees(random.between(5, 70));
+    TerrainOfView terrain(whole, spec.view);
+    const auto level = choose_level(terrain, spec, nullptr, nullptr);
+    INFO("seed " << seed);
+    REQUIRE(level);
+    CHECK(level->step >= 2);
+    CHECK(level->cell_mm <= spec.style.detail.cell_mm.value() * std::sqrt(2) * 1.001);
+    CHECK(level->cell_mm >= spec.style.detail.cell_mm.value() / std::sqrt(2) / 1.001);
+    const Map map = draw_map(*terrain, placed_view(terrain, spec), spec, [](double) {});
+    REQUIRE(map.facts.check);
+    CHECK(map.facts.check->asked > 1000);
+    CHECK(map.facts.check->hidden == 0);
+    CHECK(map.facts.check->missing == 0);
+
+    // As another terrain of those heights.
+    MapSpec as_it_is = spec;
+    as_it_is.style.detail = {true, {}};
+    const Map again = draw_map(*terrain, placed_view(*terrain, as_it_is), as_it_is, [](double) {});
+    CHECK(difference(map.drawing, again.drawing).empty());
+  }
+}
+
+TEST_CASE("the file's own surface is drawn where it is asked for, or is coarse enough") {
+  Random random(1);
+  const TerrainData whole = plane_terrain(random);
+  MapSpec spec = detailed(0.2);
+  const Drawn fine = draw(whole, spec);
+  CHECK_FALSE(fine.level);
+  spec.style.detail = {true, {}};
+  const Drawn of_file = draw(whole, spec);
+  CHECK_FALSE(of_file.level);
+  CHECK(difference(fine.map.drawing, of_file.map.drawing).empty());
+  spec.style.detail = {};
+  CHECK_FALSE(draw(whole, spec).level); // cells of more than a millimetre
+  spec.page.width_mm = 60;
+  spec.page.height_mm = 40;
+  CHECK(draw(whole, spec).level);
+  spec.ground_points = true;
+  CHECK_FALSE(draw(whole, spec).level);
+  spec.style.detail.cell_mm = 2;
+  CHECK(draw(whole, spec).level);
+}
+
+TEST_CASE("an eye on the ground sees the file's own surface") {
+  Random random(2);
+  const TerrainData whole = plane_terrain(random);
+  MapSpec spec = detailed(5);
+  spec.view.eye_map = GivenPlace{2000, -2000};
+  spec.view.eye_height_m = 100;
+  CHECK_FALSE(draw(whole, spec).level);
+}
+
+TEST_CASE("a lake stays level, with a shore, and the sea where it is") {
+  std::vector<float> heights;
+  for (int row = 0; row < 240; ++row)
+    for (int column = 0; column < 240; ++column) {
+      const double away = std::hypot(column - 120, row - 130);
+      heights.push_back(away < 45
+                            ? 37.25F
+                            : static_cast<float>(38 + 0.9 * (away - 45) +
+                                                 3 * std::sin(column * 0.7) * std::sin(row * 0.9)));
+    }
+  TerrainData whole;
+  whole.surface =
+      Grid{240, 240, PlaneLattice{{0, 0}, {30, 0}, {0, -30}}, Heights<float>(std::move(heights))};
+  MapSpec spec = detailed(5);
+  spec.view.from_elevation = Angle::degrees(50);
+  TerrainOfView terrain(whole, spec.view);
+  const auto level = choose_level(terrain, spec, nullptr, nullptr);
+  REQUIRE(level);
+  CHECK(level->step == 4);
+  const PlacedView placed = placed_view(terrain, spec);
+  CHECK(placed.level.regions == 1);
+  CHECK_FALSE(placed.level.shores.empty());
+  const Grid& grid = std::get<Grid>((*terrain).surface);
+  CHECK(height_at(grid, {120 * 30.0, -130 * 30.0}) == 37.25);
+}
+
+} // namespace orograph::level_of_detail_test
