@@ -4,7 +4,7 @@
 A parameter that isn't set isn't in the command line, so that the command's own default holds, which
 often depends on what else is asked. The label tells it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from .usage import Argument
 
@@ -59,8 +59,38 @@ def kind_of(argument):
     return "texts" if argument.is_repeatable else "text"
 
 
-# Of options whose names are short for what they are.
-_LABELS = {"bbox": "Extent", "fov": "Field of view", "dpi": "Resolution", "jobs": "Cores"}
+# Where the option's name isn't what one looks for in a dialogue.
+_LABELS = {
+    "bbox": "Extent",
+    "contours": "Contours every",
+    "dpi": "Resolution",
+    "drape": "Layers to lay on the ground",
+    "eye": "Eye, a point to stand in",
+    "eye-height": "Eye above the ground",
+    "eye-summit": "Eye goes to the highest ground within",
+    "fov": "Field of view",
+    "hidden-layers": "Hidden lines of",
+    "jobs": "Cores",
+    "layers": "Kinds of lines",
+    "light": "Light from",
+    "look-at": "Look at",
+    "page": "Paper",
+    "palette": "Colours",
+    "spacing": "Distance between profiles",
+    "target-height": "Points above the ground",
+    "view-from": "Seen from",
+}
+
+# Of texts that people write most: what one looks like says more than what it is made of.
+EXAMPLES = {
+    "azimuth-range": "120:240",
+    "contours": "100m",
+    "exaggeration": "1.5",
+    "light": "315/35 or off",
+    "page": "a3 or 400xauto",
+    "spacing": "0.8mm or 100m",
+    "view-from": "225/20, NW or auto",
+}
 
 
 def _name_of(argument):
@@ -68,15 +98,17 @@ def _name_of(argument):
 
 
 def _label_of(argument, kind):
-    """`Field of view (degrees; 30)`: what it is, in what, and what holds where it isn't set."""
+    """`Field of view (degrees; else 30)`: what it is, in what, and what holds where it isn't set."""
     words = _LABELS.get(argument.name, argument.name.replace("-", " "))
     told = []
-    if kind in ("text", "texts"):
+    if argument.name in EXAMPLES:
+        told.append(f"such as {EXAMPLES[argument.name]}")
+    elif kind in ("text", "texts"):
         told.append(argument.metavar)
     elif argument.unit:
         told.append(argument.unit)
     if argument.default and kind != "band" and len(argument.default) <= 24:
-        told.append(argument.default)
+        told.append(f"else {argument.default}")
     label = words[0].upper() + words[1:]
     return f"{label} ({'; '.join(told)})" if told else label
 
@@ -95,20 +127,18 @@ def _parameters_of_argument(argument, is_advanced, is_required):
     name, label, help_text = _name_of(argument), _label_of(argument, kind), _help_of(argument, kind)
     yield Parameter(name, kind, label, help_text, is_advanced, argument, is_required)
     if argument.metavar == _POINT_WITH_HEIGHT:
-        yield Parameter(name + "_Z", "height", f"{label} Z (in the DEM's unit; from the ground)", help_text,
-                        is_advanced, argument)
+        yield Parameter(name + "_Z", "height", f"{label}: its height (in the DEM's unit; else from the ground)",
+                        help_text, True, argument)
 
 
-def parameters_of(usage, basic=(), required=(), left_out=(), choices=None):
+def parameters_of(usage, basic=(), required=(), left_out=(), changes=None):
     """The parameters of all options but NEVER and `left_out`: `basic` first and in that order, all
-    others advanced. `choices` gives some options fewer words than they have."""
-    choices = choices or {}
+    others advanced. `changes` are fields of Argument by option that the algorithm has otherwise."""
+    changes = changes or {}
     options = {a.name: a for a in usage.options if a.name not in NEVER and a.name not in left_out}
     order = [name for name in basic if name in options] + [name for name in options if name not in basic]
     made = []
     for name in order:
-        argument = options[name]
-        if name in choices:
-            argument = Argument(**{**vars(argument), "choices": tuple(choices[name]), "default": ""})
+        argument = replace(options[name], **changes.get(name, {}))
         made.extend(_parameters_of_argument(argument, name not in basic, name in required))
-    return made
+    return sorted(made, key=lambda parameter: parameter.is_advanced)

@@ -26,14 +26,14 @@ class Plan:
     basic: tuple
     left_out: set = field(default_factory=set)
     required: tuple = ()
-    choices: dict = field(default_factory=lambda: _NONE)
+    changes: dict = field(default_factory=lambda: _NONE)  # by option: what the algorithm has otherwise
     presets: dict = field(default_factory=lambda: _NONE)  # by option: what holds unless something else is set
 
     def parameters(self, usage):
-        return parameters_of(usage, self.basic, self.required, self.left_out, self.choices)
+        return parameters_of(usage, self.basic, self.required, self.left_out, self.changes)
 
     def options_named(self):
-        return {*self.basic, *self.left_out, *self.required, *self.choices, *self.presets}
+        return {*self.basic, *self.left_out, *self.required, *self.changes, *self.presets}
 
 
 PERSPECTIVE_MAP = Plan(
@@ -48,7 +48,7 @@ PERSPECTIVE_MAP = Plan(
     basic=("view-from", "eye", "look-at", "bbox", "exaggeration", "layers", "contours", "drape", "palette", "light",
            "spacing", "page"),
     left_out=_OF_SURVEYS | _OF_PANORAMAS,
-    choices={"projection": ("perspective", "orthographic", "oblique")},
+    changes={"projection": {"choices": ("perspective", "orthographic", "oblique")}},
 )
 
 PANORAMA = Plan(
@@ -62,7 +62,7 @@ PANORAMA = Plan(
            "layers", "contours", "drape", "palette", "page"),
     required=("eye",),
     left_out=_OF_SURVEYS | _OF_PLANE_PICTURES,
-    choices={"projection": ("cylindrical", "equirectangular")},
+    changes={"projection": {"choices": ("cylindrical", "equirectangular"), "default": ""}, "fov": {"default": "360"}},
     presets={"projection": "cylindrical"},
 )
 

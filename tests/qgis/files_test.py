@@ -38,7 +38,7 @@ def strokes(tmp_path_factory, usages):
     subprocess.run([PROGRAM, "render", DATA / "islands.tif", out, "--quiet", "--palette=map", "--contours=auto",
                     "--mesh=20", "--graticule=auto", "--grid=auto", "--flat=waterlines", f"--drape={line}",
                     f"--layers={','.join(layers)}", f"--hidden-layers={','.join(hidden)}", "--exaggeration=4",
-                    "--view-from=200/10"], check=True)
+                    "--view-from=200/10", "--bbox=503000,104000,511000,110000"], check=True)
     found = {}
     for feature in json.loads(out.read_text())["features"]:
         found[feature["properties"]["layer"]] = feature["properties"]["stroke"]

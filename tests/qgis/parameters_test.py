@@ -6,7 +6,7 @@ import subprocess
 import pytest
 from conftest import DATA, PROGRAM
 from orograph_processing.command_line import words_of
-from orograph_processing.parameters import NEVER
+from orograph_processing.parameters import EXAMPLES, NEVER
 from orograph_processing.plans import ALL, LINES, PANORAMA, PERSPECTIVE_MAP, WHAT_AN_EYE_SEES
 
 PLANS = pytest.mark.parametrize("plan", ALL, ids=lambda plan: plan.name)
@@ -38,7 +38,7 @@ def test_basic_parameters_come_first(plan, usages):
     parameters = plan.parameters(usages[plan.command])
     advanced = [p.is_advanced for p in parameters]
     assert advanced == sorted(advanced)
-    basic = list(dict.fromkeys(p.argument.name for p in parameters if not p.is_advanced))
+    basic = [p.argument.name for p in parameters if not p.is_advanced]
     assert basic == list(plan.basic)
 
 
@@ -56,9 +56,20 @@ def test_kinds(usages):
 
 def test_labels_and_help(usages):
     parameters = by_name(PERSPECTIVE_MAP, usages)
-    assert parameters["FOV"].label == "Field of view (degrees; 30)"
-    assert parameters["VIEW_FROM"].label == "View from (AZ/EL|NAME|auto; 180/25)"
+    assert parameters["FOV"].label == "Field of view (degrees; else 30)"
+    assert by_name(PANORAMA, usages)["FOV"].label == "Field of view (degrees; else 360)"
+    assert parameters["VIEW_FROM"].label == "Seen from (such as 225/20, NW or auto; else 180/25)"
+    assert parameters["CLIP_TO"].label == "Clip to (WIDTHxHEIGHT)"
     assert parameters["EYE_HEIGHT"].help.endswith("metres, above 0 [2] (--eye-height)")
+    assert not parameters["EYE"].is_advanced and parameters["EYE_Z"].is_advanced
+
+
+def test_examples_are_taken(usages, tmp_path):
+    for name, example in EXAMPLES.items():
+        for i, value in enumerate(example.replace(" or ", ", ").split(", ")):
+            eye = ["--eye=508000,104500", "--projection=cylindrical"] if name == "azimuth-range" else []
+            subprocess.run([PROGRAM, "render", str(DATA / "cone.tif" if not eye else DATA / "fractal_alps.tif"),
+                            str(tmp_path / f"{name}-{i}.svg"), f"--{name}={value}", "--quiet", "--layers=skyline", *eye], check=True)
 
 
 def test_panoramas_have_their_own_choices(usages):
