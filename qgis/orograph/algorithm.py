@@ -111,9 +111,9 @@ class OrographAlgorithm(QgsProcessingAlgorithm):
                     set_values[parameter.name] = self._plan.presets.get(parameter.argument.name)
         return words_of(self._parameters, set_values)
 
-    def _run(self, words, feedback):
+    def _run(self, words, feedback, tell_line=None):
         feedback.pushCommandInfo(shlex.join(words))
-        run(words, feedback.setProgress, feedback.pushInfo, feedback.isCanceled)
+        run(words, feedback.setProgress, tell_line or feedback.pushInfo, feedback.isCanceled)
 
     def _drawing(self, dem, values, context, feedback):
         if self._plan.output == "lines":
@@ -134,7 +134,11 @@ class OrographAlgorithm(QgsProcessingAlgorithm):
         options += self._option_words(dem, values, context, feedback)
         with tempfile.TemporaryDirectory() as folder:
             seen = os.path.join(folder, "seen.geojson")
-            self._run([self._program, "visible", *inputs, points, *options, f"--output={seen}"], feedback)
+
+            def tell_line(line):
+                feedback.pushInfo(line.removeprefix(f"{seen}: "))  # which is gone in a moment
+
+            self._run([self._program, "visible", *inputs, points, *options, f"--output={seen}"], feedback, tell_line)
             return self._sink_of(seen, dem.crs(), values, context)
 
     def _sink_of(self, path, crs, values, context):

@@ -1,7 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The files behind layers: the command reads files, as GDAL does."""
 
-from qgis.core import QgsProcessingException, QgsProcessingUtils, QgsProviderRegistry, QgsWkbTypes
+from qgis.core import (
+    QgsFileUtils,
+    QgsProcessingException,
+    QgsProcessingUtils,
+    QgsProviderRegistry,
+    QgsWkbTypes,
+)
 
 _FORMATS = ["gpkg", "shp", "geojson"]
 
@@ -20,8 +26,9 @@ def words_of_raster(layer):
 
 def vector_file(layer, context, feedback):
     """FILE:LAYER with what the layer shows: as it is, or exported where QGIS alone can read or filter it."""
+    told = QgsFileUtils.stringToSafeFilename(layer.name()) or "layer"  # messages name the file
     path, name = QgsProcessingUtils.convertToCompatibleFormatAndLayerName(
-        layer, False, "orograph", _FORMATS, "gpkg", context, feedback)
+        layer, False, told, _FORMATS, "gpkg", context, feedback)
     return f"{path}:{name}" if name else path
 
 

@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -50,9 +51,11 @@ def test_a_map_from_a_point_in_another_crs(qgis, alps, tmp_path):
     out = tmp_path / "map.svg"
     run = qgis("run", "orograph:perspectivemap", "--", f"INPUT={alps}", "EYE=3.08,0.95 [EPSG:4326]",
                "EYE_HEIGHT=300", "LOOK_AZIMUTH=30", "LAYERS=contours,skyline", "CONTOURS=200m", "PALETTE=map",
-               f"OUTPUT={out}")
+               f"DRAPE={DATA / 'fractal_alps_ways.geojson'}|subset=class = 'river'", f"OUTPUT={out}")
     assert "--eye=508900.78" in run.stdout and "--layers=contours,skyline" in run.stdout
     assert "#9c6233" in out.read_text()
+    (drape,) = re.findall(r"--drape=(\S+)", run.stdout)
+    assert drape.endswith("fractal_alps_ways.gpkg")  # the rivers alone, exported
 
 
 def test_lines_have_heights_and_places(qgis, alps, tmp_path):
@@ -83,3 +86,12 @@ def test_an_error_is_told_in_one_line(qgis, alps, tmp_path):
                f"OUTPUT={tmp_path / 'x.svg'}", check=False)
     assert run.returncode != 0 and "Traceback" not in run.stdout + run.stderr
     assert not (tmp_path / "x.svg").exists()
+
+
+def test_lines_are_loaded_as_layers_with_styles(qgis, tmp_path):
+    environment = {**os.environ, "XDG_RUNTIME_DIR": str(tmp_path)}
+    out = tmp_path / "map.png"
+    run = subprocess.run([ROOT / "scripts" / "draw-in-qgis", PROGRAM, out], capture_output=True, text=True,
+                         env=environment)
+    assert run.returncode == 0, run.stderr
+    assert out.read_bytes().startswith(b"\x89PNG") and out.stat().st_size > 50_000

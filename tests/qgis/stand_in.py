@@ -200,7 +200,7 @@ def modules():
     core.QgsProviderRegistry = types.SimpleNamespace(instance=lambda: types.SimpleNamespace(decodeUri=_decoded))
     core.QgsMessageLog = types.SimpleNamespace(logMessage=lambda text, tag, level: None)
     core.Qgis = types.SimpleNamespace(Warning=1)
-    for name in ("QgsFeatureSink", "QgsVectorLayer", "QgsProcessingContext", "QgsProcessingUtils", "QgsWkbTypes"):
+    for name in ("QgsFeatureSink", "QgsFileUtils", "QgsVectorLayer", "QgsProcessingContext", "QgsProcessingUtils", "QgsWkbTypes"):
         setattr(core, name, object())
     gui = types.ModuleType("qgis.PyQt.QtGui")
     gui.QIcon = lambda path: ("icon", path)
