@@ -105,7 +105,8 @@ class QgsProcessingAlgorithm:
         return f"no raster {values.get(name)}"
 
 
-for _kind in ("Bool", "Int", "Double", "String", "EnumString", "EnumStrings", "FileOutput", "RasterLayer", "OutputLayer"):
+for _kind in ("Bool", "Int", "Double", "String", "EnumString", "EnumStrings", "FileOutput", "RasterLayer",
+              "OutputLayer"):
     setattr(QgsProcessingAlgorithm, f"parameterAs{_kind}", lambda self, values, name, context: values.get(name))
 
 
@@ -194,13 +195,15 @@ def modules():
         setattr(core, f"QgsProcessingParameter{name}", Definition)
     core.QgsProcessingAlgorithm, core.QgsProcessingProvider = QgsProcessingAlgorithm, QgsProcessingProvider
     core.QgsProcessingException = QgsProcessingException
-    core.QgsProcessing = types.SimpleNamespace(TypeRaster=1, TypeVectorAnyGeometry=2, TypeVectorPoint=3, TypeVectorLine=4)
+    core.QgsProcessing = types.SimpleNamespace(TypeRaster=1, TypeVectorAnyGeometry=2, TypeVectorPoint=3,
+                                               TypeVectorLine=4)
     core.QgsProcessingLayerPostProcessorInterface = object
     core.QgsApplication = types.SimpleNamespace(processingRegistry=lambda: registry)
     core.QgsProviderRegistry = types.SimpleNamespace(instance=lambda: types.SimpleNamespace(decodeUri=_decoded))
     core.QgsMessageLog = types.SimpleNamespace(logMessage=lambda text, tag, level: None)
     core.Qgis = types.SimpleNamespace(Warning=1)
-    for name in ("QgsFeatureSink", "QgsFileUtils", "QgsVectorLayer", "QgsProcessingContext", "QgsProcessingUtils", "QgsWkbTypes"):
+    for name in ("QgsFeatureSink", "QgsFileUtils", "QgsVectorLayer", "QgsProcessingContext", "QgsProcessingUtils",
+                 "QgsWkbTypes"):
         setattr(core, name, object())
     gui = types.ModuleType("qgis.PyQt.QtGui")
     gui.QIcon = lambda path: ("icon", path)
