@@ -2,6 +2,7 @@
 """The command is found, its errors are one line, and it ends when asked to."""
 
 import os
+import subprocess
 import time
 
 import pytest
@@ -29,6 +30,14 @@ def test_progress_and_lines_of_a_real_run(tmp_path):
     assert out.stat().st_size > 1000
     assert percents[-1] == 100
     assert len(lines) == 1 and lines[0].startswith(str(out)) and "strokes" in lines[0]
+
+
+def test_the_bar_is_a_line_of_its_own(tmp_path):
+    run_of = subprocess.run([PROGRAM, "render", DATA / "cone.tif", tmp_path / "x.svg", "--progress", "--check=100"],
+                            capture_output=True, text=True, check=True)
+    bar, check, closing = run_of.stderr.splitlines()
+    assert bar.startswith("0...10...") and bar.endswith("100 - done.")
+    assert check.startswith("orograph: check: ") and "strokes" in closing
 
 
 def test_an_error_is_the_commands_own_line(tmp_path):
