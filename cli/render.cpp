@@ -101,8 +101,6 @@ void render(const RenderSettings& settings) {
   map.facts.level = level;
   check_not_empty(map, settings);
   finish_drawing(map, settings);
-  tell_check(map.facts.check);
-  if (!settings.quiet) tell_overlays(overlays, map.facts.counts);
 
   const auto write_start = Clock::now();
   const std::vector<Drawing> pages = sheets_and_overview(map.drawing, settings);
@@ -113,7 +111,9 @@ void render(const RenderSettings& settings) {
   seconds.read = read_s;
   seconds.place = place_s;
   seconds.write = seconds_since(write_start);
-  bar.finish();
+  bar.finish(); // before anything is told: lines behind marks are read by nobody
+  tell_check(map.facts.check);
+  if (!settings.quiet) tell_overlays(overlays, map.facts.counts);
   std::optional<Skyline> skyline;
   if (!settings.skyline_table.empty()) {
     const LookAround around(*terrain, placed.border, observer_of(placed, terrain->map));
