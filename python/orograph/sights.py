@@ -44,7 +44,9 @@ class Sights(_Table):
     """
 
     def __repr__(self):
-        return f"<orograph.Sights of {len(self)} places, {np.sum(self.state == 'seen')} seen>"
+        states, counts = np.unique(self.state, return_counts=True)
+        told = ", ".join(f"{count} {state}" for state, count in zip(states, counts))
+        return f"<orograph.Sights of {len(self)} places: {told}>"
 
 
 class Horizon(_Table):
@@ -106,4 +108,8 @@ def _places(points, lonlat, crs_wkt):
         shape = " x ".join(map(str, array.shape)) or "a single value"
         what = "longitude and latitude" if lonlat else "x and y in the terrain's CRS"
         raise error(f"points are {shape} of {array.dtype}", f"give a row of {what} for each")
-    return array.astype(np.float64)
+    places = array.astype(np.float64)
+    if lonlat and (abs(places[:, 1]) > 90).any():
+        latitude = places[:, 1][abs(places[:, 1]) > 90][0]
+        raise error(f"points have {latitude:g} for a latitude", "give longitude first")
+    return places

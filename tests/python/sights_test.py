@@ -106,7 +106,7 @@ def test_every_state():
     for name in ("hidden_m", "hidden_deg", "altitude_deg", "height"):
         assert np.array_equal(~np.isnan(seen.attributes[name]), known)
     assert np.isfinite(seen.distance_m).all() and np.isfinite(seen.azimuth_deg).all()
-    assert "4 places, 2 seen" in repr(seen)
+    assert "4 places: 1 gap, 1 outside, 2 seen" in repr(seen)
     low = terrain.visible(places[2], eye=(x + 100, y - 100), eye_height=1)
     assert low.state[0] == "hidden" and low.hidden_m[0] > 0
     for more_m, state in ((0.01, "seen"), (-0.01, "hidden")):
@@ -114,8 +114,12 @@ def test_every_state():
         higher = terrain.visible(places[2], eye=(x + 100, y - 100), eye_height=1, target_height=height)
         assert higher.state.tolist() == [state]
     assert len(terrain.visible(np.zeros((0, 2)), eye=(x + 100, y - 100))) == 0
-    beyond = terrain.visible([(9.0, 95.0), (9.0, 46.9)], lonlat=True, eye=(x + 100, y - 100))
-    assert beyond.state.tolist() == ["outside", "outside"] and np.isnan(beyond.distance_m[0])
+    lonlat = [(np.inf, 46.9), (9.0, 46.8)]  # the first is in no place that the CRS has
+    beyond = terrain.visible(lonlat, lonlat=True, eye=(x + 100, y - 100))
+    assert beyond.state.tolist() == ["outside", "outside"]
+    assert np.isnan(beyond.distance_m).tolist() == [True, False]
+    with pytest.raises(orograph.Error, match="points have 95 for a latitude: give longitude first"):
+        terrain.visible([(9.0, 95.0)], lonlat=True, eye=(x + 100, y - 100))
 
 
 def test_a_terrain_of_no_place_on_earth():
@@ -182,12 +186,13 @@ def test_wrong_options(options, told, alps):
 
 def test_options_of_one_of_the_two(alps):
     assert "0.001 to 90" in refused(alps.horizon, eye=(515000, 104000), horizon_step=0)
+    assert "did you mean horizon_step" in refused(alps.horizon, eye=(515000, 104000), horizon_stp=1)
     assert "unknown option" in refused(alps.horizon, eye=(515000, 104000), target_height=1)
     assert "unknown option" in refused(alps.visible, [(1, 2)], eye=(515000, 104000), horizon_step=1)
     assert "at least 0" in refused(alps.visible, [(1, 2)], eye=(515000, 104000), target_height=-1)
 
 
-def test_progress_ctrl_c_and_a_callback_that_raises():
+def test_progress_ctrl_c_and_a_callback_that_raises(ctrl_c):
     size = 1200
     session = orograph.terrain(hills(size, size), TRANSFORM, CRS).session()
     eye = {"eye": (500000 + 12.5 * size, 5200000 - 12.5 * size), "jobs": 1}
@@ -215,13 +220,35 @@ def test_progress_ctrl_c_and_a_callback_that_raises():
 
     timer = threading.Timer(0.2, press)
     timer.start()
+    deadline = time.monotonic() + 20
     with pytest.raises(KeyboardInterrupt):
-        while True:
+        while time.monotonic() < deadline:
             session.visible(places, **eye)
     assert time.monotonic() - pressed[0] < 0.1 + 0.2  # a tenth of a second, and a busy machine
     timer.join()
     again = session.visible(places[:50], **eye)
     assert np.array_equal(again.hidden_m, few.hidden_m) and np.array_equal(again.state, few.state)
+
+
+def test_two_threads_at_once(alps):
+    eyes = [(515000, 104000), (508000, 104500)]
+    wanted = [(alps.visible(LONLAT, lonlat=True, eye=eye), alps.horizon(eye=eye)) for eye in eyes]
+    got = [[], []]
+
+    def look(mine, eye):
+        for _ in range(5):
+            mine.append((alps.visible(LONLAT, lonlat=True, eye=eye), alps.horizon(eye=eye)))
+
+    threads = [threading.Thread(target=look, args=pair) for pair in zip(got, eyes)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for (sights, horizon), mine in zip(wanted, got):
+        assert len(mine) == 5
+        for other_sights, other_horizon in mine:
+            np.testing.assert_array_equal(other_sights.hidden_m, sights.hidden_m)
+            np.testing.assert_array_equal(other_horizon.altitude_deg, horizon.altitude_deg)
 
 
 def test_docstrings_and_stubs_have_every_option():
