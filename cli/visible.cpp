@@ -76,20 +76,6 @@ double rounded_deg(double deg) {
   return rounded(deg, 1e9);
 }
 
-const char* name_of(PlaceState state) {
-  switch (state) {
-  case PlaceState::seen:
-    return "seen";
-  case PlaceState::hidden:
-    return "hidden";
-  case PlaceState::gap:
-    return "gap";
-  case PlaceState::outside:
-    return "outside";
-  }
-  return "outside";
-}
-
 // What the points' own fields are called: one that is called as a result, or as another in other
 // letters, gets a mark.
 std::map<std::string, std::string> own_names(const std::vector<std::string>& fields) {
@@ -155,6 +141,20 @@ void tell(const std::vector<PlaceSight>& sights, std::size_t points, const std::
 }
 
 } // namespace
+
+const char* name_of(PlaceState state) {
+  switch (state) {
+  case PlaceState::seen:
+    return "seen";
+  case PlaceState::hidden:
+    return "hidden";
+  case PlaceState::gap:
+    return "gap";
+  case PlaceState::outside:
+    return "outside";
+  }
+  return "outside";
+}
 
 void visible(const VisibleSettings& settings) {
   const RenderSettings& render = settings.render;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/render_settings.hpp"
+#include "map/place_sight.hpp"
 #include "write/write_points.hpp"
 
 #include <optional>
@@ -17,6 +18,9 @@ struct VisibleSettings {
   std::string output = "-";
   PointFormat format = PointFormat::csv;
 };
+
+/// What the tables call it.
+const char* name_of(PlaceState state);
 
 /// Reads terrain and points, and writes a row for each point, with its attributes and what the eye
 /// sees of it; says on stderr how many are seen. Throws Error.

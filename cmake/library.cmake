@@ -37,13 +37,16 @@ include(CMakePackageConfigHelpers)
 foreach(library orograph_shared orograph_static)
   target_compile_features(${library} INTERFACE cxx_std_20)
   target_include_directories(${library} INTERFACE
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR};${PROJECT_SOURCE_DIR}/src>
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR};${PROJECT_SOURCE_DIR}/src>"
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 endforeach()
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/orograph)
-install(TARGETS orograph_shared orograph_static EXPORT orograph)
-install(FILES ${face_header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT orograph FILE orographConfig.cmake NAMESPACE orograph:: DESTINATION ${package_folder})
+install(TARGETS orograph_shared EXPORT orograph
+  LIBRARY COMPONENT library NAMELINK_COMPONENT development)
+install(TARGETS orograph_static EXPORT orograph ARCHIVE COMPONENT development)
+install(FILES ${face_header} COMPONENT development DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT orograph FILE orographConfig.cmake NAMESPACE orograph::
+  COMPONENT development DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/generated/install/orographConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 # From its own folder, so that the whole may be moved.
@@ -51,6 +54,6 @@ file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/orograph.pc.in
   ${PROJECT_BINARY_DIR}/generated/install/orograph.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/generated/install/orographConfigVersion.cmake
-  DESTINATION ${package_folder})
+  COMPONENT development DESTINATION ${package_folder})
 install(FILES ${PROJECT_BINARY_DIR}/generated/install/orograph.pc
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  COMPONENT development DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

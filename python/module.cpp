@@ -19,6 +19,7 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <limits>
 
 #include "python/python_words.hpp"
 #include "python/views.hpp"
@@ -202,14 +203,89 @@ py::list layers_of(const Drawn& drawn) {
   return all;
 }
 
+// What isn't known of a place is NaN.
+py::dict columns_of(const std::vector<PlaceSight>& sights) {
+  const auto column = [&](const auto& value, bool of_ground) {
+    std::vector<double> values;
+    for (const PlaceSight& sight : sights) {
+      const bool has_none =
+          of_ground && (sight.state == PlaceState::gap || sight.state == PlaceState::outside);
+      values.push_back(has_none ? std::numeric_limits<double>::quiet_NaN() : value(sight));
+    }
+    return column_of(std::move(values));
+  };
+  py::list states;
+  for (const PlaceSight& sight : sights) states.append(name_of(sight.state));
+  py::dict all;
+  all["state"] = states;
+  all["hidden_m"] = column([](const PlaceSight& of) { return of.hidden_m; }, true);
+  all["hidden_deg"] = column([](const PlaceSight& of) { return of.hidden_deg; }, true);
+  all["azimuth_deg"] = column([](const PlaceSight& of) { return of.bearing.azimuth_deg; }, false);
+  all["altitude_deg"] = column([](const PlaceSight& of) { return of.bearing.altitude_deg; }, true);
+  all["distance_m"] = column([](const PlaceSight& of) { return of.bearing.distance_m; }, false);
+  all["height"] = column([](const PlaceSight& of) { return of.height; }, true);
+  return all;
+}
+
+py::dict columns_of(const std::vector<Skyline::Direction>& directions) {
+  const auto column = [&](const auto& value) {
+    std::vector<double> values;
+    for (const auto& [azimuth_deg, place] : directions)
+      values.push_back(place ? value(*place) : std::numeric_limits<double>::quiet_NaN());
+    return column_of(std::move(values));
+  };
+  const auto lonlat = [](const SkylinePlace& of) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    return of.lonlat.value_or(Vec2{kUnknown, kUnknown});
+  };
+  std::vector<double> azimuths_deg;
+  py::list at_border;
+  for (const auto& [azimuth_deg, place] : directions) {
+    azimuths_deg.push_back(azimuth_deg);
+    at_border.append(place && place->at_border);
+  }
+  py::dict all;
+  all["azimuth_deg"] = column_of(std::move(azimuths_deg));
+  all["altitude_deg"] = column([](const SkylinePlace& of) { return of.bearing.altitude_deg; });
+  all["distance_m"] = column([](const SkylinePlace& of) { return of.bearing.distance_m; });
+  all["longitude"] = column([&](const SkylinePlace& of) { return lonlat(of).x; });
+  all["latitude"] = column([&](const SkylinePlace& of) { return lonlat(of).y; });
+  all["x"] = column([](const SkylinePlace& of) { return of.map.x; });
+  all["y"] = column([](const SkylinePlace& of) { return of.map.y; });
+  all["height"] = column([](const SkylinePlace& of) { return of.height; });
+  all["at_border"] = at_border;
+  return all;
+}
+
+// REQUIRES an array of two columns.
+std::vector<Vec2> places_of(const Doubles& points) {
+  std::vector<Vec2> places;
+  for (py::ssize_t i = 0; i < points.shape(0); ++i)
+    places.push_back({points.at(i, 0), points.at(i, 1)});
+  return places;
+}
+
+py::dict skyline_of(Views& views, const NamedValues& options, const py::object& progress) {
+  Skyline skyline = while_listening(
+      [&](const Control& control) { return views.skyline(options, control); }, progress);
+  py::dict all = columns_of(skyline.directions);
+  const auto& far = skyline.most_distant;
+  if (far) skyline.directions = {{far->bearing.azimuth_deg, far}};
+  all["most_distant"] = far ? py::object(columns_of(skyline.directions)) : py::object(py::none());
+  return all;
+}
+
 std::string usage_of(const std::string& function) {
   RenderSettings render;
+  VisibleSettings visible;
   InfoSettings info;
   Command reading = info_command(info);
   reading.name = "read";
   std::erase_if(reading.options, [](const Option& option) {
     return option.is_positional() || option.name == "--help"; // read has a docstring
   });
+  if (function == "visible") return usage_json(sights_command(visible));
+  if (function == "horizon") return usage_json(skyline_command(visible));
   return usage_json(function == "read" ? reading : drawing_command(render));
 }
 
@@ -293,6 +369,17 @@ PYBIND11_MODULE(_orograph, m) {
                  },
                  progress);
            })
+      .def("visible",
+           [](Views& views, const Doubles& points, bool lonlat, const NamedValues& options,
+              const py::object& progress) {
+             const std::vector<Vec2> places = places_of(points);
+             return columns_of(while_listening(
+                 [&](const Control& control) {
+                   return views.sights(options, places, lonlat, control);
+                 },
+                 progress));
+           })
+      .def("horizon", skyline_of)
       .def("save", &Views::save, py::call_guard<py::gil_scoped_release>());
 
   m.def("read", [](const std::vector<std::string>& paths, const NamedValues& options) {

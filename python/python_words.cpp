@@ -16,9 +16,11 @@ namespace {
 const std::set<std::string>& option_names() {
   static const std::set<std::string> names = [] {
     RenderSettings render;
+    VisibleSettings visible;
     std::set<std::string> all;
-    for (const Option& option : render_command(render).options)
-      if (!option.is_positional()) all.insert(option.name);
+    for (const Command& command : {render_command(render), visible_command(visible)})
+      for (const Option& option : command.options)
+        if (!option.is_positional()) all.insert(option.name);
     return all;
   }();
   return names;
@@ -29,8 +31,10 @@ bool is_of_name(char c) {
 }
 
 // Whatever says how the command is called.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kPhrases{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kPhrases{{
     {"orograph render --help lists", "help(orograph.Terrain.render) lists"},
+    {"orograph visible --help lists", "help(orograph.Terrain.visible) lists"},
+    {"orograph horizon --help lists", "help(orograph.Terrain.horizon) lists"},
     {"orograph info --help lists", "help(orograph.read) lists"},
     {"INPUT", "input"},
     {"OUTPUT", "path"},

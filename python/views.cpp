@@ -5,7 +5,9 @@
 #include "cli/info.hpp"
 #include "cli/options/options.hpp"
 #include "cli/render.hpp"
+#include "dem/read/lonlat.hpp"
 
+#include <limits>
 #include <utility>
 
 namespace orograph {
@@ -55,6 +57,50 @@ Drawn Views::draw(const NamedValues& options, const Control& control) {
   check_not_empty(drawn.map, drawn.settings);
   finish_drawing(drawn.map, drawn.settings);
   return drawn;
+}
+
+// Solids and overlays hide nothing from an eye that looks around.
+Session Views::session_of_ground() {
+  const std::lock_guard lock(mutex_);
+  if (!session_) session_.emplace(terrain_.terrain);
+  return *session_;
+}
+
+std::vector<PlaceSight> Views::sights(const NamedValues& options, std::vector<Vec2> places,
+                                      bool lonlat, const Control& control) {
+  const VisibleSettings settings = take_sights(options);
+  Control own = control;
+  own.jobs = settings.render.jobs;
+  const std::string& crs_wkt = terrain_.terrain.crs_wkt();
+  if (lonlat && !is_on_earth(crs_wkt))
+    throw UsageError("longitudes and latitudes have no place on this terrain, whose CRS isn't on "
+                     "the earth",
+                     "give points in its own coordinates");
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<PlaceSight> out(
+      places.size(),
+      PlaceSight{
+          PlaceState::outside, {kUnknown, kUnknown, kUnknown}, kUnknown, kUnknown, kUnknown});
+  std::vector<Vec2> known;
+  std::vector<std::size_t> place_of;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto on_map = lonlat ? map_of_lonlat(crs_wkt, places[i]) : places[i];
+    if (!on_map) continue;
+    known.push_back(*on_map);
+    place_of.push_back(i);
+  }
+  const std::vector<PlaceSight> sights =
+      session_of_ground().sights(settings.render.map.view, known, settings.target_height_m, own);
+  for (std::size_t i = 0; i < sights.size(); ++i) out[place_of[i]] = sights[i];
+  return out;
+}
+
+Skyline Views::skyline(const NamedValues& options, const Control& control) {
+  const VisibleSettings settings = take_skyline(options);
+  Control own = control;
+  own.jobs = settings.render.jobs;
+  return session_of_ground().skyline(settings.render.map.view, settings.render.skyline_step_deg,
+                                     own);
 }
 
 void Views::save(const Drawn& drawn, const std::string& path, const NamedValues& options) const {

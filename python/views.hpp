@@ -44,7 +44,15 @@ public:
   /// that change nothing of its lines. REQUIRES `draws_alike` of the two formats.
   void save(const Drawn& drawn, const std::string& path, const NamedValues& options) const;
 
+  /// What `orograph visible` says of places in the terrain's CRS, or by longitude and latitude
+  /// (those that the CRS doesn't have are outside, without a bearing), and of the skyline. Throws
+  /// Error.
+  std::vector<PlaceSight> sights(const NamedValues& options, std::vector<Vec2> places, bool lonlat,
+                                 const Control& control);
+  Skyline skyline(const NamedValues& options, const Control& control);
+
 private:
+  Session session_of_ground();
   Session session_for(const RenderSettings& settings, const Control& control);
   RenderSettings settings_for(const NamedValues& options, const std::string& output) const;
 

@@ -155,8 +155,9 @@ std::vector<PlaceSight> Session::sights(const ViewSpec& view, const std::vector<
                                         double above_m, const Control& control) const {
   check_sights(places, above_m);
   std::vector<PlaceSight> out;
-  look_around(*kept_->terrain.data_, view, control,
-              [&](const LookAround& around) { out = around.sights(places, above_m); });
+  look_around(*kept_->terrain.data_, view, control, [&](const LookAround& around) {
+    out = around.sights(places, above_m, control.progress);
+  });
   return out;
 }
 
@@ -164,7 +165,7 @@ Skyline Session::skyline(const ViewSpec& view, double step_deg, const Control& c
   check_skyline_step(step_deg);
   Skyline out;
   look_around(*kept_->terrain.data_, view, control,
-              [&](const LookAround& around) { out = around.skyline(step_deg); });
+              [&](const LookAround& around) { out = around.skyline(step_deg, control.progress); });
   return out;
 }
 

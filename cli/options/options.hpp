@@ -34,6 +34,15 @@ Command visible_command(VisibleSettings& settings);
 /// programs that have these in ways of their own.
 Command drawing_command(RenderSettings& settings);
 
+/// What `orograph visible` takes but for the terrain, the points, files and messages, of points or
+/// of the skyline all round: for the same programs.
+Command sights_command(VisibleSettings& settings);
+Command skyline_command(VisibleSettings& settings);
+
+/// The settings that these options of one of the two ask for. Throws the Errors of `parse_visible`.
+VisibleSettings take_sights(const NamedValues& options);
+VisibleSettings take_skyline(const NamedValues& options);
+
 /// Gives `settings`, whose inputs and output (which may be empty beside `of`) are set, what these
 /// options of `drawing_command` say. Throws the Errors of `parse_render`.
 void take_drawing(RenderSettings& settings, const NamedValues& options);

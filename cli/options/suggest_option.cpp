@@ -16,8 +16,6 @@ constexpr std::string_view kLight = "where light falls from";
 constexpr std::string_view kNoHachures =
     "there are no hachures yet, but --light shows relief and --contours draws heights";
 constexpr std::string_view kNoNames = "there are no names on the picture yet";
-constexpr std::string_view kNoPanorama =
-    "there is no panorama yet, but --eye with --fov below 180 degrees";
 constexpr std::string_view kNoGround = "lines have colours (--colour), and the ground none";
 
 // Words of GMT and PyGMT, PLplot, gnuplot, matplotlib, GRASS, QGIS, rayshader, ridge_map and GDAL.
@@ -69,8 +67,8 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"military", "--oblique", {}},
     {"curvature-refraction", "--refraction", {}},
     {"earth-curvature", "--curvature", {}},
-    {"panorama", {}, kNoPanorama},
-    {"cylindrical", {}, kNoPanorama},
+    {"panorama", "--projection", "cylindrical goes all round"},
+    {"cylindrical", "--projection", {}},
     // Heights
     {"jz", "--exaggeration", {}},
     {"zscale", "--exaggeration", {}},

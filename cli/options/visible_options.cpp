@@ -27,7 +27,30 @@ constexpr std::array<std::string_view, 8> kOfView{"--eye",
                                                   "--curvature-coefficient",
                                                   "--exaggeration"};
 
-void add_visible_options(std::vector<Option>& options, VisibleSettings& s) {
+void add_eye(Command& command, RenderSettings& settings) {
+  command.conflicts.push_back({"--eye", "--eye-lonlat", "give one of the two"});
+  command.conflicts.push_back({"--refraction", "--curvature-coefficient", "give one of the two"});
+  std::vector<Option> of_view;
+  add_view_options(of_view, settings);
+  for (Option& option : of_view)
+    if (std::ranges::find(kOfView, option.name) != kOfView.end()) {
+      if (option.name == "--eye")
+        option.help = "Stand at this point, without Z on the ground there";
+      if (option.name == "--exaggeration") option.by_default = "1";
+      if (option.name == "--curvature")
+        option.help = "Take the earth's curvature into account: auto does so where the terrain's "
+                      "CRS tells where on the earth it is";
+      command.options.push_back(std::move(option));
+    }
+}
+
+void check_eye_is_there(const ViewSpec& view) {
+  if (!view.has_eye())
+    throw UsageError("there is no eye to look from",
+                     "give --eye X,Y[,Z] or --eye-lonlat LON,LAT[,H]");
+}
+
+void add_target_height(std::vector<Option>& options, VisibleSettings& s) {
   options.push_back(
       with_number({.group = "View",
                    .name = "--target-height",
@@ -35,6 +58,10 @@ void add_visible_options(std::vector<Option>& options, VisibleSettings& s) {
                    .help = "How high above the ground the points are, as a tower's top is",
                    .by_default = fmt::format("{}", s.target_height_m)},
                   {.unit = "metres", .low = 0}, [&s](double m) { s.target_height_m = m; }));
+}
+
+void add_visible_options(std::vector<Option>& options, VisibleSettings& s) {
+  add_target_height(options, s);
   options.push_back({.group = kOutput,
                      .name = "--output",
                      .value = "FILE",
@@ -99,8 +126,6 @@ Command visible_command(VisibleSettings& settings) {
                     "Which peaks are seen from the summit there, as CSV."},
                    {"orograph visible dem.tif houses.gpkg --eye 2508,4071 --eye-height 120",
                     "From which houses a mast is seen, 120 m high."}}};
-  command.conflicts.push_back({"--eye", "--eye-lonlat", "give one of the two"});
-  command.conflicts.push_back({"--refraction", "--curvature-coefficient", "give one of the two"});
   add_terrain_options(command.options, render.inputs, render.reading);
   command.options.insert(
       command.options.begin() + 1,
@@ -113,16 +138,7 @@ Command visible_command(VisibleSettings& settings) {
          settings.points.everywhere = true;
          return !settings.points.path.empty();
        }});
-  std::vector<Option> of_view;
-  add_view_options(of_view, render);
-  for (Option& option : of_view)
-    if (std::ranges::find(kOfView, option.name) != kOfView.end()) {
-      if (option.name == "--exaggeration") option.by_default = "1";
-      if (option.name == "--curvature")
-        option.help = "Take the earth's curvature into account: auto does so where the terrain's "
-                      "CRS tells where on the earth it is";
-      command.options.push_back(std::move(option));
-    }
+  add_eye(command, render);
   add_visible_options(command.options, settings);
   command.options.push_back(jobs_option(render.jobs));
   command.options.push_back(quiet_option(render.quiet));
@@ -135,9 +151,7 @@ std::optional<VisibleSettings> parse_visible(const std::vector<std::string>& arg
   const auto given = parse_arguments(visible_command(settings), arguments);
   if (given.contains("--help")) return std::nullopt;
   refuse_scenes(settings.render.inputs);
-  if (!settings.render.map.view.has_eye())
-    throw UsageError("there is no eye to look from",
-                     "give --eye X,Y[,Z] or --eye-lonlat LON,LAT[,H]");
+  check_eye_is_there(settings.render.map.view);
   settings.points.allow_network = settings.render.reading.allow_network;
   settings.render.overlays = {settings.points}; // an input that no output may replace
   check_picture_settings(settings.render, given);
@@ -152,6 +166,51 @@ std::optional<VisibleSettings> parse_visible(const std::vector<std::string>& arg
   settings.render.output = settings.output;
   check_skyline(settings.render, given);
   return settings;
+}
+
+Command sights_command(VisibleSettings& settings) {
+  Command command{.name = "visible",
+                  .summary = "Tell which of many points an eye sees",
+                  .options = {},
+                  .conflicts = {},
+                  .examples = {}};
+  add_eye(command, settings.render);
+  add_target_height(command.options, settings);
+  command.options.push_back(jobs_option(settings.render.jobs));
+  return command;
+}
+
+Command skyline_command(VisibleSettings& settings) {
+  Command command{.name = "horizon",
+                  .summary = "Tell the skyline of an eye all round",
+                  .options = {},
+                  .conflicts = {},
+                  .examples = {}};
+  add_eye(command, settings.render);
+  add_skyline_options(command.options, settings.render);
+  std::erase_if(command.options, [](const Option& of) { return of.name == "--horizon-table"; });
+  command.options.push_back(jobs_option(settings.render.jobs));
+  return command;
+}
+
+namespace {
+
+VisibleSettings taken(Command (*command)(VisibleSettings&), const NamedValues& options) {
+  VisibleSettings settings;
+  const auto given = take_named(command(settings), options);
+  check_eye_is_there(settings.render.map.view);
+  check_picture_settings(settings.render, given);
+  return settings;
+}
+
+} // namespace
+
+VisibleSettings take_sights(const NamedValues& options) {
+  return taken(sights_command, options);
+}
+
+VisibleSettings take_skyline(const NamedValues& options) {
+  return taken(skyline_command, options);
 }
 
 } // namespace orograph

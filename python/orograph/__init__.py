@@ -13,6 +13,18 @@ help(orograph.Terrain.render) lists them.
 
 from orograph._orograph import Error, __version__
 from orograph.drawing import Drawing, Layer
+from orograph.sights import Horizon, Sights
 from orograph.terrain import Session, Terrain, read, terrain, tin
 
-__all__ = ["Drawing", "Error", "Layer", "Session", "Terrain", "read", "terrain", "tin"]
+__all__ = [
+    "Drawing",
+    "Error",
+    "Horizon",
+    "Layer",
+    "Session",
+    "Sights",
+    "Terrain",
+    "read",
+    "terrain",
+    "tin",
+]

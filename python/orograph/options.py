@@ -16,7 +16,7 @@ from orograph.errors import error
 
 @functools.cache
 def table(function):
-    """The options of `render` or `read` by name, as `orograph render --json-usage` tells them."""
+    """The options of `render`, `read`, `visible` or `horizon` by name, as --json-usage tells them."""
     return {option["name"]: option for option in json.loads(usage(function))["input_arguments"]}
 
 
@@ -72,7 +72,7 @@ def _wrapped(text):
 
 
 def _refuse_misplaced(function, key, name):
-    if function == "render" and name in table("read"):
+    if function != "read" and name in table("read"):
         raise error(f"{key} is an option of reading a terrain", "give it to orograph.read")
     if function == "read" and name in table("render"):
         raise error(f"{key} is an option of drawing", "give it to render")

@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 
-from orograph import _orograph
+from orograph import _orograph, sights
 from orograph.drawing import Drawing
 from orograph.errors import error
 from orograph.heights import borrowable, crs_text, geotransform_of, unpacked
@@ -112,6 +112,15 @@ class Session:
         drawn = self._views.draw(named_values("render", options), progress)
         return Drawing(drawn, self, options)
 
+    def visible(self, points, *, lonlat=False, progress=None, **options):
+        """What an eye sees of many places, as Terrain.visible tells it."""
+        named = named_values("visible", options)
+        return sights.sights(self._views, points, lonlat, named, progress)
+
+    def horizon(self, *, progress=None, **options):
+        """The skyline of an eye, as Terrain.horizon tells it."""
+        return sights.horizon(self._views, named_values("horizon", options), progress)
+
     def __repr__(self):
         return f"<orograph.Session of {self.terrain.name}>"
 
@@ -146,6 +155,12 @@ class Terrain:
     def render(self, *, progress=None, **options):
         return self.session().render(progress=progress, **options)
 
+    def visible(self, points, *, lonlat=False, progress=None, **options):
+        return self.session().visible(points, lonlat=lonlat, progress=progress, **options)
+
+    def horizon(self, *, progress=None, **options):
+        return self.session().horizon(progress=progress, **options)
+
     def __repr__(self):
         return f"<orograph.Terrain {self.name}>"
 
@@ -162,3 +177,27 @@ default. Other threads go on meanwhile; Ctrl-C ends the drawing within a tenth o
 Returns a Drawing, for paper unless `of` says otherwise. Raises Error, which says what is wrong with
 an option and what would be right, and also where nothing of the terrain is on the page.
 """ + describe("render")
+
+Terrain.visible.__doc__ = """Which of many places an eye sees, and by how much others are hidden.
+
+points: (n, 2) numbers: x and y in the terrain's CRS; or points of geopandas, which are brought into
+    it. They are on the ground, or target_height above it.
+lonlat: whether points are longitudes and latitudes, in degrees on WGS 84.
+progress: as in `render`.
+
+    sights = terrain.visible([(508000, 104500), (512000, 106000)], eye=(515000, 104000))
+    sights.state, sights.hidden_m, sights.distance_m
+
+Returns a Sights, with the numbers of `orograph visible`. Raises Error where there is no eye, or it
+is under the ground.
+""" + describe("visible")
+
+Terrain.horizon.__doc__ = """The skyline of an eye: where the ground stands highest, all round.
+
+progress: as in `render`.
+
+    horizon = terrain.horizon(eye_lonlat=(7.66, 45.98), horizon_step=0.5)
+    horizon.azimuth_deg, horizon.altitude_deg, horizon.distance_m
+
+Returns a Horizon, with the numbers of `--horizon-table`. Raises the Errors of `visible`.
+""" + describe("horizon")

@@ -6,6 +6,7 @@ from typing import Any, Literal, TypedDict, Unpack
 from numpy.typing import ArrayLike
 
 from orograph.drawing import Drawing
+from orograph.sights import Horizon, Sights
 
 Path = str | os.PathLike[str]
 Several = str | float | Sequence[str | float]  # texts as the command takes them, or their parts
@@ -122,6 +123,36 @@ class RenderOptions(TypedDict, total=False):
     settings: Path | None
 
 
+class VisibleOptions(TypedDict, total=False):
+    """Those of `orograph visible` that tell the eye."""
+
+    eye: Several | None
+    eye_lonlat: Several | None
+    eye_height: float | str | None
+    eye_summit: float | str | bool | None
+    curvature: Literal["auto", "on", "off"] | None
+    refraction: float | str | None
+    curvature_coefficient: float | str | None
+    exaggeration: Several | None
+    target_height: float | str | None
+    jobs: int | str | None
+
+
+class HorizonOptions(TypedDict, total=False):
+    """The same of the skyline all round."""
+
+    eye: Several | None
+    eye_lonlat: Several | None
+    eye_height: float | str | None
+    eye_summit: float | str | bool | None
+    curvature: Literal["auto", "on", "off"] | None
+    refraction: float | str | None
+    curvature_coefficient: float | str | None
+    exaggeration: Several | None
+    horizon_step: float | str | None
+    jobs: int | str | None
+
+
 def read(paths: Path | Sequence[Path], **options: Unpack[ReadOptions]) -> Terrain: ...
 def terrain(
     z: ArrayLike | Any,
@@ -151,6 +182,20 @@ class Session:
         progress: Callable[[float], object] | None = None,
         **options: Unpack[RenderOptions],
     ) -> Drawing: ...
+    def visible(
+        self,
+        points: ArrayLike | Any,
+        *,
+        lonlat: bool = False,
+        progress: Callable[[float], object] | None = None,
+        **options: Unpack[VisibleOptions],
+    ) -> Sights: ...
+    def horizon(
+        self,
+        *,
+        progress: Callable[[float], object] | None = None,
+        **options: Unpack[HorizonOptions],
+    ) -> Horizon: ...
 
 class Terrain:
     @property
@@ -166,3 +211,17 @@ class Terrain:
         progress: Callable[[float], object] | None = None,
         **options: Unpack[RenderOptions],
     ) -> Drawing: ...
+    def visible(
+        self,
+        points: ArrayLike | Any,
+        *,
+        lonlat: bool = False,
+        progress: Callable[[float], object] | None = None,
+        **options: Unpack[VisibleOptions],
+    ) -> Sights: ...
+    def horizon(
+        self,
+        *,
+        progress: Callable[[float], object] | None = None,
+        **options: Unpack[HorizonOptions],
+    ) -> Horizon: ...

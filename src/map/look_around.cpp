@@ -30,15 +30,29 @@ double azimuth_deg(Vec2 direction) {
   return in_turn(atan2_angle(direction.x, direction.y).in_degrees());
 }
 
-// Calls take(i) for 0 to count - 1 on all cores.
+// Part of what a call does: `before` of `all` looks are done already.
+struct Share {
+  std::size_t before, all;
+  const std::function<void(double)>& progress;
+};
+
+// Calls take(i) for 0 to count - 1 on all cores, and tells the progress, where it is asked for,
+// after every 4096 looks, some 20 ms.
 template <class Take>
-void for_each(std::size_t count, const Take& take) {
-  on_all_cores((count + kInTask - 1) / kInTask, [&](std::size_t task) {
-    for (std::size_t i = task * kInTask; i < std::min(count, (task + 1) * kInTask); ++i) {
-      throw_if_stopped();
-      take(i);
-    }
-  });
+void for_each(std::size_t count, const Share& share, const Take& take) {
+  const std::size_t in_part = share.progress ? 64 * kInTask : std::max<std::size_t>(count, 1);
+  for (std::size_t from = 0; from < count; from += in_part) {
+    const std::size_t to = std::min(count, from + in_part);
+    on_all_cores((to - from + kInTask - 1) / kInTask, [&](std::size_t task) {
+      const std::size_t begin = from + task * kInTask;
+      for (std::size_t i = begin; i < std::min(to, begin + kInTask); ++i) {
+        throw_if_stopped();
+        take(i);
+      }
+    });
+    if (share.progress)
+      share.progress(static_cast<double>(share.before + to) / static_cast<double>(share.all));
+  }
 }
 
 // A place above the ground by one metre of its own upright, which on the ellipsoid leans away.
@@ -146,9 +160,11 @@ PlaceSight LookAround::sight_of(Vec2 place, double above_m) const {
   return out;
 }
 
-std::vector<PlaceSight> LookAround::sights(std::span<const Vec2> places, double above_m) const {
+std::vector<PlaceSight> LookAround::sights(std::span<const Vec2> places, double above_m,
+                                           const std::function<void(double)>& progress) const {
   std::vector<PlaceSight> out(places.size());
-  for_each(places.size(), [&](std::size_t i) { out[i] = sight_of(places[i], above_m); });
+  for_each(places.size(), {0, places.size(), progress},
+           [&](std::size_t i) { out[i] = sight_of(places[i], above_m); });
   return out;
 }
 
@@ -165,10 +181,15 @@ SkylinePlace LookAround::place_of(Vec2 towards, const SightLine& sight) const {
   return out;
 }
 
-Skyline LookAround::skyline(double step_deg) const {
+Skyline LookAround::skyline(double step_deg, const std::function<void(double)>& progress) const {
   Skyline out;
   out.directions.resize(directions_below(step_deg, 360));
-  for_each(out.directions.size(), [&](std::size_t i) {
+  const double reach = reach_m(terrain_.surface) + length(view_.depth_origin_m);
+  const double between_deg =
+      std::clamp(atan2_angle(cell_size_m(terrain_.surface), reach).in_degrees(), 0.01, 1.0);
+  std::vector<double> distances_m(directions_below(between_deg, 360));
+  const std::size_t all = out.directions.size() + distances_m.size();
+  for_each(out.directions.size(), {0, all, progress}, [&](std::size_t i) {
     Skyline::Direction& direction_out = out.directions[i];
     direction_out.azimuth_deg = static_cast<double>(i) * step_deg;
     const Vec2 towards = direction(direction_out.azimuth_deg);
@@ -178,14 +199,10 @@ Skyline LookAround::skyline(double step_deg) const {
     direction_out.place->bearing.azimuth_deg = direction_out.azimuth_deg;
   });
 
-  const double reach = reach_m(terrain_.surface) + length(view_.depth_origin_m);
-  const double between_deg =
-      std::clamp(atan2_angle(cell_size_m(terrain_.surface), reach).in_degrees(), 0.01, 1.0);
   const auto between = [&](std::size_t i) {
     return direction_of_azimuth(Angle::degrees(static_cast<double>(i) * between_deg));
   };
-  std::vector<double> distances_m(directions_below(between_deg, 360));
-  for_each(distances_m.size(), [&](std::size_t i) {
+  for_each(distances_m.size(), {out.directions.size(), all, progress}, [&](std::size_t i) {
     const SightLine sight = lines_.skyline(between(i));
     if (sight.highest) distances_m[i] = sight.highest->distance_m;
   });

@@ -10,6 +10,7 @@
 #include "profiles/outline.hpp"
 #include "profiles/sight_lines.hpp"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,11 +26,13 @@ public:
 
   /// Of places in map coordinates (longitudes in any turn), `above_m` above the ground, which
   /// exaggeration leaves as it is. Cost: some 5 ns for a triangle on the way to each.
-  std::vector<PlaceSight> sights(std::span<const Vec2> places, double above_m) const;
+  /// `progress` is told the share done.
+  std::vector<PlaceSight> sights(std::span<const Vec2> places, double above_m,
+                                 const std::function<void(double)>& progress = {}) const;
 
   /// From north clockwise, every `step_deg` below 360. The most distant place is that of directions
   /// no farther apart than a cell at the terrain's farthest corner, or 0.01 degrees.
-  Skyline skyline(double step_deg) const;
+  Skyline skyline(double step_deg, const std::function<void(double)>& progress = {}) const;
 
 private:
   PlaceSight sight_of(Vec2 place, double above_m) const;

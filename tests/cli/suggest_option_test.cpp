@@ -72,7 +72,7 @@ TEST_CASE("meaning goes before spelling, and spelling before nothing") {
   names(render, "--contour-interval", "--contours");
   names(render, "--hachures", "no hachures yet");
   names(render, "--labels", "no names");
-  names(render, "--panorama", "no panorama yet");
+  names(render, "--panorama", "(cylindrical goes all round)?");
   names(render, "--output", "did you mean OUTPUT (named without an option)?");
   names(render, "-of", "--of");
   names(render, "--exag", "--exaggeration");

@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import signal
 import subprocess
 
 import numpy as np
@@ -34,3 +35,11 @@ def ground():
     import orograph
 
     return orograph.terrain(hills(), TRANSFORM, CRS)
+
+
+@pytest.fixture
+def ctrl_c():
+    """Python's own handler, also where the tests run in the background, which ignores Ctrl-C."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)

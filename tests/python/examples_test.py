@@ -53,6 +53,24 @@ def test_colours_by_depth(tmp_path):
     assert far[:, 1].mean() > near[:, 1].mean() + 0.3  # viridis goes from violet to yellow
 
 
+def test_horizon(tmp_path):
+    image = pytest.importorskip("matplotlib.image")
+    alps = DATA / "fractal_alps.tif"
+    names = [tmp_path / "horizon.png", tmp_path / "horizon.csv"]
+    said = run_example("horizon.py", alps, 3.08, 0.95, *names, folder=tmp_path)
+    rows = np.genfromtxt(names[1], delimiter=",", names=True)
+    horizon = orograph.read(alps).horizon(eye_lonlat=(3.08, 0.95), horizon_step=0.5)
+    assert rows.dtype.names == ("azimuth_deg", "altitude_deg", "distance_m") and len(rows) == 720
+    assert np.allclose(rows["altitude_deg"], horizon.altitude_deg, rtol=0, atol=5.01e-4)
+    assert f"{horizon.altitude_deg.max():.1f} degrees" in said
+    pixels = image.imread(names[0])[..., 0]
+    is_ground = abs(pixels - 0.8) < 0.01
+    # The skyline is higher in the south-east than in the north-west.
+    assert 0.05 < is_ground.mean() < 0.5
+    half = len(pixels) // 2
+    assert is_ground[half:, half:].mean() > 2 * is_ground[:half, :half].mean()
+
+
 @pytest.mark.parametrize("page", ["docs/python.md", "README.md"])
 def test_pages_code_runs(page, tmp_path, monkeypatch):
     """Each ```python block of a page, one after the other, as a reader would run them."""

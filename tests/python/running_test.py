@@ -51,7 +51,7 @@ def test_what_a_callback_raises_comes_through(large, ground):
     assert large.render(page="a6").to_svg() == large.render(page="a6").to_svg()
 
 
-def test_ctrl_c_in_the_middle(large):
+def test_ctrl_c_in_the_middle(large, ctrl_c):
     pressed = []
 
     def press():
