@@ -2,7 +2,9 @@
 // A walk from triangle to triangle, as over a grid (walk_grid.cpp): a vertex is *near* if its depth
 // is less than the plane's, otherwise *far*, and the plane crosses the edges between a near and a
 // far vertex. A walk begins at a border edge over which the plane comes in, and ends at another.
-// Each walk is a run of vertices; runs are put in order of u.
+// Each walk is a run of vertices; runs are put in order of u. Where a part of a profile is asked
+// for, walks begin as well at the sides of a few cells about its left end, and end beyond its right
+// one.
 #include "profiles/cut_mesh.hpp"
 
 #include "geometry/on_all_cores.hpp"
@@ -80,8 +82,9 @@ class MeshWalk {
 public:
   using Side = typename Mesh::Side;
 
-  MeshWalk(const Mesh& mesh, double depth_m, bool far_at_plane, Profile& out)
-      : mesh_(mesh), depth_m_(depth_m), far_at_plane_(far_at_plane), out_(out) {}
+  // Walks go on to the first vertex beyond `high_m`.
+  MeshWalk(const Mesh& mesh, double depth_m, double high_m, bool far_at_plane, Profile& out)
+      : mesh_(mesh), depth_m_(depth_m), high_m_(high_m), far_at_plane_(far_at_plane), out_(out) {}
 
   // The run that begins at a side of the border, if there is one; it is appended to `out`.
   std::optional<Run> from(const Side& side) {
@@ -95,11 +98,28 @@ public:
       run_along(side, from.at, to.at);
       along = true;
     }
-    if (out_.size() <= begin + 1) return std::nullopt;
-    return Run{begin, out_.size(), out_.u_m[begin], out_.u_m.back(), along};
+    return found_from(begin, along);
+  }
+
+  // The same over a side with triangles on both sides of it.
+  std::optional<Run> over(const Side& side) {
+    const std::size_t begin = out_.size();
+    const MeshVertex from = corner(side, 1), to = corner(side, 2);
+    if (is_far(from) && !is_far(to)) run(side, from, to);
+    return found_from(begin, false);
+  }
+
+  // Whether a side reaches into a part of the profile.
+  bool reaches_into(const Side& side, URange part) const {
+    const double a = corner(side, 1).at.u, b = corner(side, 2).at.u;
+    return std::max(a, b) >= part.low_m && std::min(a, b) <= part.high_m;
   }
 
 private:
+  std::optional<Run> found_from(std::size_t begin, bool along) const {
+    if (out_.size() <= begin + 1) return std::nullopt;
+    return Run{begin, out_.size(), out_.u_m[begin], out_.u_m.back(), along};
+  }
   MeshVertex corner(const Side& side, std::size_t n) const {
     return mesh_.vertex(side.triangle, (side.k + n) % 3);
   }
@@ -155,6 +175,7 @@ private:
       const bool leaves_beside_near = is_far(ahead);
       (leaves_beside_near ? far : near) = ahead;
       add_crossing(near, far, span, begin);
+      if (out_.u_m.back() > high_m_) return;
       side.k = static_cast<std::uint8_t>((side.k + (leaves_beside_near ? 1 : 2)) % 3);
       const auto next = mesh_.across(side);
       if (!next) return;
@@ -172,7 +193,7 @@ private:
   }
 
   const Mesh& mesh_;
-  double depth_m_;
+  double depth_m_, high_m_;
   bool far_at_plane_; ///< whether a vertex in the plane counts as far
   Profile& out_;      ///< of one run after the other
 };
@@ -183,7 +204,7 @@ void cut_mesh(const Mesh& mesh, const BorderSides<typename Mesh::Side>& border, 
               bool far_at_plane, Profile& out) {
   Profile found;
   std::vector<Run> runs;
-  MeshWalk<Mesh> walk(mesh, depth_m, far_at_plane, found);
+  MeshWalk<Mesh> walk(mesh, depth_m, URange{}.high_m, far_at_plane, found);
   for (const auto& side : border.at(depth_m))
     if (const auto run = walk.from(side)) runs.push_back(*run);
   keep_ground_in_front(runs);
@@ -279,11 +300,102 @@ BorderSides<GridSide> sides_of(const Grid& grid, const View& view,
       grid.heights_m);
 }
 
+// Cells, the last ones included; none where first is greater than last.
+struct CellBox {
+  int first_column, last_column, first_row, last_row;
+
+  bool has(const CellHalf& t) const {
+    return t.column >= first_column && t.column <= last_column && t.row >= first_row &&
+           t.row <= last_row;
+  }
+};
+
+// Calls take(side) with the sides about a box, by the triangles in it.
+template <class Take>
+void for_each_side_about(const CellBox& box, const Take& take) {
+  for (int column = box.first_column; column <= box.last_column; ++column) {
+    take(GridSide{{column, box.first_row, Half::upper}, 1});
+    take(GridSide{{column, box.last_row, Half::lower}, 0});
+  }
+  for (int row = box.first_row; row <= box.last_row; ++row) {
+    take(GridSide{{box.first_column, row, Half::lower}, 2});
+    take(GridSide{{box.last_column, row, Half::upper}, 0});
+  }
+}
+
+// Among them is any that holds a place of a profile, between two z: uprights lean against one
+// another, so that the ground at a place may belong to any cell below one of its heights. A
+// triangle is flat, and leaves its cell by less than a cell.
+CellBox cells_about(const Grid& grid, const View& view, ProfilePoint place, double low_z_m,
+                    double high_z_m) {
+  const EarthLattice& lattice = grid.earth();
+  const Vec2 at = view.depth_origin_m + place.u * view.right + place.v * view.forward;
+  const Vec2 low = lattice.column_row_at({at.x, at.y, low_z_m}),
+             high = lattice.column_row_at({at.x, at.y, high_z_m});
+  const auto whole = [](double cell, int count) {
+    return static_cast<int>(std::clamp(std::floor(cell), -2.0, count + 1.0));
+  };
+  return {std::max(whole(std::min(low.x, high.x), grid.columns) - 1, 0),
+          std::min(whole(std::max(low.x, high.x), grid.columns) + 1, grid.columns - 2),
+          std::max(whole(std::min(low.y, high.y), grid.rows) - 1, 0),
+          std::min(whole(std::max(low.y, high.y), grid.rows) + 1, grid.rows - 2)};
+}
+
+// Whether a place has one column, and near enough a straight way from one height to the other.
+bool is_plain(const DegreeLattice& degrees) {
+  const double from_deg = degrees.lat_deg(0), to_deg = degrees.lat_deg(degrees.rows - 1);
+  return std::abs(degrees.lon_step_deg) * degrees.columns < 180 &&
+         std::max(std::abs(from_deg), std::abs(to_deg)) < 85;
+}
+
+// A part of the profile of a grid.
+template <class Mesh>
+void cut_part(const Mesh& mesh, const BorderSides<GridSide>& border, const CellBox& left_end,
+              URange part, double depth_m, bool far_at_plane, Profile& out) {
+  Profile found;
+  std::vector<Run> runs;
+  MeshWalk<Mesh> walk(mesh, depth_m, part.high_m, far_at_plane, found);
+  const auto add = [&](const std::optional<Run>& run) {
+    if (run) runs.push_back(*run);
+  };
+  for_each_side_about(left_end, [&](const GridSide& side) {
+    const auto [column, row] = mesh.corner(side.triangle, (side.k + 2U) % 3);
+    const bool ends = std::isnan(mesh.heights[mesh.grid.index(column, row)]);
+    // Where there is nothing beyond it, it is of the border.
+    if (!ends && mesh.if_there(side) && mesh.across(side)) add(walk.over(side));
+  });
+  for (const GridSide& side : border.at(depth_m))
+    if (left_end.has(side.triangle) || walk.reaches_into(side, part)) add(walk.from(side));
+  keep_ground_in_front(runs);
+  put_in_order(found, runs, out);
+}
+
 } // namespace
 
 EarthGridCutter::EarthGridCutter(const Grid& grid, const View& view, const TriangleSet& level,
-                                 std::span<const BorderEdge> border)
-    : grid_(grid), view_(view), level_(level), border_(sides_of(grid, view, border)) {}
+                                 std::span<const BorderEdge> border, const Box3* box)
+    : grid_(grid), view_(view), level_(level), border_(sides_of(grid, view, border)) {
+  if (box && is_plain(grid.earth().degrees())) z_m_ = {box->low.z, box->high.z};
+}
+
+void EarthGridCutter::cut(double depth_m, std::span<const URange> ranges, Profile& out) const {
+  const URange part{ranges.front().low_m, ranges.back().high_m};
+  if (!z_m_ || !std::isfinite(part.low_m)) {
+    cut(depth_m, out);
+    return;
+  }
+  out.clear();
+  out.depth_m = depth_m;
+  if (!(depth_m >= nearest_m() && depth_m <= farthest_m())) return;
+  const CellBox left_end =
+      cells_about(grid_, view_, {part.low_m, depth_m, 0}, z_m_->low_m, z_m_->high_m);
+  std::visit(
+      [&]<class Height>(const Heights<Height>& heights) {
+        cut_part(CutEarthMesh<Height>{{grid_, grid_.earth(), heights, view_}, level_}, border_,
+                 left_end, part, depth_m, depth_m > nearest_m(), out);
+      },
+      grid_.heights_m);
+}
 
 void EarthGridCutter::cut(double depth_m, Profile& out) const {
   out.clear();
