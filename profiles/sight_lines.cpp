@@ -231,7 +231,7 @@ private:
     Post left = way_.post(side, 1), right = way_.post(side, 2), ahead{};
     way_.begin(side);
     before_.reset();
-    bool took = false; // whether the last edge is the highest
+    bool took = false; // whether the highest place is on the last edge
     if (meet(left, right, took)) return;
     while (way_.ahead(ahead)) {
       const bool as_left = is_left(ahead);
@@ -284,7 +284,7 @@ private:
       if (left.along <= nearest_m_ && right.along <= nearest_m_) return false;
     }
     const Crossing at = crossing(left, right);
-    if (at.along > nearest_m_ && at.along < distance_m_) took = take(at);
+    if (at.along > nearest_m_ && at.along < distance_m_) took = take(at) || is_highest(at);
     if (!reaching) return false;
     if (before_) take_ground(*before_, at);
     before_ = at;
@@ -303,6 +303,11 @@ private:
     slope_ = slope;
     at_border_ = false;
     return true;
+  }
+
+  // About a vertex in the plane all edges are crossed at that vertex.
+  bool is_highest(const Crossing& at) const {
+    return highest_ && std::abs(at.along - highest_->along) <= off_m(at) + off_m(*highest_);
   }
 
   // Of the section from one crossing to the next.
