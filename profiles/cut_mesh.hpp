@@ -5,6 +5,7 @@
 
 #include "dem/grid.hpp"
 #include "dem/tin.hpp"
+#include "geometry/box.hpp"
 #include "profiles/mesh.hpp"
 #include "profiles/outline.hpp"
 #include "profiles/profile.hpp"
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -120,27 +122,34 @@ private:
 /// Cuts one grid for one view, plane after plane, in any order; the profile is that of the TIN of
 /// its triangles (`TinCutter`). Columns and rows are curved, so depth tells nothing of where a
 /// plane comes in: it is looked for on the border, holes' borders too. Cost a plane: O(columns +
-/// rows + border edges of about its depth).
+/// rows + border edges of about its depth), of a part O(its cells + those border edges).
 class EarthGridCutter {
 public:
   /// REQUIRES a grid on the ellipsoid, its border as `border_edges` has it, and that `grid` and
-  /// `level` (the triangles whose spans are marked level; may be empty) outlive the cutter.
+  /// `level` (the triangles whose spans are marked level; may be empty) outlive the cutter. `box`,
+  /// if it is known, is that of all vertices: then parts of profiles cost less than all of them.
   EarthGridCutter(const Grid& grid, const View& view, const TriangleSet& level,
-                  std::span<const BorderEdge> border);
+                  std::span<const BorderEdge> border, const Box3* box = nullptr);
 
   void cut(double depth_m, Profile& out) const;
-  /// All of it, whatever the range.
-  void cut(double depth_m, std::span<const URange>, Profile& out) const { cut(depth_m, out); }
+  /// From the left end of the first range to the right end of the last, with the vertices next to
+  /// it; more of it may be there. All of it without a box, and about the poles.
+  void cut(double depth_m, std::span<const URange> ranges, Profile& out) const;
 
   /// Depths between which the grid's triangles lie.
   double nearest_m() const { return border_.nearest_m(); }
   double farthest_m() const { return border_.farthest_m(); }
 
 private:
+  struct ZRange {
+    double low_m, high_m;
+  };
+
   const Grid& grid_;
   View view_;
   const TriangleSet& level_;
   BorderSides<GridSide> border_;
+  std::optional<ZRange> z_m_; ///< of all vertices
 };
 
 } // namespace orograph

@@ -17,12 +17,13 @@ namespace orograph {
 /// The cutter of the surface's kind, with the promises of all.
 class SurfaceCutter {
 public:
-  /// `border` is that of `border_edges`; only a grid on the ellipsoid needs it.
+  /// `border` is that of `border_edges`; only a grid on the ellipsoid needs it, and of one `box`,
+  /// that of all vertices, makes parts of profiles cheap.
   /// REQUIRES that `surface` and `level` outlive the cutter.
   SurfaceCutter(const Surface& surface, const View& view, const TriangleSet& level,
-                const std::vector<BorderEdge>& border)
+                const std::vector<BorderEdge>& border, const Box3* box = nullptr)
       : surface_(surface), view_(view), level_(level),
-        cutter_(cutter_of(surface, view, level, border)) {}
+        cutter_(cutter_of(surface, view, level, border, box)) {}
 
   void cut(double depth_m, Profile& out) const { cut(depth_m, kAllOfProfile, out); }
   /// At least the parts of the profile in `ranges`, as GridCutter has them.
@@ -56,10 +57,10 @@ private:
   using Cutter = std::variant<GridCutter, EarthGridCutter, TinCutter>;
 
   static Cutter cutter_of(const Surface& surface, const View& view, const TriangleSet& level,
-                          const std::vector<BorderEdge>& border) {
+                          const std::vector<BorderEdge>& border, const Box3* box) {
     if (const Tin* tin = std::get_if<Tin>(&surface)) return TinCutter(*tin, view, level);
     const Grid& grid = std::get<Grid>(surface);
-    if (grid.is_on_earth()) return EarthGridCutter(grid, view, level, border);
+    if (grid.is_on_earth()) return EarthGridCutter(grid, view, level, border, box);
     return GridCutter(grid, view, level);
   }
 

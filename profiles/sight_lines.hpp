@@ -5,18 +5,14 @@
 
 #include "dem/surface.hpp"
 #include "geometry/vec.hpp"
-#include "profiles/mesh.hpp"
 #include "profiles/outline.hpp"
+#include "profiles/sight_starts.hpp"
 #include "view/view.hpp"
 
-#include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <span>
 #include <variant>
-#include <vector>
 
 namespace orograph {
 
@@ -36,16 +32,6 @@ struct SightLine {
   double rounding = 0;                                     ///< bound on that of `slope`
   bool at_border = false;           ///< that place: there is no triangle beyond it
   std::optional<SightPlace> ground; ///< the surface at the distance itself, its top on a wall
-};
-
-/// Sides of triangles over which a look may come in from where there is no surface, by direction.
-template <class Side>
-struct SightStarts {
-  std::vector<std::uint32_t> begin; ///< of the sides in bucket i; one more at the end
-  std::vector<Side> sides;
-  std::vector<decltype(Side::triangle)> under_eye; ///< all about it
-
-  std::span<const Side> towards(Vec2 direction) const;
 };
 
 /// The surface as an eye sees it, direction by direction. It knows nothing of horizons and

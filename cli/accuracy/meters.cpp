@@ -116,7 +116,7 @@ void InkMeter::see(const SeenProfile& seen) {
 }
 
 void InkMeter::see(const SeenLines& seen) {
-  const auto& [sector, clipped, lines, visible] = seen;
+  const auto& [sector, clipped, lines, visible, listed] = seen;
   if (full_) return;
   const View& view = sector.view;
   auto first = visible.begin();
@@ -283,7 +283,7 @@ void EndMeter::see(const SeenProfile& seen) {
 }
 
 void EndMeter::see(const SeenLines& seen) {
-  const auto& [sector, clipped, lines, visible] = seen;
+  const auto& [sector, clipped, lines, visible, listed] = seen;
   sector_ = &sector;
   path_.clear();
   found_.clear();

@@ -8,6 +8,7 @@
 #include "profiles/profile.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <vector>
 
 namespace orograph {
@@ -27,6 +28,9 @@ struct SeenLines {
   XRange clipped;
   const LinePictures& lines;
   const std::vector<LinePart>& visible; ///< by line
+  /// Of the lines that are listed, not found, those that may reach into the range, where that isn't
+  /// all of them.
+  const std::vector<std::uint32_t>* listed = nullptr;
 };
 
 /// Is told of every line of a drawing as it is clipped, before anything is laid out: the whole line

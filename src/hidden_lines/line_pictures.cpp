@@ -201,7 +201,8 @@ std::vector<LinePart> LinePictures::skyline(const Horizon& horizon) const {
 
 std::vector<std::vector<LineAtDepth>>
 lines_by_range(const Surface& surface, std::span<const ProfilePoint> points, const Sector& sector,
-               const std::vector<EdgeLine>& lines, std::span<const XRange> ranges, double from_m) {
+               const std::vector<EdgeLine>& lines, const std::vector<std::uint32_t>* numbers,
+               std::span<const XRange> ranges, double from_m) {
   using Found = std::vector<LineAtDepth>;
   const View& view = sector.view;
   const double rounding_m = position_rounding_m(surface, view);
@@ -222,18 +223,19 @@ lines_by_range(const Surface& surface, std::span<const ProfilePoint> points, con
       found[static_cast<std::size_t>(range - ranges.begin())].push_back({i, nearest});
   };
   constexpr std::size_t kLinesOfTask = 1U << 14U;
-  std::vector<std::vector<Found>> of_tasks((lines.size() + kLinesOfTask - 1) / kLinesOfTask);
+  const std::size_t count = numbers ? numbers->size() : lines.size();
+  std::vector<std::vector<Found>> of_tasks((count + kLinesOfTask - 1) / kLinesOfTask);
   on_all_cores(of_tasks.size(), [&](std::size_t task) {
     of_tasks[task].resize(ranges.size());
-    const std::size_t end = std::min(lines.size(), (task + 1) * kLinesOfTask);
+    const std::size_t end = std::min(count, (task + 1) * kLinesOfTask);
     for (std::size_t i = task * kLinesOfTask; i < end; ++i)
-      find(static_cast<std::uint32_t>(i), of_tasks[task]);
+      find(numbers ? (*numbers)[i] : static_cast<std::uint32_t>(i), of_tasks[task]);
   });
   std::vector<Found> out(ranges.size());
   on_all_cores(ranges.size(), [&](std::size_t range) {
-    std::size_t count = 0;
-    for (const auto& found : of_tasks) count += found[range].size();
-    out[range].reserve(count);
+    std::size_t all = 0;
+    for (const auto& found : of_tasks) all += found[range].size();
+    out[range].reserve(all);
     for (const auto& found : of_tasks) {
       throw_if_stopped();
       out[range].insert(out[range].end(), found[range].begin(), found[range].end());

@@ -151,9 +151,11 @@ inline HorizonPiece occluder_of(const SurfaceLine& line) {
   return {line.begin, line.end, line.source, line.drawn};
 }
 
-/// For each of the ranges the lines that reach into it, by number.
+/// For each of the ranges the lines that reach into it, by number. `numbers`, where it is given: of
+/// those that may, rising.
 std::vector<std::vector<LineAtDepth>>
 lines_by_range(const Surface& surface, std::span<const ProfilePoint> points, const Sector& sector,
-               const std::vector<EdgeLine>& lines, std::span<const XRange> ranges, double from_m);
+               const std::vector<EdgeLine>& lines, const std::vector<std::uint32_t>* numbers,
+               std::span<const XRange> ranges, double from_m);
 
 } // namespace orograph

@@ -76,6 +76,8 @@ struct SectorInWork {
   /// Rising, of contours that aren't among the lines; the pass finds them itself.
   std::span<const double> contour_levels_m = {};
   bool hidden_profiles = false; ///< whether what isn't visible of profiles is drawn as well
+  /// Of the lines that may reach into the range, where those aren't all.
+  const std::vector<std::uint32_t>* line_numbers = nullptr;
 
   /// Of a line on the ground.
   std::uint32_t triangle_of(std::uint32_t line) const {

@@ -8,6 +8,7 @@
 #include "hidden_lines/ground_lines.hpp"
 #include "hidden_lines/instruments.hpp"
 #include "hidden_lines/lattice_pass.hpp"
+#include "hidden_lines/lines_by_sector.hpp"
 #include "hidden_lines/profile_strokes.hpp"
 #include "hidden_lines/solid_lines.hpp"
 #include "hidden_lines/strip_pass.hpp"
@@ -45,7 +46,7 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
   const Sector& sector = work.sector;
   const View& view = sector.view;
   const auto which = lines_by_range(work.terrain.surface, work.on_ground.points, sector, work.lines,
-                                    std::span(&work.range, 1), work.from_m);
+                                    work.line_numbers, std::span(&work.range, 1), work.from_m);
   const LinePictures pictures(work.terrain.surface, work.on_ground.points, sector, work.lines,
                               work.range, work.from_m);
   LinePass lines(pictures, which.front(), work.tolerance);
@@ -193,6 +194,8 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
       out.turned_silhouettes = silhouette_marks(*grid, placed.view, !first, ground);
   }
   append_to(out.listed, out.on_ground);
+  if (placed.panorama)
+    out.by_sector = lines_by_sector(terrain.surface, out.on_ground.points, placed, out.listed);
   return out;
 }
 
@@ -205,7 +208,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   Stopwatch watch;
   const View& view = sector.view;
   const bool surface = style.occluder == Occluder::surface;
-  const SurfaceCutter cutter(terrain.surface, view, placed.level.triangles, placed.border);
+  const SurfaceCutter cutter(terrain.surface, view, placed.level.triangles, placed.border,
+                             &placed.extent.box);
   const TieTolerance tolerance = tie_tolerance(sector, style.visibility_tolerance_mm);
   const bool in_list = !surface || instruments.needs_list();
   const bool watched = !instruments.observers.empty();
@@ -220,8 +224,12 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
       // A panorama's profiles turn at its sectors' borders.
       !sector.frame_mm && (in_list || instruments.beyond_page) ? XRange{-kInfinity, kInfinity}
                                                                : page_range(sector),
-      watched, watched ? nullptr : ground, instruments.vertices_a_strip, silhouettes, &folds,
-      draws_silhouettes(style), lines.on_ground.levels_to_find_m, profiles && profiles->hidden};
+      watched && !sector.frame_mm, watched ? nullptr : ground, instruments.vertices_a_strip,
+      silhouettes, &folds, draws_silhouettes(style), lines.on_ground.levels_to_find_m,
+      profiles && profiles->hidden,
+      lines.by_sector.empty()
+          ? nullptr
+          : &lines.by_sector[static_cast<std::size_t>(&sector - placed.sectors.data())]};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and
@@ -330,7 +338,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     out.folded_mm += folds.length_mm(every_line.whole(part.line), part);
   for (LineObserver* observer : instruments.observers)
     if (observer->asks_lines())
-      observer->see(SeenLines{sector, work.range, every_line, found_parts.visible});
+      observer->see(
+          SeenLines{sector, work.range, every_line, found_parts.visible, work.line_numbers});
   watch.mark(seconds.check);
   return out;
 }

@@ -16,6 +16,7 @@
 #include "profiles/seen_ground.hpp"
 #include "profiles/silhouettes.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -57,6 +58,8 @@ struct LinesOfView {
   HiddenKinds hidden = {}; ///< of which what isn't visible is asked for, too
   /// By the lattice's other direction, where some of a panorama's sectors want that.
   std::optional<SilhouetteMarks> turned_silhouettes = {};
+  /// For each of a panorama's sectors those listed that may reach into it, by number.
+  std::vector<std::vector<std::uint32_t>> by_sector = {};
 
   const SilhouetteMarks* silhouettes_by(bool rows_are_strips) const;
 };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -20,9 +21,11 @@ std::size_t profile_count(const PlacedView& placed) {
   return count;
 }
 
-// The segments that lie in the range that was clipped, and what is visible of them.
+// The segments that reach into the range that was clipped, from which share of each to which, and
+// what is visible of them. Near a panorama's eye few lie within a sector.
 struct Clipped {
   std::vector<Segment> segments;
+  std::vector<std::pair<double, double>> shares;
   std::vector<Piece> visible;
 };
 Clipped within(const SeenProfile& seen) {
@@ -30,13 +33,20 @@ Clipped within(const SeenProfile& seen) {
   auto piece = seen.visible.begin();
   for (std::size_t i = 0; i < seen.segments.size(); ++i) {
     const Segment& segment = seen.segments[i];
-    const bool is_within = segment.x0 >= seen.clipped.begin && segment.x1 <= seen.clipped.end;
+    const auto& [begin, end] = seen.clipped;
+    const bool is_upright = segment.x0 == segment.x1;
+    const bool reaches = is_upright ? segment.x0 >= begin && segment.x1 <= end
+                                    : segment.x0 < end && segment.x1 > begin;
     for (; piece != seen.visible.end() && piece->segment == i; ++piece) {
-      if (!is_within) continue;
+      if (!reaches) continue;
       out.visible.push_back(*piece);
       out.visible.back().segment = static_cast<std::uint32_t>(out.segments.size());
     }
-    if (is_within) out.segments.push_back(segment);
+    if (!reaches) continue;
+    const double width = segment.x1 - segment.x0;
+    out.segments.push_back(segment);
+    out.shares.emplace_back(segment.x0 < begin ? (begin - segment.x0) / width : 0,
+                            segment.x1 > end ? (end - segment.x0) / width : 1);
   }
   return out;
 }
@@ -86,21 +96,24 @@ void Check::judge(const ProfileLine& line, double t, bool on_edge, bool drawn) {
 void Check::see(const SeenProfile& seen) {
   begin(seen.sector);
   const Clipped clipped = within(seen);
-  const auto& [segments, visible] = clipped;
+  const auto& [segments, shares, visible] = clipped;
   const Profile& profile = seen.profile;
-  if (segments.empty()) return;
-  for (std::uint64_t i = 0; i < a_profile_; ++i) {
+  owed_ += a_profile_;
+  if (segments.empty()) return; // the next ones are asked instead
+  for (; owed_ > 0; --owed_) {
     std::uint32_t number = 0;
     double t = 0;
-    if (i % 2 == 0 || visible.empty()) {
+    if (owed_ % 2 == 0 || visible.empty()) {
       number = static_cast<std::uint32_t>(below(segments.size()));
-      t = share();
+      const auto& [from, to] = shares[number];
+      t = from + share() * (to - from);
     } else {
       const Piece& piece = visible[below(visible.size())];
       // Where two occluders meet, rounding may leave a slit between them.
       if (piece.t_end - piece.t_begin <= kSlit) continue;
       number = piece.segment;
       t = near_end(piece.t_begin, piece.t_end);
+      if (!(t > shares[number].first && t < shares[number].second)) continue;
     }
     auto piece = std::partition_point(visible.begin(), visible.end(), [&](const Piece& p) {
       return p.segment < number || (p.segment == number && p.t_end < t);
@@ -115,35 +128,48 @@ void Check::see(const SeenProfile& seen) {
   }
 }
 
+bool Check::ask_line(const SeenLines& seen, std::uint32_t line, double t) {
+  const auto& [sector, range, lines, visible, listed] = seen;
+  const View& view = sector.view;
+  if (!lines.line(line).drawn) return false;
+  const ProfilePoint at = lines.point(line, t);
+  // Cut away, or not: rounding of the place, of the cut and of the cut's own line decides.
+  if (view.is_perspective() && at.v <= view.near_m + 4 * lines.rounding_m()) return false;
+  const bool may_be_left_out = at.v <= view.drawn_from_m + 4 * lines.rounding_m();
+  const double x = project(view, at).x;
+  if (!(x >= range.begin && x <= range.end)) return false;
+  const auto part = std::partition_point(visible.begin(), visible.end(), [&](const LinePart& p) {
+    return p.line < line || (p.line == line && p.t_end < t);
+  });
+  const bool drawn = part != visible.end() && part->line == line && part->t_begin <= t;
+  if (!drawn && may_be_left_out) return false;
+  judge(lines.whole(line), t, lines.is_edge(line), drawn);
+  return true;
+}
+
 void Check::see(const SeenLines& seen) {
   begin(seen.sector);
-  const auto& [sector, range, lines, visible] = seen;
-  const View& view = sector.view;
-  if (lines.size() == 0) return;
-  for (std::uint64_t i = 0; i < a_sector_; ++i) {
-    std::uint32_t line = 0;
-    double t = 0;
-    if (i % 2 == 0 || visible.empty()) {
-      line = static_cast<std::uint32_t>(below(lines.size()));
-      t = share();
-    } else {
-      const LinePart& part = visible[below(visible.size())];
-      line = part.line;
-      t = near_end(part.t_begin, part.t_end);
+  const auto& [sector, range, lines, visible, listed] = seen;
+  // Of a panorama's lines a sector has few.
+  const std::size_t found = lines.found().size(), first_found = lines.size() - found,
+                    from_list = listed ? listed->size() : first_found;
+  const auto number = [&](std::size_t i) {
+    return static_cast<std::uint32_t>(i >= from_list ? first_found + (i - from_list)
+                                      : listed       ? (*listed)[i]
+                                                     : i);
+  };
+  if (from_list + found == 0) return;
+  const auto ask_one = [&](bool anywhere) {
+    if (anywhere || visible.empty())
+      return ask_line(seen, number(below(from_list + found)), share());
+    const LinePart& part = visible[below(visible.size())];
+    return ask_line(seen, part.line, near_end(part.t_begin, part.t_end));
+  };
+  // Many lines are beside what is shown.
+  constexpr int kTries = 16;
+  for (std::uint64_t i = 0; i < a_sector_; ++i)
+    for (int tries = 0; tries < kTries && !ask_one(i % 2 == 0); ++tries) {
     }
-    if (!lines.line(line).drawn) continue;
-    const ProfilePoint at = lines.point(line, t);
-    // Cut away, or not: rounding of the place, of the cut and of the cut's own line decides.
-    if (view.is_perspective() && at.v <= view.near_m + 4 * lines.rounding_m()) continue;
-    const bool may_be_left_out = at.v <= view.drawn_from_m + 4 * lines.rounding_m();
-    const double x = project(view, at).x;
-    if (!(x >= range.begin && x <= range.end)) continue;
-    const auto part = std::partition_point(visible.begin(), visible.end(), [&](const LinePart& p) {
-      return p.line < line || (p.line == line && p.t_end < t);
-    });
-    const bool drawn = part != visible.end() && part->line == line && part->t_begin <= t;
-    if (drawn || !may_be_left_out) judge(lines.whole(line), t, lines.is_edge(line), drawn);
-  }
 }
 
 std::vector<Judge> judges_of(const Surface& surface, const PlacedView& placed,

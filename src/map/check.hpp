@@ -32,11 +32,14 @@ private:
   double share();
   std::size_t below(std::size_t count);
   double near_end(double begin, double end);
+  /// Whether there was anything to ask.
+  bool ask_line(const SeenLines& seen, std::uint32_t line, double t);
   void judge(const ProfileLine& line, double t, bool on_edge, bool drawn);
 
   const Surface& surface_;
   double tolerance_mm_;
   std::uint64_t a_profile_, a_sector_; ///< points asked of each profile, and of a sector's lines
+  std::uint64_t owed_ = 0;             ///< points that profiles haven't been asked yet
   const Sector* sector_ = nullptr;     ///< the one that is seen
   std::optional<Judge> judge_;         ///< of that sector
   std::mt19937_64 engine_;

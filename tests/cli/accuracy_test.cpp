@@ -225,6 +225,16 @@ TEST_CASE("without gnuplot there is the table alone, and no curve is promised") 
   CHECK(folder.names().empty());
 }
 
+TEST_CASE("accuracy refuses panoramas, and says what measures them") {
+  for (const char* projection : {"cylindrical", "equirectangular"}) {
+    const std::string refusal =
+        accuracy_refusal({kVolcano, "--projection", projection, "--eye", "2667700,6479200"});
+    INFO(projection << ": " << refusal);
+    CHECK(refusal.find("a panorama is none") != std::string::npos);
+    CHECK(refusal.find("--check") != std::string::npos);
+  }
+}
+
 TEST_CASE("wrong settings are refused") {
   CHECK(accuracy_refusal({"a.tif"}) == "accepted");
   CHECK(accuracy_refusal({"a.tif", "--profiles", "60,rows", "--view-from", "90/10"}) == "accepted");

@@ -184,13 +184,22 @@ void check(const Surface& surface, const View& view, Random& random, double size
   }
 }
 
+// `ask(random, sums)` makes a scene for each seed and checks it.
+template <class Ask>
+Sums asked_of_seeds(std::uint64_t count, const Ask& ask) {
+  Sums sums;
+  for (std::uint64_t seed = 1; seed <= last_seed(count); ++seed) {
+    Random random(seed);
+    sums.seed = seed;
+    ask(random, sums);
+  }
+  return sums;
+}
+
 } // namespace
 
 TEST_CASE("Over grids on a map plane the highest in front is that of all triangles") {
-  Sums sums;
-  for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
-    Random random(seed);
-    sums.seed = seed;
+  const Sums all = asked_of_seeds(2000, [](Random& random, Sums& sums) {
     const int columns = random.whole(2, 9), rows = random.whole(2, 9);
     GridLattice lattice{columns, rows};
     if (random.chance(0.5))
@@ -212,19 +221,16 @@ TEST_CASE("Over grids on a map plane the highest in front is that of all triangl
     view.exaggeration = random.pick({1.0, 2.0});
     if (random.chance(0.5)) view.drop = {random.share() * 1e-2, 0, random.share() * 1e-2};
     check(grid, view, random, size_m, sums);
-  }
-  CHECK(sums.in_front >= enough<20000>);
-  CHECK(sums.bare >= enough<3000>);
-  CHECK(sums.on_ground >= enough<10000>);
-  CHECK(sums.beside >= enough<3000>);
-  CHECK(sums.vague <= sums.asked / 500);
+  });
+  CHECK(all.in_front >= enough<20000>);
+  CHECK(all.bare >= enough<3000>);
+  CHECK(all.on_ground >= enough<10000>);
+  CHECK(all.beside >= enough<3000>);
+  CHECK(all.vague <= all.asked / 500);
 }
 
 TEST_CASE("Over TINs with walls and holes the highest in front is that of all triangles") {
-  Sums sums;
-  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
-    Random random(seed);
-    sums.seed = seed;
+  const Sums all = asked_of_seeds(1000, [](Random& random, Sums& sums) {
     MadeTin wanted;
     wanted.columns = random.whole(2, 8);
     wanted.rows = random.whole(2, 8);
@@ -235,7 +241,7 @@ TEST_CASE("Over TINs with walls and holes the highest in front is that of all tr
     wanted.walls = random.pick({0.0, 0.7});
     wanted.shuffled = random.chance(0.5);
     Tin tin = made_tin(random, wanted);
-    if (tin.triangles.empty()) continue;
+    if (tin.triangles.empty()) return;
     if (wanted.whole && random.chance(0.5)) add_notches(tin, random, 0.3);
     const double size_m = 10 * std::hypot(wanted.columns, wanted.rows);
     Vec2 at = plan_m(tin, static_cast<std::uint32_t>(
@@ -245,17 +251,14 @@ TEST_CASE("Over TINs with walls and holes the highest in front is that of all tr
     View view = looking_north(at, random.pick({0.0, 60.0, 200.0, random.between(0, 100)}));
     if (random.chance(0.5)) view.drop = {random.share() * 1e-3, 0, random.share() * 1e-3};
     check(tin, view, random, size_m, sums);
-  }
-  CHECK(sums.in_front >= enough<10000>);
-  CHECK(sums.on_ground >= enough<6000>);
-  CHECK(sums.vague <= sums.asked / 500);
+  });
+  CHECK(all.in_front >= enough<10000>);
+  CHECK(all.on_ground >= enough<6000>);
+  CHECK(all.vague <= all.asked / 500);
 }
 
 TEST_CASE("Over grids in degrees the highest in front is that of all triangles") {
-  Sums sums;
-  for (std::uint64_t seed = 1; seed <= last_seed(600); ++seed) {
-    Random random(seed);
-    sums.seed = seed;
+  const Sums all = asked_of_seeds(600, [](Random& random, Sums& sums) {
     MadeEarth made = random_earth(random, 9);
     // The eye is above the frame's origin, which is about the grid.
     made.origin_lon_deg =
@@ -268,16 +271,16 @@ TEST_CASE("Over grids in degrees the highest in front is that of all triangles")
       made.origin_lat_deg = made.north_deg - random.whole(0, made.rows - 1) * made.lat_step_deg;
     }
     const Grid grid = made_earth_grid(random, made);
-    if (leaning_triangles(grid) > 0) continue; // what the ellipsoid turns over isn't a surface
+    if (leaning_triangles(grid) > 0) return; // what the ellipsoid turns over isn't a surface
     const double size_m =
         111e3 * std::hypot(made.columns * made.lon_step_deg, made.rows * made.lat_step_deg);
     View view = looking_north({0, 0}, random.pick({100.0, 5000.0, random.between(0, 1e4)}));
     if (random.chance(0.5)) view.drop = {-1e-8, 0, -1e-8};
     check(grid, view, random, size_m, sums);
-  }
-  CHECK(sums.in_front >= enough<4000>);
-  CHECK(sums.on_ground >= enough<2000>);
-  CHECK(sums.vague <= sums.asked / 100);
+  });
+  CHECK(all.in_front >= enough<4000>);
+  CHECK(all.on_ground >= enough<2000>);
+  CHECK(all.vague <= all.asked / 100);
 }
 
 TEST_CASE("Of places as high the farthest is the skyline, and the terrain's end is told") {

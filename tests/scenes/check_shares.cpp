@@ -61,6 +61,9 @@ struct Line {
 template <class TruthAt>
 ShareTally check_line(const Line& line, const std::vector<LineShare>& shares, bool shares_are_drawn,
                       Random& random, const ShareCheck& check, const TruthAt& truth_at) {
+  const auto beside = [&](ProfilePoint p) { // a range is only that of a perspective view
+    return std::isfinite(check.x.begin) && !(p.u > check.x.begin * p.v && p.u < check.x.end * p.v);
+  };
   ShareTally tally;
   tally.lines = 1;
   tally.shares = shares.size();
@@ -71,7 +74,7 @@ ShareTally check_line(const Line& line, const std::vector<LineShare>& shares, bo
   if (!in_order(shares)) wrong(tally.disordered, "its shares aren't in order and apart");
   for (const double t : places_to_ask(shares, random, check)) {
     const ProfilePoint p = point_between(line.from, line.to, t);
-    if (p.v < check.nearest_m) continue;
+    if (p.v < check.nearest_m || beside(p)) continue;
     const Truth truth = truth_at(p);
     ++tally.asked;
     tally.unsure += truth == Truth::unsure;

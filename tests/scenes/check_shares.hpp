@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/profile_point.hpp"
+#include "horizon/clip_profile.hpp"
 #include "reference/sight.hpp"
 #include "solids/standing_solid.hpp"
 #include "tests/support/random.hpp"
@@ -10,6 +11,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,6 +46,8 @@ struct ShareCheck {
   double nearest_m = 0;   ///< no depths below it are asked; in perspective more than 0
   double near_end = 1e-6; ///< how far from an end of a share points lie on either side of it
   int anywhere = 3;       ///< random points on each line
+  XRange x = {-std::numeric_limits<double>::infinity(),
+              std::numeric_limits<double>::infinity()}; ///< no points beside it are asked
 };
 /// The near plane, and a slack of 1e-10 of what coordinates reach.
 ShareCheck share_check(const View& view, std::span<const StandingSolid> solids);

@@ -69,7 +69,7 @@ double highest_y(const TerrainData& terrain, const MapSpec& spec) {
     double highest = -1e9;
     void see(const SeenProfile&) override {}
     void see(const SeenLines& seen) override {
-      const auto& [sector, clipped, lines, visible] = seen;
+      const auto& [sector, clipped, lines, visible, listed] = seen;
       for (const LinePart& part : visible)
         for (const double t : {part.t_begin, part.t_end}) {
           const Vec2 at = project(sector.view, lines.point(part.line, t));

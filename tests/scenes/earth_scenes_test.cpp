@@ -80,7 +80,7 @@ public:
     }
   }
   void see(const SeenLines& seen) override {
-    const auto& [sector, clipped, lines, visible] = seen;
+    const auto& [sector, clipped, lines, visible, listed] = seen;
     for (const LinePart& part : visible) {
       const ProfileLine whole = lines.whole(part.line);
       add(sector, whole.from, whole.to, static_cast<int>(lines.line(part.line).kind), part.t_begin,

@@ -167,7 +167,7 @@ TEST_CASE("what is visible doesn't depend on pitch, roll or field, to the bit") 
                       static_cast<double>(left_vertex(segments[p.segment])), p.t_begin, p.t_end});
     }
     void see(const SeenLines& seen) override {
-      const auto& [sector, clipped, lines, visible] = seen;
+      const auto& [sector, clipped, lines, visible, listed] = seen;
       for (const LinePart& p : visible)
         parts.insert(parts.end(),
                      {sector.behind ? 1.0 : 0, static_cast<double>(p.line), p.t_begin, p.t_end});

@@ -142,6 +142,29 @@ TEST_CASE("eyes along a path", "[slow]") {
              {{"eye-0", words("--eye 400,100,350")}, {"eye-1", words("--eye 410,100,400")}});
 }
 
+TEST_CASE("panoramas along a path, each with the way ahead in its middle", "[slow]") {
+  const MadeFolder folder;
+  make_terrains(folder);
+  folder.write("inside.csv", "id,WKT\n1,\"LINESTRING(60 60,120 60,180 60)\"\n");
+  const auto eyes = [](const std::string& more) {
+    Renders renders;
+    for (const auto& [eye, place] : {std::pair{"0", "60,60"}, {"1", "120,60"}, {"2", "180,60"}})
+      renders.emplace_back(fmt::format("eye-{}", eye),
+                           words("--eye " + std::string(place) + " " + more));
+    return renders;
+  };
+  const Words cylinder = kSmall + words("--eye-height 30 --strips 2 --projection cylindrical"),
+              angles = kSmall + words("--eye-height 30 --projection equirectangular");
+  check_same(folder, {"hill.asc"}, "svg", cylinder, words("--eye-path inside.csv"),
+             eyes("--look-azimuth 90"));
+  check_same(folder, {"hill.asc"}, "geojson", angles, words("--eye-path inside.csv"),
+             eyes("--look-azimuth 90"));
+  // And with a range of its own, wherever the path leads.
+  check_same(folder, {"hill.asc"}, "svg", cylinder,
+             words("--eye-path inside.csv --azimuth-range 300:420"),
+             eyes("--azimuth-range 300:420"));
+}
+
 TEST_CASE("each eye has its own frame on the earth", "[slow]") {
   const MadeFolder folder;
   folder.write("sail.csv", "id,WKT\n1,\"LINESTRING(2.2 0.3,2.5 0.3,2.7 0.6)\"\n");

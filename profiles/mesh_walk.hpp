@@ -2,13 +2,15 @@
 // A walk from triangle to triangle, as over a grid (walk_grid.cpp): a vertex is *near* if its depth
 // is less than the plane's, otherwise *far*, and the plane crosses the edges between a near and a
 // far vertex. A walk begins at a border edge over which the plane comes in, and ends at another.
-// Each walk is a run of vertices; runs are put in order of u.
-#include "profiles/cut_mesh.hpp"
+// Each walk is a run of vertices; runs are put in order of u. Where a part of a profile is asked
+// for, walks begin as well at the sides of a few cells about its left end, and end beyond its right
+// one.
+#pragma once
 
-#include "geometry/on_all_cores.hpp"
-#include "profiles/facing.hpp"
+#include "profiles/cut_mesh.hpp"
+#include "profiles/mesh.hpp"
 #include "profiles/profile.hpp"
-#include "profiles/surface_edges.hpp"
+#include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
 #include <algorithm>
@@ -16,71 +18,30 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace orograph {
-namespace {
 
-// One walk's vertices, [begin, end) of those found.
+/// One walk's vertices, [begin, end) of those found.
 struct Run {
   std::size_t begin, end;
   double u_first, u_last;
   bool along; ///< a border edge in the plane, with nothing in front of it
 };
 
-// Takes away border edges in the plane that lie where there is ground in front of it as well: a
-// wall is missing between the two.
-void keep_ground_in_front(std::vector<Run>& runs) {
-  std::vector<Run> through;
-  for (const Run& run : runs)
-    if (!run.along) through.push_back(run);
-  std::sort(through.begin(), through.end(),
-            [](const Run& a, const Run& b) { return a.u_last < b.u_last; });
-  std::erase_if(runs, [&](const Run& run) {
-    if (!run.along) return false;
-    const auto next = std::partition_point(through.begin(), through.end(), [&](const Run& other) {
-      return other.u_last <= run.u_first;
-    });
-    return next != through.end() && next->u_first < run.u_last;
-  });
-}
+/// Takes away border edges in the plane that lie where there is ground in front of it as well: a
+/// wall is missing between the two.
+void keep_ground_in_front(std::vector<Run>& runs);
 
-// The runs of `from`, in order and joined where one ends at the vertex at which the next begins;
-// `out` is empty before. A single one is in order, and `from` gets what `out` had.
-void put_in_order(Profile& from, std::vector<Run>& runs, Profile& out) {
-  if (runs.size() == 1 && runs.front().begin == 0 && runs.front().end == from.size()) {
-    std::swap(from.u_m, out.u_m);
-    std::swap(from.z_m, out.z_m);
-    std::swap(from.after, out.after);
-    return;
-  }
-  std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
-    return a.u_first != b.u_first ? a.u_first < b.u_first : a.u_last < b.u_last;
-  });
-  for (const Run& run : runs) {
-    std::size_t i = run.begin;
-    if (out.size() > 0) {
-      if (run.u_last <= out.u_m.back() && run.u_first < out.u_m.back()) continue;
-      if (from.u_m[i] == out.u_m.back() && from.z_m[i] == out.z_m.back()) {
-        out.after.back() = from.after[i];
-        ++i;
-      }
-    }
-    for (; i < run.end; ++i) {
-      const double u = from.u_m[i];
-      out.u_m.push_back(out.size() > 0 ? std::max(u, out.u_m.back()) : u);
-      out.z_m.push_back(from.z_m[i]);
-      out.after.push_back(from.after[i]);
-    }
-  }
-}
+/// The runs of `from`, in order and joined where one ends at the vertex at which the next begins;
+/// REQUIRES an empty `out`. A single one is in order, and `from` gets what `out` had.
+void put_in_order(Profile& from, std::vector<Run>& runs, Profile& out);
 
-// Crossings on their way into a profile: of edges between vertices that a walk has met. The walk
-// itself is a chain in which each step waits for the one before; where edges are crossed is
-// reckoned for many at once.
+/// Crossings on their way into a profile: of edges between vertices that a walk has met. The walk
+/// itself is a chain in which each step waits for the one before; where edges are crossed is
+/// reckoned for many at once.
 struct CrossedEdges {
   static constexpr std::size_t kMost = 256;
 
@@ -96,26 +57,27 @@ struct CrossedEdges {
   }
 };
 
-// Exact at both ends. REQUIRES that the plane parts a from b.
-ProfilePoint crossing(double depth_m, ProfilePoint a, ProfilePoint b) {
+/// Exact at both ends. REQUIRES that the plane parts a from b.
+inline ProfilePoint crossing(double depth_m, ProfilePoint a, ProfilePoint b) {
   const double t = (depth_m - a.v) / (b.v - a.v);
   const double u = a.u + t * (b.u - a.u), z = a.z + t * (b.z - a.z);
   return {t >= 1 ? b.u : t <= 0 ? a.u : u, depth_m, t >= 1 ? b.z : t <= 0 ? a.z : z};
 }
 
-// A Mesh has triangles whose corners run counterclockwise seen from above, and
-//   Side               {triangle, k}: the side of a triangle opposite to its corner k
-//   vertex(t, k)       a triangle's corner, a MeshVertex
-//   across(side)       the same side of the triangle beyond it; none at the border
-//   span_in(t)         what the triangle holds of the surface
-//   is_wall(t)
+/// A Mesh has triangles whose corners run counterclockwise seen from above, and
+///   Side               {triangle, k}: the side of a triangle opposite to its corner k
+///   vertex(t, k)       a triangle's corner, a MeshVertex
+///   across(side)       the same side of the triangle beyond it; none at the border
+///   span_in(t)         what the triangle holds of the surface
+///   is_wall(t)
 template <class Mesh>
 class MeshWalk {
 public:
   using Side = typename Mesh::Side;
 
-  MeshWalk(const Mesh& mesh, double depth_m, bool far_at_plane, Profile& out)
-      : mesh_(mesh), depth_m_(depth_m), far_at_plane_(far_at_plane), out_(out) {}
+  // Walks go on to the first vertex beyond `high_m`.
+  MeshWalk(const Mesh& mesh, double depth_m, double high_m, bool far_at_plane, Profile& out)
+      : mesh_(mesh), depth_m_(depth_m), high_m_(high_m), far_at_plane_(far_at_plane), out_(out) {}
 
   // The run that begins at a side of the border, if there is one; it is appended to `out`.
   std::optional<Run> from(const Side& side) {
@@ -123,20 +85,34 @@ public:
     bool along = false;
     const MeshVertex from = corner(side, 1), to = corner(side, 2);
     if (is_far(from) && !is_far(to)) {
-      if constexpr (requires { mesh_.lattice; })
-        run_over_lattice(side, from, to);
-      else
-        run(side, from, to);
+      go_in(side, from, to);
     } else if (from.at.v == depth_m_ && to.at.v == depth_m_ &&
                is_far(corner(side, 0)) == is_far(from)) {
       run_along(side, from.at, to.at);
       along = true;
     }
-    if (out_.size() <= begin + 1) return std::nullopt;
-    return Run{begin, out_.size(), out_.u_m[begin], out_.u_m.back(), along};
+    return found_from(begin, along);
+  }
+
+  // The same over a side with triangles on both sides of it.
+  std::optional<Run> over(const Side& side) {
+    const std::size_t begin = out_.size();
+    const MeshVertex from = corner(side, 1), to = corner(side, 2);
+    if (is_far(from) && !is_far(to)) go_in(side, from, to);
+    return found_from(begin, false);
+  }
+
+  // Whether a side reaches into a part of the profile.
+  bool reaches_into(const Side& side, URange part) const {
+    const double a = corner(side, 1).at.u, b = corner(side, 2).at.u;
+    return std::max(a, b) >= part.low_m && std::min(a, b) <= part.high_m;
   }
 
 private:
+  std::optional<Run> found_from(std::size_t begin, bool along) const {
+    if (out_.size() <= begin + 1) return std::nullopt;
+    return Run{begin, out_.size(), out_.u_m[begin], out_.u_m.back(), along};
+  }
   MeshVertex corner(const Side& side, std::size_t n) const {
     return mesh_.vertex(side.triangle, (side.k + n) % 3);
   }
@@ -179,7 +155,14 @@ private:
     return mesh_.is_wall(side.triangle) ? beyond : std::max(span, beyond);
   }
 
-  // From a side of the border inwards.
+  // From a side of the border inwards, or from any.
+  void go_in(const Side& side, const MeshVertex& far, const MeshVertex& near) {
+    if constexpr (requires { mesh_.lattice; })
+      run_over_lattice(side, far, near);
+    else
+      run(side, far, near);
+  }
+
   void run(Side side, MeshVertex far, MeshVertex near) {
     const std::size_t begin = out_.size();
     add_crossing(near, far, Span::gap, begin);
@@ -189,6 +172,7 @@ private:
       const bool leaves_beside_near = is_far(ahead);
       (leaves_beside_near ? far : near) = ahead;
       add_crossing(near, far, span, begin);
+      if (out_.u_m.back() > high_m_) return;
       side.k = static_cast<std::uint8_t>((side.k + (leaves_beside_near ? 1 : 2)) % 3);
       const auto next = mesh_.across(side);
       if (!next) return;
@@ -237,8 +221,10 @@ private:
       edges.to[edges.count] = near_first ? far.number : near.number;
       next = {near.place.column + far.place.column - behind.column,
               near.place.row + far.place.row - behind.row};
-      if (++edges.count < CrossedEdges::kMost) continue;
-      take(edges, begin);
+      ++edges.count;
+      if (edges.u[near.number] > high_m_ && edges.u[far.number] > high_m_) break;
+      if (edges.count < CrossedEdges::kMost) continue;
+      if (!take(edges, begin)) return;
       const auto vertex = [&](std::size_t n) {
         return ProfilePoint{edges.u[n], edges.v[n], edges.z[n]};
       };
@@ -249,8 +235,8 @@ private:
     take(edges, begin);
   }
 
-  // Their crossings, to the run that began at `begin`.
-  void take(CrossedEdges& edges, std::size_t begin) {
+  // Their crossings, to the run that began at `begin`; whether it goes on.
+  bool take(CrossedEdges& edges, std::size_t begin) {
     std::array<double, CrossedEdges::kMost> u, z;
     for (std::size_t i = 0; i < edges.count; ++i) {
       const std::size_t a = edges.from[i], b = edges.to[i];
@@ -260,9 +246,12 @@ private:
       z[i] = at.z;
     }
     const bool has_level = !mesh_.level.empty();
-    for (std::size_t i = 0; i < edges.count; ++i)
+    for (std::size_t i = 0; i < edges.count; ++i) {
       add(u[i], z[i], has_level ? edges.before[i] : Span::slope, begin);
+      if (out_.u_m.back() > high_m_) return false;
+    }
     edges.count = 0;
+    return true;
   }
 
   // What the plane meets on its way through a lattice's triangle, as span_of.
@@ -297,12 +286,12 @@ private:
   }
 
   const Mesh& mesh_;
-  double depth_m_;
+  double depth_m_, high_m_;
   bool far_at_plane_; ///< whether a vertex in the plane counts as far
   Profile& out_;      ///< of one run after the other
 };
 
-// The profile of a mesh at a depth.
+/// The profile of a mesh at a depth.
 template <class Mesh>
 void cut_mesh(const Mesh& mesh, const BorderSides<typename Mesh::Side>& border, double depth_m,
               bool far_at_plane, Profile& out) {
@@ -310,118 +299,11 @@ void cut_mesh(const Mesh& mesh, const BorderSides<typename Mesh::Side>& border, 
   thread_local std::vector<Run> runs;
   found.clear();
   runs.clear();
-  MeshWalk<Mesh> walk(mesh, depth_m, far_at_plane, found);
+  MeshWalk<Mesh> walk(mesh, depth_m, URange{}.high_m, far_at_plane, found);
   for (const auto& side : border.at(depth_m))
     if (const auto run = walk.from(side)) runs.push_back(*run);
   keep_ground_in_front(runs);
   put_in_order(found, runs, out);
-}
-
-struct CutTinMesh : TinMesh {
-  const TriangleSet &level, &walls, &turned_walls;
-
-  bool is_wall(std::uint32_t t) const { return !walls.empty() && walls.has(t); }
-  Span span_in(std::uint32_t t) const {
-    if (is_wall(t)) return turned_walls.has(t) ? Span::gap : Span::wall;
-    return !level.empty() && level.has(t) ? Span::level : Span::slope;
-  }
-};
-
-std::vector<TinSide> border_of(const Tin& tin) {
-  std::vector<TinSide> border;
-  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
-    throw_if_stopped(t);
-    for (std::uint8_t k = 0; k < 3; ++k)
-      if (tin.neighbours[t][k] == kNoTriangle) border.push_back({t, k});
-  }
-  return border;
-}
-
-} // namespace
-
-TinCutter::TinCutter(const Tin& tin, const View& view, const TriangleSet& level)
-    : tin_(tin), view_(view), level_(level), nearest_m_(std::numeric_limits<double>::infinity()),
-      farthest_m_(-nearest_m_), walls_(walls_of(tin)),
-      border_(border_of(tin), [&](const TinSide& side) {
-        const auto depth = [&](std::size_t n) {
-          return to_profile_frame(view,
-                                  tin.vertices_m[tin.triangles[side.triangle][(side.k + n) % 3]])
-              .v;
-        };
-        const double a = depth(1), b = depth(2);
-        return BorderSides<TinSide>::Depths{std::min(a, b), std::max(a, b)};
-      }) {
-  std::size_t step = 0;
-  for (const Vec3& vertex : tin.vertices_m) {
-    throw_if_stopped(step++);
-    const double v = to_profile_frame(view, vertex).v;
-    nearest_m_ = std::min(nearest_m_, v);
-    farthest_m_ = std::max(farthest_m_, v);
-  }
-  if (walls_.empty()) return;
-  turned_walls_ = TriangleSet(tin.triangles.size());
-  const std::vector<std::uint8_t> facing = facing_of_triangles(tin, view);
-  for (std::size_t t = 0; t < facing.size(); ++t)
-    if (walls_.has(t) && (facing[t] & kMayTurn)) turned_walls_.add(t); // edge-on, too
-}
-
-void TinCutter::cut(double depth_m, Profile& out) const {
-  out.clear();
-  out.depth_m = depth_m;
-  if (!(depth_m >= nearest_m_ && depth_m <= farthest_m_)) return;
-  // Vertices in the plane count as far, except where the TIN only touches the plane from behind:
-  // then nothing would be near.
-  cut_mesh(CutTinMesh{{tin_, view_}, level_, walls_, turned_walls_}, border_, depth_m,
-           depth_m > nearest_m_, out);
-}
-
-namespace {
-
-template <class Height>
-struct CutEarthMesh : GridMesh<EarthLattice, Height> {
-  const TriangleSet& level;
-
-  bool is_wall(const CellHalf&) const { return false; }
-  Span span_in(const CellHalf& t) const {
-    return !level.empty() && level.has(grid_triangle(this->grid, t.column, t.row, t.half))
-               ? Span::level
-               : Span::slope;
-  }
-};
-
-BorderSides<GridSide> sides_of(const Grid& grid, const View& view,
-                               std::span<const BorderEdge> border) {
-  std::vector<GridSide> sides;
-  sides.reserve(border.size());
-  for (const auto& [edge, left] : border) sides.push_back(side_of(grid, edge, left));
-  return std::visit(
-      [&](const auto& heights) {
-        const GridMesh mesh{grid, grid.earth(), heights, view};
-        return BorderSides<GridSide>(sides, [&](const GridSide& side) {
-          const double a = mesh.vertex(side.triangle, (side.k + 1U) % 3).at.v,
-                       b = mesh.vertex(side.triangle, (side.k + 2U) % 3).at.v;
-          return BorderSides<GridSide>::Depths{std::min(a, b), std::max(a, b)};
-        });
-      },
-      grid.heights_m);
-}
-
-} // namespace
-
-EarthGridCutter::EarthGridCutter(const Grid& grid, const View& view, const TriangleSet& level,
-                                 std::span<const BorderEdge> border)
-    : grid_(grid), view_(view), level_(level), border_(sides_of(grid, view, border)) {}
-
-void EarthGridCutter::cut(double depth_m, Profile& out) const {
-  out.clear();
-  out.depth_m = depth_m;
-  if (!(depth_m >= nearest_m() && depth_m <= farthest_m())) return;
-  std::visit(
-      [&]<class Height>(const Heights<Height>& heights) {
-        cut_mesh(CutEarthMesh<Height>{{grid_, grid_.earth(), heights, view_}, level_}, border_,
-                 depth_m, depth_m > nearest_m(), out);
-      },
-      grid_.heights_m);
 }
 
 } // namespace orograph
