@@ -3,6 +3,7 @@
 #include "profiles/cut_mesh.hpp"
 #include "profiles/facing.hpp"
 #include "profiles/mesh_walk.hpp"
+#include "profiles/surface_edges.hpp"
 #include "view/view.hpp"
 
 #include <algorithm>

@@ -62,6 +62,7 @@ class RenderOptions(TypedDict, total=False):
     exaggeration: Several | None
     profiles: int | str | None
     spacing: Several | None
+    detail: float | str | None
     spread: Literal["even", "planes"] | None
     light: Several | None
     light_contrast: float | str | None
