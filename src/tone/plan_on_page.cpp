@@ -13,7 +13,9 @@
 namespace orograph {
 namespace {
 
-constexpr int kMostHalvings = 6;
+// Beside an eye that stands 5 m above cells of 75 m, ground seen edge-on runs through depths so
+// fast that 6 leave gaps of four spacings; of ordinary views 10 change nothing.
+constexpr int kMostHalvings = 10;
 // Less of a line isn't worth one.
 constexpr double kLeastLine_mm = 2;
 // Rounds of halving make no more profiles than this for each that was planned.
