@@ -58,7 +58,8 @@ inline bool may_be_ridge(ProfilePoint from, ProfilePoint to, ProfilePoint left,
                          ProfilePoint right) {
   const auto [sum, bound] =
       triple_product(from_to(from, to), from_to(from, left), from_to(from, right));
-  return sum <= bound;
+  // On level ground both are exactly 0: it doesn't bend, though rounding may turn one of the two.
+  return sum <= bound && (sum != 0 || bound != 0);
 }
 
 } // namespace orograph

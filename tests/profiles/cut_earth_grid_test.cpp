@@ -325,9 +325,6 @@ TEST_CASE("a grid on the ellipsoid is cut as the TIN of its triangles, bit for b
             made.origin_lon_deg, made.origin_lat_deg);
     compare(random, made_earth_grid(random, made), sum);
   }
-  WARN(sum.grids << " grids, " << sum.leaning << " with cliffs that lean over; " << sum.profiles
-                 << " profiles of " << sum.vertices << " vertices, " << sum.level
-                 << " level spans, " << sum.gaps << " gaps; " << sum.empty << " empty");
   CHECK(sum.grids - sum.leaning > enough<800>);
   CHECK(sum.leaning > enough<50>);
   CHECK(sum.vertices > enough<200000>);
@@ -346,8 +343,6 @@ TEST_CASE("parts of profiles are those of whole ones, bit for bit") {
     if (triangles_of(grid).empty() || leaning_triangles(grid) > 0) continue;
     compare_parts(random, grid, sum);
   }
-  WARN(sum.asked << " parts, " << sum.vertices << " vertices, " << sum.gaps << " from gaps; "
-                 << sum.shorter << " shorter than the whole");
   CHECK(sum.asked > enough<20000>);
   CHECK(sum.vertices > enough<50000>);
   CHECK(sum.gaps > enough<1000>);
@@ -365,8 +360,6 @@ TEST_CASE("and as its triangles are, one by one") {
     if (triangles_of(grid).empty() || leaning_triangles(grid) > 0) continue;
     check_sections(random, grid, asked);
   }
-  WARN(asked.places << " places, " << asked.gaps << " in gaps, " << asked.level << " level, "
-                    << asked.in_plane << " on edges in the plane, " << asked.ends << " crossings");
   CHECK(asked.places > enough<50000>);
   CHECK(asked.gaps > enough<5000>);
   CHECK(asked.level > enough<5000>);
