@@ -12,11 +12,10 @@ namespace orograph {
 /// where they are, so cells are stretched until a whole number of them fits in between. Each height
 /// is a mean over the cells around, weighted by nearness, which takes noise away; where the ground
 /// is a ridge or a valley floor at this size it goes back towards the highest or the lowest of
-/// them, and a summit has its own height (what a mean alone would cost: Leonowicz, Jenny and Hurni
-/// 2009, "Automatic generation of hypsometric layers for small-scale maps", section 3). What is
-/// nearest to a void is one. Where `is_kept` of the vertex that is nearest, its height is taken as
-/// it is: a lake stays level. It is asked from several threads.
-/// REQUIRES step >= 2 and 3 rows and columns at least. Cost: some 5 ns a height of the given grid.
+/// them, which a mean alone would level, and a summit has its own height. What is nearest to a void
+/// is one. Where `is_kept` of the vertex that is nearest, its height is taken as it is: a lake
+/// stays level. It is asked from several threads. REQUIRES step >= 2 and 3 rows and columns at
+/// least. Cost: some 5 ns a height of the given grid.
 Grid generalised(const Grid& grid, int step,
                  const std::function<bool(int column, int row)>& is_kept);
 

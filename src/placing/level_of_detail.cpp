@@ -15,8 +15,8 @@
 namespace orograph {
 namespace {
 
-// By looking at twelve terrains: cells of half the lines' spacing leave the noise of satellites'
-// heights in, cells of all of it take valleys away.
+// By looking: with half of it a tile of 1200 cells on A4 keeps the noise of satellites' heights;
+// three times as much takes side valleys away.
 constexpr double kCellsOfSpacing = 0.8;
 constexpr std::size_t kSummits = 10;
 
