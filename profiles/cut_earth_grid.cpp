@@ -48,6 +48,7 @@ BorderSides<GridSide> sides_of(const Grid& grid, const View& view,
 struct CellBox {
   int first_column, last_column, first_row, last_row;
 
+  bool empty() const { return first_column > last_column || first_row > last_row; }
   bool has(const CellHalf& t) const {
     return t.column >= first_column && t.column <= last_column && t.row >= first_row &&
            t.row <= last_row;
@@ -57,6 +58,7 @@ struct CellBox {
 // Calls take(side) with the sides about a box, by the triangles in it.
 template <class Take>
 void for_each_side_about(const CellBox& box, const Take& take) {
+  if (box.empty()) return;
   for (int column = box.first_column; column <= box.last_column; ++column) {
     take(GridSide{{column, box.first_row, Half::upper}, 1});
     take(GridSide{{column, box.last_row, Half::lower}, 0});
