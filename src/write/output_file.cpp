@@ -7,6 +7,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sched.h>
+#include <signal.h>
 #include <stdio.h> // renameat2
 #include <sys/stat.h>
 #include <unistd.h>
@@ -18,7 +20,9 @@
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -156,6 +160,29 @@ int rename_to_free_place(const char* temporary, const char* path) {
   return 0;
 }
 
+// Taken by whoever renames several files or removes all, so that neither comes into the other's
+// midst. A signal handler may wait for it: who holds it has signals wait in his own thread.
+std::atomic_flag names_change = ATOMIC_FLAG_INIT;
+
+class NamesChange {
+public:
+  NamesChange() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+    while (names_change.test_and_set()) ::sched_yield();
+  }
+  ~NamesChange() {
+    names_change.clear();
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  NamesChange(const NamesChange&) = delete;
+  NamesChange& operator=(const NamesChange&) = delete;
+
+private:
+  sigset_t before_{};
+};
+
 } // namespace
 
 OutputFile::OutputFile(const std::string& path, bool overwrite)
@@ -169,9 +196,12 @@ OutputFile::~OutputFile() {
   forget_removal(noted_);
 }
 
-void OutputFile::commit() {
+void OutputFile::flush() const {
   flush_to_disk(temporary_path_, path_);
   if (overwrite_) take_over_rights(temporary_path_, path_);
+}
+
+void OutputFile::rename_to_place() {
   const char *const from = temporary_path_.c_str(), *const to = path_.c_str();
   const int error_number = !overwrite_               ? rename_to_free_place(from, to)
                            : ::rename(from, to) == 0 ? 0
@@ -181,7 +211,19 @@ void OutputFile::commit() {
   committed_ = true;
 }
 
+void OutputFile::commit() {
+  flush();
+  rename_to_place();
+}
+
+void commit_together(std::span<const std::unique_ptr<OutputFile>> files) {
+  for (const auto& file : files) file->flush();
+  const NamesChange change;
+  for (const auto& file : files) file->rename_to_place();
+}
+
 void remove_temporary_files() noexcept {
+  const NamesChange change;
   for (Slot& slot : slots)
     if (slot.state == SlotState::used) remove_with_companions(slot.path.data());
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <string>
 
 namespace orograph {
@@ -27,14 +29,23 @@ public:
   void commit();
 
 private:
+  friend void commit_together(std::span<const std::unique_ptr<OutputFile>>);
+  void flush() const;
+  void rename_to_place();
+
   std::string path_, temporary_path_;
   std::size_t noted_ = 0; ///< for removal
   bool overwrite_ = false, committed_ = false;
 };
 
+/// Commits files that belong together, as sheets of a plot do: all are flushed before the first is
+/// renamed, and `remove_temporary_files` waits until the last one is, so that a program that is
+/// interrupted has all of them or none. Throws Error as `commit` does; where renaming itself fails,
+/// those before it stay.
+void commit_together(std::span<const std::unique_ptr<OutputFile>> files);
+
 /// Removes the temporary files of all OutputFiles that live in this process, for a program that
-/// ends at once; safe in signal handlers. A thread that makes one has SIGINT and SIGTERM wait until
-/// it is known here.
+/// ends at once; safe in signal handlers. A file is noted for it before it is there.
 void remove_temporary_files() noexcept;
 
 } // namespace orograph

@@ -189,7 +189,7 @@ void write_drawings(const std::vector<Drawing>& drawings, const std::vector<std:
     files.push_back(std::make_unique<OutputFile>(paths[i], options.overwrite));
     write_to_file(drawings[i], paths[i], options, *files.back());
   }
-  for (const auto& file : files) file->commit();
+  commit_together(files);
 }
 
 std::map<std::string, std::string> library_versions() {
