@@ -203,7 +203,7 @@ TEST_CASE("coarse ground has the terrain's heights") {
 }
 
 TEST_CASE("TINs and degrees are chosen for as well, on any number of threads") {
-  for (std::uint64_t seed = 1; seed <= last_seed(20); ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(10); ++seed) {
     CAPTURE(seed);
     std::vector<TerrainData> terrains{random_scene(seed).terrain, random_tin_scene(seed).terrain,
                                       random_earth_scene(seed, Stand::frames_terrain).terrain};

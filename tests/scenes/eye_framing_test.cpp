@@ -139,7 +139,7 @@ TerrainData made_terrain(int columns, int rows, double step_m, const Height& hei
 
 TEST_CASE("skyline and foreground fill an eye's page, uprights upright") {
   int framed = 0, centred = 0, over_ground = 0, ended = 0;
-  for (std::uint64_t seed = 1; seed <= last_seed(400); ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
     EyeScene scene = eye_scene(seed);
     CAPTURE(seed);
     std::optional<PlacedView> placed;

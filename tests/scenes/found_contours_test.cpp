@@ -23,7 +23,7 @@
 namespace orograph::found_contours_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(400);
+constexpr std::uint64_t kScenes = last_seed(160);
 
 // Whoever watches is shown a list of all lines.
 class Watcher : public LineObserver {

@@ -18,7 +18,7 @@ namespace {
 
 using Layers = std::vector<LayerSpec>;
 
-constexpr std::uint64_t kScenes = last_seed(1000);
+constexpr std::uint64_t kScenes = last_seed(400);
 
 // Whoever watches is shown a list of all lines.
 class Watcher : public LineObserver {

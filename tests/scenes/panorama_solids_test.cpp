@@ -18,7 +18,7 @@
 namespace orograph::panorama_solids_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(40);
+constexpr std::uint64_t kScenes = last_seed(20);
 
 struct Scene {
   SolidScene made;

@@ -14,7 +14,7 @@
 namespace orograph::strips_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(400);
+constexpr std::uint64_t kScenes = last_seed(200);
 
 struct Tally {
   std::size_t strips = 0, lines = 0;

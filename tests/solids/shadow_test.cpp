@@ -13,7 +13,7 @@ namespace {
 
 using Real = long double;
 
-constexpr std::uint64_t kLines = last_seed(20000);
+constexpr std::uint64_t kLines = last_seed(10000);
 constexpr int kPlaces = 25;
 // Places closer to the other answer than this aren't asked: shares are rounded.
 constexpr Real kClose = 1e-9L;
@@ -201,5 +201,5 @@ TEST_CASE("neighbouring shadows meet in the same share") {
     CHECK(first.end == second.begin);
     ++met;
   }
-  CHECK(met > enough<100>);
+  CHECK(met > enough<50>);
 }

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Words sweep_of(const std::string& out_dir, const Words& more) {
-  return words("sweep fine.asc -q --no-seconds --of geojson --page 100x75 --margin 2 --profiles 160"
+  return words("sweep fine.asc -q --no-seconds --of geojson --page 100x75 --margin 2 --profiles 80"
                " --azimuth 0:354:6 --elevation 30 --name v{index}") +
          Words{out_dir} + more;
 }
