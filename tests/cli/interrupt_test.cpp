@@ -15,7 +15,7 @@ using namespace orograph;
 
 namespace {
 
-constexpr int kSize = 1000;
+constexpr int kSize = 700;
 
 /// A terrain that takes seconds to draw: an ESRI .bil of int16 with its header.
 void make_big_terrain(const MadeFolder& folder) {

@@ -89,6 +89,7 @@ TEST_CASE("order changes no ink of any sample") {
   terrains.push_back(read_terrain({(kSamples / "quarry_points.csv").string()}, with_breaklines));
   for (std::size_t i = 0; i < terrains.size(); ++i)
     for (const Light light : {Light::off, Light::by_width, Light::by_density}) {
+      if (light != Light::by_width && i % 3 != 0) continue; // widths end strokes
       INFO(names[i]);
       MapSpec spec = spec_with(light);
       spec.style.layers = {"profiles", "edges", "waterlines",  "shores",

@@ -42,7 +42,7 @@ void check_cancelled(const Session& session, const MapSpec& spec, const Control&
 
 TEST_CASE("progress rises from 0 to 1, told by one thread at a time") {
   const Session session = small_session();
-  for (const MapSpec& spec : many_specs(kSmallSide)) {
+  for (const MapSpec& spec : enough_specs(kSmallSide)) {
     std::vector<double> told;
     bool is_telling = false, overlapped = false;
     Control control;
@@ -63,7 +63,7 @@ TEST_CASE("progress rises from 0 to 1, told by one thread at a time") {
 
 TEST_CASE("the number of threads never changes a drawing") {
   const Session session = small_session();
-  for (const MapSpec& spec : many_specs(kSmallSide)) {
+  for (const MapSpec& spec : enough_specs(kSmallSide)) {
     const std::string drawn = drawn_bytes(session, spec);
     for (const int jobs : {1, 2, 99}) CHECK((drawn_bytes(session, spec, {.jobs = jobs}) == drawn));
   }
@@ -100,7 +100,7 @@ TEST_CASE("what is stopped before it begins does nothing") {
 
 TEST_CASE("stopped in the midst of the profiles, a session draws as before", "[unsanitized]") {
   const Session session = small_session();
-  for (const MapSpec& spec : many_specs(kSmallSide)) {
+  for (const MapSpec& spec : enough_specs(kSmallSide)) {
     const std::string drawn = drawn_bytes(session, spec);
     for (const double at : {0.0, 0.9})
       for (const int jobs : {0, 1}) {
@@ -120,7 +120,7 @@ TEST_CASE("stopped in the midst of the profiles, a session draws as before", "[u
 
 TEST_CASE("what progress throws comes out as it is, and the session draws as before") {
   const Session session = small_session();
-  for (const MapSpec& spec : many_specs(kSmallSide)) {
+  for (const MapSpec& spec : enough_specs(kSmallSide)) {
     const std::string drawn = drawn_bytes(session, spec);
     for (const int jobs : {0, 1}) {
       const Control control{.progress =

@@ -3,6 +3,7 @@
 
 #include "bench/scenes.hpp"
 #include "tests/dem/temp_folder.hpp"
+#include "tests/support/random.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -78,6 +79,12 @@ std::vector<MapSpec> many_specs(int side) {
   specs[7].style.plan = GroundSpacing{4 * kCell_m};
   specs[7].view.exaggeration = 3;
   specs[7].page.width_mm = 400;
+  return specs;
+}
+
+std::vector<MapSpec> enough_specs(int side) {
+  std::vector<MapSpec> specs = many_specs(side);
+  specs.resize(last_seed(specs.size()));
   return specs;
 }
 

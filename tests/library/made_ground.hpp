@@ -38,6 +38,8 @@ GivenPlace middle(int side);
 /// Views that differ in all that a stage asks for: projections, eyes in the landscape, sectors
 /// ahead and behind, occluders, layers, ground points, checks.
 std::vector<MapSpec> many_specs(int side);
+/// Of them as many as `last_seed` says.
+std::vector<MapSpec> enough_specs(int side);
 
 /// The bytes of the file that `write_drawing` makes: SVG, or GeoJSON of a drawing that is tied to
 /// the ground.
