@@ -102,8 +102,8 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                      .name = "--detail",
                      .value = "MM|auto|file",
                      .help =
-                         "Cells of the surface that is drawn: about so large on the page, where "
-                         "the file's are smaller; as the lines' spacing asks; or the file's own",
+                         "Cells of the surface that is drawn: about so large on the page; as the "
+                         "lines' spacing asks; or the file's own",
                      .allowed = "millimetres from 0.01 to 100, or auto, or file",
                      .by_default = "auto; in geojson and gpkg file",
                      .words = {"auto", "file"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/levels/generalise.hpp"
 
+#include "dem/levels/stretched_lattice.hpp"
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
@@ -151,29 +152,13 @@ double with_character(const Made& made, int columns, int rows, int column, int r
   return mean + share * ((bend > 0 ? highest : lowest) - mean);
 }
 
-std::variant<PlaneLattice, EarthLattice> stretched(const Grid& grid, int columns, int rows) {
-  const double across = (grid.columns - 1.0) / (columns - 1), down = (grid.rows - 1.0) / (rows - 1);
-  if (!grid.is_on_earth()) {
-    PlaneLattice lattice = grid.plane();
-    lattice.column_step_m = across * lattice.column_step_m;
-    lattice.row_step_m = down * lattice.row_step_m;
-    return lattice;
-  }
-  DegreeLattice degrees = grid.earth().degrees();
-  degrees.lon_step_deg *= across;
-  degrees.lat_step_deg *= down;
-  degrees.columns = columns;
-  degrees.rows = rows;
-  return EarthLattice(degrees, grid.earth().frame(), grid.earth().exaggeration());
-}
-
 } // namespace
 
 Grid generalised(const Grid& grid, int step, const std::function<bool(int, int)>& is_kept) {
   const int columns = vertices_for(grid.columns, step), rows = vertices_for(grid.rows, step);
   const std::vector<Window> across = windows_of(grid.columns, columns),
                             down = windows_of(grid.rows, rows);
-  Grid out{columns, rows, stretched(grid, columns, rows), {}};
+  Grid out{columns, rows, stretched_lattice(grid, columns, rows), {}};
   std::visit(
       [&]<class Height>(const Heights<Height>& heights) {
         const Made made = looked_at(grid, heights, across, down);

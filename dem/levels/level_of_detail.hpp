@@ -7,9 +7,9 @@
 namespace orograph {
 
 struct LevelOfDetail {
-  int step = 1;                     ///< of the file's cells, about, to one that is drawn
+  double step = 1;                  ///< of the file's cells to one that is drawn; 0.5 halves them
   double cell_m = 0, cell_mm = 0;   ///< on the ground; on the page at most
-  double greatest_m = 0, rms_m = 0; ///< departure of heights, at the file's vertices
+  double greatest_m = 0, rms_m = 0; ///< departure of heights, at the larger cells' vertices
   std::size_t summits = 0;          ///< of the ten highest, those on the page
   double summit_moved_mm = 0;       ///< on the page, at most of these
 };

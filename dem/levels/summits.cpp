@@ -11,7 +11,7 @@
 namespace orograph {
 namespace {
 
-constexpr int kApart = 16; // cells of the level
+constexpr int kApart = 16; // of the larger cells
 
 struct Highest {
   double height_m;
@@ -39,12 +39,23 @@ std::vector<Highest> highest_of_squares(const Grid& grid, int side) {
   return squares;
 }
 
+// None beside it is higher.
+bool is_top(const Grid& grid, const Highest& highest) {
+  for (int row = std::max(0, highest.row - 1); row <= std::min(grid.rows - 1, highest.row + 1);
+       ++row)
+    for (int column = std::max(0, highest.column - 1);
+         column <= std::min(grid.columns - 1, highest.column + 1); ++column)
+      if (grid.height_m(column, row) > highest.height_m) return false;
+  return true;
+}
+
 } // namespace
 
 std::vector<Summit> summits_of(const Grid& grid, const Grid& level, std::size_t most) {
   const double per_column = (level.columns - 1.0) / (grid.columns - 1),
                per_row = (level.rows - 1.0) / (grid.rows - 1);
-  const int side = std::max(1, static_cast<int>(kApart / std::max(per_column, per_row)));
+  const int side =
+      std::max(1, static_cast<int>(kApart / std::min(1.0, std::max(per_column, per_row))));
   std::vector<Highest> squares = highest_of_squares(grid, side);
   std::sort(squares.begin(), squares.end(), [](const Highest& a, const Highest& b) {
     return a.height_m != b.height_m ? a.height_m > b.height_m
@@ -59,14 +70,17 @@ std::vector<Summit> summits_of(const Grid& grid, const Grid& level, std::size_t 
       return std::abs(other.column - highest.column) < side &&
              std::abs(other.row - highest.row) < side;
     });
-    // The highest of its square may stand on a slope that goes on rising in the next one: that one
-    // comes first, and is near.
+    // The highest of its square may stand on a slope that goes on rising in the next one.
     taken.push_back(highest);
-    if (!is_apart) continue;
+    if (!is_apart || !is_top(grid, highest)) continue;
     Summit summit{grid.vertex_m(highest.column, highest.row), {}};
     double drawn_m = -std::numeric_limits<double>::infinity();
     const auto column = static_cast<int>(std::lround(highest.column * per_column)),
                row = static_cast<int>(std::lround(highest.row * per_row));
+    if (const double height = level.height_m(column, row); !std::isnan(height)) {
+      drawn_m = height; // before those beside that are as high
+      summit.drawn_m = level.vertex_m(column, row);
+    }
     for (int r = std::max(0, row - 1); r <= std::min(level.rows - 1, row + 1); ++r)
       for (int c = std::max(0, column - 1); c <= std::min(level.columns - 1, column + 1); ++c)
         if (const double height = level.height_m(c, r); height > drawn_m) {

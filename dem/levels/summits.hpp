@@ -14,7 +14,7 @@ struct Summit {
   Vec3 drawn_m;   ///< the highest vertex of the level within a cell of it
 };
 
-/// The `most` highest, from the highest on: each the highest ground within 16 cells of the level.
+/// The `most` highest, from the highest on: each the highest ground within 16 of the larger cells.
 /// REQUIRES a level that has the grid's corners. Cost: one look at each height.
 std::vector<Summit> summits_of(const Grid& grid, const Grid& level, std::size_t most);
 

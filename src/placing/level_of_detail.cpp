@@ -3,6 +3,7 @@
 
 #include "dem/levels/departure.hpp"
 #include "dem/levels/generalise.hpp"
+#include "dem/levels/refine.hpp"
 #include "dem/levels/summits.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/level_ground.hpp"
@@ -19,6 +20,11 @@ namespace {
 // three times as much takes side valleys away.
 constexpr double kCellsOfSpacing = 0.8;
 constexpr std::size_t kSummits = 10;
+constexpr int kLeastCells = 16; // along the shorter side
+// Smaller ones show no more: a cell of 4 mm, as a sample of 60 x 90 has on A4, is 0.5 mm then.
+constexpr double kMostParts = 8;
+// A terrain of so many vertices takes a fifth of a second, whatever it shows of them.
+constexpr double kMostRefined = 1e6;
 
 double asked_mm(const Style& style) {
   if (style.detail.cell_mm) return *style.detail.cell_mm;
@@ -71,6 +77,34 @@ bool has_vertex(const TriangleSet& triangles, const Grid& grid, int column, int 
          has(column - 1, row, Half::upper) || has(column, row - 1, Half::lower);
 }
 
+// Of the file's cells to one that is drawn, about; less than one where the page shows the file's as
+// facets. What the eye stands over has cells of any size on the page.
+double chosen_step(const Grid& grid, double asked_mm, double cell_mm) {
+  const double doublings = std::floor(std::log2(asked_mm / cell_mm) + 0.5);
+  const int smaller_side = std::min(grid.columns, grid.rows);
+  double step = 1;
+  for (int k = 0; k < doublings && smaller_side / (2 * step) >= kLeastCells; ++k) step *= 2;
+  for (int k = 0; k < -doublings && 1 / step < kMostParts; ++k) {
+    if (4 * static_cast<double>(grid.size()) / (step * step) > kMostRefined) break;
+    step /= 2;
+  }
+  return step;
+}
+
+// How far the highest summits of the page move on it.
+void tell_summits(LevelOfDetail& level, const Grid& grid, const Grid& drawn,
+                  const PlacedView& placed) {
+  for (const Summit& summit : summits_of(grid, drawn, kSummits)) {
+    const auto place = [&](Vec3 at) { return placed.on_page(to_profile_frame(placed.view, at)); };
+    const Vec3 from = place(summit.of_file_m), to = place(summit.drawn_m);
+    if (!is_on_page(placed, from) || !(to.z > 0)) continue;
+    ++level.summits;
+    level.summit_moved_mm =
+        std::max(level.summit_moved_mm,
+                 std::hypot(from.x / from.z - to.x / to.z, from.y / from.z - to.y / to.z));
+  }
+}
+
 } // namespace
 
 std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec& spec,
@@ -85,42 +119,31 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   const PlacedView placed = placed_picture(file, facts, spec, solids);
   const double cell_mm = greatest_cell_mm(placed, *grid);
   if (!(cell_mm > 0)) return std::nullopt;
-  const double doublings = std::floor(std::log2(asked_mm(spec.style) / cell_mm) + 0.5);
-  const int smaller_side = std::min(grid->columns, grid->rows);
-  constexpr int kLeastCells = 16;
-  int step = 1;
-  for (int k = 0; k < doublings && smaller_side / (2 * step) >= kLeastCells; ++k) step *= 2;
-  if (step == 1) return std::nullopt;
-
-  const Grid made = generalised(*grid, step, [&](int column, int row) {
-    const TriangleSet& water = facts.water.triangles;
-    return !water.empty() && has_vertex(water, *grid, column, row);
-  });
   LevelOfDetail level;
-  level.step = step;
+  level.step = chosen_step(*grid, asked_mm(spec.style), cell_mm);
+  if (level.step == 1) return std::nullopt;
+
+  const bool is_finer = level.step < 1;
+  const Grid made =
+      is_finer ? refined(*grid, static_cast<int>(1 / level.step))
+               : generalised(*grid, static_cast<int>(level.step), [&](int column, int row) {
+                   const TriangleSet& water = facts.water.triangles;
+                   return !water.empty() && has_vertex(water, *grid, column, row);
+                 });
   level.cell_m = cell_size_m(made);
-  level.cell_mm = step * cell_mm;
-  const Departure departure = departure_of(made, *grid);
+  level.cell_mm = level.step * cell_mm;
+  const Departure departure = is_finer ? departure_of(*grid, made) : departure_of(made, *grid);
   level.greatest_m = departure.greatest_m;
   level.rms_m = departure.rms_m;
-  for (const Summit& summit : summits_of(*grid, made, kSummits)) {
-    const auto place = [&](Vec3 at) { return placed.on_page(to_profile_frame(placed.view, at)); };
-    const Vec3 from = place(summit.of_file_m), to = place(summit.drawn_m);
-    if (!is_on_page(placed, from) || !(to.z > 0)) continue;
-    ++level.summits;
-    level.summit_moved_mm =
-        std::max(level.summit_moved_mm,
-                 std::hypot(from.x / from.z - to.x / to.z, from.y / from.z - to.y / to.z));
-  }
+  tell_summits(level, *grid, made, placed);
   TerrainData drawn = file;
   drawn.surface_error_m += departure.greatest_m;
   drawn.surface = made;
   const TerrainData& in_place = terrain.take_level(std::move(drawn));
   TerrainFacts of_level = facts_of(in_place);
-  const std::size_t cells_in_one = static_cast<std::size_t>(step) * static_cast<std::size_t>(step);
-  of_level.water =
-      find_level_ground(std::get<Grid>(in_place.surface),
-                        std::max<std::size_t>(2, least_of_water(*grid) / cells_in_one));
+  const double least_water = static_cast<double>(least_of_water(*grid)) / (level.step * level.step);
+  of_level.water = find_level_ground(std::get<Grid>(in_place.surface),
+                                     static_cast<std::size_t>(std::max(2.0, least_water)));
   terrain.take_level_facts(std::move(of_level));
   return level;
 }

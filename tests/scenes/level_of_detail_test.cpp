@@ -20,8 +20,8 @@ double height_m(double x, double y) {
          25 * std::sin(90 * x) * std::sin(101 * y);
 }
 
-TerrainData plane_terrain(Random& random) {
-  const int columns = random.whole(150, 260), rows = random.whole(150, 260);
+TerrainData plane_terrain(Random& random, int least = 150, int most = 260) {
+  const int columns = random.whole(least, most), rows = random.whole(least, most);
   std::vector<float> heights;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column)
@@ -90,7 +90,7 @@ TEST_CASE("a level is drawn as the terrain that it is, and by the ray walk right
 TEST_CASE("the file's own surface is drawn where it is asked for, or is coarse enough") {
   Random random(1);
   const TerrainData whole = plane_terrain(random);
-  MapSpec spec = detailed(0.2);
+  MapSpec spec = detailed(1.4); // cells of more than a millimetre
   const Drawn fine = draw(whole, spec);
   CHECK_FALSE(fine.level);
   spec.style.detail = {true, {}};
@@ -98,7 +98,6 @@ TEST_CASE("the file's own surface is drawn where it is asked for, or is coarse e
   CHECK_FALSE(of_file.level);
   CHECK(difference(fine.map.drawing, of_file.map.drawing).empty());
   spec.style.detail = {};
-  CHECK_FALSE(draw(whole, spec).level); // cells of more than a millimetre
   spec.page.width_mm = 60;
   spec.page.height_mm = 40;
   CHECK(draw(whole, spec).level);
@@ -108,13 +107,44 @@ TEST_CASE("the file's own surface is drawn where it is asked for, or is coarse e
   CHECK(draw(whole, spec).level);
 }
 
-TEST_CASE("an eye on the ground sees the file's own surface") {
+TEST_CASE("smaller cells are drawn as the terrain that they are, and by the ray walk rightly") {
+  for (std::uint64_t seed = 1; seed <= last_seed(12); ++seed) {
+    Random random(100 + seed);
+    const bool on_earth = seed % 3 == 0;
+    const TerrainData whole = on_earth
+                                  ? earth_terrain({8, 0.0005, 33, 46, -0.0004, 41},
+                                                  [&](double lon_deg, double lat_deg) {
+                                                    return height_m(40 * lon_deg, 50 * lat_deg);
+                                                  })
+                                  : plane_terrain(random, 20, 60);
+    MapSpec spec = detailed(random.between(0.6, 2));
+    spec.view.from_azimuth = Angle::degrees(random.between(0, 360));
+    spec.view.from_elevation = Angle::degrees(random.between(5, 70));
+    INFO("seed " << seed);
+    const Drawn drawn = draw(whole, spec);
+    REQUIRE(drawn.level);
+    CHECK(drawn.level->step < 1);
+    CHECK(drawn.level->summits > 0);
+    CHECK(drawn.level->summit_moved_mm == 0);
+    CHECK(drawn.level->greatest_m > drawn.level->rms_m);
+    REQUIRE(drawn.map.facts.check);
+    CHECK(drawn.map.facts.check->asked > 1000);
+    CHECK(drawn.map.facts.check->hidden == 0);
+    CHECK(drawn.map.facts.check->missing == 0);
+  }
+}
+
+TEST_CASE(
+    "an eye on the ground sees no facets of a small terrain, and the file's own of a large one") {
   Random random(2);
-  const TerrainData whole = plane_terrain(random);
   MapSpec spec = detailed(5);
   spec.view.eye_map = GivenPlace{2000, -2000};
   spec.view.eye_height_m = 100;
-  CHECK_FALSE(draw(whole, spec).level);
+  const Drawn small = draw(plane_terrain(random), spec);
+  REQUIRE(small.level);
+  CHECK(small.level->step < 1);
+  CHECK(small.map.facts.check->hidden + small.map.facts.check->missing == 0);
+  CHECK_FALSE(draw(plane_terrain(random, 520, 600), spec).level);
 }
 
 TEST_CASE("a lake stays level, with a shore, and the sea where it is") {
