@@ -19,6 +19,8 @@ namespace {
 // By looking: with half of it a tile of 1200 cells on A4 keeps the noise of satellites' heights;
 // three times as much takes side valleys away.
 constexpr double kCellsOfSpacing = 0.8;
+// Facets show where cells are larger than some lines' spacings; then these are fine enough.
+constexpr double kFinestOfSpacing = 1.6;
 constexpr std::size_t kSummits = 10;
 constexpr int kLeastCells = 16; // along the shorter side
 // Smaller ones show no more: a cell of 4 mm, as a sample of 60 x 90 has on A4, is 0.5 mm then.
@@ -26,11 +28,17 @@ constexpr double kMostParts = 8;
 // A terrain of so many vertices takes a fifth of a second, whatever it shows of them.
 constexpr double kMostRefined = 1e6;
 
-double asked_mm(const Style& style) {
-  if (style.detail.cell_mm) return *style.detail.cell_mm;
+// Of cells on the page.
+struct AskedSize {
+  double least_mm, most_mm; ///< smaller ones are made larger, and larger ones smaller
+};
+
+AskedSize asked_size(const Style& style) {
+  if (style.detail.cell_mm) return {*style.detail.cell_mm, *style.detail.cell_mm};
   const double usual_mm = kPenWidthsApart * style.pen_width_mm;
-  const auto* spacing = style.plan ? std::get_if<PageSpacing>(&*style.plan) : nullptr;
-  return kCellsOfSpacing * (spacing ? spacing->mm : usual_mm);
+  const auto* plan = style.plan ? std::get_if<PageSpacing>(&*style.plan) : nullptr;
+  const double spacing_mm = plan ? plan->mm : usual_mm;
+  return {kCellsOfSpacing * spacing_mm, kFinestOfSpacing * spacing_mm};
 }
 
 bool is_on_page(const PlacedView& placed, Vec3 on_page) {
@@ -79,12 +87,13 @@ bool has_vertex(const TriangleSet& triangles, const Grid& grid, int column, int 
 
 // Of the file's cells to one that is drawn, about; less than one where the page shows the file's as
 // facets. What the eye stands over has cells of any size on the page.
-double chosen_step(const Grid& grid, double asked_mm, double cell_mm) {
-  const double doublings = std::floor(std::log2(asked_mm / cell_mm) + 0.5);
+double chosen_step(const Grid& grid, const AskedSize& asked, double cell_mm) {
+  const double doublings = std::floor(std::log2(asked.least_mm / cell_mm) + 0.5),
+               halvings = std::floor(std::log2(cell_mm / asked.most_mm) + 0.5);
   const int smaller_side = std::min(grid.columns, grid.rows);
   double step = 1;
   for (int k = 0; k < doublings && smaller_side / (2 * step) >= kLeastCells; ++k) step *= 2;
-  for (int k = 0; k < -doublings && 1 / step < kMostParts; ++k) {
+  for (int k = 0; k < halvings && 1 / step < kMostParts; ++k) {
     if (4 * static_cast<double>(grid.size()) / (step * step) > kMostRefined) break;
     step /= 2;
   }
@@ -120,7 +129,7 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   const double cell_mm = greatest_cell_mm(placed, *grid);
   if (!(cell_mm > 0)) return std::nullopt;
   LevelOfDetail level;
-  level.step = chosen_step(*grid, asked_mm(spec.style), cell_mm);
+  level.step = chosen_step(*grid, asked_size(spec.style), cell_mm);
   if (level.step == 1) return std::nullopt;
 
   const bool is_finer = level.step < 1;

@@ -182,7 +182,7 @@ std::vector<Line> outlines(Random& random, double cell_mm) {
 
 TEST_CASE("smoothed strokes are within the bound, and cross only where they did") {
   std::size_t strokes = 0, crossed = 0, moved = 0;
-  for (std::uint64_t seed = 1; seed <= last_seed(100); ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
     Random random(seed);
     const double cell_mm = random.pick({0.05, 0.3, 1.0, 4.0}),
                  bound_mm = random.pick({0.01, 0.05, 0.3, 1.0});

@@ -93,6 +93,8 @@ TEST_CASE("the file's own surface is drawn where it is asked for, or is coarse e
   MapSpec spec = detailed(1.4); // cells of more than a millimetre
   const Drawn fine = draw(whole, spec);
   CHECK_FALSE(fine.level);
+  spec.style.detail = {};
+  CHECK_FALSE(draw(whole, spec).level);
   spec.style.detail = {true, {}};
   const Drawn of_file = draw(whole, spec);
   CHECK_FALSE(of_file.level);

@@ -11,12 +11,12 @@
 namespace orograph {
 
 /// Of random scenes numbered from 1: as many as asked for in optimized builds; in others, which are
-/// there for the sanitizers, a twentieth, but never fewer than 4: their faults show in any scene.
+/// there for the sanitizers, a tenth, but never fewer than 4: their faults show in any scene.
 constexpr std::uint64_t last_seed(std::uint64_t count) {
 #ifdef NDEBUG
   return count;
 #else
-  return std::max<std::uint64_t>(std::min<std::uint64_t>(count, 4), count / 20);
+  return std::max<std::uint64_t>(std::min<std::uint64_t>(count, 4), count / 10);
 #endif
 }
 
