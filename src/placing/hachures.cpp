@@ -187,10 +187,26 @@ private:
         const double mm_a_metre = std::abs(cross(down_mm, across_mm)) / plain_length(down_mm);
         if (!(mm_a_metre > 0)) continue;
         for (const double side : {-1.0, 1.0})
-          for (const double share : kTried)
-            if (begin_at(at.place + (side * share * spacing_mm_ / mm_a_metre) * across)) break;
+          for (const double share : kTried) {
+            const Vec2 step_m = (side * share * spacing_mm_ / mm_a_metre) * across;
+            if (is_taken(at, step_m)) continue;
+            if (begin_at(at.place + step_m)) break;
+          }
       }
     }
+  }
+
+  // Whether a line is surely too close to a place beside a point; told without looking at the
+  // ground there.
+  bool is_taken(const OnPage& at, Vec2 step_m) const {
+    constexpr double kSurely = 0.8;
+    OnPage beside = at;
+    beside.place = at.place + step_m;
+    beside.page_mm = at.page_mm + at.on_page(step_m);
+    const Box2& frame = frame_mm_;
+    const bool is_in_frame = beside.page_mm.x >= frame.low.x && beside.page_mm.x <= frame.high.x &&
+                             beside.page_mm.y >= frame.low.y && beside.page_mm.y <= frame.high.y;
+    return !is_in_frame || on_page_.has_within(beside, kSurely * kBegin * spacing_mm_);
   }
 
   bool begin_at(Vec2 place) {

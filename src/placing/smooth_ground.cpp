@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace orograph {
@@ -105,45 +106,70 @@ SmoothGround::Spline SmoothGround::spline_at(std::size_t number, double u_m, dou
   const double first_m = 0.5 * (step_m - node_m_);
   const double x = (u_m - bounds_m_.low.x - first_m) / step_m,
                y = (v_m - bounds_m_.low.y - first_m) / step_m;
-  const double column = std::round(x), row = std::round(y);
-  const auto node = [&](int c, int r) {
-    const double at_column = column + c, at_row = row + r;
-    if (!(at_column >= 0 && at_row >= 0 && at_column < static_cast<double>(level.columns) &&
-          at_row < static_cast<double>(level.rows)))
-      return std::numeric_limits<double>::quiet_NaN();
-    return static_cast<double>(level.z_m[static_cast<std::size_t>(at_row) * level.columns +
-                                         static_cast<std::size_t>(at_column)]);
-  };
-  const double middle = node(0, 0);
+  const auto columns = static_cast<std::int64_t>(level.columns),
+             rows = static_cast<std::int64_t>(level.rows);
+  if (!(x > -0.5 && y > -0.5 && x < static_cast<double>(columns) - 0.5 &&
+        y < static_cast<double>(rows) - 0.5))
+    return {};
+  const auto column = static_cast<std::int64_t>(x + 0.5), row = static_cast<std::int64_t>(y + 0.5);
+  const float* const at = level.z_m.data() + row * columns + column;
+  const double middle = *at;
   if (std::isnan(middle)) return {};
-  const auto height = [&](int c, int r) {
-    const double here = node(c, r);
-    if (!std::isnan(here)) return here;
-    const double across = 2 * middle - node(-c, -r);
-    if (!std::isnan(across)) return across;
-    return c != 0 && r != 0 ? node(c, 0) + node(0, r) - middle : here;
+  const auto node = [&](int c, int r) {
+    const bool is_inside =
+        column + c >= 0 && column + c < columns && row + r >= 0 && row + r < rows;
+    return is_inside ? static_cast<double>(at[r * columns + c])
+                     : std::numeric_limits<double>::quiet_NaN();
   };
-  const Basis across(x - column), along(y - row);
+  std::array<double, 9> heights;
+  double all = 0;
+  for (int i = 0; i < 9; ++i)
+    all += heights[static_cast<std::size_t>(i)] = node(i % 3 - 1, i / 3 - 1);
+  if (std::isnan(all)) {
+    const auto height = [&](int c, int r) {
+      const double here = node(c, r), across = 2 * middle - node(-c, -r);
+      if (!std::isnan(here)) return here;
+      if (!std::isnan(across)) return across;
+      const double beside = c != 0 && r != 0 ? node(c, 0) + node(0, r) - middle : here;
+      return std::isnan(beside) ? middle : beside;
+    };
+    for (int i = 0; i < 9; ++i)
+      heights[static_cast<std::size_t>(i)] = height(i % 3 - 1, i / 3 - 1);
+  }
+  const Basis across(x - static_cast<double>(column)), along(y - static_cast<double>(row));
   Spline sum{};
-  for (int r = -1; r <= 1; ++r)
-    for (int c = -1; c <= 1; ++c) {
-      double z = height(c, r);
-      if (std::isnan(z)) z = middle;
-      const auto i = static_cast<std::size_t>(c + 1), k = static_cast<std::size_t>(r + 1);
-      sum.z += across.value[i] * along.value[k] * z;
-      sum.per_u += across.slope[i] * along.value[k] / step_m * z;
-      sum.per_v += across.value[i] * along.slope[k] / step_m * z;
-    }
+  for (std::size_t r = 0; r < 3; ++r) {
+    const double* const z = &heights[3 * r];
+    const double value = across.value[0] * z[0] + across.value[1] * z[1] + across.value[2] * z[2],
+                 slope = across.slope[0] * z[0] + across.slope[1] * z[1] + across.slope[2] * z[2];
+    sum.z += along.value[r] * value;
+    sum.per_u += along.value[r] * slope;
+    sum.per_v += along.slope[r] * value;
+  }
+  sum.per_u /= step_m;
+  sum.per_v /= step_m;
   sum.is_there = true;
   return sum;
+}
+
+std::optional<double> SmoothGround::nearest_node_m(double u_m, double v_m) const {
+  const Level& level = levels_.front();
+  const double x = (u_m - bounds_m_.low.x) / node_m_ + 0.5,
+               y = (v_m - bounds_m_.low.y) / node_m_ + 0.5;
+  if (!(x >= 0 && y >= 0 && x < static_cast<double>(level.columns) &&
+        y < static_cast<double>(level.rows)))
+    return std::nullopt;
+  const double z =
+      level.z_m[static_cast<std::size_t>(y) * level.columns + static_cast<std::size_t>(x)];
+  return std::isnan(z) ? std::nullopt : std::optional(z);
 }
 
 std::optional<SmoothPlace> SmoothGround::at(double u_m, double v_m) const {
   if (levels_.empty()) return std::nullopt;
   const View& view = placed_.view;
-  const Spline fine = spline_at(0, u_m, v_m);
-  if (!fine.is_there) return std::nullopt;
-  const ProfilePoint here{u_m, v_m, fine.z};
+  const std::optional<double> z_m = nearest_node_m(u_m, v_m);
+  if (!z_m) return std::nullopt;
+  const ProfilePoint here{u_m, v_m, *z_m};
   if (!(placed_.on_page(here).z > 0)) return std::nullopt;
   // To the right the page shows ground as it is, whatever its slope.
   Vec2 right{1, 0};
@@ -154,7 +180,7 @@ std::optional<SmoothPlace> SmoothGround::at(double u_m, double v_m) const {
                                   static_cast<double>(levels_.size() - 1));
   const auto lower = static_cast<std::size_t>(level);
   const double share = level - static_cast<double>(lower);
-  Spline found = lower == 0 ? fine : spline_at(lower, u_m, v_m);
+  Spline found = spline_at(lower, u_m, v_m);
   if (!found.is_there) return std::nullopt;
   if (share > 0) {
     const Spline coarse = spline_at(lower + 1, u_m, v_m);

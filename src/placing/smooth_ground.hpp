@@ -48,6 +48,7 @@ private:
   };
   void sample(const Surface& surface);
   void add_levels();
+  std::optional<double> nearest_node_m(double u_m, double v_m) const;
   Spline spline_at(std::size_t level, double u_m, double v_m) const;
 
   const PlacedView& placed_;

@@ -6,10 +6,12 @@
 #include "map/draw_map.hpp"
 #include "placing/block.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
 #include "placing/vertex_values.hpp"
 #include "profiles/slab_lines.hpp"
 #include "tests/blocks/block_walk.hpp"
 #include "tests/catch.hpp"
+#include "tests/scenes/random_earth_scene.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
 #include "tests/scenes/vary_view.hpp"
@@ -227,6 +229,38 @@ TEST_CASE("a block's walls are drawn where they are seen, and nowhere else") {
   CHECK(sum.asked > 25 * kScenes);
   CHECK(sum.visible > 8 * kScenes);
   CHECK(sum.unsure < sum.asked / 20);
+}
+
+TEST_CASE("and in degrees, where walls are upright in the view's frame") {
+  Tally sum;
+  std::uint64_t drawn = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 5; ++seed) {
+    Random random(seed);
+    RandomScene scene = random_earth_scene(
+        seed, random.pick({Stand::frames_terrain, Stand::in_air, Stand::on_ground}));
+    scene.spec.style.layers.insert(scene.spec.style.layers.end(), {"block", "contours"});
+    scene.spec.style.block.sides = BlockSides::lines;
+    scene.spec.style.pen_width_mm = 2;
+    INFO("seed " << seed << ": " << scene.what);
+    stand_on_earth(scene.terrain, scene.spec.view);
+    const std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+    if (!placed || placed->extent.turned_over > 0) continue;
+    WallCheck check(scene.terrain, *placed, random);
+    Instruments instruments;
+    instruments.observers = {&check};
+    draw_map(
+        scene.terrain, *placed, scene.spec, [](double) {}, instruments);
+    CHECK(check.tally.hidden_but_drawn == 0);
+    CHECK(check.tally.missing == 0);
+    sum.asked += check.tally.asked;
+    sum.unsure += check.tally.unsure;
+    sum.visible += check.tally.visible;
+    ++drawn;
+  }
+  WARN(sum.asked << " asked, " << sum.unsure << " unsure, " << sum.visible << " visible");
+  CHECK(drawn > kScenes / 10);
+  CHECK(sum.visible > 5 * drawn);
+  CHECK(sum.unsure < sum.asked / 10);
 }
 
 TEST_CASE("all else is the same with a block and without, to the bit") {
