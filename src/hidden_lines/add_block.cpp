@@ -2,6 +2,8 @@
 // A block's walls (docs/blocks.md). One that is turned to the eye hides nothing that its upper edge
 // doesn't, so that no more is asked of the pass than that its lines are compared before that edge
 // rises; the others are seen from within, and have no lines.
+#include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
 #include "hidden_lines/ground_lines.hpp"
 #include "placing/block.hpp"
 #include "placing/contours.hpp"
@@ -12,10 +14,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace orograph {
@@ -23,33 +25,50 @@ namespace {
 
 // An edge of the border, the terrain on its left.
 struct Side {
-  std::uint32_t from, to; ///< vertices
+  std::uint32_t from, to; ///< numbers of ends
   bool is_towards_eye;
 };
+
+// A vertex of the border.
+struct End {
+  std::uint32_t vertex;
+  double height_m;
+  Vec3 ground_m;
+  ProfilePoint top, foot;
+  // A side each that begins and ends there, and points, once there are any.
+  std::uint32_t leaving, coming, foot_point, rim_point;
+};
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 // What a corner is told by: how many edges to either side make a direction, and how much that has
 // to turn.
 constexpr int kEdgesOfChord = 4;
 const double kCorner = std::cos(35 * std::numbers::pi / 180);
 
+constexpr std::size_t kOfTask = std::size_t{1} << 12U;
+
 class Walls {
 public:
   Walls(const TerrainData& terrain, const PlacedView& placed, const Style& style, GroundLines& out)
-      : terrain_(terrain), placed_(placed), view_(placed.view), heights_(heights_of(terrain)),
+      : terrain_(terrain), placed_(placed), view_(placed.view),
         first_point_(static_cast<std::uint32_t>(vertex_count(terrain.surface))), out_(out) {
     const std::size_t count = placed.border.size();
-    sides_.reserve(count);
+    find_ends();
+    sides_.resize(count);
+    on_all_cores((count + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+      for (std::size_t i = task * kOfTask; i < std::min(count, (task + 1) * kOfTask); ++i) {
+        const auto& [edge, left] = placed.border[i];
+        Side& side = sides_[i];
+        side = {end_of(left ? edge.from : edge.to), end_of(left ? edge.to : edge.from), false};
+        side.is_towards_eye = is_towards_eye(ends_[side.from].top, ends_[side.to].top);
+      }
+    });
     for (std::uint32_t i = 0; i < count; ++i) {
-      const auto& [edge, left] = placed.border[i];
-      Side side{left ? edge.from : edge.to, left ? edge.to : edge.from, false};
-      side.is_towards_eye = is_towards_eye(vertex(side.from), vertex(side.to));
-      sides_.push_back(side);
-      leaving_.emplace(side.from, i);
-      coming_.emplace(side.to, i);
+      ends_[sides_[i].from].leaving = i;
+      ends_[sides_[i].to].coming = i;
     }
-    const bool draws_voids = style.asks_for("voids");
-    of_void_ =
-        draws_voids ? std::vector<bool>(count) : around_voids(terrain.surface, placed.border);
+    of_void_ = style.asks_for("voids") ? std::vector<bool>(count)
+                                       : around_voids(terrain.surface, placed.border);
   }
 
   void add_outline() {
@@ -77,7 +96,7 @@ public:
                             : spacing_mm * (range.end - range.begin) / placed_.frame_mm.width();
     for (std::uint32_t i = 0; i < sides_.size(); ++i) {
       if (!sides_[i].is_towards_eye) continue;
-      const ProfilePoint a = vertex(sides_[i].from), b = vertex(sides_[i].to);
+      const ProfilePoint a = ends_[sides_[i].from].top, b = ends_[sides_[i].to].top;
       for_each_step(a, b, by_azimuth, step, [&](double t) {
         if (t >= 0 && t < 1) add_upright(i, t, feature);
       });
@@ -92,23 +111,22 @@ public:
       const auto feature =
           add_feature({levels.is_index[k] ? LineKind::wall_index_contour : LineKind::wall_contour,
                        {{"elevation", levels.heights[k]}}});
-      std::unordered_map<std::uint32_t, std::uint32_t> at_level;
-      const auto below = [&](std::uint32_t vertex) {
-        const auto [found, is_new] = at_level.try_emplace(vertex, 0);
-        if (is_new) found->second = add_point(below_vertex(vertex, level_m));
-        return found->second;
+      std::vector<std::uint32_t> at_level(ends_.size(), kNone);
+      const auto below = [&](std::uint32_t end) {
+        if (at_level[end] == kNone) at_level[end] = add_point(below_end(ends_[end], level_m));
+        return at_level[end];
       };
       for (std::uint32_t i = 0; i < sides_.size(); ++i) {
         const auto& [from, to, is_towards_eye] = sides_[i];
         if (!is_towards_eye) continue;
-        const double from_m = height_m(from), to_m = height_m(to);
+        const double from_m = ends_[from].height_m, to_m = ends_[to].height_m;
         if (std::max(from_m, to_m) <= level_m) continue;
         if (std::min(from_m, to_m) >= level_m) {
           add_line(below(from), below(to), i, feature);
           continue;
         }
         const ProfilePoint crossing =
-            point_between(vertex(from), vertex(to), (level_m - from_m) / (to_m - from_m));
+            point_between(ends_[from].top, ends_[to].top, (level_m - from_m) / (to_m - from_m));
         if (from_m > level_m)
           add_line(below(from), add_point(crossing), i, feature);
         else
@@ -159,75 +177,82 @@ private:
   // Whether an upright line is drawn where a wall begins or ends: where the border has a corner, or
   // turns away from the eye. What a border does within a few edges is no corner.
   bool is_corner(std::uint32_t side, bool at_end) const {
-    const auto& next_of = at_end ? leaving_ : coming_;
     const std::uint32_t at = at_end ? sides_[side].to : sides_[side].from;
-    const auto next = next_of.find(at);
-    if (next == next_of.end()) return true;
-    const Side& other = sides_[next->second];
-    const auto way = [&](const Side& of) {
-      const ProfilePoint a = vertex(of.from), b = vertex(of.to);
+    const std::uint32_t next = at_end ? ends_[at].leaving : ends_[at].coming;
+    if (next == kNone) return true;
+    const Side& other = sides_[next];
+    // Both walls of a corner would draw it.
+    if (other.is_towards_eye && !at_end) return false;
+    const auto way = [&](std::uint32_t from, std::uint32_t to) {
+      const ProfilePoint a = ends_[from].top, b = ends_[to].top;
       return Vec2{b.u - a.u, b.v - a.v};
     };
     const auto turns = [](Vec2 a, Vec2 b) {
       return dot(a, b) < kCorner * plain_length(a) * plain_length(b);
     };
-    // Both walls of a corner would draw it.
-    const bool is_others = other.is_towards_eye && !at_end;
-    if (is_others) return false;
-    if (!turns(way(sides_[side]), way(other)) && other.is_towards_eye) return false;
-    const std::uint32_t before = walked(at, coming_, &Side::from),
-                        behind = walked(at, leaving_, &Side::to);
-    const ProfilePoint here = vertex(at), a = vertex(before), b = vertex(behind);
-    const Vec2 in{here.u - a.u, here.v - a.v}, out{b.u - here.u, b.v - here.v};
-    if (turns(in, out)) return true;
-    return is_towards_eye(a, here) != is_towards_eye(here, b);
+    if (other.is_towards_eye &&
+        !turns(way(sides_[side].from, sides_[side].to), way(other.from, other.to)))
+      return false;
+    const std::uint32_t before = walked(at, &End::coming, &Side::from),
+                        behind = walked(at, &End::leaving, &Side::to);
+    return turns(way(before, at), way(at, behind)) ||
+           is_towards_eye(ends_[before].top, ends_[at].top) !=
+               is_towards_eye(ends_[at].top, ends_[behind].top);
   }
 
-  std::uint32_t walked(std::uint32_t from,
-                       const std::unordered_multimap<std::uint32_t, std::uint32_t>& sides,
-                       std::uint32_t Side::*end) const {
+  std::uint32_t walked(std::uint32_t from, std::uint32_t End::*side_of,
+                       std::uint32_t Side::*end_of_side) const {
     std::uint32_t at = from;
     for (int i = 0; i < kEdgesOfChord; ++i) {
-      const auto side = sides.find(at);
-      if (side == sides.end() || sides_[side->second].*end == from) return at;
-      at = sides_[side->second].*end;
+      const std::uint32_t side = ends_[at].*side_of;
+      if (side == kNone || sides_[side].*end_of_side == from) return at;
+      at = sides_[side].*end_of_side;
     }
     return at;
   }
 
-  Vec3 ground_m(std::uint32_t number) const {
-    const Grid* grid = std::get_if<Grid>(&terrain_.surface);
-    return grid ? grid->vertex_m(number) : std::get<Tin>(terrain_.surface).vertices_m[number];
+  void find_ends() {
+    std::vector<std::uint32_t> vertices;
+    vertices.reserve(2 * placed_.border.size());
+    for (const auto& [edge, left] : placed_.border)
+      vertices.insert(vertices.end(), {edge.from, edge.to});
+    sort_by_number(vertices, [](std::uint32_t vertex) { return vertex; });
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    ends_.resize(vertices.size());
+    const VertexValues heights = heights_of(terrain_);
+    const Grid* const grid = std::get_if<Grid>(&terrain_.surface);
+    on_all_cores((ends_.size() + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+      for (std::size_t i = task * kOfTask; i < std::min(ends_.size(), (task + 1) * kOfTask); ++i) {
+        End& end = ends_[i];
+        end = {vertices[i], 0, {}, {}, {}, kNone, kNone, kNone, kNone};
+        heights(end.vertex, std::span(&end.height_m, 1));
+        end.ground_m = grid ? grid->vertex_m(end.vertex)
+                            : std::get<Tin>(terrain_.surface).vertices_m[end.vertex];
+        end.top = to_profile_frame(view_, end.ground_m);
+        end.foot = below_end(end, *placed_.block_base_m);
+      }
+    });
   }
-  double height_m(std::uint32_t number) const {
-    double height = 0;
-    heights_(number, std::span(&height, 1));
-    return height;
+
+  std::uint32_t end_of(std::uint32_t vertex) const {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(ends_, vertex, {}, &End::vertex) -
+                                      ends_.begin());
   }
-  ProfilePoint vertex(std::uint32_t number) const {
-    return to_profile_frame(view_, ground_m(number));
-  }
-  ProfilePoint below_vertex(std::uint32_t number, double at_m) const {
-    return to_profile_frame(view_,
-                            below_vertex_m(terrain_, ground_m(number), height_m(number), at_m));
-  }
-  ProfilePoint foot_of(std::uint32_t number) const {
-    return below_vertex(number, *placed_.block_base_m);
+  ProfilePoint below_end(const End& end, double at_m) const {
+    return to_profile_frame(view_, below_vertex_m(terrain_, end.ground_m, end.height_m, at_m));
   }
 
   std::uint32_t add_point(ProfilePoint point) {
     out_.points.push_back(point);
     return first_point_ + static_cast<std::uint32_t>(out_.points.size()) - 1;
   }
-  std::uint32_t foot(std::uint32_t number) {
-    const auto [found, is_new] = feet_.try_emplace(number, 0);
-    if (is_new) found->second = add_point(foot_of(number));
-    return found->second;
+  std::uint32_t foot(std::uint32_t end) {
+    if (ends_[end].foot_point == kNone) ends_[end].foot_point = add_point(ends_[end].foot);
+    return ends_[end].foot_point;
   }
-  std::uint32_t rim(std::uint32_t number) {
-    const auto [found, is_new] = rims_.try_emplace(number, 0);
-    if (is_new) found->second = add_point(vertex(number));
-    return found->second;
+  std::uint32_t rim(std::uint32_t end) {
+    if (ends_[end].rim_point == kNone) ends_[end].rim_point = add_point(ends_[end].top);
+    return ends_[end].rim_point;
   }
   std::uint32_t add_feature(GroundFeature feature) {
     out_.features.push_back(std::move(feature));
@@ -239,8 +264,8 @@ private:
     constexpr double kWithin = 1e-6;
     const double t = std::clamp(share, kWithin, 1 - kWithin);
     const auto& [from, to, is_towards_eye] = sides_[side];
-    const ProfilePoint top = point_between(vertex(from), vertex(to), t);
-    const double foot_z = point_between(foot_of(from), foot_of(to), t).z;
+    const ProfilePoint top = point_between(ends_[from].top, ends_[to].top, t);
+    const double foot_z = point_between(ends_[from].foot, ends_[to].foot, t).z;
     add_line(add_point({top.u, top.v, foot_z}), add_point(top), side, feature);
   }
   void add_line(std::uint32_t from, std::uint32_t to, std::uint32_t side, std::uint32_t feature) {
@@ -251,13 +276,11 @@ private:
   const TerrainData& terrain_;
   const PlacedView& placed_;
   const View& view_;
-  VertexValues heights_;
   std::uint32_t first_point_;
   GroundLines& out_;
+  std::vector<End> ends_;   ///< by vertex
   std::vector<Side> sides_; ///< one for each edge of the border
   std::vector<bool> of_void_;
-  std::unordered_multimap<std::uint32_t, std::uint32_t> leaving_, coming_; ///< sides, by vertex
-  std::unordered_map<std::uint32_t, std::uint32_t> feet_, rims_;           ///< points, by vertex
 };
 
 } // namespace

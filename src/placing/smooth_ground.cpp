@@ -133,8 +133,7 @@ SmoothGround::Spline SmoothGround::spline_at(std::size_t number, double u_m, dou
       const double beside = c != 0 && r != 0 ? node(c, 0) + node(0, r) - middle : here;
       return std::isnan(beside) ? middle : beside;
     };
-    for (int i = 0; i < 9; ++i)
-      heights[static_cast<std::size_t>(i)] = height(i % 3 - 1, i / 3 - 1);
+    for (int i = 0; i < 9; ++i) heights[static_cast<std::size_t>(i)] = height(i % 3 - 1, i / 3 - 1);
   }
   const Basis across(x - static_cast<double>(column)), along(y - static_cast<double>(row));
   Spline sum{};
