@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <deque>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -128,7 +127,12 @@ private:
   std::vector<std::vector<Point>> cells_;
 };
 
-using Line = std::vector<OnPage>;
+// What is kept of a line's points: a poster has millions.
+struct LinePoint {
+  Vec2 place, page_mm;
+  float slope_deg;
+};
+using Line = std::vector<LinePoint>;
 
 class Hachures {
 public:
@@ -150,9 +154,12 @@ private:
     const Box2& all = ground_.bounds_m();
     if (square.low.x > all.high.x || square.low.y > all.high.y) return;
     const Vec2 middle = square.centre();
-    constexpr double kLargest = 64, kSmallest = 0.25; // in nodes
+    // In nodes: a larger square may hold ground far from its middle; between smaller ones there is
+    // nothing that the ground beside them doesn't tell.
+    constexpr double kLargest = 64, kSmallest = 0.25;
     const double size = square.width() / ground_.node_m();
     const auto page = field_.page_mm(middle);
+    if (!page && size <= 1) return; // no ground
     bool is_small = size <= kSmallest;
     if (page && size <= kLargest && !is_small) {
       double across_mm = 0;
@@ -173,27 +180,30 @@ private:
       return;
     }
     throw_if_stopped(++seeds_);
-    // From one line to the next, as long as there is room beside one.
-    if (!begin_at(middle)) return;
-    while (!to_do_.empty()) {
-      const std::size_t line = to_do_.front();
-      to_do_.pop_front();
-      for (std::size_t i = 0; i < lines_[line].size(); i += 2) {
+    if (begin_at(middle)) go_on();
+  }
+
+  // From one line to the next, as long as there is room beside one.
+  void go_on() {
+    for (; next_line_ < lines_.size(); ++next_line_)
+      for (std::size_t i = 0; i < lines_[next_line_].size(); i += 2) {
         throw_if_stopped(++seeds_);
-        const OnPage at = lines_[line][i];
-        const Vec2 across{-at.down.y, at.down.x};
-        const Vec2 down_mm = at.on_page(at.down), across_mm = at.on_page(across);
-        // What of a step to the side is across the line on the page.
-        const double mm_a_metre = std::abs(cross(down_mm, across_mm)) / plain_length(down_mm);
-        if (!(mm_a_metre > 0)) continue;
-        for (const double side : {-1.0, 1.0})
-          for (const double share : kTried) {
-            const Vec2 step_m = (side * share * spacing_mm_ / mm_a_metre) * across;
-            if (is_taken(at, step_m)) continue;
-            if (begin_at(at.place + step_m)) break;
-          }
+        if (const auto at = field_.at(lines_[next_line_][i].place)) begin_beside(*at);
       }
-    }
+  }
+
+  void begin_beside(const OnPage& at) {
+    const Vec2 across{-at.down.y, at.down.x};
+    const Vec2 down_mm = at.on_page(at.down), across_mm = at.on_page(across);
+    // What of a step to the side is across the line on the page.
+    const double mm_a_metre = std::abs(cross(down_mm, across_mm)) / plain_length(down_mm);
+    if (!(mm_a_metre > 0)) return;
+    for (const double side : {-1.0, 1.0})
+      for (const double share : kTried) {
+        const Vec2 step_m = (side * share * spacing_mm_ / mm_a_metre) * across;
+        if (is_taken(at, step_m)) continue;
+        if (begin_at(at.place + step_m)) break;
+      }
   }
 
   // Whether a line is surely too close to a place beside a point; told without looking at the
@@ -212,24 +222,27 @@ private:
   bool begin_at(Vec2 place) {
     const auto start = field_.at(place);
     if (!start || on_page_.has_within(*start, kBegin * spacing_mm_)) return false;
-    Line up = traced(*start, -1);
-    const Line down = traced(*start, 1);
-    std::ranges::reverse(up);
-    up.push_back(*start);
-    up.insert(up.end(), down.begin(), down.end());
+    std::vector<OnPage> whole = traced(*start, -1);
+    const std::vector<OnPage> down = traced(*start, 1);
+    std::ranges::reverse(whole);
+    whole.push_back(*start);
+    whole.insert(whole.end(), down.begin(), down.end());
     double length_mm = 0;
-    for (std::size_t i = 1; i < up.size(); ++i)
-      length_mm += plain_length(up[i].page_mm - up[i - 1].page_mm);
+    for (std::size_t i = 1; i < whole.size(); ++i)
+      length_mm += plain_length(whole[i].page_mm - whole[i - 1].page_mm);
     if (length_mm < kShortest * spacing_mm_) return false;
-    for (const OnPage& point : up) on_page_.add(point);
-    to_do_.push_back(lines_.size());
-    lines_.push_back(std::move(up));
+    Line& line = lines_.emplace_back();
+    line.reserve(whole.size());
+    for (const OnPage& point : whole) {
+      on_page_.add(point);
+      line.push_back({point.place, point.page_mm, static_cast<float>(point.slope_deg)});
+    }
     return true;
   }
 
   // From a place down the slope, or up.
-  Line traced(const OnPage& start, double sign) const {
-    Line line;
+  std::vector<OnPage> traced(const OnPage& start, double sign) const {
+    std::vector<OnPage> line;
     OnPage here = start;
     const auto steps = static_cast<std::size_t>((frame_mm_.width() + frame_mm_.height()) /
                                                 (kStep * spacing_mm_) * 4);
@@ -255,13 +268,13 @@ private:
   double spacing_mm_;
   LinesOnPage on_page_;
   std::vector<Line> lines_;
-  std::deque<std::size_t> to_do_; ///< lines beside which there may be room
+  std::size_t next_line_ = 0; ///< beside which there may be room
   std::size_t seeds_ = 0;
 };
 
-HachureRun run_of(std::span<const OnPage> points) {
+HachureRun run_of(std::span<const LinePoint> points) {
   HachureRun run{{}, 0, 0};
-  for (const OnPage& point : points) {
+  for (const LinePoint& point : points) {
     run.places.push_back(point.place);
     run.slope_deg += point.slope_deg / static_cast<double>(points.size());
   }
