@@ -177,8 +177,9 @@ std::vector<SurfaceEdge> brinks(const Surface& surface, const std::vector<Border
   const TriangleSet walls = tin ? walls_of(*tin) : TriangleSet();
   const auto is_ground_in_front = [&](SurfaceEdge edge, bool on_left) {
     const auto [from, to] = line_of(surface, view, edge);
-    const double eye_on_left =
-        view.is_perspective() ? from.u * to.v - to.u * from.v : from.u - to.u;
+    const double eye_on_left = view.is_perspective()
+                                   ? from.u * to.v - to.u * from.v
+                                   : from.u - to.u + view.x_per_v * (from.v - to.v);
     return on_left ? eye_on_left > 0 : eye_on_left < 0;
   };
   std::vector<SurfaceEdge> edges;

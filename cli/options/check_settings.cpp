@@ -135,6 +135,12 @@ void add_layers(RenderSettings& settings, const GivenOptions& given) {
       !style.draws_index_contours())
     throw UsageError("--contour-ticks has no meaning without contours",
                      "give --contours INTERVAL too");
+  for (const char* option : {"--hachure-spacing", "--hachure-slope"})
+    if (insists_on(given, option) && !style.asks_for("hachures"))
+      throw UsageError(fmt::format("{} has no meaning without hachures", option),
+                       "give --hachures too");
+  if (insists_on(given, "--block-sides") && !style.asks_for("block"))
+    throw UsageError("--block-sides has no meaning without a block", "give --block too");
 }
 
 // Those of layers that are drawn.

@@ -23,6 +23,8 @@ void add_view_options(std::vector<Option>& options, RenderSettings& settings);
 void add_panorama_options(std::vector<Option>& options, RenderSettings& settings);
 void add_line_options(std::vector<Option>& options, RenderSettings& settings);
 void add_ground_line_options(std::vector<Option>& options, RenderSettings& settings);
+void add_hachure_options(std::vector<Option>& options, RenderSettings& settings);
+void add_block_options(std::vector<Option>& options, RenderSettings& settings);
 void add_scene_options(std::vector<Option>& options, RenderSettings& settings);
 void add_page_options(std::vector<Option>& options, RenderSettings& settings);
 void add_output_options(std::vector<Option>& options, RenderSettings& settings);

@@ -47,6 +47,16 @@ bool looks_negative(std::string_view argument) {
          argument.starts_with("-inf") || argument.starts_with("-nan");
 }
 
+/// Of an option that may stand alone: whether the next argument is its value all the same. A
+/// number, with a unit of length or without, and not a file whose name begins with one.
+bool may_follow(const Option& option, std::string_view argument) {
+  for (const std::string_view unit : {"m", "ft"})
+    if (argument.ends_with(unit) &&
+        number_of<double>(argument.substr(0, argument.size() - unit.size())))
+      return true;
+  return argument == option.if_alone || argument == "nan" || number_of<double>(argument);
+}
+
 /// The arguments with each value tied to its option, so that CLI11 takes negative numbers for
 /// values and an empty value for one that is there.
 std::vector<std::string> tie_values(const Command& command,
@@ -70,7 +80,7 @@ std::vector<std::string> tie_values(const Command& command,
       continue;
     }
     const bool last = i + 1 == arguments.size();
-    if (!option->if_alone.empty() && (last || !number_of<double>(arguments[i + 1]))) {
+    if (!option->if_alone.empty() && (last || !may_follow(*option, arguments[i + 1]))) {
       tied.push_back(option->name + "=" + option->if_alone);
       continue;
     }

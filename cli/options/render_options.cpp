@@ -43,6 +43,8 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
   }
   if (option == "hidden-layers") return !settings.hidden_layers.empty();
   if (option == "contour-ticks") return settings.map.style.asks_for("contours");
+  if (option.starts_with("hachure-")) return settings.map.style.asks_for("hachures");
+  if (option == "block-sides") return settings.map.style.asks_for("block");
   if (option.starts_with("light-") || option == "haze") return settings.map.style.light.has_value();
   return true;
 }
@@ -52,6 +54,8 @@ void add_drawing_options(std::vector<Option>& options, RenderSettings& settings)
   add_panorama_options(options, settings);
   add_line_options(options, settings);
   add_ground_line_options(options, settings);
+  add_hachure_options(options, settings);
+  add_block_options(options, settings);
   add_scene_options(options, settings);
   add_page_options(options, settings);
   add_output_options(options, settings);

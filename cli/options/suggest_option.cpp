@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::string_view kBoth = "azimuth and elevation";
 constexpr std::string_view kLight = "where light falls from";
-constexpr std::string_view kNoHachures =
-    "there are no hachures yet, but --light shows relief and --contours draws heights";
 constexpr std::string_view kNoNames = "there are no names on the picture yet";
 constexpr std::string_view kNoGround = "lines have colours (--colour), and the ground none";
 
@@ -103,7 +101,9 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"contour-interval", "--contours", {}},
     {"isolines", "--contours", {}},
     {"levels", "--contours", {}},
-    {"hachures", {}, kNoHachures},
+    {"hatching", "--hachures", {}},
+    {"facade", "--block", {}},
+    {"skirt", "--block", {}},
     {"fishnet", "--mesh", {}},
     {"meridians", "--graticule", {}},
     {"roads", "--drape", {}},

@@ -296,6 +296,8 @@ Command sweep_command(SweepSettings& settings) {
   add_panorama_options(picture, render);
   add_line_options(picture, render);
   add_ground_line_options(picture, render);
+  add_hachure_options(picture, render);
+  add_block_options(picture, render);
   add_scene_options(picture, render);
   add_page_options(picture, render);
   add_output_options(picture, render);

@@ -12,8 +12,9 @@ from qgis.core import (
 STYLES = pathlib.Path(__file__).parent / "styles"
 
 # Below others first, as the command draws them.
-KINDS = ("profiles", "mesh", "contours", "index-contours", "graticule", "grid", "edges", "waterlines", "shores",
-         "border", "drape", "voids", "silhouettes", "skyline", "solids")
+KINDS = ("profiles", "mesh", "hachures", "walls", "wall-contours", "wall-index-contours", "block", "contours",
+         "index-contours", "graticule", "grid", "edges", "waterlines", "shores", "border", "drape",
+         "voids", "silhouettes", "skyline", "solids")
 
 # What isn't seen of a kind has a name of its own.
 _HIDDEN_OF_SOLIDS = "hidden"

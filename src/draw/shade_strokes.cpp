@@ -92,7 +92,8 @@ private:
     Stroke stroke = like;
     stroke.first_point = static_cast<std::uint32_t>(out_.page_mm.size());
     stroke.point_count = static_cast<std::uint32_t>(last - first + 1);
-    stroke.width_mm = layer_.pen_width_mm * std::pow(kWidthRatio, step);
+    const double own_mm = like.width_mm > 0 ? like.width_mm : layer_.pen_width_mm;
+    stroke.width_mm = own_mm * std::pow(kWidthRatio, step);
     const auto points = layer_.points(like).subspan(first, last - first + 1);
     out_.page_mm.insert(out_.page_mm.end(), points.begin(), points.end());
     out_.strokes.push_back(stroke);

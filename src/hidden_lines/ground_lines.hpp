@@ -17,8 +17,8 @@ namespace orograph {
 
 struct GroundLine {
   SurfaceEdge ends; ///< numbers of vertices, and from the surface's count of them on of points
-  std::uint32_t triangle;
-  std::uint32_t feature; ///< number
+  std::uint32_t triangle; ///< or, on a wall, the number of its edge in the view's border
+  std::uint32_t feature;  ///< number
 };
 
 /// What lines are part of: a contour's level, a meridian, a road.
@@ -26,6 +26,7 @@ struct GroundFeature {
   LineKind kind;
   Attributes attributes;
   bool is_tick = false; ///< of short lines, which are no crumbs
+  double width_mm = 0;  ///< of its lines; 0: the layer's pen
 };
 
 struct GroundLines {
@@ -50,6 +51,15 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
 constexpr double kMark_mm = 1.4;
 void add_overlays(const TerrainData& terrain, const PlacedView& placed, double above_m,
                   GroundLines& out);
+
+/// Adds hachures, a feature for each part of one width, with its mean slope in degrees.
+void add_hachures(const TerrainData& terrain, const PlacedView& placed, const Style& style,
+                  GroundLines& out);
+
+/// Adds what is drawn of a block's walls that are turned to the eye: their foot and corners, and
+/// the rims of voids that have no layer; hatching; the contours' heights.
+void add_block(const TerrainData& terrain, const PlacedView& placed, const Style& style,
+               GroundLines& out);
 
 /// Of what lies on the ground to the right of a point, which has a picture.
 double mm_a_metre_at(const PlacedView& placed, ProfilePoint at);

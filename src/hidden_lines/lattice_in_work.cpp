@@ -38,8 +38,10 @@ LatticeInWork::LatticeInWork(const SectorInWork& in_work)
     : SectorLattice(std::get<Grid>(in_work.terrain.surface), in_work.sector.view), work(in_work) {}
 
 LatticeOrder::Turn LatticeInWork::turn_of(const LinePictures& pictures, std::uint32_t line) const {
-  const SurfaceEdge edge = pictures.line(line).edge;
-  if (!pictures.is_edge(line)) {
+  SurfaceEdge edge = pictures.line(line).edge;
+  if (is_on_wall(pictures.line(line).kind)) {
+    edge = work.placed.border[work.triangle_of(line)].edge; // before that hides
+  } else if (!pictures.is_edge(line)) {
     const std::uint32_t triangle = work.triangle_of(line), number = triangle / 2;
     const auto cells = static_cast<std::uint32_t>(grid.columns) - 1;
     return order.turn(static_cast<int>(number % cells), static_cast<int>(number / cells),

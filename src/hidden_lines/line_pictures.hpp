@@ -16,7 +16,8 @@
 
 namespace orograph {
 
-/// Which layer a line is drawn in, if it is drawn: edges of the surface, then lines on the ground.
+/// Which layer a line is drawn in, if it is drawn: edges of the surface, then lines on the ground,
+/// then those on a block's walls.
 enum class LineKind : std::uint8_t {
   silhouette,
   shore,
@@ -29,12 +30,22 @@ enum class LineKind : std::uint8_t {
   mesh,
   graticule,
   grid,
-  drape
+  drape,
+  hachure,
+  block,
+  wall,
+  wall_contour,
+  wall_index_contour
 };
 
 /// Whether they are lines on the ground, which may run along edges or not.
 inline bool is_on_ground(LineKind kind) {
   return kind >= LineKind::waterline;
+}
+
+/// Of these, whether they are on a wall below an edge of the border instead.
+inline bool is_on_wall(LineKind kind) {
+  return kind >= LineKind::block;
 }
 
 struct EdgeLine {

@@ -143,7 +143,8 @@ bool Check::ask_line(const SeenLines& seen, std::uint32_t line, double t) {
   });
   const bool drawn = part != visible.end() && part->line == line && part->t_begin <= t;
   if (!drawn && may_be_left_out) return false;
-  judge(lines.whole(line), t, lines.is_edge(line), drawn);
+  // Straight below an edge, too, what is at the same place isn't in front.
+  judge(lines.whole(line), t, lines.is_edge(line) || is_on_wall(lines.line(line).kind), drawn);
   return true;
 }
 

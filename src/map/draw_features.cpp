@@ -49,13 +49,15 @@ double draw_features(const Surface& surface, const View& view, const std::vector
     std::vector<LinePart> of_feature;
     for (std::size_t first = bounds[task]; first < bounds[task + 1];) {
       const std::size_t end = end_of_feature(first);
-      const auto& [kind, attributes, is_tick] = on_ground.features[feature_of(by_feature[first])];
+      const auto& [kind, attributes, is_tick, width_mm] =
+          on_ground.features[feature_of(by_feature[first])];
       const std::span<const LinePart> these = std::span(by_feature).subspan(first, end - first);
       of_feature.assign(these.begin(), these.end());
       first = end;
       const std::size_t before = own.strokes.size();
       draw_parts(surface, on_ground.points, view, lines, of_feature,
                  is_tick ? tick_builder : builder);
+      for (std::size_t i = before; i < own.strokes.size(); ++i) own.strokes[i].width_mm = width_mm;
       if (own.strokes.size() == before || attributes.empty()) continue;
       for (std::size_t i = before; i < own.strokes.size(); ++i)
         own.strokes[i].feature = static_cast<std::int32_t>(own.features.size());

@@ -12,9 +12,14 @@ constexpr Colour kRock{0x2b, 0x26, 0x22}, kContour{0x9c, 0x62, 0x33}, kWater{0x2
     kEdge{0x8a, 0x8a, 0x8a}, kNet{0x7f, 0x93, 0xa6}, kDrape{0x9b, 0x22, 0x26};
 
 // Ridges and shores are a little heavier than profiles, border, voids and edges lighter.
-constexpr std::array<LayerRow, 17> kSeen{{
+constexpr std::array<LayerRow, 22> kSeen{{
     {.name = "profiles", .source = LineSource::profiles, .map = kRock},
     {"mesh", LineSource::ground, 0.8, 0, LineKind::mesh, kRock},
+    {"hachures", LineSource::ground, 1, 0, LineKind::hachure, kRock},
+    {"walls", LineSource::ground, 0.6, 0.45, LineKind::wall, kEdge},
+    {"wall-contours", LineSource::ground, 0.6, 0.2, LineKind::wall_contour, kContour},
+    {"wall-index-contours", LineSource::ground, 1.1, 0.2, LineKind::wall_index_contour, kContour},
+    {"block", LineSource::ground, 1, 0, LineKind::block, kRock},
     {"contours", LineSource::ground, 0.6, 0.2, LineKind::contour, kContour},
     {"index-contours", LineSource::ground, 1.1, 0.2, LineKind::index_contour, kContour},
     {"graticule", LineSource::ground, 0.6, 0.45, LineKind::graticule, kNet},
@@ -75,8 +80,13 @@ constexpr auto kLayers = [] {
 }();
 
 // Whether a layer that isn't asked for by its name is drawn all the same: waterlines as a way of
-// drawing water, index contours among the others, hidden ones too.
+// drawing water, index contours among the others, hidden ones too; and what is on a block's walls.
 bool goes_with_another(const LayerRow& row, const Style& style) {
+  if (row.kind == LineKind::wall) return style.hatches_block();
+  if (row.kind == LineKind::wall_contour)
+    return style.asks_for("block") && style.asks_for("contours");
+  if (row.kind == LineKind::wall_index_contour)
+    return style.asks_for("block") && style.draws_index_contours();
   if (row.kind == LineKind::waterline) return !row.is_hidden() && style.draws_waterlines();
   return row.kind == LineKind::index_contour && style.draws_index_contours() &&
          (!row.is_hidden() || style.asks_for("hidden-contours"));
@@ -87,7 +97,13 @@ bool goes_with_another(const LayerRow& row, const Style& style) {
 const LayerSpec* companion_of(const LayerRow& row, const Style& style) {
   const LayerSpec* const seen = row.is_hidden() ? style.layer(row.hidden_of) : nullptr;
   if (seen) return seen;
-  if (row.kind == LineKind::index_contour) return style.layer("contours");
+  if (row.kind == LineKind::index_contour || row.kind == LineKind::wall_contour)
+    return style.layer("contours");
+  if (row.kind == LineKind::wall_index_contour) {
+    const LayerSpec* const index = style.layer("index-contours");
+    return index ? index : style.layer("contours");
+  }
+  if (row.kind == LineKind::wall) return style.layer("block");
   return row.kind == LineKind::waterline ? style.layer("shores") : nullptr;
 }
 

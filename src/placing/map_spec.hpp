@@ -151,6 +151,23 @@ struct MeshSpec {
   bool along_view = false; ///< x to the right and y away from the viewer; else on the map
 };
 
+/// Hachures: lines down the slope of the ground, smoothed over about 1.5 mm of the page.
+struct HachureSpec {
+  double spacing_mm = 0.8;       ///< between lines, on the page, wherever the ground is
+  double from_deg = 5;           ///< of slope: what is gentler has none
+  double heaviest_from_deg = 45; ///< what is as steep, or steeper, has the widest
+};
+
+/// Whether a block's walls are hatched.
+enum class BlockSides { lines, outline };
+
+/// Walls from the terrain's border down to a base.
+struct BlockSpec {
+  std::optional<double> base = {};   ///< height; none: below the lowest by 0.15 of the relief
+  std::optional<double> unit_m = {}; ///< of the base, in metres; none: that of the file's heights
+  std::optional<BlockSides> sides = {}; ///< none: hatched, unless contours go across the walls
+};
+
 /// How large the cells of the surface are that is drawn.
 struct DetailSpec {
   bool of_file = false; ///< as large as the file's: its own surface
@@ -179,6 +196,8 @@ struct Style {
   FlatGround flat = FlatGround::shore;
   ContourSpec contours;
   MeshSpec mesh;
+  HachureSpec hachures;
+  BlockSpec block;
   double overlay_above_m = 0;          ///< how much higher than the ground overlays are drawn
   std::optional<double> graticule_deg; ///< between meridians, and parallels; none: some six of them
   std::optional<double> grid_m;        ///< between eastings, and northings; none: some six of them
@@ -201,6 +220,11 @@ struct Style {
   bool draws_index_contours() const {
     return asks_for("index-contours") ||
            (asks_for("contours") && contours.levels.empty() && contours.index_every > 0);
+  }
+  bool hatches_block() const {
+    const bool has_contours = asks_for("contours") || draws_index_contours();
+    const BlockSides otherwise = has_contours ? BlockSides::outline : BlockSides::lines;
+    return asks_for("block") && block.sides.value_or(otherwise) == BlockSides::lines;
   }
   bool draws_waterlines() const { return flat == FlatGround::waterlines || asks_for("waterlines"); }
   double haze_in(bool perspective) const {

@@ -5,6 +5,7 @@
 #include "draw/page.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "placing/block.hpp"
 #include "placing/frame_eye_view.hpp"
 #include "placing/geodesy.hpp"
 #include "placing/give_tone.hpp"
@@ -273,6 +274,12 @@ Picture place_picture(const TerrainData& terrain, TerrainFacts facts, const MapS
   }
   BlockedPoints beside = points_of(placed.solids);
   if (!on_ground) take_extent(placed, beside);
+  std::vector<Vec3> feet_m;
+  if (spec.style.asks_for("block")) {
+    placed.block_base_m = block_base_m(terrain, spec.style.block);
+    feet_m = block_feet_m(terrain, placed.border, *placed.block_base_m);
+    add_points(feet_m, beside);
+  }
   const TerrainShape shape{placed.extent.blocks,        facts.outline, placed.extent.box,
                            placed.extent.mean_height_m, placed.cell_m, std::move(beside)};
   placed.chosen_view = chosen_view(placed, surface, spec.view, exaggeration);

@@ -35,9 +35,10 @@ bool is_dark(const Colour& c) {
   return *std::ranges::max_element(c) < 64;
 }
 
-const Arguments kAllLayers{"--layers",
-                           "profiles,mesh,contours,graticule,grid,edges,waterlines,shores,border,"
-                           "drape,voids,silhouettes,skyline,solids,pen-up"};
+const Arguments kAllLayers{
+    "--layers",
+    "profiles,mesh,hachures,walls,block,contours,graticule,grid,edges,waterlines,shores,border,"
+    "drape,voids,silhouettes,skyline,solids,pen-up"};
 
 Arguments all_layers_and(const Arguments& more) {
   Arguments arguments = kAllLayers;

@@ -196,9 +196,10 @@ TEST_CASE("options of lines and page") {
   check_refused({"--visibility-tolerance", "-1"}, "mm, 0 to 10");
   check_refused({"--flat", "no"}, "shore|draw");
   check_refused({"--layers", "profiles,profiles"},
-                "each once of profiles, mesh, contours, index-contours, graticule, grid, edges, "
+                "each once of profiles, mesh, hachures, walls, wall-contours, "
+                "wall-index-contours, block, contours, index-contours, graticule, grid, edges, "
                 "waterlines, shores, border, drape, voids");
-  check_refused({"--layers", "hachures"}, "each once of");
+  check_refused({"--layers", "hatching"}, "each once of");
   check_refused({"--layers", ""}, "each once of");
   check_refused({"--page", "a99"}, "a4");
   check_refused({"--page", "0x100"}, "1 to 10000");

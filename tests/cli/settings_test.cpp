@@ -155,9 +155,9 @@ TEST_CASE("defaults are written out as values, or in words that no option takes 
   for (const Option& option : command.options) {
     const bool is_chosen =
         option.by_default.empty() || option.by_default.find(' ') != std::string::npos ||
-        std::set<std::string>{"--pitch",         "--eye-height", "--hidden",
-                              "--dpi",           "--max-edge",   "--overlap",
-                              "--hidden-layers", "--strips",     "--horizon-step"}
+        std::set<std::string>{"--pitch",        "--eye-height",      "--hidden",        "--dpi",
+                              "--max-edge",     "--overlap",         "--hidden-layers", "--strips",
+                              "--horizon-step", "--hachure-spacing", "--hachure-slope"}
             .contains(option.name) ||
         option.group == "General" || option.name == "--check";
     INFO(option.name);

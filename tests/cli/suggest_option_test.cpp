@@ -70,7 +70,7 @@ TEST_CASE("meaning goes before spelling, and spelling before nothing") {
   names(render, "--width", "--pen-width");
   names(render, "--sun", "--light");
   names(render, "--contour-interval", "--contours");
-  names(render, "--hachures", "no hachures yet");
+  names(render, "--skirt", "--block");
   names(render, "--labels", "no names");
   names(render, "--panorama", "(cylindrical goes all round)?");
   names(render, "--output", "did you mean OUTPUT (named without an option)?");

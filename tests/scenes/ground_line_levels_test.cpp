@@ -96,7 +96,7 @@ TEST_CASE(
   const auto first_point = static_cast<std::uint32_t>(vertex_count(terrain.surface));
   std::set<std::string> seen;
   for (const GroundLine& line : lines.lines) {
-    const auto& [kind, attributes, is_tick] = lines.features[line.feature];
+    const auto& [kind, attributes, is_tick, width_mm] = lines.features[line.feature];
     const std::string& name = attributes.front().name;
     const double level = std::get<double>(attributes.front().value);
     seen.insert(name);

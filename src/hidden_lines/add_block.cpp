@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A block's walls (docs/blocks.md). One that is turned to the eye hides nothing that its upper edge
+// doesn't, so that no more is asked of the pass than that its lines are compared before that edge
+// rises; the others are seen from within, and have no lines.
+#include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
+#include "hidden_lines/ground_lines.hpp"
+#include "placing/block.hpp"
+#include "placing/contours.hpp"
+#include "placing/vertex_values.hpp"
+#include "profiles/outline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace orograph {
+namespace {
+
+// An edge of the border, the terrain on its left.
+struct Side {
+  std::uint32_t from, to; ///< numbers of ends
+  bool is_towards_eye;
+};
+
+// A vertex of the border.
+struct End {
+  std::uint32_t vertex;
+  double height_m;
+  Vec3 ground_m;
+  ProfilePoint top, foot;
+  // A side each that begins and ends there, and points, once there are any.
+  std::uint32_t leaving, coming, foot_point, rim_point;
+};
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+// What a corner is told by: how many edges to either side make a direction, and how much that has
+// to turn.
+constexpr int kEdgesOfChord = 4;
+const double kCorner = std::cos(35 * std::numbers::pi / 180);
+
+constexpr std::size_t kOfTask = std::size_t{1} << 12U;
+
+class Walls {
+public:
+  Walls(const TerrainData& terrain, const PlacedView& placed, const Style& style, GroundLines& out)
+      : terrain_(terrain), placed_(placed), view_(placed.view),
+        first_point_(static_cast<std::uint32_t>(vertex_count(terrain.surface))), out_(out) {
+    const std::size_t count = placed.border.size();
+    find_ends();
+    sides_.resize(count);
+    on_all_cores((count + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+      for (std::size_t i = task * kOfTask; i < std::min(count, (task + 1) * kOfTask); ++i) {
+        const auto& [edge, left] = placed.border[i];
+        Side& side = sides_[i];
+        side = {end_of(left ? edge.from : edge.to), end_of(left ? edge.to : edge.from), false};
+        side.is_towards_eye = is_towards_eye(ends_[side.from].top, ends_[side.to].top);
+      }
+    });
+    for (std::uint32_t i = 0; i < count; ++i) {
+      ends_[sides_[i].from].leaving = i;
+      ends_[sides_[i].to].coming = i;
+    }
+    of_void_ = style.asks_for("voids") ? std::vector<bool>(count)
+                                       : around_voids(terrain.surface, placed.border);
+  }
+
+  void add_outline() {
+    const auto feature = add_feature({LineKind::block, {}});
+    for (std::uint32_t i = 0; i < sides_.size(); ++i) {
+      const auto& [from, to, is_towards_eye] = sides_[i];
+      if (of_void_[i]) add_line(rim(from), rim(to), i, feature);
+      if (!is_towards_eye) continue;
+      add_line(foot(from), foot(to), i, feature);
+      if (is_corner(i, false)) add_upright(i, 0, feature);
+      if (is_corner(i, true)) add_upright(i, 1, feature);
+    }
+  }
+
+  // At equal steps of what the page shows to the right.
+  void add_hatching(double spacing_mm) {
+    const auto feature = add_feature({LineKind::wall, {}});
+    const XRange range = page_range(placed_.sectors.front());
+    const bool by_azimuth =
+        placed_.panorama || !std::isfinite(range.begin) || !std::isfinite(range.end);
+    constexpr double kAroundEye = 0.02; // radians, where the page shows what is beneath the eye
+    const double step = placed_.panorama ? spacing_mm / placed_.panorama->page.radius_mm
+                        : by_azimuth
+                            ? kAroundEye
+                            : spacing_mm * (range.end - range.begin) / placed_.frame_mm.width();
+    for (std::uint32_t i = 0; i < sides_.size(); ++i) {
+      if (!sides_[i].is_towards_eye) continue;
+      const ProfilePoint a = ends_[sides_[i].from].top, b = ends_[sides_[i].to].top;
+      for_each_step(a, b, by_azimuth, step, [&](double t) {
+        if (t >= 0 && t < 1) add_upright(i, t, feature);
+      });
+    }
+  }
+
+  void add_contours(const ContourLevels& levels, bool normal, bool index) {
+    for (std::size_t k = 0; k < levels.heights_m.size(); ++k) {
+      if (!(levels.is_index[k] ? index : normal)) continue;
+      const double level_m = levels.heights_m[k];
+      if (level_m < *placed_.block_base_m) continue;
+      const auto feature =
+          add_feature({levels.is_index[k] ? LineKind::wall_index_contour : LineKind::wall_contour,
+                       {{"elevation", levels.heights[k]}}});
+      std::vector<std::uint32_t> at_level(ends_.size(), kNone);
+      const auto below = [&](std::uint32_t end) {
+        if (at_level[end] == kNone) at_level[end] = add_point(below_end(ends_[end], level_m));
+        return at_level[end];
+      };
+      for (std::uint32_t i = 0; i < sides_.size(); ++i) {
+        const auto& [from, to, is_towards_eye] = sides_[i];
+        if (!is_towards_eye) continue;
+        const double from_m = ends_[from].height_m, to_m = ends_[to].height_m;
+        if (std::max(from_m, to_m) <= level_m) continue;
+        if (std::min(from_m, to_m) >= level_m) {
+          add_line(below(from), below(to), i, feature);
+          continue;
+        }
+        const ProfilePoint crossing =
+            point_between(ends_[from].top, ends_[to].top, (level_m - from_m) / (to_m - from_m));
+        if (from_m > level_m)
+          add_line(below(from), add_point(crossing), i, feature);
+        else
+          add_line(add_point(crossing), below(to), i, feature);
+      }
+    }
+  }
+
+private:
+  bool is_towards_eye(ProfilePoint a, ProfilePoint b) const {
+    // Of the length: on the page such a wall is less than a step of 0.0001 mm wide.
+    constexpr double kEdgeOn = 1e-6;
+    const double size = std::hypot(b.u - a.u, b.v - a.v);
+    if (!view_.is_perspective()) return b.u - a.u + view_.x_per_v * (b.v - a.v) > kEdgeOn * size;
+    const double away = std::max(std::hypot(a.u, a.v), std::hypot(b.u, b.v));
+    return a.v * b.u - a.u * b.v > kEdgeOn * size * away;
+  }
+
+  // Shares of the way from a to b at which the page shows whole steps.
+  template <class Take>
+  void for_each_step(ProfilePoint a, ProfilePoint b, bool by_azimuth, double step,
+                     const Take& take) const {
+    const auto steps = [&](double from, double to, const auto& share_at) {
+      const auto [low, high] = std::minmax(from, to);
+      constexpr double kMost = 1e5;
+      if (!((high - low) / step < kMost)) return;
+      for (double k = std::ceil(low / step); k * step < high; ++k) take(share_at(k * step));
+    };
+    if (!view_.is_perspective()) {
+      const double x_a = project(view_, a).x, x_b = project(view_, b).x;
+      steps(x_a, x_b, [&](double x) { return (x - x_a) / (x_b - x_a); });
+      return;
+    }
+    const double du = b.u - a.u, dv = b.v - a.v;
+    if (!by_azimuth) {
+      if (std::min(a.v, b.v) <= view_.near_m) return;
+      steps(a.u / a.v, b.u / b.v, [&](double x) { return (x * a.v - a.u) / (du - x * dv); });
+      return;
+    }
+    const double begin = std::atan2(a.u, a.v);
+    const double turn = std::remainder(std::atan2(b.u, b.v) - begin, 2 * std::numbers::pi);
+    steps(begin, begin + turn, [&](double azimuth) {
+      const double s = std::sin(azimuth), c = std::cos(azimuth);
+      return (s * a.v - c * a.u) / (c * du - s * dv);
+    });
+  }
+
+  // Whether an upright line is drawn where a wall begins or ends: where the border has a corner, or
+  // turns away from the eye. What a border does within a few edges is no corner.
+  bool is_corner(std::uint32_t side, bool at_end) const {
+    const std::uint32_t at = at_end ? sides_[side].to : sides_[side].from;
+    const std::uint32_t next = at_end ? ends_[at].leaving : ends_[at].coming;
+    if (next == kNone) return true;
+    const Side& other = sides_[next];
+    // Both walls of a corner would draw it.
+    if (other.is_towards_eye && !at_end) return false;
+    const auto way = [&](std::uint32_t from, std::uint32_t to) {
+      const ProfilePoint a = ends_[from].top, b = ends_[to].top;
+      return Vec2{b.u - a.u, b.v - a.v};
+    };
+    const auto turns = [](Vec2 a, Vec2 b) {
+      return dot(a, b) < kCorner * plain_length(a) * plain_length(b);
+    };
+    if (other.is_towards_eye &&
+        !turns(way(sides_[side].from, sides_[side].to), way(other.from, other.to)))
+      return false;
+    const std::uint32_t before = walked(at, &End::coming, &Side::from),
+                        behind = walked(at, &End::leaving, &Side::to);
+    return turns(way(before, at), way(at, behind)) ||
+           is_towards_eye(ends_[before].top, ends_[at].top) !=
+               is_towards_eye(ends_[at].top, ends_[behind].top);
+  }
+
+  std::uint32_t walked(std::uint32_t from, std::uint32_t End::*side_of,
+                       std::uint32_t Side::*end_of_side) const {
+    std::uint32_t at = from;
+    for (int i = 0; i < kEdgesOfChord; ++i) {
+      const std::uint32_t side = ends_[at].*side_of;
+      if (side == kNone || sides_[side].*end_of_side == from) return at;
+      at = sides_[side].*end_of_side;
+    }
+    return at;
+  }
+
+  void find_ends() {
+    std::vector<std::uint32_t> vertices;
+    vertices.reserve(2 * placed_.border.size());
+    for (const auto& [edge, left] : placed_.border)
+      vertices.insert(vertices.end(), {edge.from, edge.to});
+    sort_by_number(vertices, [](std::uint32_t vertex) { return vertex; });
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    ends_.resize(vertices.size());
+    const VertexValues heights = heights_of(terrain_);
+    const Grid* const grid = std::get_if<Grid>(&terrain_.surface);
+    on_all_cores((ends_.size() + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+      for (std::size_t i = task * kOfTask; i < std::min(ends_.size(), (task + 1) * kOfTask); ++i) {
+        End& end = ends_[i];
+        end = {vertices[i], 0, {}, {}, {}, kNone, kNone, kNone, kNone};
+        heights(end.vertex, std::span(&end.height_m, 1));
+        end.ground_m = grid ? grid->vertex_m(end.vertex)
+                            : std::get<Tin>(terrain_.surface).vertices_m[end.vertex];
+        end.top = to_profile_frame(view_, end.ground_m);
+        end.foot = below_end(end, *placed_.block_base_m);
+      }
+    });
+  }
+
+  std::uint32_t end_of(std::uint32_t vertex) const {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(ends_, vertex, {}, &End::vertex) -
+                                      ends_.begin());
+  }
+  ProfilePoint below_end(const End& end, double at_m) const {
+    return to_profile_frame(view_, below_vertex_m(terrain_, end.ground_m, end.height_m, at_m));
+  }
+
+  std::uint32_t add_point(ProfilePoint point) {
+    out_.points.push_back(point);
+    return first_point_ + static_cast<std::uint32_t>(out_.points.size()) - 1;
+  }
+  std::uint32_t foot(std::uint32_t end) {
+    if (ends_[end].foot_point == kNone) ends_[end].foot_point = add_point(ends_[end].foot);
+    return ends_[end].foot_point;
+  }
+  std::uint32_t rim(std::uint32_t end) {
+    if (ends_[end].rim_point == kNone) ends_[end].rim_point = add_point(ends_[end].top);
+    return ends_[end].rim_point;
+  }
+  std::uint32_t add_feature(GroundFeature feature) {
+    out_.features.push_back(std::move(feature));
+    return static_cast<std::uint32_t>(out_.features.size()) - 1;
+  }
+  // From the foot of a wall up to its upper edge. At a corner a little within the wall: of what is
+  // in front of the corner itself some may be in front of the other wall alone.
+  void add_upright(std::uint32_t side, double share, std::uint32_t feature) {
+    constexpr double kWithin = 1e-6;
+    const double t = std::clamp(share, kWithin, 1 - kWithin);
+    const auto& [from, to, is_towards_eye] = sides_[side];
+    const ProfilePoint top = point_between(ends_[from].top, ends_[to].top, t);
+    const double foot_z = point_between(ends_[from].foot, ends_[to].foot, t).z;
+    add_line(add_point({top.u, top.v, foot_z}), add_point(top), side, feature);
+  }
+  void add_line(std::uint32_t from, std::uint32_t to, std::uint32_t side, std::uint32_t feature) {
+    throw_if_stopped(out_.lines.size());
+    out_.lines.push_back({{from, to}, side, feature});
+  }
+
+  const TerrainData& terrain_;
+  const PlacedView& placed_;
+  const View& view_;
+  std::uint32_t first_point_;
+  GroundLines& out_;
+  std::vector<End> ends_;   ///< by vertex
+  std::vector<Side> sides_; ///< one for each edge of the border
+  std::vector<bool> of_void_;
+};
+
+} // namespace
+
+void add_block(const TerrainData& terrain, const PlacedView& placed, const Style& style,
+               GroundLines& out) {
+  Walls walls(terrain, placed, style, out);
+  walls.add_outline();
+  if (style.hatches_block()) walls.add_hatching(kPenWidthsApart * style.pen_width_mm);
+  const bool contours = style.asks_for("contours"), index = style.draws_index_contours();
+  if (contours || index)
+    walls.add_contours(contour_levels(terrain, style.contours), contours, index);
+}
+
+} // namespace orograph

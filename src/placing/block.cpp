@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "placing/block.hpp"
+
+#include "dem/surface.hpp"
+#include "geometry/error.hpp"
+#include "placing/vertex_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <variant>
+
+namespace orograph {
+namespace {
+
+// Of the relief, by eye: so much of a pedestal that one sees a block, and not a plinth.
+constexpr double kDepthOverRelief = 0.15;
+
+// Of points.
+constexpr std::size_t kOfBlock = 256;
+
+} // namespace
+
+double block_base_m(const TerrainData& terrain, const BlockSpec& spec) {
+  if (!has_ground(terrain.surface))
+    throw UsageError("without a terrain there is no block", "leave the block out");
+  const auto [low_m, high_m] = range_of(terrain.surface, heights_of(terrain));
+  const double base_m = spec.base ? *spec.base * spec.unit_m.value_or(terrain.map.height_unit_m)
+                                  : low_m - kDepthOverRelief * (high_m - low_m);
+  if (base_m < low_m) return base_m;
+  const double unit_m = spec.unit_m.value_or(terrain.map.height_unit_m);
+  if (!spec.base)
+    throw UsageError(
+        fmt::format("a terrain that is level, at {:.6g}, has no relief that tells a block's depth",
+                    low_m / unit_m),
+        "give the block a base below that");
+  throw UsageError(fmt::format("a block's base at {:.6g} isn't below the terrain, whose lowest "
+                               "height is {:.6g}",
+                               *spec.base, low_m / unit_m),
+                   fmt::format("give a base below {:.6g}", low_m / unit_m));
+}
+
+std::vector<Vec3> block_feet_m(const TerrainData& terrain, const std::vector<BorderEdge>& border,
+                               double base_m) {
+  std::vector<std::uint32_t> vertices;
+  for (const auto& [edge, left] : border) vertices.insert(vertices.end(), {edge.from, edge.to});
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const VertexValues heights = heights_of(terrain);
+  std::vector<Vec3> feet;
+  for (const std::uint32_t vertex : vertices) {
+    double height_m = 0;
+    heights(vertex, std::span(&height_m, 1));
+    const Grid* grid = std::get_if<Grid>(&terrain.surface);
+    const Vec3 at =
+        grid ? grid->vertex_m(vertex) : std::get<Tin>(terrain.surface).vertices_m[vertex];
+    feet.push_back(below_vertex_m(terrain, at, height_m, base_m));
+  }
+  return feet;
+}
+
+void add_points(const std::vector<Vec3>& feet_m, BlockedPoints& beside) {
+  const std::size_t others = beside.boxes.size();
+  for (std::size_t first = 0; first < feet_m.size(); first += kOfBlock) {
+    Box3 box;
+    for (std::size_t i = first; i < std::min(first + kOfBlock, feet_m.size()); ++i)
+      box.include(feet_m[i]);
+    beside.boxes.push_back(box);
+  }
+  beside.points = [&feet_m, others, before = beside.points](std::size_t i) {
+    if (i < others) return before(i);
+    const std::size_t first = (i - others) * kOfBlock;
+    return std::span(feet_m).subspan(first, std::min(kOfBlock, feet_m.size() - first));
+  };
+}
+
+} // namespace orograph

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Blocks: what of their walls is drawn is what an eye sees of them, and all else stays as it was.
+#include "dem/approximate/tin_of_grid.hpp"
+#include "geometry/error.hpp"
+#include "hidden_lines/instruments.hpp"
+#include "map/draw_map.hpp"
+#include "placing/block.hpp"
+#include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
+#include "placing/vertex_values.hpp"
+#include "profiles/slab_lines.hpp"
+#include "tests/blocks/block_walk.hpp"
+#include "tests/catch.hpp"
+#include "tests/scenes/random_earth_scene.hpp"
+#include "tests/scenes/random_scene.hpp"
+#include "tests/scenes/same_drawing.hpp"
+#include "tests/scenes/vary_view.hpp"
+#include "tests/support/grid_of.hpp"
+#include "tests/support/random.hpp"
+#include "view/sectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace orograph::block_scenes_test {
+namespace {
+
+constexpr std::uint64_t kScenes = last_seed(500);
+
+// With voids, and islands in them.
+RandomScene with_block(std::uint64_t seed, Random& random) {
+  RandomScene scene = random_scene(seed, 18);
+  Grid& grid = grid_of(scene.terrain);
+  const auto heights = std::get<Heights<float>>(grid.heights_m).own();
+  if (random.chance(0.6)) {
+    const int column = random.whole(1, grid.columns - 6), row = random.whole(1, grid.rows - 6),
+              size = random.whole(2, 5);
+    const bool has_island = size == 5 && random.chance(0.7);
+    for (int r = row; r < std::min(row + size, grid.rows); ++r)
+      for (int c = column; c < std::min(column + size, grid.columns); ++c)
+        if (!has_island || r == row || c == column || r == row + 4 || c == column + 4)
+          heights[grid.index(c, r)] = std::numeric_limits<float>::quiet_NaN();
+    for (const auto& [c, r] : {std::pair{0, 0}, {1, 0}, {1, 1}})
+      if (std::isnan(heights[grid.index(c, r)])) heights[grid.index(c, r)] = 100;
+  }
+  Style& style = scene.spec.style;
+  style.layers.insert(style.layers.end(), {"block", "contours"});
+  style.block.sides = BlockSides::lines;
+  style.pen_width_mm = 2; // so that hatching is wide
+  style.join_mm = scene.spec.style.min_stroke_mm.emplace(0);
+  if (seed % 4 != 3) vary_view(seed, scene.terrain, scene.spec, random);
+  return scene;
+}
+
+struct Tally {
+  std::uint64_t asked = 0, unsure = 0, visible = 0, hidden_but_drawn = 0, missing = 0;
+};
+
+// Asks of points on the walls' lines, and of points anywhere on any wall: those that are seen must
+// be on a wall that has lines.
+class WallCheck : public LineObserver {
+public:
+  WallCheck(const TerrainData& terrain, const PlacedView& placed, Random& random)
+      : terrain_(terrain), placed_(placed), random_(random), heights_(heights_of(terrain)) {}
+
+  void see(const SeenProfile&) override {}
+  void see(const SeenLines& seen) override {
+    const View& view = seen.sector.view;
+    if (!view.is_perspective() && !(view.y_per_z > 1e-3)) return; // from straight above
+    tolerance_ = tie_tolerance(seen.sector, 1e-4);
+    const std::vector<BlockWall> walls = walls_in(view);
+    const BlockWalk walk(triangles_in(view), walls, view);
+    std::vector<std::uint32_t> lines;
+    for (std::uint32_t i = 0; i < seen.lines.size(); ++i)
+      if (is_on_wall(seen.lines.line(i).kind)) lines.push_back(i);
+    constexpr int kOfLines = 60, kOfWalls = 20;
+    for (int k = 0; k < kOfLines && !lines.empty(); ++k) {
+      const std::uint32_t line =
+          lines[static_cast<std::size_t>(random_.whole(0, static_cast<int>(lines.size()) - 1))];
+      const auto part = std::find_if(seen.visible.begin(), seen.visible.end(),
+                                     [&](const LinePart& p) { return p.line == line; });
+      double t = random_.between(0, 1);
+      if (part != seen.visible.end() && random_.chance(0.4))
+        t = (random_.chance(0.5) ? part->t_begin : part->t_end) + random_.pick({-1e-3, 1e-3});
+      if (!(t > 0 && t < 1)) continue;
+      bool is_drawn = false;
+      for (auto p = part; p != seen.visible.end() && p->line == line; ++p)
+        is_drawn = is_drawn || (p->t_begin <= t && t <= p->t_end);
+      const ProfileLine whole = seen.lines.whole(line);
+      // A rim may be the wall's own upper edge, or that of one turned away.
+      ask(walk, seen, point_between(whole.from, whole.to, t), is_drawn);
+    }
+    for (int k = 0; k < kOfWalls; ++k) {
+      const auto& [a, b, a_foot, b_foot] =
+          walls[static_cast<std::size_t>(random_.whole(0, static_cast<int>(walls.size()) - 1))];
+      const double t = random_.between(0.01, 0.99);
+      const ProfilePoint top = point_between(a, b, t), foot = point_between(a_foot, b_foot, t);
+      const ProfilePoint at{top.u, top.v, std::lerp(foot.z, top.z, random_.between(0.01, 0.99))};
+      // Whether it has lines is told by whether those of its edge were made.
+      const double turn =
+          view.is_perspective() ? a.v * b.u - a.u * b.v : b.u - a.u + view.x_per_v * (b.v - a.v);
+      const double size = std::hypot(b.u - a.u, b.v - a.v);
+      if (std::abs(turn) < 1e-6 * size * (view.is_perspective() ? std::hypot(a.u, a.v) : 1))
+        continue;
+      if (turn < 0) ask(walk, seen, at, false);
+    }
+  }
+
+  Tally tally;
+
+private:
+  void ask(const BlockWalk& walk, const SeenLines& seen, ProfilePoint at, bool is_drawn) {
+    const View& view = seen.sector.view;
+    // Edges that lie between two sectors hide only from so far ahead on.
+    const double from_m = std::max(kNearPlanesAhead * view.near_m, view.drawn_from_m);
+    if (view.is_perspective() && at.v <= 1.01 * from_m) return;
+    const double x = project(view, at).x;
+    if (!(x > seen.clipped.begin && x < seen.clipped.end)) return;
+    ++tally.asked;
+    // What is as high as a line in front, to the tolerance on the page, is drawn only once.
+    const Vec2 plane = project(view, at);
+    const double sure_m = 1e-5 + 2 * tolerance_.at(plane.x, plane.y) *
+                                     (view.is_perspective() ? at.v : 1 / view.y_per_z);
+    const auto side = [&](ProfilePoint p) {
+      const double inside_m = walk.depth_inside_m(p);
+      return inside_m > sure_m ? 1 : inside_m < -sure_m ? -1 : 0;
+    };
+    const int here = side(at);
+    // What ends just at the point's X is a matter of rounding: a little aside, in front of the
+    // wall.
+    const double aside = 1e-7 * std::hypot(at.u, at.v);
+    const auto nudged = [&](double across) {
+      const double along = u_along_ray(view, at), size = std::hypot(along, 1);
+      return side({at.u + (across - 20 * aside * along) / size,
+                   at.v - (across * along + 20 * aside) / size,
+                   at.z - 20 * aside / size * z_along_ray(view, at)});
+    };
+    const bool is_sure = here != 0 && nudged(aside) == here && nudged(-aside) == here;
+    if (!is_sure)
+      ++tally.unsure;
+    else if (here > 0 && is_drawn)
+      ++tally.hidden_but_drawn;
+    else if (here < 0 && !is_drawn)
+      ++tally.missing;
+    if (here < 0) ++tally.visible;
+  }
+
+  ProfilePoint vertex(std::uint32_t number, const View& view) const {
+    return line_of(terrain_.surface, view, {number, number}).from;
+  }
+  ProfilePoint foot(std::uint32_t number, const View& view) const {
+    double height_m = 0;
+    heights_(number, std::span(&height_m, 1));
+    const Grid* grid = std::get_if<Grid>(&terrain_.surface);
+    Vec3 at = grid ? grid->vertex_m(number) : std::get<Tin>(terrain_.surface).vertices_m[number];
+    at.z -= (terrain_.map.earth ? terrain_.map.earth->exaggeration : 1) *
+            (height_m - *placed_.block_base_m);
+    return to_profile_frame(view, at);
+  }
+  std::vector<BlockWall> walls_in(const View& view) const {
+    std::vector<BlockWall> walls;
+    for (const auto& [edge, left] : placed_.border) {
+      const std::uint32_t a = left ? edge.from : edge.to, b = left ? edge.to : edge.from;
+      walls.push_back({vertex(a, view), vertex(b, view), foot(a, view), foot(b, view)});
+    }
+    return walls;
+  }
+  std::vector<std::array<ProfilePoint, 3>> triangles_in(const View& view) const {
+    const Grid* grid = std::get_if<Grid>(&terrain_.surface);
+    const Tin tin = grid ? tin_of(*grid) : std::get<Tin>(terrain_.surface);
+    std::vector<std::array<ProfilePoint, 3>> triangles;
+    for (const auto& [a, b, c] : tin.triangles)
+      triangles.push_back({to_profile_frame(view, tin.vertices_m[a]),
+                           to_profile_frame(view, tin.vertices_m[b]),
+                           to_profile_frame(view, tin.vertices_m[c])});
+    return triangles;
+  }
+
+  const TerrainData& terrain_;
+  const PlacedView& placed_;
+  Random& random_;
+  VertexValues heights_;
+  TieTolerance tolerance_;
+};
+
+bool is_of_block(const Layer& layer) {
+  return layer.name == "block" || layer.name.starts_with("wall");
+}
+
+} // namespace
+
+TEST_CASE("a block's walls are drawn where they are seen, and nowhere else") {
+  Tally sum;
+  std::uint64_t refused = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    Random random(seed);
+    RandomScene scene = with_block(seed, random);
+    const bool is_tin = seed % 5 == 0;
+    if (is_tin) {
+      const Grid grid = grid_of(scene.terrain);
+      scene.terrain.surface = tin_of(grid);
+    }
+    INFO("seed " << seed << ": " << scene.what << (is_tin ? ", a TIN" : ""));
+    const std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+    if (!placed) {
+      ++refused;
+      continue;
+    }
+    WallCheck check(scene.terrain, *placed, random);
+    Instruments instruments{.hidden_ground = seed % 2 == 0, .order_always = seed % 4 != 0};
+    instruments.observers = {&check};
+    draw_map(
+        scene.terrain, *placed, scene.spec, [](double) {}, instruments);
+    CHECK(check.tally.hidden_but_drawn == 0);
+    CHECK(check.tally.missing == 0);
+    sum.asked += check.tally.asked;
+    sum.unsure += check.tally.unsure;
+    sum.visible += check.tally.visible;
+    sum.hidden_but_drawn += check.tally.hidden_but_drawn;
+    sum.missing += check.tally.missing;
+  }
+  WARN(sum.asked << " asked, " << sum.unsure << " unsure, " << sum.visible << " visible, "
+                 << sum.hidden_but_drawn << " hidden but drawn, " << sum.missing << " missing, "
+                 << refused << " views refused");
+  CHECK(sum.asked > 25 * kScenes);
+  CHECK(sum.visible > 8 * kScenes);
+  CHECK(sum.unsure < sum.asked / 20);
+}
+
+TEST_CASE("and in degrees, where walls are upright in the view's frame") {
+  Tally sum;
+  std::uint64_t drawn = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 5; ++seed) {
+    Random random(seed);
+    RandomScene scene = random_earth_scene(
+        seed, random.pick({Stand::frames_terrain, Stand::in_air, Stand::on_ground}));
+    scene.spec.style.layers.insert(scene.spec.style.layers.end(), {"block", "contours"});
+    scene.spec.style.block.sides = BlockSides::lines;
+    scene.spec.style.pen_width_mm = 2;
+    INFO("seed " << seed << ": " << scene.what);
+    stand_on_earth(scene.terrain, scene.spec.view);
+    const std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+    if (!placed || placed->extent.turned_over > 0) continue;
+    WallCheck check(scene.terrain, *placed, random);
+    Instruments instruments;
+    instruments.observers = {&check};
+    draw_map(
+        scene.terrain, *placed, scene.spec, [](double) {}, instruments);
+    CHECK(check.tally.hidden_but_drawn == 0);
+    CHECK(check.tally.missing == 0);
+    sum.asked += check.tally.asked;
+    sum.unsure += check.tally.unsure;
+    sum.visible += check.tally.visible;
+    ++drawn;
+  }
+  WARN(sum.asked << " asked, " << sum.unsure << " unsure, " << sum.visible << " visible");
+  CHECK(drawn > kScenes / 10);
+  CHECK(sum.visible > 5 * drawn);
+  CHECK(sum.unsure < sum.asked / 10);
+}
+
+TEST_CASE("all else is the same with a block and without, to the bit") {
+  std::uint64_t compared = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 4; ++seed) {
+    Random random(seed);
+    RandomScene scene = with_block(seed, random);
+    if (seed % 5 == 0) {
+      const Grid grid = grid_of(scene.terrain);
+      scene.terrain.surface = tin_of(grid);
+    }
+    INFO("seed " << seed << ": " << scene.what);
+    std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+    if (!placed) continue;
+    Map with = draw_map(scene.terrain, *placed, scene.spec, [](double) {});
+    CHECK(!find_fault(with.drawing).has_value());
+    CHECK(std::ranges::any_of(with.drawing.layers, is_of_block));
+    std::erase_if(with.drawing.layers, is_of_block);
+    // On the page that was framed with the block.
+    std::erase_if(scene.spec.style.layers, [](const LayerSpec& of) { return of.name == "block"; });
+    const Map without = draw_map(scene.terrain, *placed, scene.spec, [](double) {});
+    CHECK(difference(with.drawing, without.drawing).empty());
+    ++compared;
+  }
+  CHECK(compared > kScenes / 8);
+}
+
+TEST_CASE("a block's base is below all heights, by 0.15 of the relief unless told otherwise") {
+  TerrainData terrain;
+  Grid& grid = grid_of(terrain);
+  grid.columns = grid.rows = 2;
+  grid.heights_m = std::vector<float>{100, 200, 300, 400};
+  CHECK(block_base_m(terrain, {}) == Approx(55));
+  CHECK(block_base_m(terrain, {.base = 99}) == 99);
+  CHECK(block_base_m(terrain, {.base = 100, .unit_m = 0.3048}) == Approx(30.48));
+  CHECK_THROWS_AS(block_base_m(terrain, {.base = 100}), Error);
+  grid.heights_m = std::vector<float>{7, 7, 7, 7};
+  CHECK_THROWS_AS(block_base_m(terrain, {}), Error);
+  CHECK(block_base_m(terrain, {.base = 0}) == 0);
+}
+
+TEST_CASE("a page that frames a block holds its feet") {
+  RandomScene scene = random_scene(3);
+  scene.spec.view.projection = Projection::orthographic;
+  scene.spec.view.from_elevation = Angle::degrees(20);
+  const PlacedView plain = placed_view(scene.terrain, scene.spec);
+  scene.spec.style.layers.emplace_back("block");
+  const PlacedView placed = placed_view(scene.terrain, scene.spec);
+  REQUIRE(placed.block_base_m);
+  const Box2& frame = placed.frame_mm;
+  double lowest = 0;
+  for (const Vec3& foot : block_feet_m(scene.terrain, placed.border, *placed.block_base_m)) {
+    const Vec3 image = placed.on_page(to_profile_frame(placed.view, foot));
+    CHECK(image.y / image.z <= frame.high.y + 1e-6);
+    lowest = std::max(lowest, image.y / image.z);
+  }
+  const Vec3 before = plain.on_page({0, 0, 0}), now = placed.on_page({0, 0, 0});
+  CHECK(!(before.y / before.z == now.y / now.z));
+  CHECK(lowest > 0.5 * (frame.low.y + frame.high.y));
+}
+
+} // namespace orograph::block_scenes_test
