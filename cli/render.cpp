@@ -113,6 +113,8 @@ void render(const RenderSettings& settings) {
   seconds.write = seconds_since(write_start);
   bar.finish(); // before anything is told: lines behind marks are read by nobody
   tell_check(map.facts.check);
+  if (!settings.quiet)
+    for (const std::string& line : map.facts.lettering) say_line(line);
   if (!settings.quiet) tell_overlays(overlays, map.facts.counts);
   std::optional<Skyline> skyline;
   if (!settings.skyline_table.empty()) {

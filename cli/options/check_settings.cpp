@@ -2,6 +2,7 @@
 // What one option alone can't tell.
 #include "cli/options/check_settings.hpp"
 
+#include "cli/options/check_lettering.hpp"
 #include "cli/options/check_panorama.hpp"
 #include "cli/options/check_plotting.hpp"
 #include "cli/options/option_values.hpp"
@@ -338,6 +339,7 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
   check_picture_settings(settings, given);
   check_skyline(settings, given);
   check_plotting(settings, given);
+  check_lettering(settings);
   check_no_shape_file(settings);
 }
 

@@ -54,6 +54,7 @@ void add_drawing_options(std::vector<Option>& options, RenderSettings& settings)
   add_ground_line_options(options, settings);
   add_scene_options(options, settings);
   add_page_options(options, settings);
+  add_lettering_options(options, settings);
   add_output_options(options, settings);
   add_pen_time_options(options, settings);
   add_plotting_options(options, settings);

@@ -23,6 +23,7 @@
 #include "map/finish_panorama.hpp"
 #include "map/found_parts.hpp"
 #include "map/layer_table.hpp"
+#include "map/letter_map.hpp"
 #include "map/stroke_darkness.hpp"
 
 #include <algorithm>
@@ -132,7 +133,8 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     std::optional<Layer> layer = layer_of(row, style);
     const bool of_solids =
         row.source == LineSource::solids || row.source == LineSource::hidden_solids;
-    if (!layer || (of_solids && placed.solids.empty())) continue;
+    if (!layer || (of_solids && placed.solids.empty()) || row.source == LineSource::lettering)
+      continue;
     LineLayer& added = layers.emplace_back();
     added.layer = std::move(*layer);
     added.kind = row.kind;
@@ -171,7 +173,8 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     case LineSource::hidden_solids: // hidden edges lie under visible ones
       added.parts = solids(&SolidParts::hidden, solids(&SolidParts::visible, {}));
       break;
-    case LineSource::pen_way: // known when all strokes are in order
+    case LineSource::lettering: // stands around what is drawn
+    case LineSource::pen_way:   // known when all strokes are in order
       break;
     }
     if (row.is_hidden()) added.shade.reset(); // which would break the dashes' rhythm
@@ -328,6 +331,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     counts.dropped_strokes += dropped.empty_strokes + dropped.repeated_strokes;
     drawing.layers.push_back(std::move(of_lines.layer));
   }
+  letter_map(map, terrain, placed, spec);
   order_for_pen(drawing, spec.pen_order);
   show_pen_way(drawing);
   for (const Layer& layer : drawing.layers) {

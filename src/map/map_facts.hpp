@@ -147,6 +147,7 @@ struct MapFacts {
   std::optional<CheckCounts> check; ///< where one was asked for
   double pen_down_mm = kNotMeasured, pen_up_mm = kNotMeasured;
   std::uint64_t pen_lifts = 0;
+  std::vector<std::string> lettering; ///< a sentence each: what letters there were none of
 };
 
 struct Map {
