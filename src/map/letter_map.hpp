@@ -4,6 +4,7 @@
 
 #include "dem/terrain.hpp"
 #include "map/map_facts.hpp"
+#include "naming/line_labels.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
 
@@ -11,9 +12,9 @@
 
 namespace orograph {
 
-/// Adds furniture, and makes strokes of texts where their letters are strokes. A drawing whose
+/// Adds names, the labels of `lines` and furniture, and makes strokes of texts where their letters are strokes. A drawing whose
 /// lines keep their places on the ground, which has no page, gets neither.
 void letter_map(Map& map, const TerrainData& terrain, const PlacedView& placed,
-                const MapSpec& spec);
+                const MapSpec& spec, const LinesToLabel& lines);
 
 } // namespace orograph

@@ -8,6 +8,7 @@
 #include "draw/pen_order.hpp"
 #include "geometry/angle.hpp"
 #include "placing/furniture_spec.hpp"
+#include "placing/label_spec.hpp"
 #include "placing/view_file.hpp"
 #include "profiles/plan_request.hpp"
 #include "view/projection.hpp"
@@ -216,6 +217,7 @@ struct MapSpec {
   PageRequest page;
   std::string title;          ///< empty: the terrain's file name, or the first's and how many more
   LetterSpec letters;         ///< of all texts on the page
+  LabelSpec labels;           ///< names and labels; the same
   FurnitureSpec furniture;    ///< around the picture; where lines keep their places it isn't drawn
   bool ground_points = false; ///< lines keep their places on the ground; hidden ones stay whole
   /// Of each layer's strokes. Where lines keep their places on the ground it is the drawing's.

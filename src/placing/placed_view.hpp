@@ -59,6 +59,7 @@ struct PlacedView {
   double exaggeration = 1; ///< of all heights; `view` still has to do it except on the ellipsoid
   bool exaggeration_chosen = false;     ///< by us, not by the user
   std::span<const Overlay> overlays;    ///< to be laid on the ground
+  const Overlay* names = nullptr;       ///< points with names to be put on the page
   std::optional<LineShade> ridge_shade; ///< none: light doesn't show in lines' widths
 
   /// The page's place of a point of `view`'s profile frame, over its last coordinate; a panorama's
