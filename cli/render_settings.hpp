@@ -39,6 +39,7 @@ struct RenderSettings {
   std::vector<std::string> hidden_layers; ///< whose hidden lines are dashed; empty: solids
   std::vector<std::pair<std::string, Colour>> colours; ///< of layers, by their names
 
+  std::string template_file;         ///< of furniture and letters; empty: none
   std::optional<LetterKind> text;    ///< none: as format, pens and sheets want
   std::optional<PenOrder> pen_order; ///< none: as the format wants
   // Of the pen that will draw; none: no minutes are told, and the like.

@@ -61,6 +61,7 @@ void check_no_input(const RenderSettings& settings, const std::string& path,
                                                           {settings.scene_file, "--scene"},
                                                           {settings.settings_file, "--settings"}};
   inputs.emplace_back(settings.pens_file, "--pens");
+  inputs.emplace_back(settings.template_file, "--template");
   if (is_device_file(settings.device)) inputs.emplace_back(settings.device, "--device");
   for (const std::string& input : settings.inputs) inputs.emplace_back(input, "INPUT");
   for (const OverlayInput& overlay : settings.overlays)
@@ -339,7 +340,7 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
   check_picture_settings(settings, given);
   check_skyline(settings, given);
   check_plotting(settings, given);
-  check_lettering(settings);
+  check_lettering(settings, given);
   check_no_shape_file(settings);
 }
 

@@ -9,7 +9,7 @@ namespace orograph {
 namespace {
 
 // Fields that messages of the library name, with what sets them on the command line.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kOptions{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 35> kOptions{{
     {"terrain", "INPUT"},
     {"solids", "--scene"},
     // ReadOptions
@@ -44,6 +44,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kOptions
     {"scale", "--scale"},
     {"margin_mm", "--margin"},
     {"pens", "--pens"},
+    {"furniture", "--furniture"},
     {"overlap_mm", "--overlap"},
     // WriteOptions
     {"format", "--of"},

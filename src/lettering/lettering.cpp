@@ -13,6 +13,7 @@
 
 #include "lettering/font_letters.hpp"
 #include "lettering/stroke_font.hpp"
+#include "text/printable.hpp"
 
 namespace orograph {
 namespace {
@@ -71,7 +72,7 @@ struct Lettering::Parts {
   LetterSpec spec;
   std::optional<FontLetters> font;
   std::optional<StrokeFont> strokes;
-  std::vector<std::string> not_in_strokes, not_in_fonts;
+  std::vector<std::string> not_in_strokes, not_in_fonts, cut;
 
   FontLetters& font_letters() {
     if (!font) font.emplace(spec.family);
@@ -189,6 +190,7 @@ PageText Lettering::set_within(PageText text, double most_mm) {
   text.size_mm = std::floor(share * text.size_mm * 100) / 100;
   parts_->measure(text, false);
   if (text.extent.width_mm <= most_mm) return text;
+  add_once(shortened(printable(text.text), 100), parts_->cut);
   const std::u32string characters = characters_of(text.text);
   // The longest beginning that fits: widths rise with letters, but for ligatures.
   std::size_t fits = 0, too_many = characters.size();
@@ -267,6 +269,8 @@ std::vector<std::string> Lettering::notes() const {
   if (!parts_->not_in_fonts.empty())
     notes.push_back(
         fmt::format("no font here has {}: boxes stand for them", list_of(parts_->not_in_fonts)));
+  if (!parts_->cut.empty())
+    notes.push_back(fmt::format("there is no room for all of {}", list_of(parts_->cut)));
   return notes;
 }
 

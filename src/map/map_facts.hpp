@@ -135,6 +135,12 @@ struct ErrorBudget {
   }
 };
 
+/// What a piece of furniture covers; "window": the picture, or a strip of it.
+struct FurnitureFacts {
+  std::string piece;
+  Box2 box_mm;
+};
+
 struct MapFacts {
   InputFacts input;
   ViewFacts view;
@@ -149,6 +155,7 @@ struct MapFacts {
   double pen_down_mm = kNotMeasured, pen_up_mm = kNotMeasured;
   std::uint64_t pen_lifts = 0;
   std::optional<NamesFacts> names;    ///< none: none were given
+  std::vector<FurnitureFacts> furniture;
   std::vector<std::string> lettering; ///< a sentence each: what letters there were none of
 };
 

@@ -49,6 +49,7 @@ struct PlacedView {
   Page page;
   Homography to_page;               ///< visibility plane to page mm; of a panorama near its middle
   Box2 frame_mm;                    ///< strokes end here
+  Box2 room_mm;                     ///< of the picture: furniture stands around it
   std::optional<VolumeDepth> depth; ///< and at the front and back plane, where there are any
   EarthCurvature curvature;
   PlanRequest plan;
