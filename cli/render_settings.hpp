@@ -31,6 +31,9 @@ struct RenderSettings {
   std::vector<OverlayInput> overlays;
   std::string overlays_where; ///< of all of them
 
+  OverlayInput labels; ///< places with names; an empty path: none
+  std::string labels_where;
+
   MapSpec map;
   // Layers that switches of their own add to those of `map`.
   bool void_edges = false;

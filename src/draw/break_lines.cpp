@@ -46,6 +46,7 @@ public:
       : from_(std::move(layer)), to_(layer), boxes_(boxes), min_stroke_mm_(min_stroke_mm) {
     to_ = from_;
     to_.clear();
+    to_.texts = from_.texts;
     for (const Corners& box : boxes) {
       Box2& bounds = bounds_.emplace_back();
       for (const Vec2 corner : box) bounds.include(corner);

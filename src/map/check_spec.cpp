@@ -234,6 +234,21 @@ void check_eye_spec(const ViewSpec& view) {
   check_view(eye);
 }
 
+namespace {
+
+void check_labels(const LabelSpec& labels) {
+  const double deg = labels.angle.in_degrees();
+  if (deg != 0) check_range("labels.angle", deg, 15, 90, " degrees");
+  check_range("labels.rows", labels.rows, 1, 20);
+  if (labels.most) check_range("labels.most", *labels.most, 0, kNone);
+  if (labels.range_m) check_above_0("labels.range_m", *labels.range_m, kNone, " m");
+  check_above_0("labels.haze_m", labels.haze_m, kNone, " m");
+  check_range("labels.size_mm", labels.size_mm, 0.5, 50, " mm");
+  check_range("labels.halo_mm", labels.halo_mm, 0, 20, " mm");
+}
+
+} // namespace
+
 void check_sights(const std::vector<Vec2>& places, double above_m) {
   check_range("above_m", above_m, 0, kNone, " m");
   for (const Vec2 place : places)
@@ -252,6 +267,7 @@ void check_spec(const MapSpec& spec, bool has_solids) {
   check_style(spec.style, has_solids);
   check_page(spec.page);
   check_furniture(spec);
+  check_labels(spec.labels);
   if (spec.ground_points && spec.style.asks_for("pen-up"))
     throw UsageError(
         "the layer 'pen-up' has no meaning where lines keep their places on the ground",

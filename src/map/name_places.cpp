@@ -6,10 +6,6 @@
 #include "draw/round_drawing.hpp"
 #include "map/layer_table.hpp"
 #include "map/named_summits.hpp"
-#include "naming/ink_map.hpp"
-#include "naming/names_above.hpp"
-#include "naming/names_beside.hpp"
-#include "naming/place_names.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +13,11 @@
 #include <limits>
 #include <utility>
 #include <vector>
+
+#include "naming/ink_map.hpp"
+#include "naming/names_above.hpp"
+#include "naming/names_beside.hpp"
+#include "naming/place_names.hpp"
 
 namespace orograph {
 namespace {
@@ -43,8 +44,7 @@ RoomForNames room_above(const MapSpec& spec, const Overlay& names, Lettering& le
   for (const PlaceName& place : place_names(names, labels).places) {
     const std::string text =
         text_with_height(place.text, place.height_m.value_or(kHighest_m), labels.elevation);
-    const PageText set =
-        lettering.set_within(text_of_size(text, labels.size_mm), kLongestName_mm);
+    const PageText set = lettering.set_within(text_of_size(text, labels.size_mm), kLongestName_mm);
     longest.width_mm = std::max(longest.width_mm, set.extent.width_mm);
   }
   return room_for_names(longest, labels.size_mm, labels.angle, labels.rows);
@@ -107,10 +107,9 @@ StripsOfPage strips_of(const PlacedView& placed, const MapSpec& spec, const Draw
   double begin_mm = placed.frame_mm.low.x;
   for (const PanoramaStrip& strip : out.strips) {
     const Box2& frame = placed.frame_mm;
-    out.rooms.push_back(
-        strip_room({Vec2{begin_mm, frame.low.y} + strip.shift_mm,
-                    Vec2{strip.end_mm, frame.high.y} + strip.shift_mm},
-                   spec.page.strip_room_mm, drawing));
+    out.rooms.push_back(strip_room({Vec2{begin_mm, frame.low.y} + strip.shift_mm,
+                                    Vec2{strip.end_mm, frame.high.y} + strip.shift_mm},
+                                   spec.page.strip_room_mm, drawing));
     begin_mm = strip.end_mm;
   }
   return out;
@@ -160,10 +159,9 @@ NamesFacts put_names(const TerrainData& terrain, const PlacedView& placed, const
   for (SummitOnPage& summit : found.summits) {
     summit.facts.text = on_one_line(summit.facts.text);
     if (summit.facts.state == NameState::hidden) continue;
-    names.push_back(
-        {summit.page_mm, summit.weight,
-         lettering.set_within(text_of_size(summit.facts.text, spec.labels.size_mm),
-                              kLongestName_mm)});
+    names.push_back({summit.page_mm, summit.weight,
+                     lettering.set_within(text_of_size(summit.facts.text, spec.labels.size_mm),
+                                          kLongestName_mm)});
   }
   // Those that are seen come first, by rank.
   for (PlacedName& name : placed_names(placed, spec, drawing, names, texts.taken)) {
@@ -216,8 +214,8 @@ bool leaves(const TerrainData& terrain, const PlacedView& placed, ProfilePoint e
   const Vec2 mm{page.x / page.z, page.y / page.z};
   const Box2& frame = placed.frame_mm;
   constexpr double kAtFrame_mm = 0.01;
-  if (std::min({mm.x - frame.low.x, frame.high.x - mm.x, mm.y - frame.low.y,
-                frame.high.y - mm.y}) < kAtFrame_mm)
+  if (std::min({mm.x - frame.low.x, frame.high.x - mm.x, mm.y - frame.low.y, frame.high.y - mm.y}) <
+      kAtFrame_mm)
     return true;
   const Vec3 to = to_ground_m(placed.view, end), from = to_ground_m(placed.view, beside);
   const Vec2 way{to.x - from.x, to.y - from.y};
@@ -240,7 +238,7 @@ void label_lines(const TerrainData& terrain, const PlacedView& placed, const Map
   const SetText set = [&](PageText text) { return lettering.set(std::move(text)); };
   if (Layer* contours = layer_named(drawing, "index-contours"))
     contours->texts = contour_labels(
-        lines.contours, 0.8 * size_mm, placed.frame_mm, set,
+        lines.contours, 0.8 * size_mm, placed.frame_mm, InkMap(drawing.page, drawing.layers), set,
         [&](Vec3 at) { return uphill_on_page(terrain, placed, as_profile_point(at)); }, taken);
   if (placed.panorama) return;
   const Box2 room = placed.page.inner_mm();
@@ -300,9 +298,8 @@ MapSpec with_room_for_names(const MapSpec& spec, const Overlay* names) {
 std::optional<NamesFacts> name_places(const TerrainData& terrain, const PlacedView& placed,
                                       const MapSpec& spec, const LinesToLabel& lines,
                                       Lettering& lettering, Drawing& drawing) {
-  TextsOnPage texts{layer_of_lettering("leaders", spec.style),
-                    layer_of_lettering("labels", spec.style),
-                    {}};
+  TextsOnPage texts{
+      layer_of_lettering("leaders", spec.style), layer_of_lettering("labels", spec.style), {}};
   std::optional<NamesFacts> facts;
   if (placed.names) facts = put_names(terrain, placed, spec, lettering, drawing, texts);
   label_lines(terrain, placed, spec, lines, lettering, drawing, texts.taken);
@@ -315,9 +312,7 @@ std::optional<NamesFacts> name_places(const TerrainData& terrain, const PlacedVi
   add_boxes(texts.labels);
   for (Layer& layer : drawing.layers)
     if (is_of_terrain(layer)) break_lines(layer, boxes, spec.min_stroke_mm());
-  const auto behind = [&] {
-    return std::ranges::find(drawing.layers, true, &Layer::is_pen_way);
-  };
+  const auto behind = [&] { return std::ranges::find(drawing.layers, true, &Layer::is_pen_way); };
   for (Layer* layer : {&texts.leaders, &texts.labels})
     if (!layer->strokes.empty() || !layer->texts.empty())
       drawing.layers.insert(behind(), std::move(*layer));

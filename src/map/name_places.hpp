@@ -5,13 +5,14 @@
 #include "dem/overlay.hpp"
 #include "dem/terrain.hpp"
 #include "draw/drawing.hpp"
-#include "lettering/lettering.hpp"
 #include "map/name_facts.hpp"
-#include "naming/line_labels.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
 
 #include <optional>
+
+#include "lettering/lettering.hpp"
+#include "naming/line_labels.hpp"
 
 namespace orograph {
 

@@ -5,8 +5,6 @@
 #include "geometry/on_all_cores.hpp"
 #include "map/look_around.hpp"
 #include "map/parallel_sight.hpp"
-#include "naming/dominance.hpp"
-#include "naming/prominence.hpp"
 #include "placing/highest_vertex.hpp"
 #include "placing/observer.hpp"
 #include "profiles/slab_lines.hpp"
@@ -16,6 +14,9 @@
 #include <span>
 #include <tuple>
 #include <variant>
+
+#include "naming/dominance.hpp"
+#include "naming/prominence.hpp"
 
 namespace orograph {
 namespace {
@@ -41,8 +42,7 @@ std::optional<Vec2> on_page(const PlacedView& placed, ProfilePoint at) {
   if (!(page.z > 0)) return std::nullopt;
   const Vec2 mm{page.x / page.z, page.y / page.z};
   const Box2& frame = placed.frame_mm;
-  if (!(mm.x >= frame.low.x && mm.x <= frame.high.x && mm.y >= frame.low.y &&
-        mm.y <= frame.high.y))
+  if (!(mm.x >= frame.low.x && mm.x <= frame.high.x && mm.y >= frame.low.y && mm.y <= frame.high.y))
     return std::nullopt;
   return mm;
 }
@@ -137,7 +137,8 @@ SummitOnPage as_told(const Found& found, const PlaceName& place, const TerrainDa
   SummitOnPage out;
   out.page_mm = found.page_mm;
   NameFacts& facts = out.facts;
-  facts.text = text_with_height(place.text, place.height_m.value_or(found.summit.height_m), elevation);
+  facts.text =
+      text_with_height(place.text, place.height_m.value_or(found.summit.height_m), elevation);
   facts.state = found.hidden_mm > kSeenBelow_mm ? NameState::hidden : NameState::crowded_out;
   facts.map = found.summit.map;
   facts.height = found.summit.height_m / terrain.map.height_unit_m;
@@ -164,8 +165,8 @@ SummitsOnPage named_summits(const TerrainData& terrain, const PlacedView& placed
     return std::tuple(a_hidden, b.summit.height_m, a.place) <
            std::tuple(b_hidden, a.summit.height_m, b.place);
   });
-  const auto first_hidden = std::ranges::find_if(
-      found, [](const Found& one) { return one.hidden_mm > kSeenBelow_mm; });
+  const auto first_hidden =
+      std::ranges::find_if(found, [](const Found& one) { return one.hidden_mm > kSeenBelow_mm; });
   const std::span<Found> seen(found.begin(), first_hidden);
   const std::vector<double> stature = statures(terrain, placed, spec.labels, places, seen);
   std::vector<NamedSummit> summits;

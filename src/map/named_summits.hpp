@@ -4,24 +4,26 @@
 
 #include "dem/terrain.hpp"
 #include "map/name_facts.hpp"
-#include "naming/place_names.hpp"
-#include "naming/rank_names.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
 
 #include <vector>
 
+#include "naming/place_names.hpp"
+#include "naming/rank_names.hpp"
+
 namespace orograph {
 
 /// A place's summit on the page.
 struct SummitOnPage {
-  NameFacts facts; ///< hidden, or crowded out until it has its place
-  Vec2 page_mm;    ///< of a panorama before it is cut into strips
+  NameFacts facts;   ///< hidden, or crowded out until it has its place
+  Vec2 page_mm;      ///< of a panorama before it is cut into strips
   NameWeight weight; ///< of one that is seen; above 0
 };
 
 struct SummitsOnPage {
-  std::vector<SummitOnPage> summits; ///< those that are seen, by rank; then hidden ones, the higher first
+  std::vector<SummitOnPage>
+      summits; ///< those that are seen, by rank; then hidden ones, the higher first
   std::size_t elsewhere = 0;
 };
 

@@ -43,8 +43,7 @@ double ParallelSight::hidden_y(ProfilePoint at) const {
   for (std::size_t i = 0; i < profile.size(); ++i) {
     if (profile.u_m[i] > own.u - near_m_) break;
     if (std::isnan(profile.z_m[i])) continue;
-    const ProfilePoint there =
-        turned(along_, view_, {profile.u_m[i], own.v, profile.z_m[i]});
+    const ProfilePoint there = turned(along_, view_, {profile.u_m[i], own.v, profile.z_m[i]});
     highest = std::max(highest, project(view_, there).y);
   }
   return highest - own_y;

@@ -2,12 +2,12 @@
 // The best of all sets of names that stand side by side on one line.
 #pragma once
 
-#include "naming/rank_names.hpp"
-
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "naming/rank_names.hpp"
 
 namespace orograph {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "naming/line_labels.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,21 +6,25 @@
 #include <cstdint>
 #include <variant>
 
+#include "naming/line_labels.hpp"
+
 namespace orograph {
 namespace {
 
-constexpr double kApart_mm = 120;      // on one line, from a label to the next
-constexpr double kAround_mm = 1.5;     // free of other texts
-constexpr double kBeside_mm = 0.5;     // straight, on either side of the text
-constexpr double kLeastOfText = 2.5;   // shorter lines have no label, in the text's lengths
-constexpr double kMostBend = 0.2;      // of the letters' size
-constexpr double kMiddle = 0.35;       // of figures, above their baseline, in ems
-constexpr double kStep_mm = 1;         // between places that are tried
+constexpr double kApart_mm = 120;    // on one line, from a label to the next
+constexpr double kAround_mm = 1.5;   // free of other texts
+constexpr double kBeside_mm = 0.5;   // straight, on either side of the text
+constexpr double kLeastOfText = 2.5; // shorter lines have no label, in the text's lengths
+constexpr double kMostBend = 0.2;    // of the letters' size
+constexpr double kMiddle = 0.35;     // of figures, above their baseline, in ems
+constexpr double kMostInk = 0.5;     // of the paper beneath: closer lines leave a hole
+constexpr double kStep_mm = 1;       // between places that are tried
 
 // Lengths along a stroke, and the points there.
 class Along {
 public:
-  Along(std::span<const Vec2> points, std::span<const Vec3> scene) : points_(points), scene_(scene) {
+  Along(std::span<const Vec2> points, std::span<const Vec3> scene)
+      : points_(points), scene_(scene) {
     lengths_.push_back(0);
     for (std::size_t i = 1; i < points.size(); ++i)
       lengths_.push_back(lengths_.back() + plain_length(points[i] - points[i - 1]));
@@ -66,22 +68,25 @@ std::optional<std::string> height_text(const Layer& lines, const Stroke& stroke)
   if (stroke.feature < 0) return std::nullopt;
   for (const Attribute& own : lines.features[static_cast<std::size_t>(stroke.feature)])
     if (own.name == "elevation") {
-      if (const auto* height = std::get_if<double>(&own.value)) return fmt::format("{:.10g}", *height);
+      if (const auto* height = std::get_if<double>(&own.value))
+        return fmt::format("{:.10g}", *height);
       if (const auto* height = std::get_if<std::int64_t>(&own.value))
         return fmt::format("{}", *height);
     }
   return std::nullopt;
 }
 
+// A place, and how little it suits.
 struct Bend {
-  double mm, middle_mm;
+  double cost, middle_mm;
 };
 
 } // namespace
 
-std::vector<PageText>
-contour_labels(const Layer& lines, double size_mm, const Box2& room_mm, const SetText& set,
-               const std::function<std::optional<Vec2>(Vec3)>& uphill_mm, TakenRoom& taken) {
+std::vector<PageText> contour_labels(const Layer& lines, double size_mm, const Box2& room_mm,
+                                     const SetText& set,
+                                     const std::function<std::optional<Vec2>(Vec3)>& uphill_mm,
+                                     TakenRoom& taken) {
   std::vector<PageText> out;
   for (const Stroke& stroke : lines.strokes) {
     const auto height = height_text(lines, stroke);
@@ -102,9 +107,16 @@ contour_labels(const Layer& lines, double size_mm, const Box2& room_mm, const Se
       std::vector<Bend> bends;
       for (double at = from + half_mm; at <= to - half_mm; at += kStep_mm) {
         const double bend = along.bend_mm(at - half_mm, at + half_mm);
-        if (bend <= kMostBend * size_mm) bends.push_back({bend, at});
+        if (bend > kMostBend * size_mm) continue;
+        Box2 about; // letters' height to either side of the line
+        for (const double end : {at - half_mm, at + half_mm}) {
+          about.include(along.at(end) - Vec2{0.5 * size_mm, 0.5 * size_mm});
+          about.include(along.at(end) + Vec2{0.5 * size_mm, 0.5 * size_mm});
+        }
+        const double share = ink.share(about);
+        if (share <= kMostInk) bends.push_back({share + bend / size_mm, at});
       }
-      std::ranges::stable_sort(bends, {}, &Bend::mm);
+      std::ranges::stable_sort(bends, {}, &Bend::cost);
       for (const Bend& bend : bends) {
         const Vec2 begin = along.at(bend.middle_mm - half_mm),
                    end = along.at(bend.middle_mm + half_mm);

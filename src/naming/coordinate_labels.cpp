@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "naming/line_labels.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,12 +7,14 @@
 #include <map>
 #include <variant>
 
+#include "naming/line_labels.hpp"
+
 namespace orograph {
 namespace {
 
-constexpr double kOffLine_mm = 1;      // from a line's end to its label
+constexpr double kOffLine_mm = 1;        // from a line's end to its label
 constexpr double kAroundNumber_mm = 0.6; // free of other texts
-constexpr double kMiddleOfNumber = 0.35;   // of figures, above their baseline, in ems
+constexpr double kMiddleOfNumber = 0.35; // of figures, above their baseline, in ems
 
 struct End {
   Vec2 at_mm, out_mm; ///< the way out, unit
@@ -41,7 +41,7 @@ std::string label_of(const Attributes& feature) {
 PageText beyond(PageText text, const End& end) {
   const Vec2 at = end.at_mm + kOffLine_mm * end.out_mm;
   const bool is_aside = std::abs(end.out_mm.x) > std::abs(end.out_mm.y);
-  text.anchor = !is_aside            ? TextAnchor::middle
+  text.anchor = !is_aside          ? TextAnchor::middle
                 : end.out_mm.x > 0 ? TextAnchor::start
                                    : TextAnchor::end;
   text.at_mm = {at.x, is_aside           ? at.y + kMiddleOfNumber * text.size_mm

@@ -18,8 +18,7 @@ std::size_t squares(double mm) {
 } // namespace
 
 InkMap::InkMap(const Page& page, std::span<const Layer> layers)
-    : columns_(squares(page.width_mm)), rows_(squares(page.height_mm)),
-      has_ink_(columns_ * rows_) {
+    : columns_(squares(page.width_mm)), rows_(squares(page.height_mm)), has_ink_(columns_ * rows_) {
   const auto mark = [&](Vec2 at) {
     const double column = std::floor(at.x / kSquare_mm), row = std::floor(at.y / kSquare_mm);
     if (column >= 0 && row >= 0 && column < static_cast<double>(columns_) &&
@@ -34,8 +33,7 @@ InkMap::InkMap(const Page& page, std::span<const Layer> layers)
       for (std::size_t i = 1; i < points.size(); ++i) {
         const Vec2 way = points[i] - points[i - 1];
         const double count = std::ceil(plain_length(way) / (0.5 * kSquare_mm));
-        for (double k = 0; k <= count; ++k)
-          mark(points[i - 1] + (count > 0 ? k / count : 0) * way);
+        for (double k = 0; k <= count; ++k) mark(points[i - 1] + (count > 0 ? k / count : 0) * way);
       }
     }
 }

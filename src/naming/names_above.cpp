@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "naming/names_above.hpp"
 
-#include "naming/choose_names.hpp"
-#include "naming/taken_room.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "naming/choose_names.hpp"
+#include "naming/taken_room.hpp"
 
 namespace orograph {
 namespace {
@@ -36,7 +36,8 @@ PageText slanted(PageText text, Vec2 at_mm, Angle angle) {
 double line_of_names_mm(const StripRoom& strip, const std::vector<Box2>& boxes,
                         const std::vector<Vec2>& summits) {
   double highest = std::numeric_limits<double>::infinity();
-  for (const Box2& box : boxes) highest = std::min(highest, strip.highest_mm(box.low.x, box.high.x));
+  for (const Box2& box : boxes)
+    highest = std::min(highest, strip.highest_mm(box.low.x, box.high.x));
   for (const Vec2 summit : summits) highest = std::min(highest, summit.y);
   return highest - kSky_mm;
 }
@@ -75,10 +76,10 @@ std::vector<PlacedName> names_slanted(std::span<const NameToPlace> names,
     on_line.push_back(
         {name.summit_mm.x + kApart_mm * static_cast<double>(name.strip), name.weight});
   }
-  const double pitch_mm =
-      line_height_mm(names.front().text.extent) / sin(angle) + kBetween_mm;
+  const double pitch_mm = line_height_mm(names.front().text.extent) / sin(angle) + kBetween_mm;
   std::vector<std::size_t> chosen;
-  for (const std::size_t i : choose_on_line(on_line, pitch_mm, most)) chosen.push_back(with_room[i]);
+  for (const std::size_t i : choose_on_line(on_line, pitch_mm, most))
+    chosen.push_back(with_room[i]);
 
   std::vector<PlacedName> out;
   for (std::size_t s = 0; s < strips.size(); ++s) {
@@ -155,9 +156,8 @@ std::vector<PlacedName> names_in_rows(std::span<const NameToPlace> names,
                                       std::optional<std::size_t> most) {
   std::vector<std::size_t> order(names.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-    return names[b].weight < names[a].weight;
-  });
+  std::ranges::sort(
+      order, [&](std::size_t a, std::size_t b) { return names[b].weight < names[a].weight; });
   std::vector<Rows> of_strips(strips.size(), Rows(rows));
   std::size_t count = 0;
   for (const std::size_t i : order) {
@@ -187,11 +187,9 @@ std::vector<PlacedName> names_in_rows(std::span<const NameToPlace> names,
         PlacedName placed{one.name, names[one.name].text};
         placed.text.angle = {};
         placed.text.anchor = TextAnchor::start;
-        placed.text.at_mm = {one.left_mm,
-                             line_mm - kOnLeader_mm - placed.text.extent.descent_mm};
-        placed.leader =
-            Leader{{one.leader_mm, names[one.name].summit_mm.y - kOffSummit_mm},
-                   {one.leader_mm, line_mm}};
+        placed.text.at_mm = {one.left_mm, line_mm - kOnLeader_mm - placed.text.extent.descent_mm};
+        placed.leader = Leader{{one.leader_mm, names[one.name].summit_mm.y - kOffSummit_mm},
+                               {one.leader_mm, line_mm}};
         if (is_inside(placed.text.box_mm(), strips[s].box_mm)) out.push_back(placed);
       }
       if (!row.empty())

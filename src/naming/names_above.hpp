@@ -6,13 +6,14 @@
 #include "geometry/angle.hpp"
 #include "geometry/box.hpp"
 #include "geometry/vec.hpp"
-#include "naming/rank_names.hpp"
 
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "naming/rank_names.hpp"
 
 namespace orograph {
 

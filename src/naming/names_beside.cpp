@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kOffPoint_mm = 0.8;
 constexpr double kAroundTexts_mm = 0.6; // half of it around each name
-constexpr double kOfPoint_mm = 0.4; // around a summit's own point
+constexpr double kOfPoint_mm = 0.4;     // around a summit's own point
 
 // What a worse place costs, in shares of ink: by looking, a name goes elsewhere for a quarter of
 // the lines beneath it.
@@ -23,13 +23,13 @@ struct Beside {
   double right, up; ///< -1, 0, 1
 };
 constexpr std::array<Beside, 8> kPlacesBeside{{{TextAnchor::middle, 0, 1},
-                                         {TextAnchor::start, 1, 1},
-                                         {TextAnchor::end, -1, 1},
-                                         {TextAnchor::start, 1, 0},
-                                         {TextAnchor::end, -1, 0},
-                                         {TextAnchor::start, 1, -1},
-                                         {TextAnchor::end, -1, -1},
-                                         {TextAnchor::middle, 0, -1}}};
+                                               {TextAnchor::start, 1, 1},
+                                               {TextAnchor::end, -1, 1},
+                                               {TextAnchor::start, 1, 0},
+                                               {TextAnchor::end, -1, 0},
+                                               {TextAnchor::start, 1, -1},
+                                               {TextAnchor::end, -1, -1},
+                                               {TextAnchor::middle, 0, -1}}};
 
 PageText put(PageText text, Vec2 summit_mm, const Beside& place) {
   const auto [width_mm, ascent_mm, descent_mm] = text.extent;
@@ -50,9 +50,8 @@ std::vector<PlacedName> names_beside(std::span<const NameToPlace> names, const B
                                      TakenRoom& taken) {
   std::vector<std::size_t> order(names.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-    return names[b].weight < names[a].weight;
-  });
+  std::ranges::sort(
+      order, [&](std::size_t a, std::size_t b) { return names[b].weight < names[a].weight; });
   std::vector<PlacedName> out;
   for (const std::size_t i : order) {
     if (most && out.size() == *most) break;

@@ -3,14 +3,15 @@
 #pragma once
 
 #include "geometry/box.hpp"
-#include "naming/ink_map.hpp"
-#include "naming/names_above.hpp"
-#include "naming/taken_room.hpp"
 
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "naming/ink_map.hpp"
+#include "naming/names_above.hpp"
+#include "naming/taken_room.hpp"
 
 namespace orograph {
 

@@ -22,7 +22,7 @@ constexpr double kFoot_m = 0.3048;
 
 // As OpenStreetMap, GeoNames, GPX and lists of summits have them.
 constexpr std::array<std::string_view, 12> kHeights{
-    "ele",   "elevation",    "ele_m", "elevation_m", "elev",   "elev_m",
+    "ele",    "elevation",    "ele_m",  "elevation_m", "elev",      "elev_m",
     "ele_ft", "elevation_ft", "height", "height_m",    "height_ft", "altitude"};
 
 std::string text_of(const Attribute& attribute) {

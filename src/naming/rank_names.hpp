@@ -2,12 +2,12 @@
 // Which names count for more.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <compare>
 #include <optional>
-#include <string_view>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace orograph {
@@ -15,9 +15,9 @@ namespace orograph {
 /// What is known of a summit that has a name.
 struct NamedSummit {
   std::string_view text;
-  double height_m = 0;    ///< the DEM's
-  double east = 0, north = 0; ///< the place, in map coordinates
-  double stature = 0; ///< as `stature` has it, or a field's weight
+  double height_m = 0;              ///< the DEM's
+  double east = 0, north = 0;       ///< the place, in map coordinates
+  double stature = 0;               ///< as `stature` has it, or a field's weight
   std::optional<double> distance_m; ///< from the eye; none: all are as near
 };
 
