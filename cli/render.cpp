@@ -4,6 +4,7 @@
 #include "cli/finish_drawing.hpp"
 #include "cli/progress.hpp"
 #include "cli/report/closing_lines.hpp"
+#include "cli/report/name_report.hpp"
 #include "cli/report/run_report.hpp"
 #include "cli/report/skyline_table.hpp"
 #include "cli/say.hpp"
@@ -13,6 +14,7 @@
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
 #include "map/look_around.hpp"
+#include "map/name_places.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/observer.hpp"
 #include "placing/placed_view.hpp"
@@ -85,19 +87,24 @@ void render(const RenderSettings& settings) {
     tell_eye_move(settings.map.view, whole);
   }
   const std::vector<Overlay> overlays = read_overlays(settings.overlays, whole);
+  std::vector<Overlay> names;
+  if (!settings.labels.path.empty()) names = read_overlays({&settings.labels, 1}, whole);
+  const Overlay* const named = names.empty() ? nullptr : &names.front();
   const double read_s = seconds_since(start);
 
   const auto place_start = Clock::now();
-  TerrainOfView terrain(whole, settings.map.view);
+  const MapSpec spec = with_room_for_names(settings.map, named);
+  TerrainOfView terrain(whole, spec.view);
   const std::optional<LevelOfDetail> level =
-      choose_level(terrain, settings.map, settings.solids.get(), nullptr);
-  PlacedView placed = placed_view(terrain, settings.map, settings.solids.get());
+      choose_level(terrain, spec, settings.solids.get(), nullptr);
+  PlacedView placed = placed_view(terrain, spec, settings.solids.get());
+  placed.names = named;
   placed.overlays = overlays;
   const double place_s = seconds_since(place_start);
   if (!settings.quiet) tell_placing(placed, settings.map.view);
 
   ProgressBar bar(shows_progress(settings.quiet, settings.progress));
-  Map map = draw_map(*terrain, placed, settings.map, [&](double fraction) { bar.show(fraction); });
+  Map map = draw_map(*terrain, placed, spec, [&](double fraction) { bar.show(fraction); });
   map.facts.level = level;
   check_not_empty(map, settings);
   finish_drawing(map, settings);
@@ -113,6 +120,12 @@ void render(const RenderSettings& settings) {
   seconds.write = seconds_since(write_start);
   bar.finish(); // before anything is told: lines behind marks are read by nobody
   tell_check(map.facts.check);
+  if (!settings.quiet)
+    for (const std::string& line : map.facts.lettering) say_line(line);
+  if (!settings.quiet && named) {
+    for (const std::string& note : named->notes) say_line(note);
+    if (map.facts.names) say_line(names_in_words(*map.facts.names));
+  }
   if (!settings.quiet) tell_overlays(overlays, map.facts.counts);
   std::optional<Skyline> skyline;
   if (!settings.skyline_table.empty()) {
@@ -122,7 +135,7 @@ void render(const RenderSettings& settings) {
   }
   if (!settings.report.empty()) {
     seconds.total = seconds_since(start);
-    describe_map(map, *terrain, placed, settings.map);
+    describe_map(map, *terrain, placed, spec);
     RunReport report = run_report(map, settings, sheets);
     report.skyline = skyline;
     write_report(report, settings.report, settings.write.overwrite);

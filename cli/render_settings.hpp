@@ -31,6 +31,9 @@ struct RenderSettings {
   std::vector<OverlayInput> overlays;
   std::string overlays_where; ///< of all of them
 
+  OverlayInput labels; ///< places with names; an empty path: none
+  std::string labels_where;
+
   MapSpec map;
   // Layers that switches of their own add to those of `map`.
   bool void_edges = false;
@@ -39,6 +42,8 @@ struct RenderSettings {
   std::vector<std::string> hidden_layers; ///< whose hidden lines are dashed; empty: solids
   std::vector<std::pair<std::string, Colour>> colours; ///< of layers, by their names
 
+  std::string template_file;         ///< of furniture and letters; empty: none
+  std::optional<LetterKind> text;    ///< none: as format, pens and sheets want
   std::optional<PenOrder> pen_order; ///< none: as the format wants
   // Of the pen that will draw; none: no minutes are told, and the like.
   std::optional<double> pen_speed_mm_s, pen_up_speed_mm_s, pen_lift_s;

@@ -6,9 +6,9 @@
 #include "cli/say.hpp"
 #include "cli/tell_placing.hpp"
 #include "dem/read/read_terrain.hpp"
-#include "geometry/error.hpp"
 #include "map/look_around.hpp"
 #include "placing/observer.hpp"
+#include "placing/overlay_points.hpp"
 #include "placing/read_overlays.hpp"
 #include "placing/terrain_facts.hpp"
 #include "placing/terrain_of_view.hpp"
@@ -30,41 +30,6 @@ namespace {
 
 constexpr const char* kResults[] = {"state",        "hidden_m",   "hidden_deg", "azimuth_deg",
                                     "altitude_deg", "distance_m", "height"};
-
-// The points of all features, and which feature each is of.
-struct AskedPoints {
-  std::vector<Vec2> places;
-  std::vector<std::size_t> feature_of;
-  std::vector<std::size_t> place_of; ///< of a feature without places `kNone`
-  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-};
-
-AskedPoints points_of(const Overlay& overlay) {
-  AskedPoints out;
-  bool any = false;
-  for (std::size_t f = 0; f < overlay.features.size(); ++f) {
-    const Overlay::Feature& feature = overlay.features[f];
-    const std::size_t count = std::max<std::size_t>(feature.line_count, 1);
-    for (std::size_t i = 0; i < count; ++i) {
-      out.feature_of.push_back(f);
-      out.place_of.push_back(AskedPoints::kNone);
-      if (i == feature.line_count) continue;
-      const Overlay::Line& line = overlay.lines[feature.first_line + i];
-      if (line.place_count > 1)
-        throw Error(fmt::format("feature {} of {} is a line or an area", f + 1, overlay.source),
-                    "give points, such as those of ogr2ogr -dialect SQLite -sql \"SELECT "
-                    "ST_PointOnSurface(geometry), * FROM layer\"");
-      any = true;
-      if (line.place_count == 0) continue; // in no place that the terrain's CRS has
-      out.place_of.back() = out.places.size();
-      out.places.push_back(overlay.places[line.first_place]);
-    }
-  }
-  if (!any)
-    throw Error(overlay.source + " has no point with a place",
-                "give points with geometries, or of CSV columns lon and lat, or x and y");
-  return out;
-}
 
 double rounded(double value, double steps) {
   return std::round(value * steps) / steps;
@@ -103,7 +68,7 @@ Attributes results_of(const PlaceSight& sight) {
   return out;
 }
 
-PointTable table_of(const Overlay& overlay, const AskedPoints& points,
+PointTable table_of(const Overlay& overlay, const OverlayPoints& points,
                     const std::vector<PlaceSight>& sights, const MapFrame& map) {
   PointTable out;
   out.name = "visible";
@@ -116,7 +81,7 @@ PointTable table_of(const Overlay& overlay, const AskedPoints& points,
     for (const Attribute& own : overlay.features[points.feature_of[i]].attributes)
       row.values.push_back({names.at(own.name), own.value});
     const std::size_t place = points.place_of[i];
-    if (place == AskedPoints::kNone) {
+    if (place == OverlayPoints::kNone) {
       row.values.push_back({"state", std::string("outside")});
       continue;
     }
@@ -164,7 +129,7 @@ void visible(const VisibleSettings& settings) {
   const TerrainData whole = read_terrain(render.inputs, render.reading);
   if (!render.quiet) tell_doubts(whole);
   const std::vector<Overlay> overlays = read_overlays({&settings.points, 1}, whole);
-  const AskedPoints points = points_of(overlays.front());
+  const OverlayPoints points = points_of(overlays.front());
   if (!render.quiet) {
     for (const std::string& note : overlays.front().notes) say_line(note);
     tell_eye_move(view, whole);

@@ -1,6 +1,6 @@
 # The library: all stages below the command behind src/orograph.hpp, as one shared and one static
 # file, with what finds them from other projects (find_package and pkg-config).
-set(OROGRAPH_STAGES geometry text gdal write view horizon draw solids dem profiles reference tone placing hidden_lines map)
+set(OROGRAPH_STAGES geometry text gdal write lettering view horizon draw solids dem profiles reference tone placing hidden_lines naming map)
 orograph_stage(face SOURCES ${PROJECT_SOURCE_DIR}/src/orograph.cpp DEPENDS ${OROGRAPH_STAGES})
 if(OROGRAPH_SANITIZE)
   return() # such a build is for finding faults, not for installing
@@ -13,14 +13,15 @@ endforeach()
 add_library(orograph_shared SHARED ${objects})
 set_target_properties(orograph_shared PROPERTIES OUTPUT_NAME orograph EXPORT_NAME orograph
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
-target_link_libraries(orograph_shared PRIVATE GDAL::GDAL PkgConfig::CAIRO PkgConfig::GEOGRAPHICLIB
+target_link_libraries(orograph_shared PRIVATE GDAL::GDAL PkgConfig::CAIRO PkgConfig::PANGOCAIRO PkgConfig::GEOGRAPHICLIB
   fmt::fmt pugixml::pugixml tomlplusplus::tomlplusplus TBB::tbb CGAL::CGAL)
 target_link_options(orograph_shared PRIVATE LINKER:--no-undefined)
 
 add_library(orograph_static STATIC ${objects})
 set_target_properties(orograph_static PROPERTIES OUTPUT_NAME orograph EXPORT_NAME static)
 # As Debian names them; the shared library brings its own.
-target_link_libraries(orograph_static INTERFACE gdal cairo GeographicLib fmt pugixml tomlplusplus tbb
+target_link_libraries(orograph_static INTERFACE gdal pangocairo-1.0 pango-1.0 gobject-2.0
+  glib-2.0 cairo GeographicLib fmt pugixml tomlplusplus tbb
   mpfr gmp)
 
 set(face_header ${PROJECT_BINARY_DIR}/generated/install/orograph.hpp)

@@ -36,13 +36,16 @@ Session Views::session_for(const RenderSettings& settings, const Control& contro
   std::string overlays;
   for (const OverlayInput& overlay : settings.overlays)
     overlays += overlay.path + '\n' + overlay.layer + '\n' + overlay.where + '\n';
+  const OverlayInput& names = settings.labels;
+  overlays += '\n' + names.path + '\n' + names.layer + '\n' + names.where;
   const std::lock_guard lock(mutex_);
   if (!session_ || settings.scene_file != scene_file_ || overlays != overlays_) {
-    session_.emplace(terrain_.terrain,
-                     settings.scene_file.empty() ? Solids() : Solids::read(settings.scene_file),
-                     settings.overlays.empty()
-                         ? Overlays()
-                         : Overlays::read(settings.overlays, terrain_.terrain, control));
+    session_.emplace(
+        terrain_.terrain,
+        settings.scene_file.empty() ? Solids() : Solids::read(settings.scene_file),
+        settings.overlays.empty() ? Overlays()
+                                  : Overlays::read(settings.overlays, terrain_.terrain, control),
+        names.path.empty() ? Overlays() : Overlays::read({names}, terrain_.terrain, control));
     scene_file_ = settings.scene_file;
     overlays_ = std::move(overlays);
   }

@@ -8,6 +8,7 @@
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
 #include "map/look_around.hpp"
+#include "map/name_places.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/observer.hpp"
 #include "placing/placed_view.hpp"
@@ -98,13 +99,14 @@ struct Session::Kept {
 
   Terrain terrain;
   Solids solids;
-  Overlays overlays;
+  Overlays overlays, names;
   std::mutex mutex;
   std::condition_variable_any sought;
   Facts kept;
 
-  Kept(Terrain of, Solids on_it, Overlays over_it)
-      : terrain(std::move(of)), solids(std::move(on_it)), overlays(std::move(over_it)) {}
+  Kept(Terrain of, Solids on_it, Overlays over_it, Overlays named)
+      : terrain(std::move(of)), solids(std::move(on_it)), overlays(std::move(over_it)),
+        names(std::move(named)) {}
 
   // Facts of views in a frame of their own, on the earth, would be of no use to others.
   const TerrainFacts* facts_for(const TerrainOfView& of_view, const std::stop_token& stop) {
@@ -130,8 +132,9 @@ struct Session::Kept {
   }
 };
 
-Session::Session(Terrain terrain, Solids solids, Overlays overlays)
-    : kept_(std::make_shared<Kept>(std::move(terrain), std::move(solids), std::move(overlays))) {}
+Session::Session(Terrain terrain, Solids solids, Overlays overlays, Overlays names)
+    : kept_(std::make_shared<Kept>(std::move(terrain), std::move(solids), std::move(overlays),
+                                   std::move(names))) {}
 
 namespace {
 
@@ -169,17 +172,21 @@ Skyline Session::skyline(const ViewSpec& view, double step_deg, const Control& c
   return out;
 }
 
-Map Session::draw(const MapSpec& spec, const Control& control) const {
+Map Session::draw(const MapSpec& asked, const Control& control) const {
   Map map;
   as_requested([&] {
-    check_spec(spec, kept_->solids.scene_ != nullptr);
+    check_spec(asked, kept_->solids.scene_ != nullptr);
+    const auto& names = kept_->names.overlays_;
+    const Overlay* const named = names && !names->empty() ? &names->front() : nullptr;
     on_cores(control.jobs, control.stop, [&] {
+      const MapSpec spec = with_room_for_names(asked, named);
       TerrainOfView terrain(*kept_->terrain.data_, spec.view);
       const SceneFile* const solids = kept_->solids.scene_.get();
       const TerrainFacts* const facts = kept_->facts_for(terrain, control.stop);
       const std::optional<LevelOfDetail> level = choose_level(terrain, spec, solids, facts);
       PlacedView placed = placed_view(terrain, spec, solids, facts);
       if (kept_->overlays.overlays_) placed.overlays = *kept_->overlays.overlays_;
+      placed.names = named;
       map = draw_map(*terrain, placed, spec, control.progress);
       map.facts.level = level;
       describe_map(map, *terrain, placed, spec);

@@ -118,8 +118,10 @@ private:
 /// less than the first. Copies share what is kept.
 class OROGRAPH_API Session {
 public:
-  /// REQUIRES overlays that were read for this terrain.
-  explicit Session(Terrain terrain, Solids solids = {}, Overlays overlays = {});
+  /// `names` are points of one file, to be named on the page as `MapSpec::labels` says. REQUIRES
+  /// overlays and names that were read for this terrain.
+  explicit Session(Terrain terrain, Solids solids = {}, Overlays overlays = {},
+                   Overlays names = {});
 
   /// The map that `spec` asks for: the same bytes whatever `control` says and whoever else draws. A
   /// view in which nothing of the terrain is seen gives a drawing without strokes. Throws Error

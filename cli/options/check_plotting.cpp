@@ -113,7 +113,7 @@ void give_colour(Style& style, const std::string& layer, const Colour& colour,
     return;
   }
   const auto row = std::ranges::find(layer_table(), layer, &LayerRow::name);
-  if (layer_of(*row, style))
+  if (row->source == LineSource::lettering || layer_of(*row, style))
     style.layers.emplace_back(layer).colour = colour;
   else if (insists_on(given, "--colour"))
     throw UsageError(fmt::format("--colour names the layer {}, which isn't drawn", layer),

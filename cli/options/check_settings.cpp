@@ -2,6 +2,8 @@
 // What one option alone can't tell.
 #include "cli/options/check_settings.hpp"
 
+#include "cli/options/check_labels.hpp"
+#include "cli/options/check_lettering.hpp"
 #include "cli/options/check_panorama.hpp"
 #include "cli/options/check_plotting.hpp"
 #include "cli/options/option_values.hpp"
@@ -60,10 +62,12 @@ void check_no_input(const RenderSettings& settings, const std::string& path,
                                                           {settings.scene_file, "--scene"},
                                                           {settings.settings_file, "--settings"}};
   inputs.emplace_back(settings.pens_file, "--pens");
+  inputs.emplace_back(settings.template_file, "--template");
   if (is_device_file(settings.device)) inputs.emplace_back(settings.device, "--device");
   for (const std::string& input : settings.inputs) inputs.emplace_back(input, "INPUT");
   for (const OverlayInput& overlay : settings.overlays)
     inputs.emplace_back(overlay.path, "--drape");
+  inputs.emplace_back(settings.labels.path, "--labels");
   for (const auto& [input, name] : inputs)
     if (!input.empty() && replaces_input(input, path))
       throw UsageError(fmt::format("{} '{}' is the {}", option, path, name),
@@ -344,6 +348,8 @@ void check_settings(RenderSettings& settings, const GivenOptions& given) {
   check_picture_settings(settings, given);
   check_skyline(settings, given);
   check_plotting(settings, given);
+  check_lettering(settings, given);
+  check_labels(settings, given);
   check_no_shape_file(settings);
 }
 

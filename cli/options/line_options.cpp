@@ -22,11 +22,11 @@ namespace {
 
 constexpr auto kGroup = "Profiles and lines";
 
-// Of all layers but those of hidden lines, which have options of their own.
+// Of all layers but those of hidden lines and of texts, which have options of their own.
 std::vector<std::string> layer_names() {
   std::vector<std::string> names;
   for (const LayerRow& row : layer_table())
-    if (!row.is_hidden()) names.emplace_back(row.name);
+    if (!row.is_hidden() && row.source != LineSource::lettering) names.emplace_back(row.name);
   return names;
 }
 

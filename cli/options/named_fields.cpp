@@ -9,7 +9,7 @@ namespace orograph {
 namespace {
 
 // Fields that messages of the library name, with what sets them on the command line.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kOptions{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 37> kOptions{{
     {"terrain", "INPUT"},
     {"solids", "--scene"},
     // ReadOptions
@@ -37,6 +37,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kOptions
     {"look_at_lonlat", "--look-at-lonlat"},
     {"curvature", "--curvature"},
     {"projection", "--projection"},
+    // LabelSpec
+    {"labels.field", "--label-field"},
+    {"labels.weight_field", "--label-weight"},
     // Style
     {"plan", "--spacing"},
     // PageRequest
@@ -44,6 +47,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kOptions
     {"scale", "--scale"},
     {"margin_mm", "--margin"},
     {"pens", "--pens"},
+    {"furniture", "--furniture"},
     {"overlap_mm", "--overlap"},
     // WriteOptions
     {"format", "--of"},

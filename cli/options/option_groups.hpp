@@ -30,6 +30,8 @@ void add_page_options(std::vector<Option>& options, RenderSettings& settings);
 void add_output_options(std::vector<Option>& options, RenderSettings& settings);
 void add_skyline_options(std::vector<Option>& options, RenderSettings& settings);
 void add_plotting_options(std::vector<Option>& options, RenderSettings& settings);
+void add_label_options(std::vector<Option>& options, RenderSettings& settings);
+void add_lettering_options(std::vector<Option>& options, RenderSettings& settings);
 void add_pen_time_options(std::vector<Option>& options, RenderSettings& settings);
 
 } // namespace orograph

@@ -42,6 +42,15 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
     return settings.dashes_hidden || settings.hidden_layers.empty();
   }
   if (option == "hidden-layers") return !settings.hidden_layers.empty();
+  if (option == "label-size" || option == "label-halo")
+    return !settings.labels.path.empty() || settings.map.labels.contours ||
+           settings.map.labels.coordinates;
+  if (option == "label-range" || option == "label-haze")
+    return !settings.labels.path.empty() && view.has_eye();
+  if (option == "label-rows" || option == "label-angle")
+    return !settings.labels.path.empty() && is_round &&
+           (option == "label-angle" || settings.map.labels.angle == Angle());
+  if (option.starts_with("label-")) return !settings.labels.path.empty();
   if (option == "contour-ticks") return settings.map.style.asks_for("contours");
   if (option.starts_with("hachure-")) return settings.map.style.asks_for("hachures");
   if (option == "block-sides") return settings.map.style.asks_for("block");
@@ -58,6 +67,8 @@ void add_drawing_options(std::vector<Option>& options, RenderSettings& settings)
   add_block_options(options, settings);
   add_scene_options(options, settings);
   add_page_options(options, settings);
+  add_label_options(options, settings);
+  add_lettering_options(options, settings);
   add_output_options(options, settings);
   add_pen_time_options(options, settings);
   add_plotting_options(options, settings);
@@ -72,20 +83,49 @@ std::vector<Conflict> drawing_conflicts() {
 }
 
 std::vector<std::string> daily_options() {
-  return {"--bbox",          "--bbox-lonlat",    "--fill-voids",
-          "--view-from",     "--projection",     "--fov",
-          "--eye",           "--eye-lonlat",     "--eye-height",
-          "--look-at",       "--look-at-lonlat", "--look-azimuth",
-          "--exaggeration",  "--profiles",       "--spacing",
-          "--light",         "--haze",           "--flat",
-          "--layers",        "--palette",        "--colour",
-          "--hidden-layers", "--contours",       "--mesh",
-          "--drape",         "--scene",          "--page",
-          "--portrait",      "--landscape",      "--margin",
-          "--pen-width",     "--title",          "--of",
-          "--dpi",           "--overwrite",      "--report",
-          "--device",        "--pens",           "--sheets",
-          "--settings",      "--help",           "--help-all"};
+  return {"--bbox",
+          "--bbox-lonlat",
+          "--fill-voids",
+          "--view-from",
+          "--projection",
+          "--fov",
+          "--eye",
+          "--eye-lonlat",
+          "--eye-height",
+          "--look-at",
+          "--look-at-lonlat",
+          "--look-azimuth",
+          "--exaggeration",
+          "--profiles",
+          "--spacing",
+          "--light",
+          "--haze",
+          "--flat",
+          "--layers",
+          "--palette",
+          "--colour",
+          "--hidden-layers",
+          "--contours",
+          "--mesh",
+          "--drape",
+          "--labels",
+          "--scene",
+          "--page",
+          "--portrait",
+          "--landscape",
+          "--margin",
+          "--pen-width",
+          "--title",
+          "--of",
+          "--dpi",
+          "--overwrite",
+          "--report",
+          "--device",
+          "--pens",
+          "--sheets",
+          "--settings",
+          "--help",
+          "--help-all"};
 }
 
 // What `settings` have in force of the command's options, those given and others by default.

@@ -4,6 +4,7 @@
 
 #include "cli/finish_drawing.hpp"
 #include "cli/render_settings.hpp"
+#include "cli/report/name_report.hpp"
 #include "cli/report/pen_time.hpp"
 #include "cli/version.hpp"
 #include "geometry/error.hpp"
@@ -333,38 +334,39 @@ RunReport run_report(const Map& map, const RenderSettings& settings,
 }
 
 std::string report_text(const RunReport& report) {
-  const Json json{{"schema", 1},
-                  {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
-                  {"libraries", report.libraries},
-                  {"input", json_of(report.input, report.scene_path)},
-                  {"output", {{"path", report.path}, {"format", report.format}}},
-                  {"settings", json_of(report.settings)},
-                  {"view", json_of(report.view)},
-                  {"page",
-                   {{"width_mm", report.page.width_mm},
-                    {"height_mm", report.page.height_mm},
-                    {"margin_mm", report.page.margin_mm}}},
-                  {"level_of_detail", report.level ? json_of(*report.level) : Json()},
-                  {"counts", json_of(report.counts)},
-                  {"layers", json_of(report.layers, report.minutes_of_layers)},
-                  {"pen_down_mm", report.pen_down_mm},
-                  {"pen_up_mm", report.pen_up_mm},
-                  {"pen_lifts", report.pen_lifts},
-                  {"pen_minutes", or_null(sum_of(report.minutes_of_layers))},
-                  {"sheets", report.sheets.empty() ? Json() : json_of(report.sheets)},
-                  {"error_budget_mm", json_of(report.error_budget)},
-                  {"ink_left_out_mm",
-                   {{"silhouette_jump", report.left_out.silhouette_jump_mm},
-                    {"min_stroke", report.left_out.min_stroke_mm}}},
-                  {"skyline", report.skyline ? json_of(*report.skyline) : Json()},
-                  {"check", report.check ? json_of(*report.check) : Json()},
-                  {"seconds", json_of(report.seconds)},
-                  {"peak_memory_bytes", report.peak_memory_bytes},
-                  // Last, since it is long.
-                  {"profiles",
-                   {{"count", report.profiles.depths_m.size()},
-                    {"spacing", report.profiles.spacing},
-                    {"depths", report.profiles.depths_m}}}};
+  Json json{{"schema", 1},
+            {"program", {{"name", "orograph"}, {"version", kVersion}, {"commit", kCommit}}},
+            {"libraries", report.libraries},
+            {"input", json_of(report.input, report.scene_path)},
+            {"output", {{"path", report.path}, {"format", report.format}}},
+            {"settings", json_of(report.settings)},
+            {"view", json_of(report.view)},
+            {"page",
+             {{"width_mm", report.page.width_mm},
+              {"height_mm", report.page.height_mm},
+              {"margin_mm", report.page.margin_mm}}},
+            {"level_of_detail", report.level ? json_of(*report.level) : Json()},
+            {"counts", json_of(report.counts)},
+            {"layers", json_of(report.layers, report.minutes_of_layers)},
+            {"pen_down_mm", report.pen_down_mm},
+            {"pen_up_mm", report.pen_up_mm},
+            {"pen_lifts", report.pen_lifts},
+            {"pen_minutes", or_null(sum_of(report.minutes_of_layers))},
+            {"sheets", report.sheets.empty() ? Json() : json_of(report.sheets)},
+            {"error_budget_mm", json_of(report.error_budget)},
+            {"ink_left_out_mm",
+             {{"silhouette_jump", report.left_out.silhouette_jump_mm},
+              {"min_stroke", report.left_out.min_stroke_mm}}},
+            {"skyline", report.skyline ? json_of(*report.skyline) : Json()},
+            {"check", report.check ? json_of(*report.check) : Json()},
+            {"seconds", json_of(report.seconds)},
+            {"peak_memory_bytes", report.peak_memory_bytes},
+            // Last, since it is long.
+            {"profiles",
+             {{"count", report.profiles.depths_m.size()},
+              {"spacing", report.profiles.spacing},
+              {"depths", report.profiles.depths_m}}}};
+  if (report.names) json["names"] = Json::parse(names_as_json(*report.names));
   // Paths may be in any encoding; JSON is UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -153,6 +153,7 @@ void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens, WithoutPen
     if (rest == WithoutPen::kept) {
       of_no_pen = layer;
       of_no_pen.clear();
+      of_no_pen.texts.clear();
     }
     for (const Stroke& stroke : layer.strokes) {
       throw_if_stopped(step++);
@@ -171,14 +172,23 @@ void assign_pens(Drawing& drawing, std::span<const PenOfLayers> pens, WithoutPen
       to.strokes.back().width_mm = 0; // the pen's own
       to.strokes.back().feature = -1; // which is its old layer's to tell
     }
-    if (!of_no_pen.strokes.empty()) kept.push_back(std::move(of_no_pen));
+    for (PageText& text : layer.texts) {
+      text.feature = -1;
+      Layer* to = &of_no_pen;
+      if (of_layer.empty() && rest == WithoutPen::refused) refuse(layer, pens);
+      if (!of_layer.empty()) to = &by_pen[nearest_in_width(layer.pen_width_mm, of_layer, pens)];
+      to->texts.push_back(std::move(text));
+    }
+    if (!of_no_pen.strokes.empty() || !of_no_pen.texts.empty())
+      kept.push_back(std::move(of_no_pen));
   }
   for (std::size_t i = 0; i < pens.size(); ++i) {
     if (!pens[i].dash) continue;
     by_pen[i] = dashed(merged(by_pen[i]), pens[i].dash->dash_mm, pens[i].dash->gap_mm);
     round_to_page_step(by_pen[i]);
   }
-  std::erase_if(by_pen, [](const Layer& layer) { return layer.strokes.empty(); });
+  std::erase_if(by_pen,
+                [](const Layer& layer) { return layer.strokes.empty() && layer.texts.empty(); });
   drawing.layers = std::move(kept);
   for (std::vector<Layer>* layers : {&by_pen, &ways})
     std::ranges::move(*layers, std::back_inserter(drawing.layers));

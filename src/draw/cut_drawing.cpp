@@ -87,6 +87,11 @@ void cut_to(Drawing& drawing, const Box2& box_mm) {
     }
     // What only touches an edge has no length, and parts of two strokes may be the same.
     layer.is_pen_way ? round_strokes(layer) : round_to_page_step(layer);
+    std::erase_if(layer.texts, [&](const PageText& text) {
+      const Box2 box = text.box_mm();
+      return box.low.x >= box_mm.high.x || box.high.x <= box_mm.low.x ||
+             box.low.y >= box_mm.high.y || box.high.y <= box_mm.low.y;
+    });
   }
 }
 

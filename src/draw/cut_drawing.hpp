@@ -9,7 +9,9 @@
 namespace orograph {
 
 /// Cuts all strokes at the box's edges, and nowhere else: what is in it stays, on the page's step.
-/// The page stays too. REQUIRES strokes without map points, and edges on the page's step.
+/// The page stays too. Texts aren't cut: those that lie outside go, and all others stay whole, as
+/// they are wanted on two sheets that lie upon each other. REQUIRES strokes without map points, and
+/// edges on the page's step.
 OROGRAPH_API void cut_to(Drawing& drawing, const Box2& box_mm);
 
 /// Of this size in the page's middle, its edges on the page's step.

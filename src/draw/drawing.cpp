@@ -32,6 +32,10 @@ void append(Layer& layer, const Layer& other) {
     if (stroke.feature >= 0) stroke.feature += features;
     layer.strokes.push_back(stroke);
   }
+  for (PageText text : other.texts) {
+    if (text.feature >= 0) text.feature += features;
+    layer.texts.push_back(std::move(text));
+  }
 }
 
 namespace {
@@ -192,6 +196,19 @@ std::optional<std::string> fault_of_layer(const Layer& layer, const Box2& inner)
   return {};
 }
 
+// Its box, but for what rounding its place moves it by.
+std::optional<std::string> fault_of_texts(const Layer& layer, const Box2& inner) {
+  for (std::size_t i = 0; i < layer.texts.size(); ++i) {
+    const PageText& text = layer.texts[i];
+    if (text.text.empty()) continue;
+    for (const Vec2 corner : text.corners_mm())
+      if (!(corner.x >= inner.low.x - kPageStep_mm && corner.x <= inner.high.x + kPageStep_mm &&
+            corner.y >= inner.low.y - kPageStep_mm && corner.y <= inner.high.y + kPageStep_mm))
+        return fmt::format("text {} '{}' lies outside the margins", i, text.text);
+  }
+  return {};
+}
+
 } // namespace
 
 std::optional<std::string> find_fault(const Drawing& drawing) {
@@ -199,6 +216,9 @@ std::optional<std::string> find_fault(const Drawing& drawing) {
     if (const auto fault = fault_of_layer(
             layer, layer.is_pen_way ? Box2{{0, 0}, {drawing.page.width_mm, drawing.page.height_mm}}
                                     : drawing.page.inner_mm()))
+      return fmt::format("layer {}: {}", layer.name, *fault);
+  for (const Layer& layer : drawing.layers)
+    if (const auto fault = fault_of_texts(layer, drawing.page.inner_mm()))
       return fmt::format("layer {}: {}", layer.name, *fault);
   return {};
 }

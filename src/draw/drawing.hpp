@@ -3,6 +3,7 @@
 #pragma once
 
 #include "draw/colour.hpp"
+#include "draw/page_text.hpp"
 #include "draw/pen.hpp"
 #include "geometry/api.hpp"
 #include "geometry/attributes.hpp"
@@ -59,6 +60,7 @@ struct Layer {
   std::vector<Stroke> strokes;
   std::vector<Attributes> features; ///< what strokes are lines of, where they tell
   std::vector<std::string> fields;  ///< that features may have, beside those that they have
+  std::vector<PageText> texts;      ///< above the strokes; `Lettering::set` has made them ready
 
   std::span<const Vec2> points(const Stroke& s) const {
     return std::span(page_mm).subspan(s.first_point, s.point_count);
@@ -88,6 +90,7 @@ struct Drawing {
   std::string description;
   std::string crs_wkt;       ///< of the map points; empty where the terrain has none
   std::vector<Layer> layers; ///< in drawing order
+  LetterSpec letters;        ///< of the layers' texts
 };
 
 /// Whether no layer has a colour that isn't a grey.
@@ -96,7 +99,7 @@ bool is_all_grey(const Drawing& drawing);
 /// Of a polyline.
 double line_length_mm(std::span<const Vec2> points);
 
-/// Adds another layer's strokes behind those of `layer`.
+/// Adds another layer's strokes and texts behind those of `layer`.
 OROGRAPH_API void append(Layer& layer, const Layer& other);
 
 /// The layer with each stroke cut into dashes, from one of its ends to the other: as many whole
@@ -133,8 +136,8 @@ OROGRAPH_API double pen_minutes(const PenTravel& travel, const PenSpeed& speed);
 
 /// The first thing that is wrong with a drawing, or nothing: every point finite, on the step and
 /// inside the margins; no stroke with fewer than two points or without length; no two equal
-/// strokes in a layer (nor one the reverse of the other). What shows a pen's way may be anywhere on
-/// the page, and twice.
+/// strokes in a layer (nor one the reverse of the other); texts inside of the margins. What shows a
+/// pen's way may be anywhere on the page, and twice.
 OROGRAPH_API std::optional<std::string> find_fault(const Drawing& drawing);
 
 } // namespace orograph

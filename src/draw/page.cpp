@@ -44,6 +44,13 @@ constexpr std::array<std::pair<std::string_view, Vec2>, 17> kPapers{{
 constexpr double kMmPerMetre = 1000;
 constexpr double kRounding = 1e-9; // of a size that was made to measure
 
+Box2 room_mm(const Page& page, const PageRequest& request) {
+  Box2 room = page.inner_mm();
+  room.low = room.low + Vec2{request.room_mm.left, request.room_mm.top};
+  room.high = room.high - Vec2{request.room_mm.right, request.room_mm.bottom};
+  return room;
+}
+
 // What has no length fits at any scale.
 double fitting_scale(double room_mm, double length) {
   const double scale = room_mm / length;
@@ -51,8 +58,7 @@ double fitting_scale(double room_mm, double length) {
 }
 
 // Largest scale (mm for a unit of the picture plane) at which the window fits inside.
-double fitting_scale(const Box2& window, const Page& page) {
-  const Box2 inner = page.inner_mm();
+double fitting_scale(const Box2& window, const Box2& inner) {
   const double scale = std::min(fitting_scale(inner.width(), window.width()),
                                 fitting_scale(inner.height(), window.height()));
   return std::isfinite(scale) ? scale : 1;
@@ -75,6 +81,15 @@ void check(const PageRequest& request) {
     throw UsageError(fmt::format("margins of {} mm leave no room on a page of {}",
                                  request.margin_mm, size_text(request)),
                      "margins from 0 up to what leaves 1 mm each way");
+  const Sides& room = request.room_mm;
+  const bool is_narrow = !leaves_room(request.width_mm - room.left - room.right, request.margin_mm),
+             is_low = !leaves_room(height_mm - room.top - room.bottom, request.margin_mm);
+  if (is_narrow || is_low)
+    throw UsageError(fmt::format("what stands around the picture needs {:.0f} x {:.0f} mm and "
+                                 "leaves no room on a page of {}",
+                                 room.left + room.right, room.top + room.bottom,
+                                 size_text(request)),
+                     "a larger `page`, smaller letters, or less `furniture`");
   if (std::max(request.width_mm, height_mm) > kLargestSide_mm)
     throw UsageError(fmt::format("a page of {} is too large", size_text(request)),
                      fmt::format("sides of at most {} mm", kLargestSide_mm));
@@ -95,7 +110,10 @@ Page oriented_page(const Box2& window, const PageRequest& request) {
   case Orientation::by_picture:
     break;
   }
-  return fitting_scale(window, turned) > fitting_scale(window, given) ? turned : given;
+  return fitting_scale(window, room_mm(turned, request)) >
+                 fitting_scale(window, room_mm(given, request))
+             ? turned
+             : given;
 }
 
 // The next larger with two digits that aren't zeros.
@@ -106,12 +124,13 @@ double rounded_up(double scale) {
 
 // mm for a metre at the scale asked for.
 double scale_as_asked(const Box2& window, const Page& page, const PageRequest& request) {
-  const double fitting = fitting_scale(window, page), scale = kMmPerMetre / *request.scale;
+  const Box2 inner = room_mm(page, request);
+  const double fitting = fitting_scale(window, inner), scale = kMmPerMetre / *request.scale;
   if (scale <= fitting * (1 + kRounding)) return scale;
-  const Box2 inner = page.inner_mm();
   const double width_mm = scale * window.width(), height_mm = scale * window.height();
-  const double page_width_mm = std::ceil(width_mm + 2 * page.margin_mm),
-               page_height_mm = std::ceil(height_mm + 2 * page.margin_mm);
+  const Sides& room = request.room_mm;
+  const double page_width_mm = std::ceil(width_mm + 2 * page.margin_mm + room.left + room.right),
+               page_height_mm = std::ceil(height_mm + 2 * page.margin_mm + room.top + room.bottom);
   std::string right =
       fmt::format("give `scale` 1:{:.0f} or smaller", rounded_up(kMmPerMetre / fitting));
   if (std::max(page_width_mm, page_height_mm) <= kLargestSide_mm)
@@ -124,12 +143,14 @@ double scale_as_asked(const Box2& window, const Page& page, const PageRequest& r
 }
 
 // As large as the picture and its margins.
-void end_with_picture(Page& page, const Box2& window, double scale, bool in_width) {
-  const double room_mm = 2 * page.margin_mm;
-  const double height_mm = room_mm + std::max(scale * window.height(), kSmallestInner_mm);
+void end_with_picture(Page& page, const Box2& window, double scale, const PageRequest& request) {
+  const Sides& room = request.room_mm;
+  const double height_mm = 2 * page.margin_mm + (room.top + room.bottom) +
+                           std::max(scale * window.height(), kSmallestInner_mm);
   page.height_mm = std::min(page.height_mm, height_mm);
-  if (!in_width) return;
-  const double width_mm = room_mm + std::max(scale * window.width(), kSmallestInner_mm);
+  if (!request.crop) return;
+  const double width_mm = 2 * page.margin_mm + (room.left + room.right) +
+                          std::max(scale * window.width(), kSmallestInner_mm);
   page.width_mm = std::min(page.width_mm, width_mm);
 }
 
@@ -155,19 +176,23 @@ const std::vector<std::string>& paper_names() {
 Placement place_on_page(const Box2& window, const PageRequest& request) {
   check(request);
   Page page = oriented_page(window, request);
-  const double scale =
-      request.scale ? scale_as_asked(window, page, request) : fitting_scale(window, page);
+  const double scale = request.scale ? scale_as_asked(window, page, request)
+                                     : fitting_scale(window, room_mm(page, request));
   const double wide_mm = scale * window.width();
   if (!request.height_mm && !request.scale && wide_mm > 0 &&
-      wide_mm < (1 - kRounding) * page.inner_mm().width())
+      wide_mm < (1 - kRounding) * room_mm(page, request).width())
     throw UsageError(fmt::format("a page {} mm wide would be over {} mm high for this picture",
                                  request.width_mm, kLargestSide_mm),
                      "a narrower page, or one with a height");
-  if (request.ends_with_picture()) end_with_picture(page, window, scale, request.crop);
+  if (request.ends_with_picture()) end_with_picture(page, window, scale, request);
   const Vec2 centre = window.centre();
+  const Sides& room = request.room_mm;
+  const Vec2 middle_mm{page.width_mm / 2 + 0.5 * (room.left - room.right),
+                       page.height_mm / 2 + 0.5 * (room.top - room.bottom)};
   return {page,
-          {{scale, 0, page.width_mm / 2 - scale * centre.x,   //
-            0, -scale, page.height_mm / 2 + scale * centre.y, //
+          room_mm(page, request),
+          {{scale, 0, middle_mm.x - scale * centre.x,  //
+            0, -scale, middle_mm.y + scale * centre.y, //
             0, 0, 1}}};
 }
 

@@ -7,6 +7,11 @@ namespace orograph {
 
 enum class Orientation { as_given, by_picture, portrait, landscape };
 
+/// Paper on the sides of something.
+struct Sides {
+  double left = 0, top = 0, right = 0, bottom = 0;
+};
+
 /// The paper that a map goes on.
 struct PageRequest {
   double width_mm = 210;
@@ -19,6 +24,9 @@ struct PageRequest {
   std::optional<double> scale = std::nullopt;
 
   int strips = 1; ///< of a panorama: it is cut into so many, one beneath the other
+
+  Sides room_mm = {};       ///< inside of the margins, that the picture leaves to what is around it
+  Sides strip_room_mm = {}; ///< of a panorama: the same around each strip
 
   bool ends_with_picture() const { return crop || !height_mm; }
 };

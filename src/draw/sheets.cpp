@@ -30,6 +30,12 @@ void add_line(Layer& layer, std::initializer_list<Vec2> points) {
   for (const Vec2 p : points) layer.page_mm.push_back(rounded(p));
 }
 
+template <class Move>
+void for_each_place(Layer& layer, Move move) {
+  for (Vec2& p : layer.page_mm) move(p);
+  for (PageText& text : layer.texts) move(text.at_mm);
+}
+
 // Where sheets lie on the whole page.
 struct Tiling {
   Page sheet;
@@ -189,7 +195,7 @@ std::vector<Drawing> sheets_of(const Drawing& whole, const Page& sheet,
       cut_to(one, tiling.box_mm(column, row));
       const Vec2 corner = tiling.corner_mm(column, row);
       for (Layer& layer : one.layers)
-        for (Vec2& p : layer.page_mm) p = rounded(p - corner);
+        for_each_place(layer, [&](Vec2& p) { p = rounded(p - corner); });
       number_sheet(one.layers[marks], tiling, column, row);
       one.page = sheet;
       one.title = fmt::format("{}, sheet {} of {}", whole.title, sheets.size(),
@@ -212,6 +218,8 @@ Drawing overview_of(const Drawing& whole, const Page& sheet, const SheetsRequest
   overview.title = whole.title + ", all sheets";
   leave_outlines(overview);
   for (Layer& layer : overview.layers) {
+    for (PageText& text : layer.texts) text.scale(scale);
+    for (PageText& text : layer.texts) text.at_mm = placed((1 / scale) * text.at_mm);
     for (Vec2& p : layer.page_mm) p = placed(p);
     if (!layer.is_pen_way) round_to_page_step(layer);
   }

@@ -203,6 +203,26 @@ void check_page(const PageRequest& page) {
 
 } // namespace
 
+void check_furniture(const MapSpec& spec) {
+  const FurnitureSpec& furniture = spec.furniture;
+  check_range("title_mm", furniture.title_mm, 0.5, 100);
+  check_range("subtitle_mm", furniture.subtitle_mm, 0.5, 100);
+  check_range("text_mm", furniture.text_mm, 0.5, 100);
+  check_range("gap_mm", furniture.gap_mm, 0, 100);
+  const bool is_round = !spec.view.file && is_panorama(spec.view.projection);
+  for (const Furniture piece : {Furniture::azimuths, Furniture::altitudes})
+    if (furniture.has(piece) && !is_round)
+      throw UsageError("`furniture` with azimuths or altitudes has no meaning but in a panorama",
+                       "that of a map, or a panorama's `projection`");
+  for (const Furniture piece : {Furniture::north, Furniture::scale})
+    if (furniture.has(piece) && is_round)
+      throw UsageError("`furniture` with north or scale has no meaning in a panorama",
+                       "that of a panorama");
+  if (furniture.has(Furniture::viewpoint) && !spec.view.has_eye())
+    throw UsageError("`furniture` with a viewpoint has no meaning without an eye",
+                     "it without, or an eye");
+}
+
 void check_eye_spec(const ViewSpec& view) {
   if (!view.has_eye())
     throw UsageError("there is no eye to look from", "`eye_map` or `eye_lonlat`");
@@ -213,6 +233,21 @@ void check_eye_spec(const ViewSpec& view) {
   eye.projection = Projection::perspective;
   check_view(eye);
 }
+
+namespace {
+
+void check_labels(const LabelSpec& labels) {
+  const double deg = labels.angle.in_degrees();
+  if (deg != 0) check_range("labels.angle", deg, 15, 90, " degrees");
+  check_range("labels.rows", labels.rows, 1, 20);
+  if (labels.most) check_range("labels.most", *labels.most, 0, kNone);
+  if (labels.range_m) check_above_0("labels.range_m", *labels.range_m, kNone, " m");
+  check_above_0("labels.haze_m", labels.haze_m, kNone, " m");
+  check_range("labels.size_mm", labels.size_mm, 0.5, 50, " mm");
+  check_range("labels.halo_mm", labels.halo_mm, 0, 20, " mm");
+}
+
+} // namespace
 
 void check_sights(const std::vector<Vec2>& places, double above_m) {
   check_range("above_m", above_m, 0, kNone, " m");
@@ -231,6 +266,8 @@ void check_spec(const MapSpec& spec, bool has_solids) {
     throw UsageError("`strips` has no meaning but in a panorama", "1");
   check_style(spec.style, has_solids);
   check_page(spec.page);
+  check_furniture(spec);
+  check_labels(spec.labels);
   if (spec.ground_points && spec.style.asks_for("pen-up"))
     throw UsageError(
         "the layer 'pen-up' has no meaning where lines keep their places on the ground",

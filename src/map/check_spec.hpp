@@ -14,6 +14,9 @@ namespace orograph {
 /// other: an eye, a distance or a field in a parallel view; solids where only profiles hide.
 void check_spec(const MapSpec& spec, bool has_solids);
 
+/// Sizes, and whether each piece has a meaning in this view. Throws UsageError.
+void check_furniture(const MapSpec& spec);
+
 /// The same of an eye that looks around: it has to be there.
 void check_eye_spec(const ViewSpec& view);
 /// The same of places, which are finite, and their height above the ground, from 0 on.

@@ -108,6 +108,39 @@ PanoramaFacts describe_panorama(const Panorama& panorama, double middle_deg) {
           std::max(1, static_cast<int>(panorama.strips.size()))};
 }
 
+InputFacts describe_input(const TerrainData& terrain) {
+  const MapFrame& map = terrain.map;
+  InputFacts out;
+  out.paths = terrain.paths;
+  out.crs_name = map.crs_name;
+  out.crs_wkt = map.crs_wkt;
+  out.vertical_crs_name = map.vertical_crs_name;
+  out.unit_name = map.unit_name;
+  out.height_unit_name = map.height_unit_name;
+  if (map.earth)
+    out.unit_deg = map.earth->unit_deg;
+  else
+    out.unit_m = map.unit_m;
+  out.height_unit_m = map.height_unit_m;
+  if (const Grid* grid = std::get_if<Grid>(&terrain.surface)) {
+    out.columns = static_cast<std::uint64_t>(grid->columns);
+    out.rows = static_cast<std::uint64_t>(grid->rows);
+    const GridSteps steps = steps_of(*grid);
+    out.column_step_m = length(steps.column_m);
+    out.row_step_m = length(steps.row_m);
+  } else if (has_ground(terrain.surface)) {
+    const Tin& tin = std::get<Tin>(terrain.surface);
+    out.vertices = tin.vertices_m.size();
+    out.triangles = tin.triangles.size();
+  }
+  out.triangulation = terrain.triangulation;
+  out.surface_error_m = terrain.surface_error_m;
+  out.notes = terrain.notes;
+  return out;
+}
+
+} // namespace
+
 ViewFacts describe_view(const PlacedView& placed, const TerrainData& terrain, const MapSpec& spec) {
   const View& view = placed.view;
   const MapFrame& map = terrain.map;
@@ -159,39 +192,6 @@ ViewFacts describe_view(const PlacedView& placed, const TerrainData& terrain, co
   out.phigs.exaggeration = placed.exaggeration;
   return out;
 }
-
-InputFacts describe_input(const TerrainData& terrain) {
-  const MapFrame& map = terrain.map;
-  InputFacts out;
-  out.paths = terrain.paths;
-  out.crs_name = map.crs_name;
-  out.crs_wkt = map.crs_wkt;
-  out.vertical_crs_name = map.vertical_crs_name;
-  out.unit_name = map.unit_name;
-  out.height_unit_name = map.height_unit_name;
-  if (map.earth)
-    out.unit_deg = map.earth->unit_deg;
-  else
-    out.unit_m = map.unit_m;
-  out.height_unit_m = map.height_unit_m;
-  if (const Grid* grid = std::get_if<Grid>(&terrain.surface)) {
-    out.columns = static_cast<std::uint64_t>(grid->columns);
-    out.rows = static_cast<std::uint64_t>(grid->rows);
-    const GridSteps steps = steps_of(*grid);
-    out.column_step_m = length(steps.column_m);
-    out.row_step_m = length(steps.row_m);
-  } else if (has_ground(terrain.surface)) {
-    const Tin& tin = std::get<Tin>(terrain.surface);
-    out.vertices = tin.vertices_m.size();
-    out.triangles = tin.triangles.size();
-  }
-  out.triangulation = terrain.triangulation;
-  out.surface_error_m = terrain.surface_error_m;
-  out.notes = terrain.notes;
-  return out;
-}
-
-} // namespace
 
 void entitle(Drawing& drawing, const TerrainData& terrain, const PlacedView& placed,
              const std::string& title) {

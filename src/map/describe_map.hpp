@@ -18,4 +18,7 @@ void entitle(Drawing& drawing, const TerrainData& terrain, const PlacedView& pla
 void describe_map(Map& map, const TerrainData& terrain, const PlacedView& placed,
                   const MapSpec& spec);
 
+/// How it is seen, without the earth's curvature.
+ViewFacts describe_view(const PlacedView& placed, const TerrainData& terrain, const MapSpec& spec);
+
 } // namespace orograph

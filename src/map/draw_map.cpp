@@ -23,6 +23,7 @@
 #include "map/finish_panorama.hpp"
 #include "map/found_parts.hpp"
 #include "map/layer_table.hpp"
+#include "map/letter_map.hpp"
 #include "map/stroke_darkness.hpp"
 
 #include <algorithm>
@@ -53,9 +54,23 @@ struct LineLayer {
   bool is_skyline = false;        ///< which is drawn whole
   bool is_shore = false;          ///< which is drawn smoothly, on paper
   std::optional<LineShade> shade; ///< light and haze on its lines
+  Layer to_label;                 ///< its lines again, with places in the view's profile frame
   double left_out_mm = 0;
   RoundingCounts dropped = {};
 };
+
+// The lines on the ground that are asked for with labels.
+bool has_labels(const LineLayer& layer, const LabelSpec& labels) {
+  switch (layer.is_on_ground && !layer.layer.is_hidden ? layer.kind : LineKind::mesh) {
+  case LineKind::index_contour:
+    return labels.contours;
+  case LineKind::graticule:
+  case LineKind::grid:
+    return labels.coordinates;
+  default:
+    return false;
+  }
+}
 
 std::vector<LinePart> of_kind(const std::vector<EdgeLine>& lines,
                               const std::vector<LinePart>& parts, LineKind kind) {
@@ -132,7 +147,8 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     std::optional<Layer> layer = layer_of(row, style);
     const bool of_solids =
         row.source == LineSource::solids || row.source == LineSource::hidden_solids;
-    if (!layer || (of_solids && placed.solids.empty())) continue;
+    if (!layer || (of_solids && placed.solids.empty()) || row.source == LineSource::lettering)
+      continue;
     LineLayer& added = layers.emplace_back();
     added.layer = std::move(*layer);
     added.kind = row.kind;
@@ -171,7 +187,8 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
     case LineSource::hidden_solids: // hidden edges lie under visible ones
       added.parts = solids(&SolidParts::hidden, solids(&SolidParts::visible, {}));
       break;
-    case LineSource::pen_way: // known when all strokes are in order
+    case LineSource::lettering: // stands around what is drawn
+    case LineSource::pen_way:   // known when all strokes are in order
       break;
     }
     if (row.is_hidden()) added.shade.reset(); // which would break the dashes' rhythm
@@ -263,21 +280,31 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     if (task.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
     own.keeps_depths = (task.is_joined || task.is_on_ground) && !task.is_shore && shade;
     if (task.is_on_ground) {
-      StrokeSettings of_ticks = own; // a tick that is longer than it is wide is no crumb
-      of_ticks.min_stroke_mm = std::min(own.min_stroke_mm, task.layer.pen_width_mm);
-      const bool is_contour =
-          task.kind == LineKind::contour || task.kind == LineKind::index_contour;
-      if (is_contour && !task.layer.is_hidden) {
-        std::optional<SeenContours> listed;
-        if (lines.on_ground.levels_to_find_m.empty())
-          listed = take_contours(terrain.surface, placed.view, found.lines(), lines.on_ground,
-                                 first_on_ground, task.parts);
-        task.left_out_mm = draw_contours(placed.view, listed ? *listed : contours, lines.on_ground,
-                                         task.kind, own, task.layer);
+      const auto draw = [&](const StrokeSettings& settings, std::vector<LinePart> parts, Layer& to) {
+        StrokeSettings of_ticks = settings; // a tick that is longer than it is wide is no crumb
+        of_ticks.min_stroke_mm = std::min(settings.min_stroke_mm, to.pen_width_mm);
+        const bool is_contour =
+            task.kind == LineKind::contour || task.kind == LineKind::index_contour;
+        double left_out_mm = 0;
+        if (is_contour && !to.is_hidden) {
+          std::optional<SeenContours> listed;
+          if (lines.on_ground.levels_to_find_m.empty())
+            listed = take_contours(terrain.surface, placed.view, found.lines(), lines.on_ground,
+                                   first_on_ground, parts);
+          left_out_mm = draw_contours(placed.view, listed ? *listed : contours, lines.on_ground,
+                                      task.kind, settings, to);
+        }
+        return left_out_mm + draw_features(terrain.surface, placed.view, found.lines(),
+                                           lines.on_ground, first_on_ground, parts, settings,
+                                           of_ticks, to);
+      };
+      if (!spec.ground_points && has_labels(task, spec.labels)) {
+        StrokeSettings with_places = own;
+        with_places.keeps_depths = false;
+        with_places.to_map = [](ProfilePoint p) { return Vec3{p.u, p.v, p.z}; };
+        draw(with_places, task.parts, task.to_label);
       }
-      task.left_out_mm +=
-          draw_features(terrain.surface, placed.view, found.lines(), lines.on_ground,
-                        first_on_ground, task.parts, own, of_ticks, task.layer);
+      task.left_out_mm = draw(own, std::move(task.parts), task.layer);
       return;
     }
     StrokeBuilder builder(own, task.layer);
@@ -328,6 +355,13 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     counts.dropped_strokes += dropped.empty_strokes + dropped.repeated_strokes;
     drawing.layers.push_back(std::move(of_lines.layer));
   }
+  LinesToLabel to_label;
+  for (LineLayer& of_lines : layers) {
+    if (of_lines.kind == LineKind::index_contour) append(to_label.contours, of_lines.to_label);
+    if (of_lines.kind == LineKind::graticule) append(to_label.graticule, of_lines.to_label);
+    if (of_lines.kind == LineKind::grid) append(to_label.grid, of_lines.to_label);
+  }
+  letter_map(map, terrain, placed, spec, to_label);
   order_for_pen(drawing, spec.pen_order);
   show_pen_way(drawing);
   for (const Layer& layer : drawing.layers) {

@@ -12,7 +12,7 @@ constexpr Colour kRock{0x2b, 0x26, 0x22}, kContour{0x9c, 0x62, 0x33}, kWater{0x2
     kEdge{0x8a, 0x8a, 0x8a}, kNet{0x7f, 0x93, 0xa6}, kDrape{0x9b, 0x22, 0x26};
 
 // Ridges and shores are a little heavier than profiles, border, voids and edges lighter.
-constexpr std::array<LayerRow, 22> kSeen{{
+constexpr auto kSeen = std::to_array<LayerRow>({
     {.name = "profiles", .source = LineSource::profiles, .map = kRock},
     {"mesh", LineSource::ground, 0.8, 0, LineKind::mesh, kRock},
     {"hachures", LineSource::ground, 1, 0, LineKind::hachure, kRock},
@@ -39,8 +39,11 @@ constexpr std::array<LayerRow, 22> kSeen{{
      .map = kEdge,
      .hidden_of = "solids"},
     {.name = "solids", .source = LineSource::solids, .weight = 1.4, .map = kRock},
+    {.name = "leaders", .source = LineSource::lettering, .weight = 0.6, .grey = 0.3, .map = kEdge},
+    {.name = "labels", .source = LineSource::lettering, .map = kRock},
+    {.name = "furniture", .source = LineSource::lettering, .map = kRock},
     {.name = "pen-up", .source = LineSource::pen_way, .weight = 0.4, .grey = 0.5, .map = kEdge},
-}};
+});
 
 // What may have hidden lines drawn. The skyline, which nothing stands behind, has none.
 constexpr std::string_view kHidden = "hidden-";
@@ -107,6 +110,25 @@ const LayerSpec* companion_of(const LayerRow& row, const Style& style) {
   return row.kind == LineKind::waterline ? style.layer("shores") : nullptr;
 }
 
+Layer as_told(const LayerRow& row, const Style& style) {
+  const LayerSpec* const spec = style.layer(row.name);
+  Layer layer;
+  layer.name = row.name;
+  layer.pen_width_mm =
+      (spec ? spec->weight : std::nullopt).value_or(row.weight) * style.pen_width_mm;
+  layer.grey = (spec ? spec->grey : std::nullopt).value_or(row.grey);
+  const bool is_told = spec && (spec->colour || spec->grey);
+  if (is_told)
+    layer.colour = spec->colour;
+  else if (const LayerSpec* const like = companion_of(row, style); like && like->colour)
+    layer.colour = row.is_hidden() ? lighter(*like->colour) : *like->colour;
+  else if (style.palette == Palette::map)
+    layer.colour = row.map;
+  layer.is_hidden = row.is_hidden();
+  layer.is_pen_way = row.source == LineSource::pen_way;
+  return layer;
+}
+
 } // namespace
 
 std::span<const LayerRow> layer_table() {
@@ -127,23 +149,12 @@ HiddenKinds hidden_kinds(const Style& style) {
 }
 
 std::optional<Layer> layer_of(const LayerRow& row, const Style& style) {
-  const LayerSpec* const spec = style.layer(row.name);
-  if (!spec && !goes_with_another(row, style)) return std::nullopt;
-  Layer layer;
-  layer.name = row.name;
-  layer.pen_width_mm =
-      (spec ? spec->weight : std::nullopt).value_or(row.weight) * style.pen_width_mm;
-  layer.grey = (spec ? spec->grey : std::nullopt).value_or(row.grey);
-  const bool is_told = spec && (spec->colour || spec->grey);
-  if (is_told)
-    layer.colour = spec->colour;
-  else if (const LayerSpec* const like = companion_of(row, style); like && like->colour)
-    layer.colour = row.is_hidden() ? lighter(*like->colour) : *like->colour;
-  else if (style.palette == Palette::map)
-    layer.colour = row.map;
-  layer.is_hidden = row.is_hidden();
-  layer.is_pen_way = row.source == LineSource::pen_way;
-  return layer;
+  if (!style.layer(row.name) && !goes_with_another(row, style)) return std::nullopt;
+  return as_told(row, style);
+}
+
+Layer layer_of_lettering(std::string_view name, const Style& style) {
+  return as_told(layer_row(name), style);
 }
 
 } // namespace orograph

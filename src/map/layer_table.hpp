@@ -15,7 +15,16 @@
 namespace orograph {
 
 /// Where a layer's lines come from.
-enum class LineSource { profiles, edges, ground, skyline, solids, hidden_solids, pen_way };
+enum class LineSource {
+  profiles,
+  edges,
+  ground,
+  skyline,
+  solids,
+  hidden_solids,
+  lettering, ///< texts, and lines that belong to them: drawn when all other lines are on the page
+  pen_way
+};
 
 struct LayerRow {
   std::string_view name;
@@ -45,5 +54,9 @@ HiddenKinds hidden_kinds(const Style& style);
 /// contours have the colour that those are asked for in, and waterlines that of shores. Hidden
 /// lines are lighter than those that are seen.
 std::optional<Layer> layer_of(const LayerRow& row, const Style& style);
+
+/// The same whether or not it is asked for: of what else than names of layers asks for. REQUIRES a
+/// name of the table.
+Layer layer_of_lettering(std::string_view name, const Style& style);
 
 } // namespace orograph

@@ -8,6 +8,7 @@
 #include "geometry/homography.hpp"
 #include "geometry/vec.hpp"
 #include "hidden_lines/counts.hpp"
+#include "map/name_facts.hpp"
 #include "placing/view_file.hpp"
 
 #include <cstdint>
@@ -134,6 +135,12 @@ struct ErrorBudget {
   }
 };
 
+/// What a piece of furniture covers; "window": the picture, or a strip of it.
+struct FurnitureFacts {
+  std::string piece;
+  Box2 box_mm;
+};
+
 struct MapFacts {
   InputFacts input;
   ViewFacts view;
@@ -147,6 +154,9 @@ struct MapFacts {
   std::optional<CheckCounts> check; ///< where one was asked for
   double pen_down_mm = kNotMeasured, pen_up_mm = kNotMeasured;
   std::uint64_t pen_lifts = 0;
+  std::optional<NamesFacts> names;    ///< none: none were given
+  std::vector<FurnitureFacts> furniture;
+  std::vector<std::string> lettering; ///< a sentence each: what letters there were none of
 };
 
 struct Map {

@@ -4,8 +4,11 @@
 
 #include "draw/colour.hpp"
 #include "draw/page_request.hpp"
+#include "draw/page_text.hpp"
 #include "draw/pen_order.hpp"
 #include "geometry/angle.hpp"
+#include "placing/furniture_spec.hpp"
+#include "placing/label_spec.hpp"
 #include "placing/view_file.hpp"
 #include "profiles/plan_request.hpp"
 #include "view/projection.hpp"
@@ -237,6 +240,9 @@ struct MapSpec {
   Style style;
   PageRequest page;
   std::string title;          ///< empty: the terrain's file name, or the first's and how many more
+  LetterSpec letters;         ///< of all texts on the page
+  LabelSpec labels;           ///< names and labels; the same
+  FurnitureSpec furniture;    ///< around the picture; where lines keep their places it isn't drawn
   bool ground_points = false; ///< lines keep their places on the ground; hidden ones stay whole
   /// Of each layer's strokes. Where lines keep their places on the ground it is the drawing's.
   PenOrder pen_order = PenOrder::drawing;

@@ -133,6 +133,13 @@ double heights_of_strips(int strips) {
   return strips + (strips - 1) * kBetweenStrips;
 }
 
+// With what strips leave to what stands around each; all of that in height beneath the picture.
+Sides room_of_strips(const PageRequest& page) {
+  const Sides &room = page.room_mm, &strip = page.strip_room_mm;
+  return {room.left + strip.left, room.top, room.right + strip.right,
+          room.bottom + page.strips * (strip.top + strip.bottom)};
+}
+
 } // namespace
 
 double Panorama::whole_sector_mm() const {
@@ -145,6 +152,27 @@ double whole_sector_half_width() {
 
 double Panorama::altitude_deg(double tangent) const {
   return atan2_angle(tangent, 1).in_degrees();
+}
+
+std::vector<Box2> Panorama::strip_boxes_mm() const {
+  if (strips.empty()) return {frame_mm};
+  std::vector<Box2> boxes;
+  double begin_mm = frame_mm.low.x;
+  for (const PanoramaStrip& strip : strips) {
+    boxes.push_back({Vec2{begin_mm, frame_mm.low.y} + strip.shift_mm,
+                     Vec2{strip.end_mm, frame_mm.high.y} + strip.shift_mm});
+    begin_mm = strip.end_mm;
+  }
+  return boxes;
+}
+
+Box2 Panorama::strips_mm() const {
+  Box2 all;
+  for (const Box2& strip : strip_boxes_mm()) {
+    all.include(strip.low);
+    all.include(strip.high);
+  }
+  return all;
 }
 
 ViewSpec looking_to_middle(ViewSpec view) {
@@ -242,8 +270,9 @@ void frame_panorama(Panorama& panorama, const View& ahead, const TerrainShape& t
   // No foreground is worth more than a square; on a page whatever it has room for.
   double most = width;
   if (page.height_mm) {
-    const double aspect =
-        (*page.height_mm - 2 * page.margin_mm) / (page.width_mm - 2 * page.margin_mm);
+    const Sides room = room_of_strips(page);
+    const double aspect = (*page.height_mm - 2 * page.margin_mm - room.top - room.bottom) /
+                          (page.width_mm - 2 * page.margin_mm - room.left - room.right);
     const double upright = std::max(aspect, 1 / aspect);
     const bool is_upright =
         page.orientation == Orientation::portrait ||
@@ -267,9 +296,12 @@ Page place_panorama_on_page(Panorama& panorama, const View& ahead, const PageReq
                height = high - height_of(panorama.kind, panorama.low_tangent),
                width = radians(panorama.width_deg);
   const Box2 window{{0, 0}, {width / request.strips, height * heights_of_strips(request.strips)}};
-  const Placement placement = place_on_page(window, request);
+  PageRequest roomy = request;
+  roomy.room_mm = room_of_strips(request);
+  const Placement placement = place_on_page(window, roomy);
   const double radius_mm = placement.to_page.m[0];
-  const Vec2 upper_left_mm = placement.to_page({0, window.high.y});
+  const Sides& of_strip = request.strip_room_mm;
+  const Vec2 upper_left_mm = placement.to_page({0, window.high.y}) + Vec2{0, of_strip.top};
   panorama.page = {panorama.kind, radius_mm, upper_left_mm + radius_mm * Vec2{0.5 * width, high},
                    ahead.eye_z_m};
   panorama.frame_mm = {{panorama.page.x_mm(-0.5 * width), upper_left_mm.y},
@@ -278,7 +310,8 @@ Page place_panorama_on_page(Panorama& panorama, const View& ahead, const PageReq
   for (int i = 0; i < request.strips && request.strips > 1; ++i)
     panorama.strips.push_back(
         {upper_left_mm.x + radius_mm * width * (i + 1) / request.strips,
-         radius_mm * Vec2{-width * i / request.strips, height * (1 + kBetweenStrips) * i}});
+         radius_mm * Vec2{-width * i / request.strips, height * (1 + kBetweenStrips) * i} +
+             Vec2{0, i * (of_strip.top + of_strip.bottom)}});
   return placement.page;
 }
 

@@ -32,6 +32,10 @@ struct Panorama {
 
   double whole_sector_mm() const; ///< how wide a sector is that the page shows all of
   double altitude_deg(double tangent) const;
+  /// Where on the page each strip is; one at least.
+  std::vector<Box2> strip_boxes_mm() const;
+  /// Around all of them.
+  Box2 strips_mm() const;
 };
 
 /// Where a panorama has no range, it has its middle: the view with the direction to that, if it

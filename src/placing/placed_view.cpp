@@ -7,6 +7,7 @@
 #include "geometry/on_all_cores.hpp"
 #include "placing/block.hpp"
 #include "placing/frame_eye_view.hpp"
+#include "placing/furniture_room.hpp"
 #include "placing/geodesy.hpp"
 #include "placing/give_tone.hpp"
 #include "placing/observer.hpp"
@@ -53,8 +54,8 @@ double page_aspect(PageRequest request) {
   if (request.orientation == Orientation::by_picture) request.orientation = Orientation::landscape;
   request.crop = false;
   request.scale.reset();
-  const Box2 inner = place_on_page({{0, 0}, {1, 1}}, request).page.inner_mm();
-  return inner.height() / inner.width();
+  const Box2 room = place_on_page({{0, 0}, {1, 1}}, request).room_mm;
+  return room.height() / room.width();
 }
 
 WindowShape window_shape(const PageRequest& request) {
@@ -139,6 +140,7 @@ void place_panorama(PlacedView& placed, const TerrainData& terrain, const MapSpe
                  spec.view.altitude_range, spec.page);
   placed.page = place_panorama_on_page(panorama, view, spec.page);
   placed.frame_mm = panorama.frame_mm;
+  placed.room_mm = panorama.strips_mm();
   const std::vector<Sector> sectors = sectors_of(panorama, view);
   view.window = sectors[sectors.size() / 2].view.window;
   const PanoramaPage& page = panorama.page;
@@ -171,7 +173,7 @@ void place_on_earth(PlacedView& placed, const TerrainData& terrain, const MapSpe
   const Placement placement = place_on_page(placed.view.window, spec.page);
   placed.page = placement.page;
   placed.to_page = compose(placement.to_page, placed.view.to_picture);
-  placed.frame_mm = placed.page.inner_mm();
+  placed.room_mm = placed.frame_mm = placement.room_mm;
   // A view in a file shows no more than its window. Where that doesn't reach to the margins, or the
   // page is made to its measure, a view is to be the same when it comes back as a file.
   if (spec.view.file || spec.page.scale ||
@@ -252,8 +254,10 @@ struct Picture {
   std::optional<double> under_eye_m;
 };
 
-Picture place_picture(const TerrainData& terrain, TerrainFacts facts, const MapSpec& spec,
+Picture place_picture(const TerrainData& terrain, TerrainFacts facts, const MapSpec& asked,
                       const SceneFile* solids, const TerrainData& uncut) {
+  MapSpec spec = asked;
+  spec.page = page_with_room(asked);
   const Surface& surface = terrain.surface;
   PlacedView placed;
   placed.extent = std::move(facts.extent);

@@ -49,6 +49,7 @@ struct PlacedView {
   Page page;
   Homography to_page;               ///< visibility plane to page mm; of a panorama near its middle
   Box2 frame_mm;                    ///< strokes end here
+  Box2 room_mm;                     ///< of the picture: furniture stands around it
   std::optional<VolumeDepth> depth; ///< and at the front and back plane, where there are any
   EarthCurvature curvature;
   PlanRequest plan;
@@ -60,6 +61,7 @@ struct PlacedView {
   bool exaggeration_chosen = false;     ///< by us, not by the user
   std::span<const Overlay> overlays;    ///< to be laid on the ground
   std::optional<double> block_base_m;   ///< height that the block's walls go down to, if it is one
+  const Overlay* names = nullptr;       ///< points with names to be put on the page
   std::optional<LineShade> ridge_shade; ///< none: light doesn't show in lines' widths
 
   /// The page's place of a point of `view`'s profile frame, over its last coordinate; a panorama's

@@ -14,6 +14,9 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
+
+#include "lettering/font_letters.hpp"
 
 namespace orograph {
 namespace {
@@ -49,6 +52,7 @@ void draw(cairo_surface_t* surface, const Drawing& drawing, double scale,
   cairo_t* const pen = context.get();
   cairo_set_line_cap(pen, CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
+  std::optional<FontLetters> letters;
   for (const Layer& layer : drawing.layers) {
     ink(pen, layer);
     double width_mm = 0;
@@ -66,6 +70,8 @@ void draw(cairo_surface_t* surface, const Drawing& drawing, double scale,
       points_in_path += stroke.point_count;
     }
     cairo_stroke(pen);
+    if (!layer.texts.empty() && !letters) letters.emplace(drawing.letters.family);
+    for (const PageText& text : layer.texts) letters->draw(pen, text, scale);
   }
   check(cairo_status(pen), out);
 }

@@ -18,6 +18,8 @@
 #include <numbers>
 #include <optional>
 
+#include "lettering/lettering.hpp"
+
 namespace orograph {
 namespace {
 
@@ -38,7 +40,19 @@ void check_map_points(const Drawing& drawing, Format format) {
                   "a drawing tied to the ground, or a format such as SVG", ErrorCode::request);
 }
 
+bool has_texts(const Drawing& drawing) {
+  return std::ranges::any_of(drawing.layers,
+                             [](const Layer& layer) { return !layer.texts.empty(); });
+}
+
 void write_to_sink(const Drawing& drawing, const WriteOptions& options, ByteSink& out) {
+  if (has_one_width(options.format) && has_texts(drawing)) { // what a pen or a CAD draws
+    Drawing lettered = drawing;
+    lettered.letters.kind = LetterKind::stroke;
+    Lettering lettering(lettered.letters);
+    texts_to_strokes(lettered, lettering);
+    return write_to_sink(lettered, options, out);
+  }
   if (language_of(options.format)) {
     const Device device = device_of(options);
     const OnDevice on_device(drawing, device);

@@ -123,6 +123,40 @@ bool write_strokes(const Layer& layer, ByteSink& out) {
   return true;
 }
 
+// Its fill stands as an attribute and as style, as a layer's ink does. Lines of Arabic or Hebrew
+// begin on the right.
+std::string text_element(const PageText& text, const Layer& layer) {
+  const std::string x = page_number(text.at_mm.x), y = page_number(text.at_mm.y);
+  std::string element =
+      fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\"", x, y, page_number(text.size_mm));
+  const bool ends =
+      text.runs_leftwards ? text.anchor == TextAnchor::start : text.anchor == TextAnchor::end;
+  if (text.runs_leftwards) element += " direction=\"rtl\"";
+  if (text.anchor == TextAnchor::middle)
+    element += " text-anchor=\"middle\"";
+  else if (ends)
+    element += " text-anchor=\"end\"";
+  if (text.is_bold) element += " font-weight=\"bold\"";
+  if (text.is_italic) element += " font-style=\"italic\"";
+  if (text.angle != Angle())
+    element +=
+        fmt::format(" transform=\"rotate({} {} {})\"", page_number(-text.angle.in_degrees()), x, y);
+  const std::string colour = hex_colour(layer);
+  return element + fmt::format(" xml:space=\"preserve\" fill=\"{0}\" stroke=\"none\" "
+                               "style=\"fill:{0};stroke:none\">{1}</text>\n",
+                               colour, xml_escaped(text.text));
+}
+
+bool write_texts(const Layer& layer, const LetterSpec& letters, ByteSink& out) {
+  if (layer.texts.empty()) return true;
+  out.append(
+      fmt::format("<g font-family=\"{0}, sans-serif\" style=\"font-family:'{0}',sans-serif\">\n",
+                  xml_escaped(letters.family)));
+  for (const PageText& text : layer.texts)
+    if (!text.text.empty() && !out.append(text_element(text, layer))) return false;
+  return out.append("</g>\n");
+}
+
 } // namespace
 
 void write_svg(const Drawing& drawing, ByteSink& out) {
@@ -130,6 +164,7 @@ void write_svg(const Drawing& drawing, ByteSink& out) {
   for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
     out.append(layer_start(drawing.layers[i], i + 1));
     if (!write_strokes(drawing.layers[i], out)) return;
+    if (!write_texts(drawing.layers[i], drawing.letters, out)) return;
     out.append("</g>\n");
   }
   out.append("</svg>\n");

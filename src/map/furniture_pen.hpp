@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws furniture: lines and texts in one layer, and the boxes that pieces have.
+#pragma once
+
+#include "draw/drawing.hpp"
+#include "lettering/lettering.hpp"
+#include "map/map_facts.hpp"
+#include "placing/furniture_room.hpp"
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+/// Borrows layer, letters and list.
+class FurniturePen {
+public:
+  FurniturePen(Layer& layer, Lettering& lettering, std::vector<FurnitureFacts>& boxes)
+      : layer_(layer), lettering_(lettering), boxes_(boxes) {}
+
+  /// On the page's step.
+  void line(std::initializer_list<Vec2> points);
+  /// A text in a row: that wide at most, its left end at the row's left side. Where it is cut, that
+  /// is told. Returns its box.
+  Box2 row(std::string text, double size_mm, Vec2 upper_left_mm, double most_mm,
+           bool is_bold = false);
+  /// The text as it would be drawn.
+  PageText set(PageText text) { return lettering_.set(std::move(text)); }
+  /// REQUIRES that it is set.
+  void add(PageText text) { layer_.texts.push_back(std::move(text)); }
+  void tell(const char* piece, const Box2& box_mm) { boxes_.push_back({piece, box_mm}); }
+
+private:
+  Layer& layer_;
+  Lettering& lettering_;
+  std::vector<FurnitureFacts>& boxes_;
+};
+
+} // namespace orograph

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far a summit stands out above the ground on either side of it.
+#pragma once
+
+#include "dem/grid.hpp"
+#include "geometry/vec.hpp"
+
+#include <cstdint>
+
+namespace orograph {
+
+/// On the way to higher ground, and no farther.
+constexpr double kDominanceReach_m = 3000;
+
+/// A vertex's height above the higher of two lows: on both sides of it, along a direction on the
+/// ground, the lowest vertex on the way to higher ground, within `kDominanceReach_m`. 0 where the
+/// ground rises on one side at once. REQUIRES a vertex with a height and a unit vector. Cost: some
+/// nanoseconds a cell on the way.
+double dominance_m(const Grid& grid, std::uint32_t vertex, Vec2 across);
+
+} // namespace orograph

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "naming/prominence.hpp"
+
+#include "geometry/on_all_cores.hpp"
+#include "profiles/outline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
+#include <variant>
+
+namespace orograph {
+namespace {
+
+// A place where ground comes together on the way down: `vertex` with what is higher on one of its
+// sides, or with what is beyond the terrain.
+struct Meeting {
+  double height_m;
+  std::uint32_t vertex;
+  std::uint32_t with; ///< a higher neighbour, or kBeyond
+};
+constexpr std::uint32_t kBeyond = ~std::uint32_t{0};
+
+// The order in which ground comes out of a falling flood.
+bool is_earlier(const Meeting& a, const Meeting& b) {
+  if (a.height_m != b.height_m) return a.height_m > b.height_m;
+  return std::tie(a.vertex, a.with) < std::tie(b.vertex, b.with);
+}
+
+// Ground that hangs together above the flood.
+struct Island {
+  std::uint32_t up; ///< the island that it has become a part of, or itself
+  std::uint32_t summit;
+  double height_m;
+  Prominence prominence = {};
+  bool is_known = false; ///< the summit's prominence
+  bool is_open = false;  ///< it reaches the terrain's border
+
+  bool is_higher(const Island& other) const {
+    return height_m != other.height_m ? height_m > other.height_m : summit < other.summit;
+  }
+};
+
+class Islands {
+public:
+  /// `summits` rise.
+  template <class HeightOf>
+  Islands(const std::vector<std::uint32_t>& summits, const HeightOf& height_of) {
+    islands_.reserve(summits.size());
+    for (std::size_t i = 0; i < summits.size(); ++i)
+      islands_.push_back({static_cast<std::uint32_t>(i), summits[i], height_of(summits[i])});
+  }
+
+  void meet_beyond(std::uint32_t island, double height_m) {
+    Island& one = islands_[root(island)];
+    if (!one.is_open) know(one, height_m, true);
+    one.is_open = true;
+  }
+  void meet(std::uint32_t a, std::uint32_t b, double height_m) {
+    a = root(a);
+    b = root(b);
+    if (a == b) return;
+    if (islands_[b].is_higher(islands_[a])) std::swap(a, b);
+    Island &higher = islands_[a], &lower = islands_[b];
+    know(lower, height_m, false);
+    if (lower.is_open && !higher.is_open) {
+      know(higher, height_m, true);
+      higher.is_open = true;
+    }
+    lower.up = a;
+  }
+  /// Of a vertex; none of its own where it is no summit.
+  Prominence of_summit(std::uint32_t vertex) const {
+    const auto found = std::ranges::lower_bound(islands_, vertex, {}, &Island::summit);
+    return found != islands_.end() && found->summit == vertex ? found->prominence : Prominence{};
+  }
+  std::uint32_t number(std::uint32_t summit) const {
+    return static_cast<std::uint32_t>(
+        std::ranges::lower_bound(islands_, summit, {}, &Island::summit) - islands_.begin());
+  }
+
+private:
+  static void know(Island& island, double height_m, bool is_at_least) {
+    if (island.is_known) return;
+    island.prominence = {island.height_m - height_m, is_at_least};
+    island.is_known = true;
+  }
+  std::uint32_t root(std::uint32_t island) {
+    while (islands_[island].up != island) {
+      islands_[island].up = islands_[islands_[island].up].up;
+      island = islands_[island].up;
+    }
+    return island;
+  }
+
+  std::vector<Island> islands_; ///< by summit
+};
+
+std::vector<Prominence> of_each(const Islands& islands, std::span<const std::uint32_t> vertices) {
+  std::vector<Prominence> out;
+  for (const std::uint32_t vertex : vertices) out.push_back(islands.of_summit(vertex));
+  return out;
+}
+
+// The six neighbours of a grid's vertex along its edges, in turn round it.
+struct Step {
+  int column, row;
+};
+constexpr std::array<Step, 6> kRound{{{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}}};
+constexpr std::uint8_t kSummit = 6; // instead of the number of a step
+
+// What a pass over a grid finds. From any vertex steps to the highest neighbour lead to a summit.
+struct GridSlopes {
+  std::vector<std::uint8_t> upwards; ///< number of a step
+  std::vector<std::uint32_t> summits;
+  std::vector<Meeting> meetings;
+};
+
+// Ground comes together only where what is higher around a vertex isn't one arc.
+template <class T>
+GridSlopes slopes_of(const Grid& grid, const Heights<T>& heights_m) {
+  const auto columns = static_cast<std::size_t>(grid.columns);
+  GridSlopes out;
+  out.upwards.resize(grid.size());
+  struct OfRows {
+    std::vector<std::uint32_t> summits;
+    std::vector<Meeting> meetings;
+  };
+  constexpr int kRows = 32;
+  std::vector<OfRows> parts(static_cast<std::size_t>((grid.rows + kRows - 1) / kRows));
+  on_all_cores(parts.size(), [&](std::size_t part) {
+    auto& [summits, meetings] = parts[part];
+    const int first = static_cast<int>(part) * kRows;
+    for (int row = first; row < std::min(first + kRows, grid.rows); ++row)
+      for (int column = 0; column < grid.columns; ++column) {
+        const std::size_t here =
+            static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column);
+        const double height_m = heights_m[here];
+        if (std::isnan(height_m)) continue;
+        const auto number = static_cast<std::uint32_t>(here);
+        std::array<bool, 6> is_higher{};
+        std::array<std::uint32_t, 6> neighbours{};
+        std::uint8_t highest = kSummit;
+        double highest_m = height_m;
+        std::uint32_t highest_number = number;
+        bool is_border = false;
+        for (std::uint8_t i = 0; i < kRound.size(); ++i) {
+          const int c = column + kRound[i].column, r = row + kRound[i].row;
+          const bool is_inside = c >= 0 && r >= 0 && c < grid.columns && r < grid.rows;
+          const std::size_t there =
+              is_inside ? static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c) : 0;
+          const double other_m = is_inside ? static_cast<double>(heights_m[there]) : NAN;
+          if (std::isnan(other_m)) {
+            is_border = true;
+            continue;
+          }
+          const auto other = static_cast<std::uint32_t>(there);
+          neighbours[i] = other;
+          is_higher[i] = other_m > height_m || (other_m == height_m && other < number);
+          if (!is_higher[i]) continue;
+          if (other_m > highest_m || (other_m == highest_m && other < highest_number)) {
+            highest = i;
+            highest_m = other_m;
+            highest_number = other;
+          }
+        }
+        out.upwards[here] = highest;
+        if (highest == kSummit) summits.push_back(number);
+        int arcs = 0;
+        for (std::size_t i = 0; i < 6; ++i)
+          if (is_higher[i] && !is_higher[(i + 5) % 6]) ++arcs;
+        if (arcs > 1)
+          for (std::size_t i = 0; i < 6; ++i)
+            if (is_higher[i] && !is_higher[(i + 5) % 6])
+              meetings.push_back({height_m, number, neighbours[i]});
+        if (is_border) meetings.push_back({height_m, number, kBeyond});
+      }
+  });
+  for (OfRows& part : parts) {
+    out.summits.insert(out.summits.end(), part.summits.begin(), part.summits.end());
+    out.meetings.insert(out.meetings.end(), part.meetings.begin(), part.meetings.end());
+  }
+  return out;
+}
+
+std::vector<Prominence> of_grid(const Grid& grid, std::span<const std::uint32_t> vertices) {
+  GridSlopes slopes = std::visit([&](const auto& h) { return slopes_of(grid, h); }, grid.heights_m);
+  std::sort(slopes.meetings.begin(), slopes.meetings.end(), is_earlier);
+  Islands islands(slopes.summits, [&](std::uint32_t vertex) {
+    return std::visit([&](const auto& h) { return static_cast<double>(h[vertex]); },
+                      grid.heights_m);
+  });
+  const auto island_of = [&](std::uint32_t vertex) {
+    for (std::uint8_t step = slopes.upwards[vertex]; step != kSummit;
+         step = slopes.upwards[vertex]) {
+      const std::int64_t by = std::int64_t{kRound[step].row} * grid.columns + kRound[step].column;
+      vertex = static_cast<std::uint32_t>(vertex + by);
+    }
+    return islands.number(vertex);
+  };
+  std::size_t step = 0;
+  for (const Meeting& meeting : slopes.meetings) {
+    throw_if_stopped(step++);
+    const std::uint32_t here = island_of(meeting.vertex);
+    if (meeting.with == kBeyond)
+      islands.meet_beyond(here, meeting.height_m);
+    else
+      islands.meet(here, island_of(meeting.with), meeting.height_m);
+  }
+  return of_each(islands, vertices);
+}
+
+// Each vertex is an island at first, and each edge a meeting.
+std::vector<Prominence> of_tin(const Tin& tin, std::span<const std::uint32_t> vertices) {
+  const auto height_of = [&](std::uint32_t vertex) { return tin.vertices_m[vertex].z; };
+  std::vector<Meeting> meetings;
+  const auto add = [&](std::uint32_t a, std::uint32_t b) {
+    if (height_of(b) < height_of(a) || (height_of(b) == height_of(a) && b > a)) std::swap(a, b);
+    meetings.push_back({height_of(a), a, b});
+  };
+  for (const auto& triangle : tin.triangles)
+    for (std::size_t i = 0; i < 3; ++i) add(triangle[i], triangle[(i + 1) % 3]);
+  for (const BorderEdge& edge : border_edges(tin))
+    for (const std::uint32_t vertex : {edge.edge.from, edge.edge.to})
+      meetings.push_back({height_of(vertex), vertex, kBeyond});
+  std::sort(meetings.begin(), meetings.end(), is_earlier);
+  std::vector<std::uint32_t> all(tin.vertices_m.size());
+  std::iota(all.begin(), all.end(), 0U);
+  Islands islands(all, height_of);
+  std::size_t step = 0;
+  for (const Meeting& meeting : meetings) {
+    throw_if_stopped(step++);
+    if (meeting.with == kBeyond)
+      islands.meet_beyond(meeting.vertex, meeting.height_m);
+    else
+      islands.meet(meeting.vertex, meeting.with, meeting.height_m);
+  }
+  return of_each(islands, vertices);
+}
+
+} // namespace
+
+std::vector<Prominence> prominences(const Surface& surface,
+                                    std::span<const std::uint32_t> vertices) {
+  if (vertices.empty()) return {};
+  if (const Tin* tin = std::get_if<Tin>(&surface)) return of_tin(*tin, vertices);
+  return of_grid(std::get<Grid>(surface), vertices);
+}
+
+} // namespace orograph
