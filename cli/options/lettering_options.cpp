@@ -27,7 +27,7 @@ void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
                      .value = "LIST",
                      .help = "What stands around the picture, which leaves it room. The title is "
                              "--title, if one is given",
-                     .allowed = fmt::format("none, map, panorama, or some of {}, with commas",
+                     .allowed = fmt::format("none, or some of map, panorama, {}",
                                             fmt::join(furniture_names(), ", ")),
                      .by_default = "none",
                      .words = words,

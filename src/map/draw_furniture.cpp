@@ -122,7 +122,7 @@ private:
     case Furniture::viewpoint:
       return write("viewpoint", viewpoint_words(facts_, height_unit_m_));
     case Furniture::caption:
-      return write("caption", caption_words(placed_, facts_));
+      return write("caption", caption_words(placed_, facts_, spec_.view));
     case Furniture::source:
       return write("source", source_words(furniture()));
     default:

@@ -103,7 +103,7 @@ Box2 draw_scale_bar(FurniturePen& pen, double mm_per_m, double text_mm, Vec2 upp
   if (rest_mm > 8 * text_mm) {
     const Box2 note =
         pen.row("1:" + scale_number(1000 / mm_per_m), text_mm,
-                {right_mm + gap_mm, bar_mm - kBaselineOfEm * text_mm}, rest_mm);
+                {right_mm + gap_mm, upper_left_mm.y}, rest_mm);
     box.include({note.high.x, bar_mm});
   }
   return box;

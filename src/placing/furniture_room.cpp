@@ -42,7 +42,7 @@ std::vector<FurnitureRow> rows_beneath(const MapSpec& spec) {
   std::vector<FurnitureRow> rows;
   if (furniture.has(Furniture::scale)) {
     const bool has_bar = !spec.view.file && spec.view.projection != Projection::perspective;
-    rows.push_back({Furniture::scale, has_bar ? row_mm + kTick_mm + kTickGap_mm : row_mm});
+    rows.push_back({Furniture::scale, has_bar ? row_mm + kTick_mm + 2 * kTickGap_mm : row_mm});
   }
   if (furniture.has(Furniture::viewpoint) && has_eye(spec))
     rows.push_back({Furniture::viewpoint, row_mm});
