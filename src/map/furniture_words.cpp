@@ -16,13 +16,13 @@ double rounded_azimuth(double azimuth_deg) {
   return deg >= 360 ? deg - 360 : deg;
 }
 
-// An eye looks towards azimuths from true north, and what is framed is seen from one of the map's, as
-// both are asked for.
+// An eye looks towards azimuths from true north, and what is framed is seen from one of the map's,
+// as both are asked for.
 std::string view_words(const PlacedView& placed, const ViewFacts& facts, const ViewSpec& asked) {
   const View& view = placed.view;
-  const double look_deg = rounded_azimuth(asked.has_eye() && !std::isnan(facts.look_azimuth_true_deg)
-                                              ? facts.look_azimuth_true_deg
-                                              : facts.look_azimuth_deg);
+  const double look_deg = rounded_azimuth(
+      asked.has_eye() && !std::isnan(facts.look_azimuth_true_deg) ? facts.look_azimuth_true_deg
+                                                                  : facts.look_azimuth_deg);
   const double from_deg = rounded_azimuth(facts.view_from_azimuth_deg);
   const double high_deg = placed.chosen_view ? placed.chosen_view->elevation.in_degrees()
                           : asked.file || !view.is_perspective()
@@ -58,9 +58,10 @@ std::string caption_words(const PlacedView& placed, const ViewFacts& facts, cons
                                     : fmt::format("heights {:.4g} times", placed.exaggeration);
   if (placed.view.is_perspective() && placed.curvature.applied) {
     words += kBetween;
-    words += placed.curvature.refraction != 0
-                 ? fmt::format("on the curved earth, refraction {:.3g}", placed.curvature.refraction)
-                 : "on the curved earth";
+    words +=
+        placed.curvature.refraction != 0
+            ? fmt::format("on the curved earth, refraction {:.3g}", placed.curvature.refraction)
+            : "on the curved earth";
   }
   return words;
 }
@@ -75,9 +76,9 @@ std::string viewpoint_words(const ViewFacts& facts, double height_unit_m) {
   words += kBetween;
   words += fmt::format("{:.0f} m", facts.eye->z * height_unit_m);
   if (std::isfinite(facts.eye_height_m))
-    words += fmt::format(", {} m above the ground", facts.eye_height_m < 10
-                                                        ? fmt::format("{:.3g}", facts.eye_height_m)
-                                                        : fmt::format("{:.0f}", facts.eye_height_m));
+    words += fmt::format(", {} m above the ground",
+                         facts.eye_height_m < 10 ? fmt::format("{:.3g}", facts.eye_height_m)
+                                                 : fmt::format("{:.0f}", facts.eye_height_m));
   return words;
 }
 

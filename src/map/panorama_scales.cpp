@@ -79,9 +79,7 @@ void draw_azimuths(FurniturePen& pen, const Panorama& panorama, double from_deg,
            k * step_deg <= left_deg + width_deg + kRounding_deg; ++k)
         draw(k * step_deg);
     };
-    each(tick_deg, [&](double deg) {
-      pen.line({{x_mm(deg), y}, {x_mm(deg), y + tick_mm(deg)}});
-    });
+    each(tick_deg, [&](double deg) { pen.line({{x_mm(deg), y}, {x_mm(deg), y + tick_mm(deg)}}); });
     const double figures_mm = y + kTick_mm + kTickGap_mm + kBaselineOfEm * text_mm;
     each(figure_deg, [&](double deg) {
       add_within(pen,
@@ -123,19 +121,22 @@ void draw_altitudes(FurniturePen& pen, const Panorama& panorama, std::optional<d
       const double deg = k * tick_deg, y = y_mm(deg);
       pen.line({{x, y}, {x - tick_mm(deg), y}});
       if (!divides(figure_deg, deg)) continue;
-      pen.add(pen.set({.text = fmt::format("{}{:.0f}°", deg < 0 ? "−" : "", std::abs(deg)),
-                       .at_mm = {x - kTick_mm - kTickGap_mm, y + middle_mm},
-                       .size_mm = text_mm,
-                       .anchor = TextAnchor::end}));
+      pen.add(pen.set_within({.text = fmt::format("{}{:.0f}°", deg < 0 ? "−" : "", std::abs(deg)),
+                              .at_mm = {x - kTick_mm - kTickGap_mm, y + middle_mm},
+                              .size_mm = text_mm,
+                              .anchor = TextAnchor::end},
+                             kAltitudeOfEm * text_mm));
     }
-    const double left_mm = x - kTick_mm - kTickGap_mm - 2.6 * text_mm;
+    const double left_mm = x - kTick_mm - kTickGap_mm - kAltitudeOfEm * text_mm;
     pen.tell("altitudes", {{left_mm, strip.low.y}, {x, strip.high.y}});
     if (!dip || -*dip < low_deg || -*dip > high_deg) continue;
     const double y = y_mm(-*dip), right_mm = strip.high.x;
     pen.line({{right_mm, y}, {right_mm + kTick_mm, y}});
-    const PageText text = pen.set({.text = fmt::format("dip {:.1f}°", *dip),
-                                   .at_mm = {right_mm + kTick_mm + kTickGap_mm, y + middle_mm},
-                                   .size_mm = text_mm});
+    const PageText text =
+        pen.set_within({.text = fmt::format("dip {:.1f}°", *dip),
+                        .at_mm = {right_mm + kTick_mm + kTickGap_mm, y + middle_mm},
+                        .size_mm = text_mm},
+                       kDipOfEm * text_mm);
     pen.tell("dip", {{right_mm, text.box_mm().low.y}, text.box_mm().high});
     pen.add(text);
   }

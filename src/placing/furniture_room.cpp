@@ -6,9 +6,6 @@
 namespace orograph {
 namespace {
 
-// Widths of "-20°" and of "dip 1.4°".
-constexpr double kAltitudeOfEm = 2.6, kDipOfEm = 4.4;
-
 double height_mm(const std::vector<FurnitureRow>& rows) {
   double sum = 0;
   for (const FurnitureRow& row : rows) sum += row.height_mm;
@@ -65,8 +62,7 @@ PageRequest page_with_room(const MapSpec& spec) {
                beneath_mm = std::max(height_mm(rows_beneath(spec)),
                                      furniture.has(Furniture::north) ? kNorth_mm : 0);
   Sides& room = page.room_mm;
-  room = {room.left + pad_mm,
-          room.top + pad_mm + (above_mm > 0 ? above_mm + furniture.gap_mm : 0),
+  room = {room.left + pad_mm, room.top + pad_mm + (above_mm > 0 ? above_mm + furniture.gap_mm : 0),
           room.right + pad_mm,
           room.bottom + pad_mm + (beneath_mm > 0 ? beneath_mm + furniture.gap_mm : 0)};
   Sides& strip = page.strip_room_mm;
@@ -77,6 +73,7 @@ PageRequest page_with_room(const MapSpec& spec) {
     strip.right += kTick_mm + kTickGap_mm + kDipOfEm * furniture.text_mm;
     // The lowest and the highest text reach beyond the strip by half of their height.
     strip.top += 0.5 * kRowOfEm * furniture.text_mm;
+    if (!furniture.has(Furniture::azimuths)) strip.bottom += 0.5 * kRowOfEm * furniture.text_mm;
   }
   return page;
 }

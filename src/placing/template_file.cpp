@@ -76,8 +76,8 @@ std::vector<Furniture> pieces_of(const TomlTable& table) {
 } // namespace
 
 const std::vector<std::string>& furniture_names() {
-  static const std::vector<std::string> names{"title",   "subtitle", "neatline", "north",
-                                              "scale",   "caption",  "source",   "azimuths",
+  static const std::vector<std::string> names{"title",     "subtitle", "neatline", "north",
+                                              "scale",     "caption",  "source",   "azimuths",
                                               "altitudes", "viewpoint"};
   return names;
 }
