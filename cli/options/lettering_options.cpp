@@ -27,7 +27,7 @@ void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
                      .value = "LIST",
                      .help = "What stands around the picture, which leaves it room. The title is "
                              "--title, if one is given",
-                     .allowed = fmt::format("none, map, panorama, or some of {}, with commas",
+                     .allowed = fmt::format("none, or some of map, panorama, {}",
                                             fmt::join(furniture_names(), ", ")),
                      .by_default = "none",
                      .words = words,
@@ -52,8 +52,9 @@ void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
   options.push_back({.group = kGroup,
                      .name = "--template",
                      .value = "FILE",
-                     .help = "Furniture, texts, sizes and fonts from a TOML file (docs/letters.md); "
-                             "options go before what it says",
+                     .help =
+                         "Furniture, texts, sizes and fonts from a TOML file (docs/letters.md); "
+                         "options go before what it says",
                      .allowed = "a file name",
                      .by_default = "none",
                      .extensions = {"toml"},
@@ -85,18 +86,18 @@ void check_printed(RenderSettings& s, const GivenOptions& given) {
   FurnitureSpec& furniture = s.map.furniture;
   if (is_tied_to_ground(s.write.format)) { // which has no page
     if (insists_on(given, "--furniture") && furniture.any())
-      throw UsageError("--furniture has no meaning in a format tied to the ground, which has no page",
-                       "leave it out, or write a picture, as in --of svg");
+      throw UsageError(
+          "--furniture has no meaning in a format tied to the ground, which has no page",
+          "leave it out, or write a picture, as in --of svg");
     furniture.pieces.clear();
   }
-  for (const auto& [option, piece] : {std::pair{"--subtitle", Furniture::subtitle},
-                                      std::pair{"--source", Furniture::source},
-                                      std::pair{"--date", Furniture::source}})
+  for (const auto& [option, piece] :
+       {std::pair{"--subtitle", Furniture::subtitle}, std::pair{"--source", Furniture::source},
+        std::pair{"--date", Furniture::source}})
     if (insists_on(given, option) && !furniture.has(piece) && !is_tied_to_ground(s.write.format))
-      throw UsageError(
-          fmt::format("{} is printed nowhere", option),
-          fmt::format("give --furniture map, panorama, or a list with {}",
-                      furniture_names()[static_cast<std::size_t>(piece)]));
+      throw UsageError(fmt::format("{} is printed nowhere", option),
+                       fmt::format("give --furniture map, panorama, or a list with {}",
+                                   furniture_names()[static_cast<std::size_t>(piece)]));
 }
 
 } // namespace
