@@ -29,7 +29,7 @@ void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
                              "--title, if one is given",
                      .allowed = fmt::format("none, or some of map, panorama, {}",
                                             fmt::join(furniture_names(), ", ")),
-                     .by_default = "none",
+                     .by_default = "nothing, and the picture has all of the page",
                      .words = words,
                      .take = [&s](const std::string& text) {
                        s.map.furniture.pieces = furniture_of(text, "--furniture");
@@ -40,7 +40,6 @@ void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
                        .name = name,
                        .value = "TEXT",
                        .help = help,
-                       .by_default = "none",
                        .take = [&into](const std::string& given) {
                          into = given;
                          return true;
@@ -56,7 +55,6 @@ void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
                          "Furniture, texts, sizes and fonts from a TOML file (docs/letters.md); "
                          "options go before what it says",
                      .allowed = "a file name",
-                     .by_default = "none",
                      .extensions = {"toml"},
                      .take = stored_name(s.template_file)});
 }
@@ -119,7 +117,7 @@ void add_lettering_options(std::vector<Option>& options, RenderSettings& s) {
                      .help = "Font of texts, and of what stroke letters lack; what isn't there is "
                              "replaced, and that is said",
                      .allowed = "a font's name, as fc-list gives it",
-                     .by_default = letters.family,
+                     .by_default = letters.family + ", which Debian has in fonts-dejavu-core",
                      .take = [&letters](const std::string& text) {
                        letters.family = text;
                        return !text.empty();
@@ -128,7 +126,7 @@ void add_lettering_options(std::vector<Option>& options, RenderSettings& s) {
                      .name = "--stroke-letters",
                      .value = "FOLDER",
                      .help = "Where stroke letters are, Hershey's .jhf files",
-                     .by_default = letters.stroke_folder,
+                     .by_default = letters.stroke_folder + ", as Debian has them",
                      .take = stored_name(letters.stroke_folder)});
   add_furniture_options(options, s);
 }
