@@ -27,9 +27,9 @@ void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
                      .value = "LIST",
                      .help = "What stands around the picture, which leaves it room. The title is "
                              "--title, if one is given",
-                     .allowed = fmt::format("none, map, panorama, or some of {}, with commas",
+                     .allowed = fmt::format("none, or some of map, panorama, {}",
                                             fmt::join(furniture_names(), ", ")),
-                     .by_default = "none",
+                     .by_default = "nothing, and the picture has all of the page",
                      .words = words,
                      .take = [&s](const std::string& text) {
                        s.map.furniture.pieces = furniture_of(text, "--furniture");
@@ -40,7 +40,6 @@ void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
                        .name = name,
                        .value = "TEXT",
                        .help = help,
-                       .by_default = "none",
                        .take = [&into](const std::string& given) {
                          into = given;
                          return true;
@@ -52,10 +51,10 @@ void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
   options.push_back({.group = kGroup,
                      .name = "--template",
                      .value = "FILE",
-                     .help = "Furniture, texts, sizes and fonts from a TOML file (docs/letters.md); "
-                             "options go before what it says",
+                     .help =
+                         "Furniture, texts, sizes and fonts from a TOML file (docs/letters.md); "
+                         "options go before what it says",
                      .allowed = "a file name",
-                     .by_default = "none",
                      .extensions = {"toml"},
                      .take = stored_name(s.template_file)});
 }
@@ -85,18 +84,18 @@ void check_printed(RenderSettings& s, const GivenOptions& given) {
   FurnitureSpec& furniture = s.map.furniture;
   if (is_tied_to_ground(s.write.format)) { // which has no page
     if (insists_on(given, "--furniture") && furniture.any())
-      throw UsageError("--furniture has no meaning in a format tied to the ground, which has no page",
-                       "leave it out, or write a picture, as in --of svg");
+      throw UsageError(
+          "--furniture has no meaning in a format tied to the ground, which has no page",
+          "leave it out, or write a picture, as in --of svg");
     furniture.pieces.clear();
   }
-  for (const auto& [option, piece] : {std::pair{"--subtitle", Furniture::subtitle},
-                                      std::pair{"--source", Furniture::source},
-                                      std::pair{"--date", Furniture::source}})
+  for (const auto& [option, piece] :
+       {std::pair{"--subtitle", Furniture::subtitle}, std::pair{"--source", Furniture::source},
+        std::pair{"--date", Furniture::source}})
     if (insists_on(given, option) && !furniture.has(piece) && !is_tied_to_ground(s.write.format))
-      throw UsageError(
-          fmt::format("{} is printed nowhere", option),
-          fmt::format("give --furniture map, panorama, or a list with {}",
-                      furniture_names()[static_cast<std::size_t>(piece)]));
+      throw UsageError(fmt::format("{} is printed nowhere", option),
+                       fmt::format("give --furniture map, panorama, or a list with {}",
+                                   furniture_names()[static_cast<std::size_t>(piece)]));
 }
 
 } // namespace
@@ -118,7 +117,7 @@ void add_lettering_options(std::vector<Option>& options, RenderSettings& s) {
                      .help = "Font of texts, and of what stroke letters lack; what isn't there is "
                              "replaced, and that is said",
                      .allowed = "a font's name, as fc-list gives it",
-                     .by_default = letters.family,
+                     .by_default = letters.family + ", which Debian has in fonts-dejavu-core",
                      .take = [&letters](const std::string& text) {
                        letters.family = text;
                        return !text.empty();
@@ -127,7 +126,7 @@ void add_lettering_options(std::vector<Option>& options, RenderSettings& s) {
                      .name = "--stroke-letters",
                      .value = "FOLDER",
                      .help = "Where stroke letters are, Hershey's .jhf files",
-                     .by_default = letters.stroke_folder,
+                     .by_default = letters.stroke_folder + ", as Debian has them",
                      .take = stored_name(letters.stroke_folder)});
   add_furniture_options(options, s);
 }

@@ -95,7 +95,7 @@ void add_page_options(std::vector<Option>& options, RenderSettings& s) {
   options.push_back({.group = kPage,
                      .name = "--title",
                      .value = "TEXT",
-                     .help = "Title in the file's metadata",
+                     .help = "Title in the file's metadata, and where --furniture has one",
                      .by_default = "INPUT's file name",
                      .take = [&s](const std::string& text) {
                        s.map.title = text;

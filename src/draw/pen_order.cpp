@@ -98,6 +98,7 @@ Layer without_strokes(const Layer& layer) {
   out.pen = layer.pen;
   out.features = layer.features;
   out.fields = layer.fields;
+  out.texts = layer.texts;
   return out;
 }
 

@@ -2,6 +2,7 @@
 #include "lettering/lettering.hpp"
 
 #include "draw/round_drawing.hpp"
+#include "text/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +14,6 @@
 
 #include "lettering/font_letters.hpp"
 #include "lettering/stroke_font.hpp"
-#include "text/printable.hpp"
 
 namespace orograph {
 namespace {

@@ -21,8 +21,7 @@ constexpr double kLeastColumn_mm = 120;
 
 // Across the page, around the picture's middle.
 Box2 column_of(const Box2& picture, const Box2& inner) {
-  const double width_mm =
-      std::min(inner.width(), std::max(picture.width(), kLeastColumn_mm));
+  const double width_mm = std::min(inner.width(), std::max(picture.width(), kLeastColumn_mm));
   const double low = std::clamp(picture.centre().x - 0.5 * width_mm, inner.low.x,
                                 std::max(inner.low.x, inner.high.x - width_mm));
   if (width_mm <= picture.width()) return {{picture.low.x, 0}, {picture.high.x, 0}};
@@ -77,8 +76,8 @@ private:
       const bool is_title = row.piece == Furniture::title;
       tell(is_title ? "title" : "subtitle",
            pen_.row(is_title ? spec_.title : furniture().subtitle,
-                    is_title ? furniture().title_mm : furniture().subtitle_mm,
-                    {column_.low.x, y}, column_.width(), is_title));
+                    is_title ? furniture().title_mm : furniture().subtitle_mm, {column_.low.x, y},
+                    column_.width(), is_title));
       y += row.height_mm;
     }
   }
@@ -122,7 +121,7 @@ private:
     case Furniture::viewpoint:
       return write("viewpoint", viewpoint_words(facts_, height_unit_m_));
     case Furniture::caption:
-      return write("caption", caption_words(placed_, facts_));
+      return write("caption", caption_words(placed_, facts_, spec_.view));
     case Furniture::source:
       return write("source", source_words(furniture()));
     default:
@@ -139,10 +138,10 @@ private:
     if (!furniture().has(Furniture::altitudes)) return;
     std::optional<double> dip;
     if (placed_.curvature.applied && facts_.eye)
-      dip = dip_deg(facts_.eye->z * height_unit_m_,
-                    std::sqrt(placed_.curvature.radii.meridian_m *
-                              placed_.curvature.radii.prime_vertical_m),
-                    placed_.curvature.refraction);
+      dip = dip_deg(
+          facts_.eye->z * height_unit_m_,
+          std::sqrt(placed_.curvature.radii.meridian_m * placed_.curvature.radii.prime_vertical_m),
+          placed_.curvature.refraction);
     draw_altitudes(pen_, panorama, dip, text_mm, has_line);
   }
 

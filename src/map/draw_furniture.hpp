@@ -3,18 +3,19 @@
 #pragma once
 
 #include "dem/terrain.hpp"
-#include "lettering/lettering.hpp"
 #include "map/map_facts.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
 
 #include <vector>
 
+#include "lettering/lettering.hpp"
+
 namespace orograph {
 
 /// The layer of furniture that the spec asks for, with its texts set, around a picture that leaves
-/// the room of `page_with_room`. `boxes` gets what each piece covers: none overlaps another, nor the
-/// picture's window, which is first among them.
+/// the room of `page_with_room`. `boxes` gets what each piece covers: none overlaps another, nor
+/// the picture's window, which is first among them.
 Layer draw_furniture(const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec,
                      Lettering& lettering, std::vector<FurnitureFacts>& boxes);
 

@@ -19,8 +19,8 @@ void FurniturePen::line(std::initializer_list<Vec2> points) {
 
 Box2 FurniturePen::row(std::string text, double size_mm, Vec2 upper_left_mm, double most_mm,
                        bool is_bold) {
-  PageText one{.text = std::move(text), .at_mm = upper_left_mm, .size_mm = size_mm,
-               .is_bold = is_bold};
+  PageText one{
+      .text = std::move(text), .at_mm = upper_left_mm, .size_mm = size_mm, .is_bold = is_bold};
   one = lettering_.set(std::move(one));
   // A font that needs more height than a row has is set smaller.
   const double height_mm = one.extent.ascent_mm + one.extent.descent_mm;
@@ -30,8 +30,7 @@ Box2 FurniturePen::row(std::string text, double size_mm, Vec2 upper_left_mm, dou
                              one.extent.ascent_mm * one.size_mm / size_mm;
   one.at_mm.y += baseline_mm;
   one = lettering_.set_within(std::move(one), most_mm);
-  const Box2 box{upper_left_mm,
-                 upper_left_mm + Vec2{one.extent.width_mm, kRowOfEm * size_mm}};
+  const Box2 box{upper_left_mm, upper_left_mm + Vec2{one.extent.width_mm, kRowOfEm * size_mm}};
   if (!one.text.empty()) add(std::move(one));
   return box;
 }

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "draw/drawing.hpp"
-#include "lettering/lettering.hpp"
 #include "map/map_facts.hpp"
 #include "placing/furniture_room.hpp"
 
 #include <initializer_list>
 #include <string>
 #include <vector>
+
+#include "lettering/lettering.hpp"
 
 namespace orograph {
 
@@ -27,6 +28,9 @@ public:
            bool is_bold = false);
   /// The text as it would be drawn.
   PageText set(PageText text) { return lettering_.set(std::move(text)); }
+  PageText set_within(PageText text, double most_mm) {
+    return lettering_.set_within(std::move(text), most_mm);
+  }
   /// REQUIRES that it is set.
   void add(PageText text) { layer_.texts.push_back(std::move(text)); }
   void tell(const char* piece, const Box2& box_mm) { boxes_.push_back({piece, box_mm}); }

@@ -20,18 +20,17 @@ void add_above(Drawing& drawing, Layer layer) {
 
 } // namespace
 
-void letter_map(Map& map, const TerrainData& terrain, const PlacedView& placed,
-                const MapSpec& spec, const LinesToLabel& lines) {
+void letter_map(Map& map, const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec,
+                const LinesToLabel& lines) {
   Drawing& drawing = map.drawing;
   drawing.letters = spec.letters;
   if (spec.ground_points) return;
   Lettering lettering(spec.letters);
   map.facts.names = name_places(terrain, placed, spec, lines, lettering, drawing);
-  const bool is_empty = std::ranges::all_of(
-      drawing.layers, [](const Layer& layer) { return layer.strokes.empty(); });
+  const bool is_empty =
+      std::ranges::all_of(drawing.layers, [](const Layer& layer) { return layer.strokes.empty(); });
   if (spec.furniture.any() && !is_empty)
-    add_above(drawing,
-              draw_furniture(terrain, placed, spec, lettering, map.facts.furniture));
+    add_above(drawing, draw_furniture(terrain, placed, spec, lettering, map.facts.furniture));
   if (spec.letters.kind == LetterKind::stroke) texts_to_strokes(drawing, lettering);
   map.facts.lettering = lettering.notes();
 }

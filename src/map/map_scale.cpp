@@ -17,9 +17,7 @@ constexpr double kLongestBar_mm = 60, kShareOfRow = 0.6;
 std::optional<ProfilePoint> on_level(const PlacedView& placed, double z_m, Vec2 page_mm) {
   const Vec3 origin = placed.on_page({0, 0, z_m}), of_u = placed.on_page({1, 0, z_m}) - origin,
              of_v = placed.on_page({0, 1, z_m}) - origin;
-  const auto offset = [&](Vec3 h) {
-    return Vec2{h.x - page_mm.x * h.z, h.y - page_mm.y * h.z};
-  };
+  const auto offset = [&](Vec3 h) { return Vec2{h.x - page_mm.x * h.z, h.y - page_mm.y * h.z}; };
   const Vec2 a = offset(of_u), b = offset(of_v), c = offset(origin);
   const double determinant = a.x * b.y - a.y * b.x;
   if (determinant == 0) return std::nullopt;
@@ -101,9 +99,8 @@ Box2 draw_scale_bar(FurniturePen& pen, double mm_per_m, double text_mm, Vec2 upp
   const double rest_mm = upper_left_mm.x + most_mm - right_mm - gap_mm;
   Box2 box{upper_left_mm, {right_mm, bar_mm}};
   if (rest_mm > 8 * text_mm) {
-    const Box2 note =
-        pen.row("1:" + scale_number(1000 / mm_per_m), text_mm,
-                {right_mm + gap_mm, bar_mm - kBaselineOfEm * text_mm}, rest_mm);
+    const Box2 note = pen.row("1:" + scale_number(1000 / mm_per_m), text_mm,
+                              {right_mm + gap_mm, upper_left_mm.y}, rest_mm);
     box.include({note.high.x, bar_mm});
   }
   return box;
@@ -117,7 +114,7 @@ bool draw_north(FurniturePen& pen, const PlacedView& placed, ProfilePoint at, do
   if (std::abs(up.x * across.y - up.y * across.x) < kThinnest * dot(across, across)) return false;
   constexpr std::array<Vec2, 4> kNeedle{Vec2{0, 1}, {0.36, -0.85}, {0, -0.5}, {-0.36, -0.85}};
   const auto placed_at = [&](Vec2 p) { return p.x * across + p.y * up; };
-  const double em_mm = 1.3 * text_mm, letter_mm = 0.55 * em_mm, gap_mm = 0.9;
+  const double em_mm = 1.3 * text_mm, letter_mm = 0.62 * em_mm, gap_mm = 0.9;
   Box2 shape;
   for (const Vec2 p : kNeedle) shape.include(placed_at(p));
   // The letter stands beyond the tip, however that lies.

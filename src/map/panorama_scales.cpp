@@ -41,7 +41,7 @@ double tick_mm(double deg) {
 
 double in_turn(double deg) {
   const double rest = std::fmod(deg, 360);
-  return rest < 0 ? rest + 360 : rest;
+  return (rest < 0 ? rest + 360 : rest) + 0.0; // no -0
 }
 
 // Where it has room between the page's margins.
@@ -63,7 +63,7 @@ void draw_azimuths(FurniturePen& pen, const Panorama& panorama, double from_deg,
                    const Box2& inner_mm, bool has_line) {
   const double mm_per_deg = panorama.page.radius_mm * radians(1);
   const double tick_deg = step_of({1, 5, 10, 30}, mm_per_deg, kLeastBetweenTicks_mm);
-  const double figure_deg = step_of({1, 2, 5, 10, 30, 90}, mm_per_deg, 3.6 * text_mm);
+  const double figure_deg = step_of({1, 5, 10, 30, 90}, mm_per_deg, 3.6 * text_mm);
   const double name_deg = step_of({22.5, 45, 90}, mm_per_deg, 4.5 * text_mm);
   const std::vector<Box2> strips = panorama.strip_boxes_mm();
   const double width_deg = panorama.width_deg / static_cast<double>(strips.size());
@@ -79,13 +79,11 @@ void draw_azimuths(FurniturePen& pen, const Panorama& panorama, double from_deg,
            k * step_deg <= left_deg + width_deg + kRounding_deg; ++k)
         draw(k * step_deg);
     };
-    each(tick_deg, [&](double deg) {
-      pen.line({{x_mm(deg), y}, {x_mm(deg), y + tick_mm(deg)}});
-    });
+    each(tick_deg, [&](double deg) { pen.line({{x_mm(deg), y}, {x_mm(deg), y + tick_mm(deg)}}); });
     const double figures_mm = y + kTick_mm + kTickGap_mm + kBaselineOfEm * text_mm;
     each(figure_deg, [&](double deg) {
       add_within(pen,
-                 {.text = fmt::format("{:.0f}°", in_turn(deg)),
+                 {.text = fmt::format("{:.0f}°", in_turn(std::round(deg))),
                   .at_mm = {x_mm(deg), figures_mm},
                   .size_mm = text_mm,
                   .anchor = TextAnchor::middle},
@@ -111,7 +109,7 @@ void draw_altitudes(FurniturePen& pen, const Panorama& panorama, std::optional<d
   const PanoramaPage& page = panorama.page;
   const double mm_per_deg = page.radius_mm * radians(1);
   const double tick_deg = step_of({1, 5, 10, 30}, mm_per_deg, kLeastBetweenTicks_mm);
-  const double figure_deg = step_of({1, 2, 5, 10, 30}, mm_per_deg, 1.6 * text_mm);
+  const double figure_deg = step_of({1, 5, 10, 30}, mm_per_deg, 1.6 * text_mm);
   const double middle_mm = 0.36 * text_mm; // half of a figure's height
   for (const Box2& strip : panorama.strip_boxes_mm()) {
     const double shift_mm = strip.low.y - panorama.frame_mm.low.y;
@@ -123,19 +121,22 @@ void draw_altitudes(FurniturePen& pen, const Panorama& panorama, std::optional<d
       const double deg = k * tick_deg, y = y_mm(deg);
       pen.line({{x, y}, {x - tick_mm(deg), y}});
       if (!divides(figure_deg, deg)) continue;
-      pen.add(pen.set({.text = fmt::format("{}{:.0f}°", deg < 0 ? "−" : "", std::abs(deg)),
-                       .at_mm = {x - kTick_mm - kTickGap_mm, y + middle_mm},
-                       .size_mm = text_mm,
-                       .anchor = TextAnchor::end}));
+      pen.add(pen.set_within({.text = fmt::format("{}{:.0f}°", deg < 0 ? "−" : "", std::abs(deg)),
+                              .at_mm = {x - kTick_mm - kTickGap_mm, y + middle_mm},
+                              .size_mm = text_mm,
+                              .anchor = TextAnchor::end},
+                             kAltitudeOfEm * text_mm));
     }
-    const double left_mm = x - kTick_mm - kTickGap_mm - 2.6 * text_mm;
+    const double left_mm = x - kTick_mm - kTickGap_mm - kAltitudeOfEm * text_mm;
     pen.tell("altitudes", {{left_mm, strip.low.y}, {x, strip.high.y}});
     if (!dip || -*dip < low_deg || -*dip > high_deg) continue;
     const double y = y_mm(-*dip), right_mm = strip.high.x;
     pen.line({{right_mm, y}, {right_mm + kTick_mm, y}});
-    const PageText text = pen.set({.text = fmt::format("dip {:.1f}°", *dip),
-                                   .at_mm = {right_mm + kTick_mm + kTickGap_mm, y + middle_mm},
-                                   .size_mm = text_mm});
+    const PageText text =
+        pen.set_within({.text = fmt::format("dip {:.1f}°", *dip),
+                        .at_mm = {right_mm + kTick_mm + kTickGap_mm, y + middle_mm},
+                        .size_mm = text_mm},
+                       kDipOfEm * text_mm);
     pen.tell("dip", {{right_mm, text.box_mm().low.y}, text.box_mm().high});
     pen.add(text);
   }

@@ -6,9 +6,6 @@
 namespace orograph {
 namespace {
 
-// Widths of "-20°" and of "dip 1.4°".
-constexpr double kAltitudeOfEm = 2.6, kDipOfEm = 4.4;
-
 double height_mm(const std::vector<FurnitureRow>& rows) {
   double sum = 0;
   for (const FurnitureRow& row : rows) sum += row.height_mm;
@@ -42,7 +39,7 @@ std::vector<FurnitureRow> rows_beneath(const MapSpec& spec) {
   std::vector<FurnitureRow> rows;
   if (furniture.has(Furniture::scale)) {
     const bool has_bar = !spec.view.file && spec.view.projection != Projection::perspective;
-    rows.push_back({Furniture::scale, has_bar ? row_mm + kTick_mm + kTickGap_mm : row_mm});
+    rows.push_back({Furniture::scale, has_bar ? row_mm + kTick_mm + 2 * kTickGap_mm : row_mm});
   }
   if (furniture.has(Furniture::viewpoint) && has_eye(spec))
     rows.push_back({Furniture::viewpoint, row_mm});
@@ -65,8 +62,7 @@ PageRequest page_with_room(const MapSpec& spec) {
                beneath_mm = std::max(height_mm(rows_beneath(spec)),
                                      furniture.has(Furniture::north) ? kNorth_mm : 0);
   Sides& room = page.room_mm;
-  room = {room.left + pad_mm,
-          room.top + pad_mm + (above_mm > 0 ? above_mm + furniture.gap_mm : 0),
+  room = {room.left + pad_mm, room.top + pad_mm + (above_mm > 0 ? above_mm + furniture.gap_mm : 0),
           room.right + pad_mm,
           room.bottom + pad_mm + (beneath_mm > 0 ? beneath_mm + furniture.gap_mm : 0)};
   Sides& strip = page.strip_room_mm;
@@ -77,6 +73,7 @@ PageRequest page_with_room(const MapSpec& spec) {
     strip.right += kTick_mm + kTickGap_mm + kDipOfEm * furniture.text_mm;
     // The lowest and the highest text reach beyond the strip by half of their height.
     strip.top += 0.5 * kRowOfEm * furniture.text_mm;
+    if (!furniture.has(Furniture::azimuths)) strip.bottom += 0.5 * kRowOfEm * furniture.text_mm;
   }
   return page;
 }

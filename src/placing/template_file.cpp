@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <variant>
 
 namespace orograph {
@@ -75,36 +76,41 @@ std::vector<Furniture> pieces_of(const TomlTable& table) {
 } // namespace
 
 const std::vector<std::string>& furniture_names() {
-  static const std::vector<std::string> names{"title",   "subtitle", "neatline", "north",
-                                              "scale",   "caption",  "source",   "azimuths",
+  static const std::vector<std::string> names{"title",     "subtitle", "neatline", "north",
+                                              "scale",     "caption",  "source",   "azimuths",
                                               "altitudes", "viewpoint"};
   return names;
 }
 
 std::vector<Furniture> furniture_of(std::string_view text, const std::string& place) {
-  if (text == "none") return {};
-  if (text == "map") return {std::begin(kOfMap), std::end(kOfMap)};
-  if (text == "panorama") return {std::begin(kOfPanorama), std::end(kOfPanorama)};
   std::vector<Furniture> pieces;
+  const auto add = [&](std::span<const Furniture> some) {
+    for (const Furniture piece : some)
+      if (std::ranges::find(pieces, piece) == pieces.end()) pieces.push_back(piece);
+  };
+  if (text == "none") return pieces;
   for (bool is_last = false; !is_last;) {
     const std::size_t comma = text.find(',');
     const std::string_view name = text.substr(0, comma);
     is_last = comma == std::string_view::npos;
     text.remove_prefix(is_last ? text.size() : comma + 1);
     const auto found = std::ranges::find(furniture_names(), name);
-    if (found == furniture_names().end()) {
+    if (name == "map") {
+      add(kOfMap);
+    } else if (name == "panorama") {
+      add(kOfPanorama);
+    } else if (found != furniture_names().end()) {
+      const auto piece = static_cast<Furniture>(found - furniture_names().begin());
+      add({&piece, 1});
+    } else {
       std::vector<std::string_view> known(furniture_names().begin(), furniture_names().end());
-      for (const char* set : {"none", "map", "panorama"}) known.emplace_back(set);
+      known.insert(known.end(), {"map", "panorama"});
       const std::string_view nearest = nearest_word(name, known);
       throw UsageError(fmt::format("{}: there is no furniture '{}'", place, printable(name)),
-                       nearest.empty() ? fmt::format("none, map, panorama, or some of {}",
+                       nearest.empty() ? fmt::format("none, or some of map, panorama, {}",
                                                      fmt::join(furniture_names(), ", "))
                                        : fmt::format("did you mean {}?", nearest));
     }
-    const auto piece = static_cast<Furniture>(found - furniture_names().begin());
-    if (std::ranges::find(pieces, piece) != pieces.end())
-      throw UsageError(fmt::format("{}: '{}' is there twice", place, name), "give it once");
-    pieces.push_back(piece);
   }
   return pieces;
 }

@@ -16,8 +16,8 @@ namespace orograph {
 /// "title", "subtitle" …, in the order of the enumeration.
 const std::vector<std::string>& furniture_names();
 
-/// Of "none", "map", "panorama", or of names with commas between. Throws UsageError, whose message
-/// begins with `place`, for a name that isn't there or is there twice.
+/// Of "none", or of names with commas between, "map" and "panorama" among them, which stand for
+/// what those mostly have. Throws UsageError, whose message begins with `place`, for another name.
 OROGRAPH_API std::vector<Furniture> furniture_of(std::string_view text, const std::string& place);
 
 /// What a template says; what it leaves out stays.
