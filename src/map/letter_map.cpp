@@ -20,8 +20,8 @@ void add_above(Drawing& drawing, Layer layer) {
 
 } // namespace
 
-void letter_map(Map& map, const TerrainData& terrain, const PlacedView& placed,
-                const MapSpec& spec, const LinesToLabel& lines) {
+void letter_map(Map& map, const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec,
+                const LinesToLabel& lines) {
   Drawing& drawing = map.drawing;
   drawing.letters = spec.letters;
   if (spec.ground_points) return;

@@ -84,7 +84,7 @@ struct Bend {
 } // namespace
 
 std::vector<PageText> contour_labels(const Layer& lines, double size_mm, const Box2& room_mm,
-                                     const SetText& set,
+                                     const InkMap& ink, const SetText& set,
                                      const std::function<std::optional<Vec2>(Vec3)>& uphill_mm,
                                      TakenRoom& taken) {
   std::vector<PageText> out;

@@ -28,7 +28,7 @@ struct LinesToLabel {
 /// ground rises. `uphill_mm` tells that for a point of the profile frame as a direction on the
 /// page; none: level ground. None touches what is taken; what they take is added.
 std::vector<PageText> contour_labels(const Layer& lines, double size_mm, const Box2& room_mm,
-                                     const SetText& set,
+                                     const InkMap& ink, const SetText& set,
                                      const std::function<std::optional<Vec2>(Vec3)>& uphill_mm,
                                      TakenRoom& taken);
 

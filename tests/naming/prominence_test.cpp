@@ -61,6 +61,7 @@ Prominence flooded(int columns, int rows, const std::vector<float>& heights, std
 
 TEST_CASE("prominences are those of a flood from each summit") {
   std::mt19937 engine(11);
+  int exact = 0;
   for (int round = 0; round < 120; ++round) {
     const int columns = 3 + static_cast<int>(engine() % 12),
               rows = 3 + static_cast<int>(engine() % 12);
@@ -77,9 +78,12 @@ TEST_CASE("prominences are those of a flood from each summit") {
       const Prominence expected = flooded(columns, rows, heights, asked[i]);
       CAPTURE(round, columns, rows, asked[i]);
       CHECK(found[i].m == expected.m);
-      if (expected.m > 0 && levels > 6) CHECK(found[i].is_at_least == expected.is_at_least);
+      // A pass as high as the border's place may be met first.
+      if (levels > 6 && expected.m > 0 && expected.is_at_least) CHECK(found[i].is_at_least);
+      if (found[i].m > 0 && !found[i].is_at_least) ++exact;
     }
   }
+  CHECK(exact > 100);
 }
 
 TEST_CASE("a TIN of a grid's triangles has its prominences") {
