@@ -121,6 +121,14 @@ TEST_CASE("A pen takes a layer's texts with its strokes") {
   CHECK_THROWS_AS(assign_pens(other, std::vector<PenOfLayers>{pen}), UsageError);
 }
 
+TEST_CASE("Texts stay where strokes are brought into the pen's order") {
+  for (const PenOrder order : {PenOrder::drawing, PenOrder::sorted, PenOrder::best}) {
+    Drawing drawing = lettered("Mont Blanc");
+    order_for_pen(drawing, order);
+    CHECK(drawing.layers[0].texts.size() == 1);
+  }
+}
+
 TEST_CASE("A text outside of the margins is a fault") {
   Drawing drawing = lettered("Mont Blanc");
   CHECK(find_fault(drawing).value_or("") == "");
