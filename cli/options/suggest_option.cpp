@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::string_view kBoth = "azimuth and elevation";
 constexpr std::string_view kLight = "where light falls from";
-constexpr std::string_view kNoNames = "there are no names on the picture yet";
 constexpr std::string_view kNoGround = "lines have colours (--colour), and the ground none";
 
 // Words of GMT and PyGMT, PLplot, gnuplot, matplotlib, GRASS, QGIS, rayshader, ridge_map and GDAL.
@@ -110,12 +109,11 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"rivers", "--drape", {}},
     {"vector", "--drape", {}},
     {"overlay", "--drape", {}},
-    {"labels", {}, kNoNames},
-    {"label", {}, kNoNames},
-    {"names", {}, kNoNames},
-    {"peaks", {}, kNoNames},
-    {"summits", {}, kNoNames},
-    {"places", {}, kNoNames},
+    {"label", "--labels", {}},
+    {"names", "--labels", {}},
+    {"peaks", "--labels", {}},
+    {"summits", "--labels", {}},
+    {"places", "--labels", {}},
     // Light
     {"hillshade", "--light", kLight},
     {"shade", "--light", kLight},
