@@ -280,7 +280,8 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     if (task.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
     own.keeps_depths = (task.is_joined || task.is_on_ground) && !task.is_shore && shade;
     if (task.is_on_ground) {
-      const auto draw = [&](const StrokeSettings& settings, std::vector<LinePart> parts, Layer& to) {
+      const auto draw = [&](const StrokeSettings& settings, std::vector<LinePart> parts,
+                            Layer& to) {
         StrokeSettings of_ticks = settings; // a tick that is longer than it is wide is no crumb
         of_ticks.min_stroke_mm = std::min(settings.min_stroke_mm, to.pen_width_mm);
         const bool is_contour =

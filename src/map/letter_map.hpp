@@ -4,17 +4,18 @@
 
 #include "dem/terrain.hpp"
 #include "map/map_facts.hpp"
-#include "naming/line_labels.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
 
 #include "lettering/lettering.hpp"
+#include "naming/line_labels.hpp"
 
 namespace orograph {
 
-/// Adds names, the labels of `lines` and furniture, and makes strokes of texts where their letters are strokes. A drawing whose
-/// lines keep their places on the ground, which has no page, gets neither.
-void letter_map(Map& map, const TerrainData& terrain, const PlacedView& placed,
-                const MapSpec& spec, const LinesToLabel& lines);
+/// Adds names, the labels of `lines` and furniture, and makes strokes of texts where their letters
+/// are strokes. A drawing whose lines keep their places on the ground, which has no page, gets
+/// neither.
+void letter_map(Map& map, const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec,
+                const LinesToLabel& lines);
 
 } // namespace orograph

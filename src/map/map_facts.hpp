@@ -154,7 +154,7 @@ struct MapFacts {
   std::optional<CheckCounts> check; ///< where one was asked for
   double pen_down_mm = kNotMeasured, pen_up_mm = kNotMeasured;
   std::uint64_t pen_lifts = 0;
-  std::optional<NamesFacts> names;    ///< none: none were given
+  std::optional<NamesFacts> names; ///< none: none were given
   std::vector<FurnitureFacts> furniture;
   std::vector<std::string> lettering; ///< a sentence each: what letters there were none of
 };
