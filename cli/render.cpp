@@ -135,7 +135,7 @@ void render(const RenderSettings& settings) {
   }
   if (!settings.report.empty()) {
     seconds.total = seconds_since(start);
-    describe_map(map, *terrain, placed, spec);
+    describe_map(map, terrain, placed, spec);
     RunReport report = run_report(map, settings, sheets);
     report.skyline = skyline;
     write_report(report, settings.report, settings.write.overwrite);

@@ -189,7 +189,7 @@ Map Session::draw(const MapSpec& asked, const Control& control) const {
       placed.names = named;
       map = draw_map(*terrain, placed, spec, control.progress);
       map.facts.level = level;
-      describe_map(map, *terrain, placed, spec);
+      describe_map(map, terrain, placed, spec);
     });
   });
   return map;

@@ -103,7 +103,7 @@ void draw_view(const SweepRun& run, std::size_t view) {
       return out;
     });
     write_drawing(map.drawing, settings.output, settings.write);
-    describe_map(map, **terrain, placed, settings.map);
+    describe_map(map, *terrain, placed, settings.map);
     const RunReport report = run_report(map, settings);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     const DrawnView facts{report, ground, seconds};

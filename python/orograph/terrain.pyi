@@ -96,6 +96,33 @@ class RenderOptions(TypedDict, total=False):
     drape_offset: float | str | None
     graticule: Several | None
     grid: Several | None
+    hachures: bool | None
+    hachure_spacing: Several | None
+    hachure_slope: Several | None
+    block: float | str | bool | None
+    block_sides: Literal["lines", "outline"] | None
+    labels: Path | None
+    label_field: str | None
+    label_weight: str | None
+    label_where: str | None
+    label_max: int | str | None
+    label_range: float | str | None
+    label_haze: float | str | None
+    label_angle: float | str | None
+    label_rows: int | str | None
+    label_elevation: Literal["m", "ft", "none"] | None
+    label_size: float | str | None
+    label_halo: float | str | None
+    contour_labels: bool | None
+    coordinate_labels: bool | None
+    text: Literal["font", "stroke"] | None
+    font: str | None
+    stroke_letters: Path | None
+    furniture: Several | None
+    subtitle: str | None
+    source: str | None
+    date: str | None
+    template: Path | None
     scene: Path | None
     page: Several | None
     crop: bool | None

@@ -214,10 +214,11 @@ void entitle(Drawing& drawing, const TerrainData& terrain, const PlacedView& pla
                         terrain.map.crs_name);
 }
 
-void describe_map(Map& map, const TerrainData& terrain, const PlacedView& placed,
+void describe_map(Map& map, const TerrainOfView& of_view, const PlacedView& placed,
                   const MapSpec& spec) {
+  const TerrainData& terrain = *of_view;
   MapFacts& facts = map.facts;
-  facts.input = describe_input(terrain);
+  facts.input = describe_input(of_view.without_level());
   facts.view = describe_view(placed, terrain, spec);
   facts.view.curvature = describe_curvature(placed, spec.view.curvature);
   facts.profiles = {spacing_text(placed.plan), placed.depths_m};

@@ -5,6 +5,7 @@
 #include "dem/terrain.hpp"
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
 
 namespace orograph {
 
@@ -15,7 +16,7 @@ void entitle(Drawing& drawing, const TerrainData& terrain, const PlacedView& pla
 /// Completes the facts of a map that `draw_map` made of these: where its terrain comes from, how it
 /// is seen, its error budget and the pen's travel. Costs some transformations between the terrain's
 /// CRS and longitudes and latitudes, milliseconds, and a pass over the drawing's points.
-void describe_map(Map& map, const TerrainData& terrain, const PlacedView& placed,
+void describe_map(Map& map, const TerrainOfView& of_view, const PlacedView& placed,
                   const MapSpec& spec);
 
 /// How it is seen, without the earth's curvature.

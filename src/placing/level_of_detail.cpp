@@ -86,7 +86,7 @@ bool has_vertex(const TriangleSet& triangles, const Grid& grid, int column, int 
 }
 
 // Of the file's cells to one that is drawn, about; less than one where the page shows the file's as
-// facets. What the eye stands over has cells of any size on the page.
+// facets.
 double chosen_step(const Grid& grid, const AskedSize& asked, double cell_mm) {
   const double doublings = std::floor(std::log2(asked.least_mm / cell_mm) + 0.5),
                halvings = std::floor(std::log2(cell_mm / asked.most_mm) + 0.5);
@@ -127,7 +127,9 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   const TerrainFacts& facts = of_whole ? *of_whole : own;
   const PlacedView placed = placed_picture(file, facts, spec, solids);
   const double cell_mm = greatest_cell_mm(placed, *grid);
-  if (!(cell_mm > 0)) return std::nullopt;
+  // What the eye stands over has cells of any size on the page; it and its skyline are the file's
+  // then, as they are for who asks what is seen from there.
+  if (!(cell_mm > 0) || (std::isinf(cell_mm) && !detail.cell_mm)) return std::nullopt;
   LevelOfDetail level;
   level.step = chosen_step(*grid, asked_size(spec.style), cell_mm);
   if (level.step == 1) return std::nullopt;

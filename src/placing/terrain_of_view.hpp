@@ -37,6 +37,8 @@ public:
 
   const TerrainData& operator*() const { return cut_ && !level_ ? *cut_ : uncut(); }
   const TerrainData* operator->() const { return &**this; }
+  /// The same as the file's own surface, where it is a level.
+  const TerrainData& without_level() const { return cut_ ? *cut_ : of_file(); }
   /// Whether it is the whole terrain itself.
   bool is_whole() const { return !cut_ && !on_earth_ && !level_; }
   bool is_cut() const { return cut_.has_value(); }

@@ -59,10 +59,10 @@ struct Run {
   Drawing drawing;
 };
 Run run_of(TerrainData& terrain, const MapSpec& spec) {
-  stand_on_earth(terrain, spec.view);
-  const PlacedView scene = placed_view(terrain, spec);
-  Map drawn = draw_map(terrain, scene, spec, [](double) {});
-  describe_map(drawn, terrain, scene, spec);
+  const TerrainOfView of_view(terrain, spec.view);
+  const PlacedView scene = placed_view(of_view, spec);
+  Map drawn = draw_map(*of_view, scene, spec, [](double) {});
+  describe_map(drawn, of_view, scene, spec);
   return {Json::parse(report_text(run_report(drawn, {})))["view"], std::move(drawn.drawing)};
 }
 

@@ -71,7 +71,7 @@ TEST_CASE("meaning goes before spelling, and spelling before nothing") {
   names(render, "--sun", "--light");
   names(render, "--contour-interval", "--contours");
   names(render, "--skirt", "--block");
-  names(render, "--labels", "no names");
+  names(render, "--cmap", "and the ground none");
   names(render, "--panorama", "(cylindrical goes all round)?");
   names(render, "--output", "did you mean OUTPUT (named without an option)?");
   names(render, "-of", "--of");

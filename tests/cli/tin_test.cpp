@@ -70,7 +70,7 @@ TEST_CASE("a written TIN draws the same lines as what it was made of") {
   const MadeFolder folder;
   folder.write("hill.asc", ascii_grid(40, 40, small_hill_m));
   const auto drawing_of = [&](const std::string& file) {
-    Arguments arguments{"render", file, "out.svg"};
+    Arguments arguments{"render", file, "out.svg", "--detail", "file"};
     arguments.insert(arguments.end(), one_view.begin(), one_view.end());
     run(folder, arguments);
     return folder.read("out.svg");

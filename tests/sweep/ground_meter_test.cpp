@@ -19,9 +19,10 @@ constexpr double kDegree = 3.14159265358979323846 / 180;
 
 // The rows of a sweep with many profiles and true heights.
 nlohmann::json rows_of(const MadeFolder& folder, const Words& arguments) {
-  run_well(folder, Words{"sweep"} + Words{arguments.front(), "out"} +
-                       Words(arguments.begin() + 1, arguments.end()) +
-                       words("-q --overwrite --no-seconds --layers profiles --flat draw"));
+  run_well(folder,
+           Words{"sweep"} + Words{arguments.front(), "out"} +
+               Words(arguments.begin() + 1, arguments.end()) +
+               words("-q --overwrite --no-seconds --layers profiles --flat draw --detail file"));
   return nlohmann::json::parse(folder.read("out/sweep.json"))["views"];
 }
 
