@@ -180,7 +180,7 @@ std::vector<Line> outlines(Random& random, double cell_mm) {
 
 } // namespace
 
-TEST_CASE("smoothed strokes are within the bound, and cross only where they did") {
+TEST_CASE("smoothed strokes are within the bound, and cross only where they did", "[unsanitized]") {
   std::size_t strokes = 0, crossed = 0, moved = 0;
   for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
     Random random(seed);

@@ -61,7 +61,7 @@ TEST_CASE("progress rises from 0 to 1, told by one thread at a time") {
   }
 }
 
-TEST_CASE("the number of threads never changes a drawing") {
+TEST_CASE("the number of threads never changes a drawing", "[unsanitized]") {
   const Session session = small_session();
   for (const MapSpec& spec : enough_specs(kSmallSide)) {
     const std::string drawn = drawn_bytes(session, spec);
@@ -118,7 +118,8 @@ TEST_CASE("stopped in the midst of the profiles, a session draws as before", "[u
   }
 }
 
-TEST_CASE("what progress throws comes out as it is, and the session draws as before") {
+TEST_CASE("what progress throws comes out as it is, and the session draws as before",
+          "[unsanitized]") {
   const Session session = small_session();
   for (const MapSpec& spec : enough_specs(kSmallSide)) {
     const std::string drawn = drawn_bytes(session, spec);

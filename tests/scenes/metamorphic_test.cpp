@@ -153,7 +153,8 @@ TEST_CASE("turning terrain and view together changes nothing") {
   }
 }
 
-TEST_CASE("scaling everything changes nothing; by a power of two, not a bit", "[slow]") {
+TEST_CASE("scaling everything changes nothing; by a power of two, not a bit",
+          "[slow][unsanitized]") {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     CAPTURE(seed);
     const Picture one = picture_of(seed);
@@ -169,7 +170,7 @@ TEST_CASE("scaling everything changes nothing; by a power of two, not a bit", "[
   }
 }
 
-TEST_CASE("a shift by 1e7 changes nothing") {
+TEST_CASE("a shift by 1e7 changes nothing", "[unsanitized]") {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     CAPTURE(seed);
     const Picture one = picture_of(seed);
@@ -180,7 +181,7 @@ TEST_CASE("a shift by 1e7 changes nothing") {
   }
 }
 
-TEST_CASE("doubling every vertex changes nothing") {
+TEST_CASE("doubling every vertex changes nothing", "[unsanitized]") {
   std::uint64_t compared = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     CAPTURE(seed);
@@ -210,7 +211,7 @@ TEST_CASE("doubling every vertex changes nothing") {
   CHECK(compared > kScenes / 2);
 }
 
-TEST_CASE("a half turn, which keeps the diagonals, changes nothing") {
+TEST_CASE("a half turn, which keeps the diagonals, changes nothing", "[unsanitized]") {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     CAPTURE(seed);
     const Picture one = picture_of(seed);
@@ -225,7 +226,8 @@ TEST_CASE("a half turn, which keeps the diagonals, changes nothing") {
   }
 }
 
-TEST_CASE("a mirror image of ground whose diagonals don't matter is the mirrored drawing") {
+TEST_CASE("a mirror image of ground whose diagonals don't matter is the mirrored drawing",
+          "[unsanitized]") {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     CAPTURE(seed);
     Picture one = picture_of(seed);

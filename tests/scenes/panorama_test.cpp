@@ -280,7 +280,7 @@ TEST_CASE("a panorama shows the skyline with sky above it, or the altitudes that
   }
 }
 
-TEST_CASE("a panorama is the same on any number of cores") {
+TEST_CASE("a panorama is the same on any number of cores", "[unsanitized]") {
   std::size_t strokes = 0;
   for (const std::uint64_t seed : {1, 2}) {
     PanoramaScene scene = made_panorama(seed);

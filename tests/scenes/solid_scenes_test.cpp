@@ -109,7 +109,7 @@ void report(const char* what, const ShareTally& tally) {
 } // namespace
 
 TEST_CASE("the check of edges finds nothing wrong with the reference's own, and all that is wrong",
-          "[slow]") {
+          "[slow][unsanitized]") {
   ShareTally own, all, none, moved;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const Asked asked(seed);
