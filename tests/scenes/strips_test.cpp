@@ -60,7 +60,7 @@ void check_scenes(const SceneOf& scene_of) {
   WARN(tally.strips << " strips, " << tally.lines << " lines; " << tally.tied
                     << " stretches differ and are tied, " << tally.wrong << " are wrong");
   CHECK(tally.tied <= tally.lines / 1000);
-  CHECK(tally.strips > 7 * kScenes);
+  CHECK(tally.strips > 6 * kScenes);
 }
 
 } // namespace
