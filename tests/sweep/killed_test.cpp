@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Words sweep_of(const std::string& out_dir, const Words& more) {
-  return words("sweep fine.asc -q --no-seconds --of geojson --page 100x75 --margin 2 --profiles 80"
+  return words("sweep fine.asc -q --no-seconds --of geojson --page 100x75 --margin 2 --profiles 160"
                " --azimuth 0:354:6 --elevation 30 --name v{index}") +
          Words{out_dir} + more;
 }
@@ -64,7 +64,7 @@ TEST_CASE("a sweep killed at twenty random moments loses nothing and repeats not
 
   Random random(5);
   int kills = 0, finished_sweeps = 0, in_the_middle = 0;
-  while (kills < 20) {
+  while (kills < 20 || (in_the_middle < 2 && kills < 60)) {
     const auto before = finished(folder, "out");
     Words command = Words{OROGRAPH_PROGRAM} + sweep_of("out", words("-j 2 --resume"));
     RunningProgram program(command, {.folder = folder.path()});
@@ -86,7 +86,7 @@ TEST_CASE("a sweep killed at twenty random moments loses nothing and repeats not
     ++finished_sweeps;
     fs::remove_all(folder.path("out"));
   }
-  CHECK(in_the_middle > 1); // how many depends on how busy the machine is
+  CHECK(in_the_middle > 1); // how soon depends on how busy the machine is
   const auto before = finished(folder, "out");
   run_well(folder, sweep_of("out", words("--resume")));
   CHECK(holds_all(finished(folder, "out"), before));
