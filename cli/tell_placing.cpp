@@ -2,6 +2,7 @@
 #include "cli/tell_placing.hpp"
 
 #include "cli/say.hpp"
+#include "dem/extent.hpp"
 #include "placing/eye_summit.hpp"
 
 #include <fmt/format.h>
@@ -49,8 +50,12 @@ void tell_eye_move(const ViewSpec& view, const TerrainData& terrain) {
   const auto move = eye_move(view, terrain);
   if (!move) return;
   const double unit_m = terrain.map.height_unit_m;
-  if (move->distance_m == 0)
-    say("the eye stays where it is: no ground within {} m is higher", *view.eye_summit_m);
+  if (const double cell_m = cell_size_m(terrain.surface); move->distance_m == 0)
+    say("the eye stays where it is: no ground within {} m is higher{}", *view.eye_summit_m,
+        *view.eye_summit_m < 2 * cell_m
+            ? fmt::format(" (cells are {:.3g} m wide: --eye-summit {:.0f} sees some of them)",
+                          cell_m, 5 * cell_m)
+            : "");
   else
     say("the eye goes {:.4g} m to the highest ground within {} m, {:.10g},{:.10g} at height "
         "{:.6g}{}",

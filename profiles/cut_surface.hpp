@@ -32,10 +32,10 @@ public:
   }
 
   /// The ground's heights at places along a profile: a tenth of the cost of cutting it where they
-  /// are farther apart than cells, and the surface is a grid on a map plane.
+  /// are farther apart than cells, and the surface is a grid that has_heights_along.
   void heights(double depth_m, const PlacesAlong& at, HeightsAlong& out) const {
     const Grid* const grid = std::get_if<Grid>(&surface_);
-    if (grid && !grid->is_on_earth()) {
+    if (grid && has_heights_along(*grid)) {
       heights_along(*grid, view_, level_, depth_m, at, out);
       return;
     }

@@ -26,8 +26,14 @@ struct HeightsAlong {
   std::vector<std::uint8_t> is_level; ///< of a triangle of the set
 };
 
-/// Of a grid on a map plane: its triangles' heights, to rounding those of a profile's cut, less the
-/// sag of a curved frame within a cell. Cost: some 10 ns a place, whatever the size of cells.
+/// Whether heights_along has those of a grid: on a map plane always, in degrees where cells are
+/// small and the grid isn't a continent.
+bool has_heights_along(const Grid& grid);
+
+/// Of a grid's triangles. On a map plane to rounding those of a profile's cut, less the sag of a
+/// curved frame within a cell, for some 10 ns a place, whatever the size of cells. In degrees
+/// within a metre along the ground of them, for some 30 ns.
+/// REQUIRES has_heights_along(grid).
 void heights_along(const Grid& grid, const View& view, const TriangleSet& level, double depth_m,
                    const PlacesAlong& at, HeightsAlong& out);
 

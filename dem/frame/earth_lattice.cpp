@@ -98,12 +98,11 @@ void EarthLattice::row_vertices_m(int row, std::span<const double> heights_m, st
             z_m.data());
 }
 
-Vec2 EarthLattice::column_row_at(Vec3 ground_m) const {
-  const GeoPoint at = frame_.to_geodetic(ground_m);
+Vec2 EarthLattice::column_row_of(const GeoPoint& place) const {
   const double middle_deg = degrees_.middle_lon_deg();
-  const double east_deg = middle_deg + std::remainder(at.lon_deg - middle_deg, 360);
+  const double east_deg = middle_deg + std::remainder(place.lon_deg - middle_deg, 360);
   return {(east_deg - degrees_.first_lon_deg) / degrees_.lon_step_deg,
-          (at.lat_deg - degrees_.first_lat_deg) / degrees_.lat_step_deg};
+          (place.lat_deg - degrees_.first_lat_deg) / degrees_.lat_step_deg};
 }
 
 } // namespace orograph

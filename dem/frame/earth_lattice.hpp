@@ -57,7 +57,8 @@ public:
 
   /// Column and row, whole at a vertex, of the place below a point of the ground frame, in the
   /// lattice's own turn of longitudes as far as it can be told.
-  Vec2 column_row_at(Vec3 ground_m) const;
+  Vec2 column_row_at(Vec3 ground_m) const { return column_row_of(frame_.to_geodetic(ground_m)); }
+  Vec2 column_row_of(const GeoPoint& place) const; ///< whatever its height
 
 private:
   /// Of a vertex on the origin's meridian, in this row: its distance from the earth's axis, and

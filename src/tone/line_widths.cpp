@@ -20,7 +20,10 @@ constexpr double kFade = 0.7;
 // A line's width at one place, or 0 where it isn't drawn. `planned_mm` as in LinePlace.
 class WidthOfLine {
 public:
-  WidthOfLine(const LinePlace& line, const ToneRequest& request) : line_(line), request_(request) {}
+  WidthOfLine(const LinePlace& line, const ToneRequest& request)
+      : line_(line), request_(request),
+        least_share_(-line.halvings > line.level ? std::numeric_limits<double>::infinity()
+                                                 : std::exp2(-(line.level + 0.5 + 0.5 * kFade))) {}
 
   double at(double planned_mm, double darkness) const {
     const bool by_width = request_.is_shown_by(LightShownBy::width);
@@ -29,6 +32,7 @@ public:
     const double asked_mm = request_.is_shown_by(LightShownBy::density)
                                 ? request_.pen_width_mm / darkness
                                 : request_.spacing_mm;
+    if (planned_mm < least_share_ * asked_mm) return 0; // most ends here, before the logarithm
     const double lambda = std::log2(asked_mm / planned_mm);
     // Lines of level k go in this octave; finer ones have gone, and all others stay.
     const double k =
@@ -54,6 +58,7 @@ private:
 
   const LinePlace& line_;
   const ToneRequest& request_;
+  double least_share_; ///< of what is asked for: where planned lines are nearer it has gone
 };
 
 std::size_t columns_in(double mm, const PageColumns& columns) {
@@ -81,9 +86,10 @@ bool fill(std::vector<double>& widths) {
 template <class Is, class Take>
 void for_each_run(std::size_t count, const Is& is, bool value, const Take& take) {
   for (std::size_t begin = 0; begin < count;) {
+    const bool own = is(begin);
     std::size_t end = begin + 1;
-    while (end < count && is(end) == is(begin)) ++end;
-    if (is(begin) == value) take(begin, end);
+    while (end < count && is(end) == own) ++end;
+    if (own == value) take(begin, end);
     begin = end;
   }
 }
@@ -132,24 +138,31 @@ std::vector<ToneRun> runs_of_line(const LinePlace& line, const PageColumns& colu
   const auto step_of = [&](std::size_t i) {
     return std::log(widths[i] / request.least_width_mm) / std::log(kWidthRatio);
   };
+  const auto width_at = [&](double step) {
+    return request.least_width_mm * std::pow(kWidthRatio, step);
+  };
   for_each_run(count, is_drawn, true, [&](std::size_t begin, std::size_t end) {
     if (!request.is_shown_by(LightShownBy::width)) {
       runs.push_back({columns.edge(begin), columns.edge(end), request.pen_width_mm});
       return;
     }
     std::size_t from = begin;
-    double step = std::round(step_of(begin));
+    double step = std::round(step_of(begin)), from_mm = 0, to_mm = 0;
+    const auto enter = [&](double next) { // widths beyond both are of other steps
+      step = next;
+      from_mm = width_at(step - 1);
+      to_mm = width_at(step + 1);
+    };
+    enter(step);
     const auto close = [&](std::size_t to) {
-      runs.push_back({columns.edge(from), columns.edge(to),
-                      request.least_width_mm * std::pow(kWidthRatio, step)});
+      runs.push_back({columns.edge(from), columns.edge(to), width_at(step)});
       from = to;
     };
     for (std::size_t i = begin + 1; i < end; ++i) {
       if (i - from < least || end - i < least) continue;
-      const double here = step_of(i);
-      if (std::abs(here - step) < 1) continue;
+      if (widths[i] > from_mm && widths[i] < to_mm) continue;
       close(i);
-      step = std::round(here);
+      enter(std::round(step_of(i)));
     }
     close(end);
   });

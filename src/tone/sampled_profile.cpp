@@ -20,6 +20,25 @@ PageColumns page_columns(XRange range, bool of_u, const Box2& frame_mm, double m
   return columns;
 }
 
+void find_ways_on_page(SampledProfile& profile) {
+  constexpr std::size_t kBeside = 2;
+  const std::size_t count = profile.z_m.size();
+  profile.way.assign(count, {});
+  std::size_t begin = 0; // of the ground that a column is on
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::isnan(profile.z_m[i])) {
+      begin = i + 1;
+      continue;
+    }
+    std::size_t right = i;
+    while (right < i + kBeside && right + 1 < count && !std::isnan(profile.z_m[right + 1])) ++right;
+    const std::size_t left = std::max(begin, i - std::min(i, kBeside));
+    const float x = profile.x_mm[right] - profile.x_mm[left],
+                y = profile.y_mm[right] - profile.y_mm[left];
+    profile.way[i] = {x, y, std::sqrt(x * x + y * y)};
+  }
+}
+
 void ProfileSampler::sample(double depth_m, SampledProfile& out) const {
   std::size_t count = 0;
   for (const SampledSector& sector : sectors_) count += sector.columns.count;
@@ -33,6 +52,7 @@ void ProfileSampler::sample(double depth_m, SampledProfile& out) const {
     sample(depth_m, sector, first, out);
     first += sector.columns.count;
   }
+  find_ways_on_page(out);
 }
 
 void ProfileSampler::sample(double depth_m, const SampledSector& sector, std::size_t first,

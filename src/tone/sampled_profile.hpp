@@ -16,6 +16,11 @@
 
 namespace orograph {
 
+/// How a line goes on the page about one place: from a column on its left to one on its right.
+struct WayOnPage {
+  float x_mm = 0, y_mm = 0, length_mm = 0;
+};
+
 /// One profile, a value a column.
 struct SampledProfile {
   double depth_m = 0;
@@ -24,7 +29,12 @@ struct SampledProfile {
   std::vector<double> z_m; ///< NaN where no ground is
   std::vector<std::uint8_t> is_level;
   std::vector<float> x_mm, y_mm; ///< on the page
+  std::vector<WayOnPage> way;    ///< as ways_on_page has them
 };
+
+/// The way of each column of which the rest is known: between two columns on either side of it, or
+/// as many as have ground all the way; of no length where there is none on either side.
+void find_ways_on_page(SampledProfile& profile);
 
 /// What columns, one behind the other, see in one visibility plane.
 struct SampledSector {

@@ -13,9 +13,6 @@ namespace {
 
 // What stands this share of its depth in front of ground is no part of it.
 constexpr double kFarInFront = 0.03;
-// The line's direction is that between columns so far to both sides.
-constexpr std::size_t kBeside = 2;
-
 // What a column shows so far.
 struct ColumnHorizon {
   double y = -std::numeric_limits<double>::infinity();
@@ -27,14 +24,7 @@ struct ColumnHorizon {
 
 // How much of a step on the page lies across the line.
 float across_mm(const SampledProfile& profile, std::size_t column, float dx_mm, float dy_mm) {
-  const auto has = [&](std::size_t i) { return !std::isnan(profile.z_m[i]); };
-  std::size_t left = column, right = column;
-  for (std::size_t k = 0; k < kBeside && left > 0 && has(left - 1); ++k) --left;
-  for (std::size_t k = 0; k < kBeside && right + 1 < profile.z_m.size() && has(right + 1); ++k)
-    ++right;
-  const float tx = profile.x_mm[right] - profile.x_mm[left],
-              ty = profile.y_mm[right] - profile.y_mm[left];
-  const float length = std::sqrt(tx * tx + ty * ty);
+  const auto [tx, ty, length] = profile.way[column];
   return length > 0 ? std::abs(dx_mm * ty - dy_mm * tx) / length : std::abs(dy_mm);
 }
 

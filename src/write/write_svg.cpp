@@ -71,6 +71,17 @@ std::span<const Stroke> strokes_of_text(const Layer& layer, std::size_t first) {
   return std::span(layer.strokes).subspan(first, end - first);
 }
 
+// In whole thousandths of a millimetre, where widths are tenths of each other, and as short as may
+// be: on a page of 20,000 strokes every character is 20 kB.
+void append_width(std::string& text, double width_mm) {
+  constexpr double kSteps_a_mm = 1000;
+  std::array<char, kPageNumberBytes> buffer;
+  const char* const end = print_page_number(
+      std::max(std::round(width_mm * kSteps_a_mm), 1.0) / kSteps_a_mm, buffer.data());
+  const char* const begin = buffer.data() + (buffer[0] == '0' ? 1 : 0);
+  text.append(begin, end);
+}
+
 void append_path(std::string& text, std::span<const Vec2> points, double width_mm) {
   std::array<char, 4096> buffer;
   constexpr std::size_t kPointBytes = 2 * kPageNumberBytes + 2;
@@ -91,9 +102,8 @@ void append_path(std::string& text, std::span<const Vec2> points, double width_m
   text.append(buffer.data(), at);
   text += "\"";
   if (width_mm > 0) { // else the layer's
-    char* const end = print_page_number(width_mm, buffer.data());
     text += " class=\"lit\" stroke-width=\"";
-    text.append(buffer.data(), end);
+    append_width(text, width_mm);
     text += "\"";
   }
   text += "/>\n";

@@ -2,9 +2,11 @@
 // Heights along a profile that isn't cut, beside those of the cut, which knows every triangle.
 #include "profiles/cut_surface.hpp"
 #include "profiles/heights_along.hpp"
+#include "profiles/outline.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -73,6 +75,70 @@ TEST_CASE("heights along a profile are those of its cut") {
   CHECK(without_ground > compared / 10);
   CHECK(level_count > compared / 10);
   CHECK(at_edges <= compared / 1000);
+}
+
+TEST_CASE("in degrees heights along a profile are those of its cut a metre aside") {
+  std::size_t compared = 0, at_edges = 0;
+  for (std::uint64_t seed = 1; seed <= last_seed(60); ++seed) {
+    Random random(seed);
+    const double step_deg = random.between(3e-4, 9e-4);
+    const DegreeLattice degrees{random.between(-180, 180),
+                                step_deg * random.between(1, 2),
+                                160,
+                                random.between(-70, 70),
+                                -step_deg,
+                                160};
+    // The frame's origin lies up to 1.5 degrees away, so that uprights lean.
+    const LocalFrame frame(degrees.middle_lon_deg() + random.between(-1.5, 1.5),
+                           degrees.lat_deg(80) + random.between(-1.5, 1.5));
+    std::vector<float> heights(160U * 160U);
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      heights[i] = static_cast<float>(
+          100 * std::sin(0.002 * static_cast<double>(i % 160) * static_cast<double>(i / 160)));
+    const double exaggeration = random.between(0.5, 2);
+    const Surface surface =
+        Grid{160, 160, EarthLattice(degrees, frame, exaggeration), Heights<float>(heights)};
+    const Grid& grid = std::get<Grid>(surface);
+    REQUIRE(has_heights_along(grid));
+    View view;
+    view.projection = Projection::orthographic;
+    const double azimuth = random.between(0, 6.28);
+    view.forward = {std::sin(azimuth), std::cos(azimuth)};
+    view.right = {std::cos(azimuth), -std::sin(azimuth)};
+    const TriangleSet level;
+    const SurfaceCutter cutter(surface, view, level, border_edges(grid, true));
+    for (int k = 0; k < 5; ++k) {
+      const double depth_m = random.between(cutter.nearest_m(), cutter.farthest_m());
+      Profile profile;
+      cutter.cut(depth_m, profile);
+      if (profile.size() < 2) continue;
+      const double width_m = profile.u_m.back() - profile.u_m.front();
+      const PlacesAlong at{profile.u_m.front() - 0.1 * width_m, 1.2 * width_m / 400, 400};
+      HeightsAlong direct, of_cut;
+      cutter.heights(depth_m, at, direct);
+      INFO("seed " << seed);
+      // The cut's range of heights within 3 m of each place, and 3 m up and down for slopes of 45
+      // degrees across the profile.
+      constexpr double kAside_m = 3;
+      heights_along(profile, at, of_cut);
+      HeightsAlong left, right;
+      heights_along(profile, {at.begin_m - kAside_m, at.step_m, at.count}, left);
+      heights_along(profile, {at.begin_m + kAside_m, at.step_m, at.count}, right);
+      for (std::size_t i = 0; i < at.count; ++i) {
+        if (std::isnan(direct.z_m[i]) != std::isnan(of_cut.z_m[i])) {
+          ++at_edges;
+          continue;
+        }
+        if (std::isnan(left.z_m[i]) || std::isnan(right.z_m[i])) continue;
+        ++compared;
+        const auto [low, high] = std::minmax({left.z_m[i], of_cut.z_m[i], right.z_m[i]});
+        CHECK(direct.z_m[i] > low - 2 * kAside_m);
+        CHECK(direct.z_m[i] < high + 2 * kAside_m);
+      }
+    }
+  }
+  CHECK(compared > 500 * last_seed(60));
+  CHECK(at_edges < compared / 100);
 }
 
 } // namespace orograph::heights_along_test

@@ -29,6 +29,7 @@ inline SampledProfile sampled(double depth_m, const std::vector<double>& z_m,
     profile.x_mm.push_back(static_cast<float>(columns.mm * static_cast<double>(i)));
     profile.y_mm.push_back(static_cast<float>(-z_m[i]));
   }
+  find_ways_on_page(profile);
   return profile;
 }
 
