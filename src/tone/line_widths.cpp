@@ -17,31 +17,28 @@ constexpr double kWidthRatio = 1.1;
 // Of an octave of distances, the share in which the lines that go get thinner, about its middle.
 constexpr double kFade = 0.7;
 
-// A line's width at one place, or 0 where it isn't drawn. `planned_mm` as in LinePlace.
+// A line's width at one place, or 0 where it isn't drawn. `planned_octave` as in LinePlace.
 class WidthOfLine {
 public:
   WidthOfLine(const LinePlace& line, const ToneRequest& request)
-      : line_(line), request_(request),
-        least_share_(-line.halvings > line.level ? std::numeric_limits<double>::infinity()
-                                                 : std::exp2(-(line.level + 0.5 + 0.5 * kFade))) {}
+      : line_(line), request_(request), spacing_octave_(std::log2(request.spacing_mm)) {}
 
-  double at(double planned_mm, double darkness) const {
+  double at(double planned_octave, double darkness) const {
     const bool by_width = request_.is_shown_by(LightShownBy::width);
     if (!request_.is_even)
-      return by_width ? within_pen(darkness * planned_mm) : request_.pen_width_mm;
-    const double asked_mm = request_.is_shown_by(LightShownBy::density)
-                                ? request_.pen_width_mm / darkness
-                                : request_.spacing_mm;
-    if (planned_mm < least_share_ * asked_mm) return 0; // most ends here, before the logarithm
-    const double lambda = std::log2(asked_mm / planned_mm);
+      return by_width ? within_pen(darkness * std::exp2(planned_octave)) : request_.pen_width_mm;
+    const double lambda =
+        (request_.is_shown_by(LightShownBy::density) ? std::log2(request_.pen_width_mm / darkness)
+                                                     : spacing_octave_) -
+        planned_octave;
     // Lines of level k go in this octave; finer ones have gone, and all others stay.
     const double k =
         std::max(std::ceil(lambda - 0.5 - 0.5 * kFade), static_cast<double>(-line_.halvings));
     if (line_.level < k) return 0;
     const double into_octave = lambda - k; // 0.5 is where lines go that don't fade
     if (!by_width) return line_.level > k || into_octave <= 0.5 ? request_.pen_width_mm : 0;
-    const double full_mm = darkness * planned_mm *
-                           std::ldexp(1.0, static_cast<int>(k)); // of each line, if all are drawn
+    const double full_mm =
+        darkness * std::exp2(planned_octave + k); // of each line, if all are drawn
     const double share = std::clamp((0.5 + 0.5 * kFade - into_octave) / kFade, 0.0, 1.0);
     // It is drawn until it gets too thin, and at any rate where it wouldn't fade.
     const double ends_at = std::min(0.5, request_.least_width_mm / full_mm);
@@ -58,7 +55,7 @@ private:
 
   const LinePlace& line_;
   const ToneRequest& request_;
-  double least_share_; ///< of what is asked for: where planned lines are nearer it has gone
+  double spacing_octave_;
 };
 
 std::size_t columns_in(double mm, const PageColumns& columns) {
@@ -119,8 +116,8 @@ std::vector<ToneRun> runs_of_line(const LinePlace& line, const PageColumns& colu
   const WidthOfLine width_of(line, request);
   std::vector<double> widths(count, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < count; ++i)
-    if (line.planned_mm[i] > 0)
-      widths[i] = width_of.at(line.planned_mm[i], line.darkness.empty() ? 0 : line.darkness[i]);
+    if (!std::isnan(line.planned_octave[i]))
+      widths[i] = width_of.at(line.planned_octave[i], line.darkness.empty() ? 0 : line.darkness[i]);
   std::vector<ToneRun> runs;
   if (!fill(widths)) { // what of it shows is narrower than a column
     if (!request.is_even)
@@ -130,7 +127,9 @@ std::vector<ToneRun> runs_of_line(const LinePlace& line, const PageColumns& colu
   bridge_and_drop(widths, columns);
   // What is seen may begin a column before the first of which that is known, or end one behind.
   const auto is_drawn = [&](std::size_t i) {
-    const auto is_seen = [&](std::size_t k) { return k < count && line.planned_mm[k] > 0; };
+    const auto is_seen = [&](std::size_t k) {
+      return k < count && !std::isnan(line.planned_octave[k]);
+    };
     return widths[i] > 0 &&
            (!request.is_even || is_seen(i) || is_seen(i + 1) || (i > 0 && is_seen(i - 1)));
   };

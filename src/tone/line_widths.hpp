@@ -13,9 +13,10 @@ namespace orograph {
 /// One line among all that could be drawn, a value a column.
 struct LinePlace {
   int level;
-  int halvings;                      ///< of the planned step, around it
-  std::span<const float> planned_mm; ///< distance of planned lines there; NaN: it isn't seen
-  std::span<const float> darkness;   ///< empty without light
+  int halvings; ///< of the planned step, around it
+  /// The distance of planned lines there is 2 to this in mm; NaN: it isn't seen.
+  std::span<const float> planned_octave;
+  std::span<const float> darkness; ///< empty without light
 };
 
 /// The runs of `toned_profiles`.

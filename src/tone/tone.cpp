@@ -22,24 +22,26 @@ constexpr double kColumn_mm = 0.5;
 // ragged.
 constexpr double kGapReach_mm = 0.5;
 
-// On the page, the planned profiles' distance around each sample; NaN where nothing is seen. It is
-// a mean over the page, on which wide gaps take more room than narrow ones.
-std::vector<float> planned_gaps_mm(const PlanOnPage& plan, const PageColumns& columns) {
-  const auto sums = sums_on_page<2>(
-      plan.seen, columns, kGapReach_mm, [&](std::size_t j, std::size_t i) -> Sums<2> {
-        if (plan.seen[j].sight[i] != Sight::next) return {0, 0};
-        const float gap_mm = plan.seen[j].gap_mm[i];
-        return {std::ldexp(gap_mm * gap_mm, plan.profiles[j].halvings), gap_mm};
-      });
-  std::vector<float> gaps(sums.size() * columns.count);
+// On the page, the octave of the planned profiles' distance around each sample, that of 1 mm being
+// 0; NaN where nothing is seen. It is a mean over the page, on which wide gaps take more room than
+// narrow ones. It is the octaves' mean: that of distances is what the widest are for a millimetre
+// into a slope seen edge-on, which then goes black.
+std::vector<float> planned_octaves(const PlanOnPage& plan, const PageColumns& columns) {
+  const auto sums = sums_on_page<
+      2>(plan.seen, columns, kGapReach_mm, [&](std::size_t j, std::size_t i) -> Sums<2> {
+    const float gap_mm = plan.seen[j].gap_mm[i];
+    if (plan.seen[j].sight[i] != Sight::next || !(gap_mm > 0)) return {0, 0};
+    return {gap_mm * (std::log2(gap_mm) + static_cast<float>(plan.profiles[j].halvings)), gap_mm};
+  });
+  std::vector<float> octaves(sums.size() * columns.count);
   on_all_cores(sums.size(), [&](std::size_t j) {
     for (std::size_t i = 0; i < columns.count; ++i) {
       const auto [weighted, weight] = sums[j][i];
-      gaps[j * columns.count + i] =
+      octaves[j * columns.count + i] =
           weight > 0 ? weighted / weight : std::numeric_limits<float>::quiet_NaN();
     }
   });
-  return gaps;
+  return octaves;
 }
 
 // How often the step is halved around a profile.
@@ -70,13 +72,13 @@ std::vector<TonedProfile> toned_profiles(const ProfileSampler& sampler, const Pa
                               ? plan_on_page(sampler, depths_m, nearest_m, columns, view, frame_mm,
                                              request.spacing_mm, request.draws_level)
                               : as_planned(sampler, depths_m, columns, view, frame_mm);
-  const std::vector<float> gaps = planned_gaps_mm(plan, columns);
+  const std::vector<float> octaves = planned_octaves(plan, columns);
   const std::vector<float> darkness = darkness_of(plan, columns, view, request);
   std::vector<TonedProfile> toned(plan.profiles.size());
   on_all_cores(plan.profiles.size(), [&](std::size_t j) {
     const std::size_t first = j * columns.count;
     const LinePlace place{plan.profiles[j].level, halvings_around(plan, j),
-                          std::span(gaps).subspan(first, columns.count),
+                          std::span(octaves).subspan(first, columns.count),
                           darkness.empty() ? std::span<const float>()
                                            : std::span(darkness).subspan(first, columns.count)};
     toned[j] = {plan.profiles[j].depth_m,

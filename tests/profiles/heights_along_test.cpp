@@ -93,8 +93,8 @@ TEST_CASE("in degrees heights along a profile are those of its cut a metre aside
                            degrees.lat_deg(80) + random.between(-1.5, 1.5));
     std::vector<float> heights(160U * 160U);
     for (std::size_t i = 0; i < heights.size(); ++i)
-      heights[i] = static_cast<float>(
-          100 * std::sin(0.002 * static_cast<double>(i % 160) * static_cast<double>(i / 160)));
+      heights[i] = static_cast<float>(2000 + 100 * std::sin(0.002 * static_cast<double>(i % 160) *
+                                                            static_cast<double>(i / 160)));
     const double exaggeration = random.between(0.5, 2);
     const Surface surface =
         Grid{160, 160, EarthLattice(degrees, frame, exaggeration), Heights<float>(heights)};

@@ -34,7 +34,7 @@ struct EvenGround {
 };
 
 EvenGround drawn_on(const ToneRequest& request, double planned_mm, int halvings, double darkness) {
-  const std::vector<float> planned(kColumns, static_cast<float>(planned_mm)),
+  const std::vector<float> planned(kColumns, static_cast<float>(std::log2(planned_mm))),
       dark(kColumns, static_cast<float>(darkness));
   const double finest_mm = std::ldexp(planned_mm, -halvings);
   double ink_mm = 0, share_drawn = 0;
@@ -112,7 +112,7 @@ TEST_CASE("whole profiles are drawn from one end to the other, as wide as light 
   request.least_width_mm = 0.05;
   request.greatest_width_mm = 1;
   request.light = GroundLight{{0, 0, 1}, 0, 1};
-  std::vector<float> planned(kColumns, 2), dark(kColumns, 0.1F);
+  std::vector<float> planned(kColumns, 1), dark(kColumns, 0.1F);
   for (std::size_t i = 20; i < kColumns; ++i) dark[i] = 0.4F;
   for (std::size_t i = 30; i < 40; ++i) planned[i] = std::numeric_limits<float>::quiet_NaN();
   const std::vector<ToneRun> runs = runs_of_line({0, 0, planned, dark}, kPage, request);
@@ -133,8 +133,8 @@ TEST_CASE("breaks of less than 1.5 mm are bridged, lines of less than 2 mm left 
   for (std::size_t length = 1; length <= 8; ++length)
     for (const bool drawn : {true, false}) {
       // Of level 0, drawn where planned lines are farther apart than the spacing.
-      std::vector<float> planned(kColumns, drawn ? 0.3F : 1.2F);
-      for (std::size_t i = 30; i < 30 + length; ++i) planned[i] = drawn ? 1.2F : 0.3F;
+      std::vector<float> planned(kColumns, drawn ? -1.7F : 0.3F);
+      for (std::size_t i = 30; i < 30 + length; ++i) planned[i] = drawn ? 0.3F : -1.7F;
       const std::vector<ToneRun> runs = runs_of_line({0, 0, planned, {}}, kPage, request);
       const double mm = 0.5 * static_cast<double>(length);
       INFO(mm << " mm");
