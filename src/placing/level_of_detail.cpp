@@ -3,8 +3,10 @@
 
 #include "dem/levels/departure.hpp"
 #include "dem/levels/generalise.hpp"
+#include "dem/levels/part_of_grid.hpp"
 #include "dem/levels/refine.hpp"
 #include "dem/levels/summits.hpp"
+#include "placing/land_part.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/level_ground.hpp"
 
@@ -100,6 +102,14 @@ double chosen_step(const Grid& grid, const AskedSize& asked, double cell_mm) {
   return step;
 }
 
+Grid level_of(const Grid& grid, double step, const TriangleSet& water) {
+  if (step == 1) return grid;
+  if (step < 1) return refined(grid, static_cast<int>(1 / step));
+  return generalised(grid, static_cast<int>(step), [&](int column, int row) {
+    return !water.empty() && has_vertex(water, grid, column, row);
+  });
+}
+
 // How far the highest summits of the page move on it.
 void tell_summits(LevelOfDetail& level, const Grid& grid, const Grid& drawn,
                   const PlacedView& placed) {
@@ -121,38 +131,42 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   const DetailSpec& detail = spec.style.detail;
   if (detail.of_file || (spec.ground_points && !detail.cell_mm)) return std::nullopt;
   const TerrainData& file = terrain.of_file();
-  const Grid* const grid = std::get_if<Grid>(&file.surface);
-  if (!grid || terrain.is_cut()) return std::nullopt;
-  const TerrainFacts own = of_whole ? TerrainFacts{} : facts_of(file);
-  const TerrainFacts& facts = of_whole ? *of_whole : own;
-  const PlacedView placed = placed_picture(file, facts, spec, solids);
-  const double cell_mm = greatest_cell_mm(placed, *grid);
+  const Grid* const whole = std::get_if<Grid>(&file.surface);
+  if (!whole || terrain.is_cut()) return std::nullopt;
+  TerrainFacts own = of_whole ? TerrainFacts{} : facts_of(file);
+  std::optional<TerrainData> land;
+  if (!solids)
+    if (const auto part = land_part(*whole, (of_whole ? *of_whole : own).water.triangles, spec)) {
+      land = file;
+      land->surface = part_of_grid(*whole, *part);
+      own = facts_of(*land);
+    }
+  const TerrainFacts& facts = of_whole && !land ? *of_whole : own;
+  const TerrainData& shown = land ? *land : file;
+  const Grid& grid = std::get<Grid>(shown.surface);
+  const PlacedView placed = placed_picture(shown, facts, spec, solids);
+  const double cell_mm = greatest_cell_mm(placed, grid);
   // What the eye stands over has cells of any size on the page; it and its skyline are the file's
   // then, as they are for who asks what is seen from there.
   if (!(cell_mm > 0) || (std::isinf(cell_mm) && !detail.cell_mm)) return std::nullopt;
   LevelOfDetail level;
-  level.step = chosen_step(*grid, asked_size(spec.style), cell_mm);
-  if (level.step == 1) return std::nullopt;
+  level.step = chosen_step(grid, asked_size(spec.style), cell_mm);
+  if (level.step == 1 && !land) return std::nullopt;
 
-  const bool is_finer = level.step < 1;
-  const Grid made =
-      is_finer ? refined(*grid, static_cast<int>(1 / level.step))
-               : generalised(*grid, static_cast<int>(level.step), [&](int column, int row) {
-                   const TriangleSet& water = facts.water.triangles;
-                   return !water.empty() && has_vertex(water, *grid, column, row);
-                 });
+  const Grid made = level_of(grid, level.step, facts.water.triangles);
   level.cell_m = cell_size_m(made);
   level.cell_mm = level.step * cell_mm;
-  const Departure departure = is_finer ? departure_of(*grid, made) : departure_of(made, *grid);
+  const Departure departure = level.step < 1 ? departure_of(grid, made) : departure_of(made, grid);
   level.greatest_m = departure.greatest_m;
   level.rms_m = departure.rms_m;
-  tell_summits(level, *grid, made, placed);
+  tell_summits(level, grid, made, placed);
   TerrainData drawn = file;
   drawn.surface_error_m += departure.greatest_m;
   drawn.surface = made;
   const TerrainData& in_place = terrain.take_level(std::move(drawn));
   TerrainFacts of_level = facts_of(in_place);
-  const double least_water = static_cast<double>(least_of_water(*grid)) / (level.step * level.step);
+  const double least_water =
+      static_cast<double>(least_of_water(*whole)) / (level.step * level.step);
   of_level.water = find_level_ground(std::get<Grid>(in_place.surface),
                                      static_cast<std::size_t>(std::max(2.0, least_water)));
   terrain.take_level_facts(std::move(of_level));

@@ -3,6 +3,7 @@
 // what is told of it is so.
 #include "dem/height_at.hpp"
 #include "map/draw_map.hpp"
+#include "placing/land_part.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/placed_view.hpp"
 #include "tests/catch.hpp"
@@ -175,6 +176,65 @@ TEST_CASE("a lake stays level, with a shore, and the sea where it is") {
   CHECK_FALSE(placed.level.shores.empty());
   const Grid& grid = std::get<Grid>((*terrain).surface);
   CHECK(height_at(grid, {120 * 30.0, -130 * 30.0}) == 37.25);
+}
+
+TEST_CASE("of an island the page shows the land, and what is draped over the sea all of it") {
+  constexpr int kSide = 200;
+  std::vector<float> heights(static_cast<std::size_t>(kSide) * kSide, 0.0F);
+  // Land in columns 120 to 160 and rows 30 to 60.
+  for (int row = 30; row <= 60; ++row)
+    for (int column = 120; column <= 160; ++column)
+      heights[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(column)] =
+          static_cast<float>(20 + 10 * std::sin(column) * std::cos(row));
+  for (const bool on_earth : {false, true}) {
+    TerrainData whole;
+    if (on_earth)
+      whole = earth_terrain(
+          {8, 0.0005, kSide, 46, -0.0004, kSide}, [&](double lon_deg, double lat_deg) {
+            const long column = std::lround((lon_deg - 8) / 0.0005),
+                       row = std::lround((46 - lat_deg) / 0.0004);
+            return static_cast<double>(heights[static_cast<std::size_t>(row * kSide + column)]);
+          });
+    else
+      whole.surface =
+          Grid{kSide, kSide, PlaneLattice{{0, 0}, {30, 0}, {0, -30}}, Heights<float>(heights)};
+    const Grid& grid = std::get<Grid>(whole.surface);
+    const TriangleSet water = facts_of(whole).water.triangles;
+    MapSpec spec;
+    const auto part = land_part(grid, water, spec);
+    REQUIRE(part);
+    // A cell more than the land on each side, for its shore's triangles, and two of water.
+    CHECK(part->first_column == 117);
+    CHECK(part->first_row == 27);
+    CHECK(part->columns == 163 - 117 + 1);
+    CHECK(part->rows == 63 - 27 + 1);
+    const Grid land = part_of_grid(grid, *part);
+    for (int row = 0; row < land.rows; row += 7)
+      for (int column = 0; column < land.columns; column += 7) {
+        const Vec3 a = land.vertex_m(column, row),
+                   b = grid.vertex_m(part->first_column + column, part->first_row + row);
+        CHECK(length(a - b) < 1e-8);
+      }
+    spec.check = 3000;
+    const Drawn drawn = draw(whole, spec);
+    REQUIRE(drawn.level);
+    REQUIRE(drawn.map.facts.check);
+    CHECK(drawn.map.facts.check->asked > 1000);
+    CHECK(drawn.map.facts.check->hidden == 0);
+    CHECK(drawn.map.facts.check->missing == 0);
+
+    const auto none_with = [&](const auto& change) {
+      MapSpec other;
+      change(other);
+      return !land_part(grid, water, other);
+    };
+    CHECK(none_with([](MapSpec& s) { s.style.flat = FlatGround::draw; }));
+    CHECK(none_with([](MapSpec& s) { s.style.flat = FlatGround::waterlines; }));
+    CHECK(none_with([](MapSpec& s) { s.style.layers.push_back({"graticule"}); }));
+    CHECK(none_with([](MapSpec& s) { s.view.eye_map = GivenPlace(100, 100); }));
+  }
+  const TerrainData inland = degree_terrain();
+  CHECK_FALSE(land_part(std::get<Grid>(inland.surface), facts_of(inland).water.triangles, {}));
 }
 
 } // namespace orograph::level_of_detail_test
