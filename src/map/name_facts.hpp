@@ -22,10 +22,10 @@ enum class NameState {
 struct NameFacts {
   std::string text; ///< as printed, but for what is cut off
   NameState state = NameState::chosen;
-  Vec2 map;                            ///< its summit: a vertex of the terrain, in map coordinates
-  double height = 0;                   ///< of that, in the unit of the terrain's heights
-  std::optional<Bearing> bearing;      ///< of views with an eye
-  double hidden_mm = 0;                ///< how far under what hides it, on the page
+  Vec2 map;                       ///< its summit: a vertex of the terrain, in map coordinates
+  double height = 0;              ///< of that, in the unit of the terrain's heights
+  std::optional<Bearing> bearing; ///< of views with an eye
+  double hidden_mm = 0; ///< how far under what hides it, on the page, at least; 0 where it is seen
   std::optional<double> prominence_m;  ///< the file's, or else the terrain's; none: not asked
   bool prominence_is_at_least = false; ///< the terrain ends before it is known
 };
