@@ -36,6 +36,7 @@ struct NamesFacts {
   std::size_t unnamed = 0;      ///< places of the file without a name
 
   std::size_t count(NameState state) const;
+  std::string chosen() const; ///< their texts, with "; " between
 };
 
 } // namespace orograph

@@ -274,6 +274,13 @@ std::size_t NamesFacts::count(NameState state) const {
   return static_cast<std::size_t>(std::ranges::count(names, state, &NameFacts::state));
 }
 
+std::string NamesFacts::chosen() const {
+  std::string list;
+  for (const NameFacts& name : names)
+    if (name.state == NameState::chosen) list += (list.empty() ? "" : "; ") + name.text;
+  return list;
+}
+
 MapSpec with_room_for_names(const MapSpec& spec, const Overlay* names) {
   MapSpec out = spec;
   if (spec.ground_points) return out;

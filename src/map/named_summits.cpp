@@ -9,11 +9,14 @@
 #include "placing/highest_vertex.hpp"
 #include "placing/observer.hpp"
 #include "profiles/slab_lines.hpp"
+#include "solids/solids_in_view.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <variant>
 
 #include "naming/dominance.hpp"
@@ -129,6 +132,49 @@ void look_at(const TerrainData& terrain, const PlacedView& placed, std::vector<F
   });
 }
 
+// What stands on a summit, or beside it, is a part of it.
+bool stands_on(const SolidInView& solid, Vec3 summit, double cell_m) {
+  Box2 plan;
+  for (const Vec3& vertex : solid.vertices) plan.include({vertex.x, vertex.y});
+  return summit.x >= plan.low.x - cell_m && summit.x <= plan.high.x + cell_m &&
+         summit.y >= plan.low.y - cell_m && summit.y <= plan.high.y + cell_m;
+}
+
+// The same of solids, in the sector that looks towards a summit: how much of an upright line over
+// it they hide from its foot on.
+void look_past_solids(const TerrainData& terrain, const PlacedView& placed,
+                      std::vector<Found>& found) {
+  if (placed.solids.empty()) return;
+  std::vector<SolidsInView> in_sectors;
+  for (const Sector& sector : placed.sectors) in_sectors.emplace_back(placed.solids, sector.view);
+  std::vector<Share> hidden;
+  for (Found& one : found) {
+    const SolidsInView* solids = nullptr;
+    ProfilePoint at{0, -std::numeric_limits<double>::infinity(), 0};
+    for (const SolidsInView& of_sector : in_sectors) {
+      const std::uint32_t vertex = one.summit.vertex;
+      const ProfilePoint there = line_of(terrain.surface, of_sector.view(), {vertex, vertex}).from;
+      if (there.v > at.v) std::tie(solids, at) = std::pair(&of_sector, there);
+    }
+    constexpr double kLine_mm = 100;
+    const double line_m = kLine_mm / placed.mm_per_step(one.at, {0, 0, 1});
+    if (!solids || !std::isfinite(line_m)) continue; // straight down
+    const Vec3 foot = as_vec(at), top{foot.x, foot.y, foot.z + line_m};
+    const LineInView line = line_in_view(solids->view(), foot, top);
+    hidden.clear();
+    solids->for_each_before(line.box, [&](std::size_t number) {
+      const SolidInView& solid = solids->solids()[number];
+      if (stands_on(solid, foot, placed.cell_m)) return;
+      for (const TriangleShadow& by : solid.shadows)
+        if (SolidsInView::overlap(by.box, line.box))
+          if (const auto share = hidden_share(by.shadow, foot, top)) hidden.push_back(*share);
+    });
+    unite(hidden, solids->sliver_m() / line_m);
+    if (!hidden.empty() && hidden[0].begin * line_m <= solids->sliver_m())
+      one.hidden_mm = std::max(one.hidden_mm, hidden[0].end * kLine_mm);
+  }
+}
+
 // Across the way to the eye, in the ground frame.
 Vec2 across(const View& view, ProfilePoint at) {
   Vec2 way = view.is_perspective() ? at.u * view.right + at.v * view.forward : view.forward;
@@ -193,6 +239,7 @@ SummitsOnPage named_summits(const TerrainData& terrain, const PlacedView& placed
                 "a view without a front or back plane");
   std::vector<Found> found = within_picture(terrain, placed, spec, places);
   look_at(terrain, placed, found);
+  look_past_solids(terrain, placed, found);
   std::ranges::sort(found, [&](const Found& a, const Found& b) {
     const bool a_hidden = a.hidden_mm > kSeenBelow_mm, b_hidden = b.hidden_mm > kSeenBelow_mm;
     return std::tuple(a_hidden, b.summit.height_m, a.place) <
