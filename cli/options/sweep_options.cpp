@@ -252,7 +252,8 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
   const ViewSpec given_view = render.map.view;
   if (!settings.eye_path.empty()) {
     render.map.view.eye_map = GivenPlace(0, 0); // somewhere on it
-    if (!given_view.look_azimuth && given.contains("--pitch")) render.map.view.look_azimuth = Angle();
+    if (!given_view.look_azimuth && given.contains("--pitch"))
+      render.map.view.look_azimuth = Angle();
   }
   check_picture_settings(render, given);
   check_plotting(render, given);

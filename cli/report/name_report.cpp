@@ -51,4 +51,17 @@ std::string names_as_json(const NamesFacts& names) {
       .dump();
 }
 
+std::string furniture_as_json(const MapFacts& facts) {
+  Json pieces = Json::array(), left_out = Json::array();
+  for (const auto& [piece, box, texts, cut] : facts.furniture) {
+    if (!box) left_out.push_back(piece);
+    if (box)
+      pieces.push_back({{"piece", piece},
+                        {"box_mm", {box->low.x, box->low.y, box->high.x, box->high.y}},
+                        {"texts", texts},
+                        {"cut", cut}});
+  }
+  return Json{{"pieces", pieces}, {"left_out", left_out}, {"letters", facts.lettering}}.dump();
+}
+
 } // namespace orograph

@@ -231,7 +231,9 @@ Columns::Columns(const SweepSettings& settings, const ViewList& views)
     named("names_hidden", "of summits that aren't seen", NameState::hidden);
     named("names_without_room", "of summits that are seen", NameState::crowded_out);
     add({"names_printed", "", "those that are printed, the first that counts most, with ; between"},
-        [](const DrawnView& f) { return f.report.names ? Cell(f.report.names->chosen()) : Cell(); });
+        [](const DrawnView& f) {
+          return f.report.names ? Cell(f.report.names->chosen()) : Cell();
+        });
   }
   if (settings.render.map.check > 0) {
     const auto checked = [&](const std::string& name, const std::string& about,

@@ -47,7 +47,7 @@ struct SweepRun {
   const Columns& columns;
   const Plan& plan;
   const std::vector<Overlay>& overlays;
-  const Overlay* names; ///< of places, to be printed; null: none
+  const Overlay* names;                     ///< of places, to be printed; null: none
   const std::optional<TerrainFacts>& facts; ///< of the terrain as it was read, if views use it so
 };
 
@@ -173,8 +173,7 @@ struct Prepared {
         names(settings.render.labels.path.empty()
                   ? std::vector<Overlay>()
                   : read_overlays({&settings.render.labels, 1}, terrain)),
-        views(settings, terrain.map),
-        columns(settings, views) {
+        views(settings, terrain.map), columns(settings, views) {
     // In degrees each view has a frame of its own.
     if (!terrain.map.earth) facts = facts_of(terrain);
     plan = make_plan(settings, views, columns, terrain, chosen_direction(terrain, facts, views));
@@ -206,8 +205,12 @@ void sweep(const SweepSettings& settings) {
       [&] { return first ? open_folder(settings, prepared->plan) : std::vector<std::size_t>(); });
 
   if (first && !settings.render.quiet) tell_doubts(prepared->terrain);
-  const SweepRun run{settings,       prepared->terrain,  prepared->views, prepared->columns,
-                     prepared->plan, prepared->overlays,
+  const SweepRun run{settings,
+                     prepared->terrain,
+                     prepared->views,
+                     prepared->columns,
+                     prepared->plan,
+                     prepared->overlays,
                      prepared->names.empty() ? nullptr : &prepared->names.front(),
                      prepared->facts};
   ProgressBar bar(first && shows_progress(settings.render.quiet, settings.render.progress));

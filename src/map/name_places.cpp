@@ -22,8 +22,9 @@
 namespace orograph {
 namespace {
 
-constexpr double kLongestName_mm = 45; // longer ones are cut off
-constexpr double kHighest_m = 8888;    // of names whose heights aren't known yet
+constexpr double kLongestClimbing_mm = 45; // what rooms above panoramas are made for
+constexpr double kLongestOfPicture = 0.5;  // of level names, in widths of it
+constexpr double kHighest_m = 8888;        // of names whose heights aren't known yet
 
 PageText text_of_size(std::string text, double size_mm) {
   PageText out;
@@ -44,7 +45,8 @@ RoomForNames room_above(const MapSpec& spec, const Overlay& names, Lettering& le
   for (const PlaceName& place : place_names(names, labels).places) {
     const std::string text =
         text_with_height(place.text, place.height_m.value_or(kHighest_m), labels.elevation);
-    const PageText set = lettering.set_within(text_of_size(text, labels.size_mm), kLongestName_mm);
+    const PageText set =
+        lettering.set_within(text_of_size(text, labels.size_mm), kLongestClimbing_mm);
     longest.width_mm = std::max(longest.width_mm, set.extent.width_mm);
   }
   return room_for_names(longest, labels.size_mm, labels.angle, labels.rows);
@@ -133,6 +135,26 @@ std::vector<PlacedName> placed_names(const PlacedView& placed, const MapSpec& sp
                                  : names_slanted(names, strips.rooms, labels.angle, most);
 }
 
+// Longer ones are cut off.
+double longest_name_mm(const PlacedView& placed, const LabelSpec& labels) {
+  if (placed.panorama && labels.angle != Angle()) return kLongestClimbing_mm;
+  const double picture_mm =
+      placed.panorama ? placed.panorama->strip_boxes_mm().front().width() : placed.frame_mm.width();
+  return std::max(kLongestClimbing_mm, kLongestOfPicture * picture_mm);
+}
+
+// A small triangle.
+void add_mark(Vec2 summit_mm, Layer& layer) {
+  constexpr double kHigh_mm = 0.7, kLow_mm = 0.4, kAside_mm = 0.64; // less than kSummitMark_mm
+  Stroke stroke;
+  stroke.first_point = static_cast<std::uint32_t>(layer.page_mm.size());
+  stroke.point_count = 4;
+  layer.strokes.push_back(stroke);
+  for (const Vec2 by : {Vec2{0, -kHigh_mm}, Vec2{kAside_mm, kLow_mm}, Vec2{-kAside_mm, kLow_mm},
+                        Vec2{0, -kHigh_mm}})
+    layer.page_mm.push_back(summit_mm + by);
+}
+
 void add_leader(const Leader& leader, Layer& layer) {
   Stroke stroke;
   stroke.first_point = static_cast<std::uint32_t>(layer.page_mm.size());
@@ -144,6 +166,7 @@ void add_leader(const Leader& leader, Layer& layer) {
 struct TextsOnPage {
   Layer leaders, labels;
   TakenRoom taken;
+  std::vector<TurnedBox> marks = {}; ///< of summits
 };
 
 NamesFacts put_names(const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec,
@@ -155,13 +178,14 @@ NamesFacts put_names(const TerrainData& terrain, const PlacedView& placed, const
       given.places, [](const PlaceName& place) { return on_one_line(place.text).empty(); });
   SummitsOnPage found = named_summits(terrain, placed, spec, given.places);
   facts.elsewhere = found.elsewhere;
+  const double longest_mm = longest_name_mm(placed, spec.labels);
   std::vector<NameToPlace> names;
   for (SummitOnPage& summit : found.summits) {
     summit.facts.text = on_one_line(summit.facts.text);
     if (summit.facts.state == NameState::hidden) continue;
-    names.push_back({summit.page_mm, summit.weight,
-                     lettering.set_within(text_of_size(summit.facts.text, spec.labels.size_mm),
-                                          kLongestName_mm)});
+    names.push_back(
+        {summit.page_mm, summit.weight,
+         lettering.set_within(text_of_size(summit.facts.text, spec.labels.size_mm), longest_mm)});
   }
   // Those that are seen come first, by rank.
   for (PlacedName& name : placed_names(placed, spec, drawing, names, texts.taken)) {
@@ -169,6 +193,11 @@ NamesFacts put_names(const TerrainData& terrain, const PlacedView& placed, const
     if (name.leader) {
       add_leader(*name.leader, texts.leaders);
       texts.taken.take(box_of(name.leader->from_mm, name.leader->to_mm, spec.labels.halo_mm));
+    }
+    if (!placed.panorama) {
+      const Vec2 summit_mm = names[name.name].summit_mm;
+      add_mark(summit_mm, texts.leaders);
+      texts.marks.push_back(box_of(summit_mm, summit_mm, kSummitMark_mm));
     }
     texts.labels.texts.push_back(lettering.set(std::move(name.text)));
     texts.taken.take(box_of(texts.labels.texts.back()));
@@ -241,7 +270,9 @@ void label_lines(const TerrainData& terrain, const PlacedView& placed, const Map
         lines.contours, 0.8 * size_mm, placed.frame_mm, InkMap(drawing.page, drawing.layers), set,
         [&](Vec3 at) { return uphill_on_page(terrain, placed, as_profile_point(at)); }, taken);
   if (placed.panorama) return;
-  const Box2 room = placed.page.inner_mm();
+  const Sides& around = spec.page.room_mm;
+  const Box2 room{placed.frame_mm.low - Vec2{around.left, around.top},
+                  placed.frame_mm.high + Vec2{around.right, around.bottom}};
   for (const auto& [name, of] : {std::pair{"graticule", &lines.graticule}, {"grid", &lines.grid}})
     if (Layer* layer = layer_named(drawing, name))
       layer->texts = coordinate_labels(
@@ -306,12 +337,12 @@ std::optional<NamesFacts> name_places(const TerrainData& terrain, const PlacedVi
                                       const MapSpec& spec, const LinesToLabel& lines,
                                       Lettering& lettering, Drawing& drawing) {
   TextsOnPage texts{
-      layer_of_lettering("leaders", spec.style), layer_of_lettering("labels", spec.style), {}};
+      layer_of_lettering("leaders", spec.style), layer_of_lettering("labels", spec.style), {}, {}};
   std::optional<NamesFacts> facts;
   if (placed.names) facts = put_names(terrain, placed, spec, lettering, drawing, texts);
   label_lines(terrain, placed, spec, lines, lettering, drawing, texts.taken);
 
-  std::vector<TurnedBox> boxes;
+  std::vector<TurnedBox> boxes = texts.marks;
   const auto add_boxes = [&](const Layer& layer) {
     for (const PageText& text : layer.texts) boxes.push_back(box_of(text, spec.labels.halo_mm));
   };

@@ -202,10 +202,14 @@ std::vector<double> statures(const TerrainData& terrain, const PlacedView& place
     one.prominence = told ? Prominence{*told, false} : *answer++;
   }
   const Grid* const grid = std::get_if<Grid>(&terrain.surface);
+  std::optional<TinIndex> index;
+  if (!grid && !seen.empty()) index.emplace(std::get<Tin>(terrain.surface));
   on_all_cores(seen.size(), [&](std::size_t i) {
     const Found& one = seen[i];
+    const Vec2 aside = across(placed.view, one.at);
     const double dominance =
-        grid ? dominance_m(*grid, one.summit.vertex, across(placed.view, one.at)) : 0;
+        grid ? dominance_m(*grid, one.summit.vertex, aside)
+             : dominance_m(std::get<Tin>(terrain.surface), *index, one.summit.vertex, aside);
     out[i] = stature(dominance, one.prominence->m);
   });
   return out;

@@ -9,9 +9,8 @@
 namespace orograph {
 namespace {
 
-constexpr double kOffPoint_mm = 0.8;
+constexpr double kOffPoint_mm = 1.1;
 constexpr double kAroundTexts_mm = 0.6; // half of it around each name
-constexpr double kOfPoint_mm = 0.4;     // around a summit's own point
 
 // What a worse place costs, in shares of ink: by looking, a name goes elsewhere for a quarter of
 // the lines beneath it.
@@ -33,7 +32,7 @@ constexpr std::array<Beside, 8> kPlacesBeside{{{TextAnchor::middle, 0, 1},
 
 PageText put(PageText text, Vec2 summit_mm, const Beside& place) {
   const auto [width_mm, ascent_mm, descent_mm] = text.extent;
-  const double off_mm = place.right != 0 && place.up != 0 ? 0.6 * kOffPoint_mm : kOffPoint_mm;
+  const double off_mm = place.right != 0 && place.up != 0 ? 0.7 * kOffPoint_mm : kOffPoint_mm;
   const double baseline_mm = place.up > 0   ? -off_mm - descent_mm
                              : place.up < 0 ? off_mm + ascent_mm
                                             : 0.5 * (ascent_mm - descent_mm);
@@ -57,7 +56,7 @@ std::vector<PlacedName> names_beside(std::span<const NameToPlace> names, const B
     if (most && out.size() == *most) break;
     const NameToPlace& name = names[i];
     if (name.text.extent.width_mm <= 0) continue;
-    const TurnedBox summit = box_of(name.summit_mm, name.summit_mm, kOfPoint_mm);
+    const TurnedBox summit = box_of(name.summit_mm, name.summit_mm, kSummitMark_mm);
     if (!taken.is_free(summit)) continue; // it would seem to be another's
     std::optional<PageText> best;
     double least = 0;

@@ -15,6 +15,9 @@
 
 namespace orograph {
 
+/// How far the mark on a summit may reach from it.
+constexpr double kSummitMark_mm = 0.8;
+
 /// Names, first those that count most, each in the best free one of eight places about its summit:
 /// where fewest lines are beneath it, and among such first above, then to the upper right, upper
 /// left, right, left, below. None touches what is taken, another name, or the summit of a name that

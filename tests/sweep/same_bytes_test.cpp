@@ -123,9 +123,9 @@ TEST_CASE("with names, and furniture around each view") {
   folder.write("house.toml", "source = 'a survey'\n");
   const Words shared = words("--page 120x90 --layers skyline,border --labels names.csv --furniture "
                              "map --template house.toml --title Hills");
-  check_same(folder, {"hill.asc"}, "svg", shared, words("--azimuth 20,140"),
-             {{"azimuth-020", words("--view-from 20/25")},
-              {"azimuth-140", words("--view-from 140/25")}});
+  check_same(
+      folder, {"hill.asc"}, "svg", shared, words("--azimuth 20,140"),
+      {{"azimuth-020", words("--view-from 20/25")}, {"azimuth-140", words("--view-from 140/25")}});
   const auto rows = nlohmann::json::parse(folder.read("out/sweep.json")).at("views");
   REQUIRE(rows.size() == 2);
   for (const auto& row : rows)
