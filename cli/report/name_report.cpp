@@ -17,6 +17,8 @@ Json json_of(const NameFacts& name) {
   json["prominence_m"] = name.prominence_m ? Json(*name.prominence_m) : Json();
   json["prominence_is_at_least"] = name.prominence_is_at_least;
   json["hidden_mm"] = name.hidden_mm;
+  if (name.corners_mm)
+    for (const Vec2 corner : *name.corners_mm) json["corners_mm"].push_back({corner.x, corner.y});
   return json;
 }
 

@@ -66,6 +66,11 @@ private:
     if (!furniture().has(Furniture::neatline)) return;
     // Around a terrain that is shown whole, and its labels; else along the picture's own border.
     if (!placed_.panorama && neatline_gap_mm(spec_) > 0) windows = {picture_};
+    if (placed_.panorama) // around names too, which stand above strips
+      for (Box2& strip : windows) {
+        const Sides& room = spec_.page.strip_room_mm;
+        strip = {strip.low - Vec2{room.left, room.top}, strip.high + Vec2{room.right, room.bottom}};
+      }
     for (const auto& [low, high] : windows)
       pen_.line({low, {high.x, low.y}, high, {low.x, high.y}, low});
   }

@@ -5,6 +5,7 @@
 #include "geometry/vec.hpp"
 #include "map/place_sight.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -26,6 +27,7 @@ struct NameFacts {
   double height = 0;              ///< of that, in the unit of the terrain's heights
   std::optional<Bearing> bearing; ///< of views with an eye
   double hidden_mm = 0; ///< how far under what hides it, on the page, at least; 0 where it is seen
+  std::optional<std::array<Vec2, 4>> corners_mm = {}; ///< of its text, where it is printed
   std::optional<double> prominence_m;  ///< the file's, or else the terrain's; none: not asked
   bool prominence_is_at_least = false; ///< the terrain ends before it is known
 };

@@ -8,6 +8,7 @@
 #include "map/named_summits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -24,6 +25,7 @@ namespace {
 
 constexpr double kLongestClimbing_mm = 45; // what rooms above panoramas are made for
 constexpr double kLongestOfPicture = 0.5;  // of level names, in widths of it
+constexpr double kOffEnd_mm = 0.6;         // from names to where their room ends, or a neatline
 constexpr double kHighest_m = 8888;        // of names whose heights aren't known yet
 
 PageText text_of_size(std::string text, double size_mm) {
@@ -56,11 +58,16 @@ bool labels_coordinates(const MapSpec& spec) {
   return spec.labels.coordinates && !is_panorama(spec.view.projection);
 }
 
+Box2 inside(const Box2& room) {
+  constexpr Vec2 kOff_mm{kOffEnd_mm, kOffEnd_mm};
+  return {room.low + kOff_mm, room.high - kOff_mm};
+}
+
 // A strip on the page, and the highest of the lines that are drawn of it.
 StripRoom strip_room(const Box2& frame_mm, const Sides& room, const Drawing& drawing) {
   StripRoom out;
-  out.box_mm = {{frame_mm.low.x - room.left, frame_mm.low.y - room.top},
-                {frame_mm.high.x + room.right, frame_mm.high.y + room.bottom}};
+  out.box_mm = inside({{frame_mm.low.x - room.left, frame_mm.low.y - room.top},
+                       {frame_mm.high.x + room.right, frame_mm.high.y + room.bottom}});
   // The least y of each tenth of a millimetre.
   constexpr double kColumn_mm = 0.1;
   const auto column = [low = frame_mm.low.x](double x) {
@@ -76,7 +83,7 @@ StripRoom strip_room(const Box2& frame_mm, const Sides& room, const Drawing& dra
           points[0].y > frame_mm.high.y + kPageStep_mm)
         continue;
       for (std::size_t i = 1; i < points.size(); ++i) {
-        const auto [left, right] = std::minmax(column(points[i - 1].x), column(points[i].x));
+        const auto [left, right] = std::minmax({column(points[i - 1].x), column(points[i].x)});
         const double y = std::min(points[i - 1].y, points[i].y);
         for (auto c = std::max<std::int64_t>(left, 0); c <= std::min(right, last); ++c)
           highest[static_cast<std::size_t>(c)] = std::min(highest[static_cast<std::size_t>(c)], y);
@@ -125,7 +132,8 @@ std::vector<PlacedName> placed_names(const PlacedView& placed, const MapSpec& sp
   std::optional<std::size_t> most;
   if (labels.most) most = static_cast<std::size_t>(*labels.most);
   if (!placed.panorama)
-    return names_beside(names, placed.frame_mm, InkMap(drawing.page, drawing.layers), most, taken);
+    return names_beside(names, inside(placed.frame_mm), InkMap(drawing.page, drawing.layers), most,
+                        taken);
   const StripsOfPage strips = strips_of(placed, spec, drawing);
   for (NameToPlace& name : names) {
     name.strip = strips.of(name.summit_mm.x);
@@ -196,13 +204,15 @@ NamesFacts put_names(const TerrainData& terrain, const PlacedView& placed, const
     }
     if (!placed.panorama) {
       const Vec2 summit_mm = names[name.name].summit_mm;
-      add_mark(summit_mm, texts.leaders);
+      add_mark(summit_mm, texts.labels);
       texts.marks.push_back(box_of(summit_mm, summit_mm, kSummitMark_mm));
     }
     texts.labels.texts.push_back(lettering.set(std::move(name.text)));
+    found.summits[name.name].facts.corners_mm = texts.labels.texts.back().corners_mm();
     texts.taken.take(box_of(texts.labels.texts.back()));
   }
   round_to_page_step(texts.leaders);
+  round_to_page_step(texts.labels);
   for (SummitOnPage& summit : found.summits) facts.names.push_back(std::move(summit.facts));
   std::ranges::stable_sort(facts.names, {}, [](const NameFacts& name) {
     return name.state == NameState::chosen ? 0 : name.state == NameState::crowded_out ? 1 : 2;
@@ -273,6 +283,12 @@ void label_lines(const TerrainData& terrain, const PlacedView& placed, const Map
   const Sides& around = spec.page.room_mm;
   const Box2 room{placed.frame_mm.low - Vec2{around.left, around.top},
                   placed.frame_mm.high + Vec2{around.right, around.bottom}};
+  if (spec.furniture.has(Furniture::neatline)) { // none goes through it
+    const auto& [low, high] = placed.frame_mm;
+    const std::array<Vec2, 4> corners{low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}};
+    for (std::size_t k = 0; k < 4; ++k)
+      taken.take(box_of(corners[k], corners[(k + 1) % 4], 0.5 * spec.labels.halo_mm));
+  }
   for (const auto& [name, of] : {std::pair{"graticule", &lines.graticule}, {"grid", &lines.grid}})
     if (Layer* layer = layer_named(drawing, name))
       layer->texts = coordinate_labels(
@@ -320,7 +336,7 @@ MapSpec with_room_for_names(const MapSpec& spec, const Overlay* names) {
   Lettering lettering(spec.letters);
   if (has_names_above) {
     const RoomForNames room = room_above(spec, *names, lettering);
-    grow(out.page.strip_room_mm, {0, room.above_mm, room.right_mm, 0});
+    grow(out.page.strip_room_mm, {0, room.above_mm + kOffEnd_mm, room.right_mm + kOffEnd_mm, 0});
   }
   if (labels_coordinates(spec)) {
     const TextExtent number =

@@ -76,7 +76,10 @@ std::vector<PlacedName> names_slanted(std::span<const NameToPlace> names,
     on_line.push_back(
         {name.summit_mm.x + kApart_mm * static_cast<double>(name.strip), name.weight});
   }
-  const double pitch_mm = line_height_mm(names.front().text.extent) / sin(angle) + kBetween_mm;
+  double highest_line_mm = 0; // long names may be set smaller
+  for (const NameToPlace& name : names)
+    highest_line_mm = std::max(highest_line_mm, line_height_mm(name.text.extent));
+  const double pitch_mm = highest_line_mm / sin(angle) + kBetween_mm;
   std::vector<std::size_t> chosen;
   for (const std::size_t i : choose_on_line(on_line, pitch_mm, most))
     chosen.push_back(with_room[i]);

@@ -57,6 +57,7 @@ std::vector<PlacedName> names_beside(std::span<const NameToPlace> names, const B
     const NameToPlace& name = names[i];
     if (name.text.extent.width_mm <= 0) continue;
     const TurnedBox summit = box_of(name.summit_mm, name.summit_mm, kSummitMark_mm);
+    if (!is_inside(bounds_of(summit), room_mm)) continue;
     if (!taken.is_free(summit)) continue; // it would seem to be another's
     std::optional<PageText> best;
     double least = 0;
