@@ -186,7 +186,9 @@ std::vector<PlacedName> names_in_rows(std::span<const NameToPlace> names,
       }
     double line_mm = line_of_names_mm(strips[s], boxes, summits);
     for (const auto& row : of_strips[s].rows()) {
+      double row_mm = 0;
       for (const InRow& one : row) {
+        row_mm = std::max(row_mm, line_height_mm(names[one.name].text.extent) + kBetween_mm);
         PlacedName placed{one.name, names[one.name].text};
         placed.text.angle = {};
         placed.text.anchor = TextAnchor::start;
@@ -195,8 +197,7 @@ std::vector<PlacedName> names_in_rows(std::span<const NameToPlace> names,
                                {one.leader_mm, line_mm}};
         if (is_inside(placed.text.box_mm(), strips[s].box_mm)) out.push_back(placed);
       }
-      if (!row.empty())
-        line_mm -= line_height_mm(names[row.front().name].text.extent) + kBetween_mm;
+      line_mm -= row_mm;
     }
   }
   return out;
