@@ -180,7 +180,7 @@ TEST_CASE("A grid and the TIN of its triangles print the same names") {
   Random random(4);
   const auto points = random_names(random, kSide, 60);
   MapSpec spec = from_south(Projection::orthographic); // along columns: dominance along rows
-  spec.style.detail.of_file = true; // a grid's cells would grow
+  spec.style.detail.of_file = true;                    // a grid's cells would grow
   spec.labels.size_mm = 4;
   const Map of_grid = Session(grid, {}, {}, names_of(points, grid)).draw(spec),
             of_tin = Session(tin, {}, {}, names_of(points, tin)).draw(spec);
