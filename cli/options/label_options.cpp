@@ -68,7 +68,8 @@ void add_which(std::vector<Option>& options, RenderSettings& s) {
                                   .name = "--label-max",
                                   .value = "N",
                                   .help = "At most so many names",
-                                  .by_default = "as many as have room"},
+                                  .by_default = "as many as have room; on maps those that cover "
+                                                "a sixteenth of the picture"},
                                  0, 100000, [&labels](int most) { labels.most = most; }));
   options.push_back({.group = kGroup,
                      .name = "--label-range",

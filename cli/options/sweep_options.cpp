@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What `orograph sweep` varies, and how it goes about it: render's options, some of them with
 // lists.
+#include "cli/options/check_labels.hpp"
+#include "cli/options/check_lettering.hpp"
 #include "cli/options/check_plotting.hpp"
 #include "cli/options/check_settings.hpp"
 #include "cli/options/option.hpp"
@@ -225,6 +227,7 @@ std::map<std::string, std::vector<std::string>> deciding(const GivenOptions& giv
                              "--yes", "--quiet", "--progress", "--no-progress", "--settings",
                              "--eye-path", "--views", "--breaklines", "--boundary", "--scene"})
     values.erase(option);
+  if (values.contains("--template")) values["--template"] = what_it_says(render.template_file);
   if (values.contains("--pens")) values["--pens"] = what_it_says(render.pens_file);
   if (values.contains("--device") && is_device_file(render.device))
     values["--device"] = what_it_says(render.device);
@@ -242,24 +245,22 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
                      "leave it out, or write PNG with --of png");
   if (insists_on(given, "--eye-step") && settings.eye_path.empty())
     throw UsageError("--eye-step has no meaning without a path", "give --eye-path FILE too");
+  if (!settings.eye_path.empty() && render.map.view.projection != Projection::perspective &&
+      !is_panorama(render.map.view.projection))
+    throw UsageError("--eye-path has no meaning in a parallel view",
+                     "give --azimuth and --elevation, or use --projection perspective");
+  const ViewSpec given_view = render.map.view;
   if (!settings.eye_path.empty()) {
-    if (render.map.view.projection != Projection::perspective &&
-        !is_panorama(render.map.view.projection))
-      throw UsageError("--eye-path has no meaning in a parallel view",
-                       "give --azimuth and --elevation, or use --projection perspective");
-    RenderSettings on_path = render; // somewhere on it
-    on_path.map.view.eye_map = GivenPlace(0, 0);
-    if (!on_path.map.view.look_azimuth && given.contains("--pitch"))
-      on_path.map.view.look_azimuth = Angle();
-    check_picture_settings(on_path, given);
-    render.map.style.layers = on_path.map.style.layers;
-    render.map.ground_points = on_path.map.ground_points;
-    render.scene_file = on_path.scene_file;
-    render.solids = on_path.solids;
-  } else {
-    check_picture_settings(render, given);
+    render.map.view.eye_map = GivenPlace(0, 0); // somewhere on it
+    if (!given_view.look_azimuth && given.contains("--pitch"))
+      render.map.view.look_azimuth = Angle();
   }
+  check_picture_settings(render, given);
   check_plotting(render, given);
+  if (!settings.views_file.empty()) render.map.view.eye_map = GivenPlace(0, 0); // perhaps
+  check_lettering(render, given);
+  check_labels(render, given);
+  render.map.view = given_view;
   if (settings.views_file.empty()) return;
   settings.views = read_view_list(settings.views_file);
   for (const NamedView& view : settings.views)
@@ -300,6 +301,8 @@ Command sweep_command(SweepSettings& settings) {
   add_block_options(picture, render);
   add_scene_options(picture, render);
   add_page_options(picture, render);
+  add_label_options(picture, render);
+  add_lettering_options(picture, render);
   add_output_options(picture, render);
   add_plotting_options(picture, render);
   // A view is a file.

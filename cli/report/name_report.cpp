@@ -17,6 +17,8 @@ Json json_of(const NameFacts& name) {
   json["prominence_m"] = name.prominence_m ? Json(*name.prominence_m) : Json();
   json["prominence_is_at_least"] = name.prominence_is_at_least;
   json["hidden_mm"] = name.hidden_mm;
+  if (name.corners_mm)
+    for (const Vec2 corner : *name.corners_mm) json["corners_mm"].push_back({corner.x, corner.y});
   return json;
 }
 
@@ -49,6 +51,19 @@ std::string names_as_json(const NamesFacts& names) {
               {"elsewhere", names.elsewhere},
               {"unnamed", names.unnamed}}
       .dump();
+}
+
+std::string furniture_as_json(const MapFacts& facts) {
+  Json pieces = Json::array(), left_out = Json::array();
+  for (const auto& [piece, box, texts, cut] : facts.furniture) {
+    if (!box) left_out.push_back(piece);
+    if (box)
+      pieces.push_back({{"piece", piece},
+                        {"box_mm", {box->low.x, box->low.y, box->high.x, box->high.y}},
+                        {"texts", texts},
+                        {"cut", cut}});
+  }
+  return Json{{"pieces", pieces}, {"left_out", left_out}, {"letters", facts.lettering}}.dump();
 }
 
 } // namespace orograph

@@ -367,6 +367,7 @@ std::string report_text(const RunReport& report) {
               {"spacing", report.profiles.spacing},
               {"depths", report.profiles.depths_m}}}};
   if (report.names) json["names"] = Json::parse(names_as_json(*report.names));
+  if (!report.furniture.empty()) json["furniture"] = Json::parse(furniture_as_json(report));
   // Paths may be in any encoding; JSON is UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

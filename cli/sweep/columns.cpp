@@ -221,6 +221,20 @@ Columns::Columns(const SweepSettings& settings, const ViewList& views)
       [](const DrawnView& f) { return cell(f.report.pen_down_mm); });
   add({"pen_up_mm", "mm", "between lines"},
       [](const DrawnView& f) { return cell(f.report.pen_up_mm); });
+  if (!settings.render.labels.path.empty()) {
+    const auto named = [&](const std::string& name, const std::string& about, NameState state) {
+      add({name, "", about}, [state](const DrawnView& f) {
+        return f.report.names ? cell(std::uint64_t{f.report.names->count(state)}) : Cell();
+      });
+    };
+    named("names", "printed", NameState::chosen);
+    named("names_hidden", "of summits that aren't seen", NameState::hidden);
+    named("names_without_room", "of summits that are seen", NameState::crowded_out);
+    add({"names_printed", "", "those that are printed, the first that counts most, with ; between"},
+        [](const DrawnView& f) {
+          return f.report.names ? Cell(f.report.names->chosen()) : Cell();
+        });
+  }
   if (settings.render.map.check > 0) {
     const auto checked = [&](const std::string& name, const std::string& about,
                              std::uint64_t CheckCounts::*of) {

@@ -15,6 +15,7 @@
 #include "geometry/error.hpp"
 #include "map/describe_map.hpp"
 #include "map/draw_map.hpp"
+#include "map/name_places.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/read_overlays.hpp"
@@ -46,6 +47,7 @@ struct SweepRun {
   const Columns& columns;
   const Plan& plan;
   const std::vector<Overlay>& overlays;
+  const Overlay* names;                     ///< of places, to be printed; null: none
   const std::optional<TerrainFacts>& facts; ///< of the terrain as it was read, if views use it so
 };
 
@@ -82,6 +84,7 @@ void draw_view(const SweepRun& run, std::size_t view) {
   RenderSettings settings = run.views.settings(view);
   const std::string file = run.plan.file(view);
   settings.output = (std::filesystem::path(run.settings.out_dir) / file).string();
+  settings.map = with_room_for_names(settings.map, run.names);
   settings.write.overwrite = true; // a drawing without a row: the sweep ended between the two
   try {
     const auto terrain = drawn_or_why(
@@ -94,6 +97,7 @@ void draw_view(const SweepRun& run, std::size_t view) {
                          run.facts ? &*run.facts : nullptr);
     });
     placed.overlays = run.overlays;
+    placed.names = run.names;
     GroundMeter ground(placed);
     Map map = drawn_or_why([&] {
       Map out = draw_map(**terrain, placed, settings.map, [](double) {}, {.observers = {&ground}});
@@ -165,8 +169,11 @@ std::optional<ChosenDirection> chosen_direction(const TerrainData& terrain,
 struct Prepared {
   explicit Prepared(const SweepSettings& settings)
       : terrain(read_ground(settings.render)),
-        overlays(read_overlays(settings.render.overlays, terrain)), views(settings, terrain.map),
-        columns(settings, views) {
+        overlays(read_overlays(settings.render.overlays, terrain)),
+        names(settings.render.labels.path.empty()
+                  ? std::vector<Overlay>()
+                  : read_overlays({&settings.render.labels, 1}, terrain)),
+        views(settings, terrain.map), columns(settings, views) {
     // In degrees each view has a frame of its own.
     if (!terrain.map.earth) facts = facts_of(terrain);
     plan = make_plan(settings, views, columns, terrain, chosen_direction(terrain, facts, views));
@@ -175,7 +182,7 @@ struct Prepared {
   Prepared& operator=(const Prepared&) = delete;
 
   TerrainData terrain;
-  std::vector<Overlay> overlays;
+  std::vector<Overlay> overlays, names;
   ViewList views;
   Columns columns;
   std::optional<TerrainFacts> facts;
@@ -198,8 +205,14 @@ void sweep(const SweepSettings& settings) {
       [&] { return first ? open_folder(settings, prepared->plan) : std::vector<std::size_t>(); });
 
   if (first && !settings.render.quiet) tell_doubts(prepared->terrain);
-  const SweepRun run{settings,       prepared->terrain,  prepared->views, prepared->columns,
-                     prepared->plan, prepared->overlays, prepared->facts};
+  const SweepRun run{settings,
+                     prepared->terrain,
+                     prepared->views,
+                     prepared->columns,
+                     prepared->plan,
+                     prepared->overlays,
+                     prepared->names.empty() ? nullptr : &prepared->names.front(),
+                     prepared->facts};
   ProgressBar bar(first && shows_progress(settings.render.quiet, settings.render.progress));
   ranks.together([&] {
     ranks.share(waiting, [&](ViewQueue& queue) {

@@ -83,7 +83,9 @@ void check(const PageRequest& request) {
                      "margins from 0 up to what leaves 1 mm each way");
   const Sides& room = request.room_mm;
   const bool is_narrow = !leaves_room(request.width_mm - room.left - room.right, request.margin_mm),
-             is_low = !leaves_room(height_mm - room.top - room.bottom, request.margin_mm);
+             is_low =
+                 !leaves_room(request.height_mm.value_or(kLargestSide_mm) - room.top - room.bottom,
+                              request.margin_mm);
   if (is_narrow || is_low)
     throw UsageError(fmt::format("what stands around the picture needs {:.0f} x {:.0f} mm and "
                                  "leaves no room on a page of {}",

@@ -9,9 +9,11 @@
 #include <pango/pangocairo.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <utility>
 
 namespace orograph {
@@ -60,6 +62,11 @@ Owned<PangoContext> context_of(PangoFontMap* map) {
   return context;
 }
 
+// Of a font, in ems.
+struct FontHeights {
+  double ascent, descent;
+};
+
 // What fontconfig finds in the place of whichever font is there.
 bool is_alias(const std::string& family) {
   const std::string lower = in_lower_case(family);
@@ -75,11 +82,24 @@ struct FontLetters::Parts {
   Owned<PangoFontMap> map{pango_cairo_font_map_new()};
   Owned<PangoContext> context = context_of(map.get());
   Owned<PangoLayout> layout{pango_layout_new(context.get())};
+  std::array<std::optional<FontHeights>, 4> heights = {}; ///< by style
 
   void set(std::string_view text, bool is_bold, bool is_italic) {
     const FontDescription font = description_of(family, is_bold, is_italic);
     pango_layout_set_font_description(layout.get(), font.get());
     pango_layout_set_text(layout.get(), text.data(), static_cast<int>(text.size()));
+  }
+  // Asked once for each style: it takes Pango as long as a text does.
+  const FontHeights& heights_of(bool is_bold, bool is_italic) {
+    std::optional<FontHeights>& kept = heights[(is_bold ? 2U : 0U) + (is_italic ? 1U : 0U)];
+    if (!kept) {
+      const FontDescription font = description_of(family, is_bold, is_italic);
+      const std::unique_ptr<PangoFontMetrics, FreeMetrics> metrics(
+          pango_context_get_metrics(context.get(), font.get(), nullptr));
+      kept = FontHeights{in_ems(pango_font_metrics_get_ascent(metrics.get())),
+                         in_ems(pango_font_metrics_get_descent(metrics.get()))};
+    }
+    return *kept;
   }
 };
 
@@ -95,11 +115,8 @@ FontExtent FontLetters::extent(std::string_view text, bool is_bold, bool is_ital
   parts_->set(text, is_bold, is_italic);
   PangoRectangle logical;
   pango_layout_get_extents(parts_->layout.get(), nullptr, &logical);
-  const FontDescription font = description_of(parts_->family, is_bold, is_italic);
-  const std::unique_ptr<PangoFontMetrics, FreeMetrics> metrics(
-      pango_context_get_metrics(parts_->context.get(), font.get(), nullptr));
-  return {in_ems(logical.width), in_ems(pango_font_metrics_get_ascent(metrics.get())),
-          in_ems(pango_font_metrics_get_descent(metrics.get())),
+  const FontHeights& heights = parts_->heights_of(is_bold, is_italic);
+  return {in_ems(logical.width), heights.ascent, heights.descent,
           pango_layout_line_get_resolved_direction(
               pango_layout_get_line_readonly(parts_->layout.get(), 0)) == PANGO_DIRECTION_RTL};
 }

@@ -32,8 +32,9 @@ Box2 column_of(const Box2& picture, const Box2& inner) {
 Box2 whole_picture(const PlacedView& placed, const MapSpec& spec) {
   if (!placed.panorama) {
     const double pad_mm = neatline_gap_mm(spec);
-    return {placed.frame_mm.low - Vec2{pad_mm, pad_mm},
-            placed.frame_mm.high + Vec2{pad_mm, pad_mm}};
+    const Sides& room = spec.page.room_mm; // of what is printed along the picture's border
+    return {placed.frame_mm.low - Vec2{room.left + pad_mm, room.top + pad_mm},
+            placed.frame_mm.high + Vec2{room.right + pad_mm, room.bottom + pad_mm}};
   }
   const Sides strip = page_with_room(spec).strip_room_mm;
   const Box2 strips = placed.panorama->strips_mm();
@@ -63,7 +64,13 @@ private:
     if (placed_.panorama) windows = placed_.panorama->strip_boxes_mm();
     for (const Box2& window : windows) pen_.tell("window", window);
     if (!furniture().has(Furniture::neatline)) return;
-    if (!placed_.panorama) windows = {picture_};
+    // Around a terrain that is shown whole, and its labels; else along the picture's own border.
+    if (!placed_.panorama && neatline_gap_mm(spec_) > 0) windows = {picture_};
+    if (placed_.panorama) // around names too, which stand above strips
+      for (Box2& strip : windows) {
+        const Sides& room = spec_.page.strip_room_mm;
+        strip = {strip.low - Vec2{room.left, room.top}, strip.high + Vec2{room.right, room.bottom}};
+      }
     for (const auto& [low, high] : windows)
       pen_.line({low, {high.x, low.y}, high, {low.x, high.y}, low});
   }
@@ -87,11 +94,15 @@ private:
     const double text_mm = furniture().text_mm;
     Vec2 at{column_.low.x, picture_.high.y + furniture().gap_mm};
     double room_mm = column_.width();
-    if (furniture().has(Furniture::north) && room_mm > 2 * kNorth_mm) {
-      room_mm -= kNorth_mm + furniture().gap_mm;
+    if (furniture().has(Furniture::north)) {
+      const bool has_room = room_mm > 2 * kNorth_mm;
+      if (has_room) room_mm -= kNorth_mm + furniture().gap_mm;
       const Vec2 corner{column_.high.x - kNorth_mm, at.y};
-      if (level && draw_north(pen_, placed_, level->at, north_deg(), text_mm, corner, kNorth_mm))
+      if (has_room && level &&
+          draw_north(pen_, placed_, level->at, north_deg(), text_mm, corner, kNorth_mm))
         pen_.tell("north", {corner, corner + Vec2{kNorth_mm, kNorth_mm}});
+      else
+        pen_.leave_out("north");
     }
     for (const FurnitureRow& row : rows_beneath(spec_)) {
       draw_row(row.piece, level, at, room_mm);
@@ -107,7 +118,7 @@ private:
     };
     switch (piece) {
     case Furniture::scale: {
-      if (!level) return;
+      if (!level) return pen_.leave_out("scale");
       const double mm_per_m = placed_.mm_per_step(level->at, {1, 0, 0});
       if (!placed_.view.is_perspective() && !spec_.view.file)
         tell("scale", draw_scale_bar(pen_, mm_per_m, text_mm, at, room_mm));
@@ -152,7 +163,10 @@ private:
                : facts_.look_azimuth_deg - facts_.look_azimuth_true_deg;
   }
   void tell(const char* piece, const Box2& box) {
-    if (box.width() > 0) pen_.tell(piece, box);
+    if (box.width() > 0)
+      pen_.tell(piece, box);
+    else
+      pen_.leave_out(piece);
   }
 
   FurniturePen& pen_;
@@ -166,9 +180,9 @@ private:
 } // namespace
 
 Layer draw_furniture(const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec,
-                     Lettering& lettering, std::vector<FurnitureFacts>& boxes) {
+                     Lettering& lettering, std::vector<FurnitureFacts>& facts) {
   Layer layer = layer_of_lettering("furniture", spec.style);
-  FurniturePen pen(layer, lettering, boxes);
+  FurniturePen pen(layer, lettering, facts);
   AroundPicture(pen, terrain, placed, spec).draw();
   return layer;
 }

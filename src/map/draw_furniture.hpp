@@ -14,9 +14,9 @@
 namespace orograph {
 
 /// The layer of furniture that the spec asks for, with its texts set, around a picture that leaves
-/// the room of `page_with_room`. `boxes` gets what each piece covers: none overlaps another, nor
-/// the picture's window, which is first among them.
+/// the room of `page_with_room`. `facts` get the pieces: no box overlaps another, nor the picture's
+/// window, which is first among them.
 Layer draw_furniture(const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec,
-                     Lettering& lettering, std::vector<FurnitureFacts>& boxes);
+                     Lettering& lettering, std::vector<FurnitureFacts>& facts);
 
 } // namespace orograph

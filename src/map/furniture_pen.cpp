@@ -29,7 +29,9 @@ Box2 FurniturePen::row(std::string text, double size_mm, Vec2 upper_left_mm, dou
   const double baseline_mm = 0.5 * (kRowOfEm * size_mm - std::min(height_mm, kRowOfEm * size_mm)) +
                              one.extent.ascent_mm * one.size_mm / size_mm;
   one.at_mm.y += baseline_mm;
+  const std::string whole = one.text;
   one = lettering_.set_within(std::move(one), most_mm);
+  if (one.text != whole) now_.cut.push_back(whole);
   const Box2 box{upper_left_mm, upper_left_mm + Vec2{one.extent.width_mm, kRowOfEm * size_mm}};
   if (!one.text.empty()) add(std::move(one));
   return box;

@@ -8,6 +8,7 @@
 
 #include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lettering/lettering.hpp"
@@ -17,8 +18,8 @@ namespace orograph {
 /// Borrows layer, letters and list.
 class FurniturePen {
 public:
-  FurniturePen(Layer& layer, Lettering& lettering, std::vector<FurnitureFacts>& boxes)
-      : layer_(layer), lettering_(lettering), boxes_(boxes) {}
+  FurniturePen(Layer& layer, Lettering& lettering, std::vector<FurnitureFacts>& facts)
+      : layer_(layer), lettering_(lettering), facts_(facts) {}
 
   /// On the page's step.
   void line(std::initializer_list<Vec2> points);
@@ -32,13 +33,27 @@ public:
     return lettering_.set_within(std::move(text), most_mm);
   }
   /// REQUIRES that it is set.
-  void add(PageText text) { layer_.texts.push_back(std::move(text)); }
-  void tell(const char* piece, const Box2& box_mm) { boxes_.push_back({piece, box_mm}); }
+  void add(PageText text) {
+    now_.texts.push_back(text.text);
+    layer_.texts.push_back(std::move(text));
+  }
+  /// The box of a piece, of which are all texts since the piece before it.
+  void tell(const char* piece, const Box2& box_mm) {
+    now_.piece = piece;
+    now_.box_mm = box_mm;
+    facts_.push_back(std::exchange(now_, {}));
+  }
+  /// A piece that isn't drawn.
+  void leave_out(const char* piece) {
+    now_.piece = piece;
+    facts_.push_back(std::exchange(now_, {}));
+  }
 
 private:
   Layer& layer_;
   Lettering& lettering_;
-  std::vector<FurnitureFacts>& boxes_;
+  std::vector<FurnitureFacts>& facts_;
+  FurnitureFacts now_; ///< the piece at work
 };
 
 } // namespace orograph

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -94,6 +95,15 @@ std::optional<Bearing> LookAround::geodesic_to(Vec2 map) const {
   return Bearing{in_turn(azimuth.in_degrees()), 0, distance_m};
 }
 
+Bearing LookAround::bearing_of(Vec2 map, ProfilePoint at) const {
+  const double away_m = std::hypot(at.u, at.v);
+  const Vec3 ground = terrain_.map.to_ground_m({map.x, map.y, 0});
+  const Vec2 way = Vec2{ground.x, ground.y} - view_.depth_origin_m;
+  Bearing out = geodesic_to(map).value_or(Bearing{azimuth_deg(way), 0, away_m});
+  out.altitude_deg = atan2_angle(at.z - view_.eye_z_m, away_m).in_degrees();
+  return out;
+}
+
 Vec2 LookAround::direction(double true_azimuth_deg) const {
   const Angle azimuth = Angle::degrees(true_azimuth_deg);
   if (terrain_.map.earth) return direction_of_azimuth(azimuth); // the frame's north is true
@@ -162,9 +172,16 @@ PlaceSight LookAround::sight_of(Vec2 place, double above_m) const {
 
 std::vector<PlaceSight> LookAround::sights(std::span<const Vec2> places, double above_m,
                                            const std::function<void(double)>& progress) const {
+  // Round the eye, so that one look finds in the cache what the one before has met.
+  std::vector<std::pair<double, std::size_t>> in_turn;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    in_turn.emplace_back(std::atan2(places[i].x - eye_map_.x, places[i].y - eye_map_.y), i);
+  std::ranges::sort(in_turn);
   std::vector<PlaceSight> out(places.size());
-  for_each(places.size(), {0, places.size(), progress},
-           [&](std::size_t i) { out[i] = sight_of(places[i], above_m); });
+  for_each(places.size(), {0, places.size(), progress}, [&](std::size_t k) {
+    const std::size_t i = in_turn[k].second;
+    out[i] = sight_of(places[i], above_m);
+  });
   return out;
 }
 

@@ -30,6 +30,10 @@ public:
   std::vector<PlaceSight> sights(std::span<const Vec2> places, double above_m,
                                  const std::function<void(double)>& progress = {}) const;
 
+  /// Of a point of the surface, at `map` and in the profile frame of a view from this eye, whether
+  /// it is seen or not.
+  Bearing bearing_of(Vec2 map, ProfilePoint at) const;
+
   /// From north clockwise, every `step_deg` below 360. The most distant place is that of directions
   /// no farther apart than a cell at the terrain's farthest corner, or 0.01 degrees.
   Skyline skyline(double step_deg, const std::function<void(double)>& progress = {}) const;

@@ -135,10 +135,12 @@ struct ErrorBudget {
   }
 };
 
-/// What a piece of furniture covers; "window": the picture, or a strip of it.
+/// A piece of furniture; "window": the picture, or a strip of it.
 struct FurnitureFacts {
   std::string piece;
-  Box2 box_mm;
+  std::optional<Box2> box_mm = {};     ///< none: it has no room, or no meaning in this picture
+  std::vector<std::string> texts = {}; ///< as they are printed
+  std::vector<std::string> cut = {};   ///< those of them that are longer, whole
 };
 
 struct MapFacts {

@@ -5,6 +5,7 @@
 #include "geometry/vec.hpp"
 #include "map/place_sight.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -22,10 +23,11 @@ enum class NameState {
 struct NameFacts {
   std::string text; ///< as printed, but for what is cut off
   NameState state = NameState::chosen;
-  Vec2 map;                            ///< its summit: a vertex of the terrain, in map coordinates
-  double height = 0;                   ///< of that, in the unit of the terrain's heights
-  std::optional<Bearing> bearing;      ///< of views with an eye
-  double hidden_mm = 0;                ///< how far under what hides it, on the page
+  Vec2 map;                       ///< its summit: a vertex of the terrain, in map coordinates
+  double height = 0;              ///< of that, in the unit of the terrain's heights
+  std::optional<Bearing> bearing; ///< of views with an eye
+  double hidden_mm = 0; ///< how far under what hides it, on the page, at least; 0 where it is seen
+  std::optional<std::array<Vec2, 4>> corners_mm = {}; ///< of its text, where it is printed
   std::optional<double> prominence_m;  ///< the file's, or else the terrain's; none: not asked
   bool prominence_is_at_least = false; ///< the terrain ends before it is known
 };
@@ -36,6 +38,7 @@ struct NamesFacts {
   std::size_t unnamed = 0;      ///< places of the file without a name
 
   std::size_t count(NameState state) const;
+  std::string chosen() const; ///< their texts, with "; " between
 };
 
 } // namespace orograph

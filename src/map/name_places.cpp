@@ -8,6 +8,7 @@
 #include "map/named_summits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -22,8 +23,10 @@
 namespace orograph {
 namespace {
 
-constexpr double kLongestName_mm = 45; // longer ones are cut off
-constexpr double kHighest_m = 8888;    // of names whose heights aren't known yet
+constexpr double kLongestClimbing_mm = 45; // what rooms above panoramas are made for
+constexpr double kLongestOfPicture = 0.5;  // of level names, in widths of it
+constexpr double kOffEnd_mm = 0.6;         // from names to where their room ends, or a neatline
+constexpr double kHighest_m = 8888;        // of names whose heights aren't known yet
 
 PageText text_of_size(std::string text, double size_mm) {
   PageText out;
@@ -44,7 +47,8 @@ RoomForNames room_above(const MapSpec& spec, const Overlay& names, Lettering& le
   for (const PlaceName& place : place_names(names, labels).places) {
     const std::string text =
         text_with_height(place.text, place.height_m.value_or(kHighest_m), labels.elevation);
-    const PageText set = lettering.set_within(text_of_size(text, labels.size_mm), kLongestName_mm);
+    const PageText set =
+        lettering.set_within(text_of_size(text, labels.size_mm), kLongestClimbing_mm);
     longest.width_mm = std::max(longest.width_mm, set.extent.width_mm);
   }
   return room_for_names(longest, labels.size_mm, labels.angle, labels.rows);
@@ -54,11 +58,16 @@ bool labels_coordinates(const MapSpec& spec) {
   return spec.labels.coordinates && !is_panorama(spec.view.projection);
 }
 
+Box2 inside(const Box2& room) {
+  constexpr Vec2 kOff_mm{kOffEnd_mm, kOffEnd_mm};
+  return {room.low + kOff_mm, room.high - kOff_mm};
+}
+
 // A strip on the page, and the highest of the lines that are drawn of it.
 StripRoom strip_room(const Box2& frame_mm, const Sides& room, const Drawing& drawing) {
   StripRoom out;
-  out.box_mm = {{frame_mm.low.x - room.left, frame_mm.low.y - room.top},
-                {frame_mm.high.x + room.right, frame_mm.high.y + room.bottom}};
+  out.box_mm = inside({{frame_mm.low.x - room.left, frame_mm.low.y - room.top},
+                       {frame_mm.high.x + room.right, frame_mm.high.y + room.bottom}});
   // The least y of each tenth of a millimetre.
   constexpr double kColumn_mm = 0.1;
   const auto column = [low = frame_mm.low.x](double x) {
@@ -74,7 +83,7 @@ StripRoom strip_room(const Box2& frame_mm, const Sides& room, const Drawing& dra
           points[0].y > frame_mm.high.y + kPageStep_mm)
         continue;
       for (std::size_t i = 1; i < points.size(); ++i) {
-        const auto [left, right] = std::minmax(column(points[i - 1].x), column(points[i].x));
+        const auto [left, right] = std::minmax({column(points[i - 1].x), column(points[i].x)});
         const double y = std::min(points[i - 1].y, points[i].y);
         for (auto c = std::max<std::int64_t>(left, 0); c <= std::min(right, last); ++c)
           highest[static_cast<std::size_t>(c)] = std::min(highest[static_cast<std::size_t>(c)], y);
@@ -123,7 +132,8 @@ std::vector<PlacedName> placed_names(const PlacedView& placed, const MapSpec& sp
   std::optional<std::size_t> most;
   if (labels.most) most = static_cast<std::size_t>(*labels.most);
   if (!placed.panorama)
-    return names_beside(names, placed.frame_mm, InkMap(drawing.page, drawing.layers), most, taken);
+    return names_beside(names, inside(placed.frame_mm), InkMap(drawing.page, drawing.layers), most,
+                        taken);
   const StripsOfPage strips = strips_of(placed, spec, drawing);
   for (NameToPlace& name : names) {
     name.strip = strips.of(name.summit_mm.x);
@@ -131,6 +141,26 @@ std::vector<PlacedName> placed_names(const PlacedView& placed, const MapSpec& sp
   }
   return labels.angle == Angle() ? names_in_rows(names, strips.rooms, labels.rows, most)
                                  : names_slanted(names, strips.rooms, labels.angle, most);
+}
+
+// Longer ones are cut off.
+double longest_name_mm(const PlacedView& placed, const LabelSpec& labels) {
+  if (placed.panorama && labels.angle != Angle()) return kLongestClimbing_mm;
+  const double picture_mm =
+      placed.panorama ? placed.panorama->strip_boxes_mm().front().width() : placed.frame_mm.width();
+  return std::max(kLongestClimbing_mm, kLongestOfPicture * picture_mm);
+}
+
+// A small triangle.
+void add_mark(Vec2 summit_mm, Layer& layer) {
+  constexpr double kHigh_mm = 0.7, kLow_mm = 0.4, kAside_mm = 0.64; // less than kSummitMark_mm
+  Stroke stroke;
+  stroke.first_point = static_cast<std::uint32_t>(layer.page_mm.size());
+  stroke.point_count = 4;
+  layer.strokes.push_back(stroke);
+  for (const Vec2 by : {Vec2{0, -kHigh_mm}, Vec2{kAside_mm, kLow_mm}, Vec2{-kAside_mm, kLow_mm},
+                        Vec2{0, -kHigh_mm}})
+    layer.page_mm.push_back(summit_mm + by);
 }
 
 void add_leader(const Leader& leader, Layer& layer) {
@@ -144,6 +174,7 @@ void add_leader(const Leader& leader, Layer& layer) {
 struct TextsOnPage {
   Layer leaders, labels;
   TakenRoom taken;
+  std::vector<TurnedBox> marks = {}; ///< of summits
 };
 
 NamesFacts put_names(const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec,
@@ -155,13 +186,14 @@ NamesFacts put_names(const TerrainData& terrain, const PlacedView& placed, const
       given.places, [](const PlaceName& place) { return on_one_line(place.text).empty(); });
   SummitsOnPage found = named_summits(terrain, placed, spec, given.places);
   facts.elsewhere = found.elsewhere;
+  const double longest_mm = longest_name_mm(placed, spec.labels);
   std::vector<NameToPlace> names;
   for (SummitOnPage& summit : found.summits) {
     summit.facts.text = on_one_line(summit.facts.text);
     if (summit.facts.state == NameState::hidden) continue;
-    names.push_back({summit.page_mm, summit.weight,
-                     lettering.set_within(text_of_size(summit.facts.text, spec.labels.size_mm),
-                                          kLongestName_mm)});
+    names.push_back(
+        {summit.page_mm, summit.weight,
+         lettering.set_within(text_of_size(summit.facts.text, spec.labels.size_mm), longest_mm)});
   }
   // Those that are seen come first, by rank.
   for (PlacedName& name : placed_names(placed, spec, drawing, names, texts.taken)) {
@@ -170,10 +202,17 @@ NamesFacts put_names(const TerrainData& terrain, const PlacedView& placed, const
       add_leader(*name.leader, texts.leaders);
       texts.taken.take(box_of(name.leader->from_mm, name.leader->to_mm, spec.labels.halo_mm));
     }
+    if (!placed.panorama) {
+      const Vec2 summit_mm = names[name.name].summit_mm;
+      add_mark(summit_mm, texts.labels);
+      texts.marks.push_back(box_of(summit_mm, summit_mm, kSummitMark_mm));
+    }
     texts.labels.texts.push_back(lettering.set(std::move(name.text)));
+    found.summits[name.name].facts.corners_mm = texts.labels.texts.back().corners_mm();
     texts.taken.take(box_of(texts.labels.texts.back()));
   }
   round_to_page_step(texts.leaders);
+  round_to_page_step(texts.labels);
   for (SummitOnPage& summit : found.summits) facts.names.push_back(std::move(summit.facts));
   std::ranges::stable_sort(facts.names, {}, [](const NameFacts& name) {
     return name.state == NameState::chosen ? 0 : name.state == NameState::crowded_out ? 1 : 2;
@@ -241,7 +280,15 @@ void label_lines(const TerrainData& terrain, const PlacedView& placed, const Map
         lines.contours, 0.8 * size_mm, placed.frame_mm, InkMap(drawing.page, drawing.layers), set,
         [&](Vec3 at) { return uphill_on_page(terrain, placed, as_profile_point(at)); }, taken);
   if (placed.panorama) return;
-  const Box2 room = placed.page.inner_mm();
+  const Sides& around = spec.page.room_mm;
+  const Box2 room{placed.frame_mm.low - Vec2{around.left, around.top},
+                  placed.frame_mm.high + Vec2{around.right, around.bottom}};
+  if (spec.furniture.has(Furniture::neatline)) { // none goes through it
+    const auto& [low, high] = placed.frame_mm;
+    const std::array<Vec2, 4> corners{low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}};
+    for (std::size_t k = 0; k < 4; ++k)
+      taken.take(box_of(corners[k], corners[(k + 1) % 4], 0.5 * spec.labels.halo_mm));
+  }
   for (const auto& [name, of] : {std::pair{"graticule", &lines.graticule}, {"grid", &lines.grid}})
     if (Layer* layer = layer_named(drawing, name))
       layer->texts = coordinate_labels(
@@ -274,6 +321,13 @@ std::size_t NamesFacts::count(NameState state) const {
   return static_cast<std::size_t>(std::ranges::count(names, state, &NameFacts::state));
 }
 
+std::string NamesFacts::chosen() const {
+  std::string list;
+  for (const NameFacts& name : names)
+    if (name.state == NameState::chosen) list += (list.empty() ? "" : "; ") + name.text;
+  return list;
+}
+
 MapSpec with_room_for_names(const MapSpec& spec, const Overlay* names) {
   MapSpec out = spec;
   if (spec.ground_points) return out;
@@ -282,7 +336,7 @@ MapSpec with_room_for_names(const MapSpec& spec, const Overlay* names) {
   Lettering lettering(spec.letters);
   if (has_names_above) {
     const RoomForNames room = room_above(spec, *names, lettering);
-    grow(out.page.strip_room_mm, {0, room.above_mm, room.right_mm, 0});
+    grow(out.page.strip_room_mm, {0, room.above_mm + kOffEnd_mm, room.right_mm + kOffEnd_mm, 0});
   }
   if (labels_coordinates(spec)) {
     const TextExtent number =
@@ -299,12 +353,12 @@ std::optional<NamesFacts> name_places(const TerrainData& terrain, const PlacedVi
                                       const MapSpec& spec, const LinesToLabel& lines,
                                       Lettering& lettering, Drawing& drawing) {
   TextsOnPage texts{
-      layer_of_lettering("leaders", spec.style), layer_of_lettering("labels", spec.style), {}};
+      layer_of_lettering("leaders", spec.style), layer_of_lettering("labels", spec.style), {}, {}};
   std::optional<NamesFacts> facts;
   if (placed.names) facts = put_names(terrain, placed, spec, lettering, drawing, texts);
   label_lines(terrain, placed, spec, lines, lettering, drawing, texts.taken);
 
-  std::vector<TurnedBox> boxes;
+  std::vector<TurnedBox> boxes = texts.marks;
   const auto add_boxes = [&](const Layer& layer) {
     for (const PageText& text : layer.texts) boxes.push_back(box_of(text, spec.labels.halo_mm));
   };

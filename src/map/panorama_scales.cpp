@@ -127,18 +127,19 @@ void draw_altitudes(FurniturePen& pen, const Panorama& panorama, std::optional<d
                               .anchor = TextAnchor::end},
                              kAltitudeOfEm * text_mm));
     }
-    const double left_mm = x - kTick_mm - kTickGap_mm - kAltitudeOfEm * text_mm;
+    double left_mm = x - kTick_mm - kTickGap_mm - kAltitudeOfEm * text_mm;
+    if (dip && -*dip >= low_deg && -*dip <= high_deg) {
+      // Beside the figures, which a mark on the scale itself would meet.
+      const double y = y_mm(-*dip), mark_mm = left_mm - kTick_mm;
+      pen.line({{mark_mm, y}, {mark_mm + 0.75 * kTick_mm, y}});
+      pen.add(pen.set_within({.text = fmt::format("dip {:.1f}°", *dip),
+                              .at_mm = {mark_mm - kTickGap_mm, y + middle_mm},
+                              .size_mm = text_mm,
+                              .anchor = TextAnchor::end},
+                             kDipOfEm * text_mm));
+      left_mm = mark_mm - kTickGap_mm - kDipOfEm * text_mm;
+    }
     pen.tell("altitudes", {{left_mm, strip.low.y}, {x, strip.high.y}});
-    if (!dip || -*dip < low_deg || -*dip > high_deg) continue;
-    const double y = y_mm(-*dip), right_mm = strip.high.x;
-    pen.line({{right_mm, y}, {right_mm + kTick_mm, y}});
-    const PageText text =
-        pen.set_within({.text = fmt::format("dip {:.1f}°", *dip),
-                        .at_mm = {right_mm + kTick_mm + kTickGap_mm, y + middle_mm},
-                        .size_mm = text_mm},
-                       kDipOfEm * text_mm);
-    pen.tell("dip", {{right_mm, text.box_mm().low.y}, text.box_mm().high});
-    pen.add(text);
   }
 }
 

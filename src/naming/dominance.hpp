@@ -3,6 +3,8 @@
 #pragma once
 
 #include "dem/grid.hpp"
+#include "dem/mesh/tin_index.hpp"
+#include "dem/tin.hpp"
 #include "geometry/vec.hpp"
 
 #include <cstdint>
@@ -17,5 +19,8 @@ constexpr double kDominanceReach_m = 3000;
 /// ground rises on one side at once. REQUIRES a vertex with a height and a unit vector. Cost: some
 /// nanoseconds a cell on the way.
 double dominance_m(const Grid& grid, std::uint32_t vertex, Vec2 across);
+/// The same along the surface itself, up to where it ends. REQUIRES the index of that TIN, and a
+/// vertex of a triangle. Cost: the triangles on the way, sorted.
+double dominance_m(const Tin& tin, const TinIndex& index, std::uint32_t vertex, Vec2 across);
 
 } // namespace orograph

@@ -76,7 +76,10 @@ std::vector<PlacedName> names_slanted(std::span<const NameToPlace> names,
     on_line.push_back(
         {name.summit_mm.x + kApart_mm * static_cast<double>(name.strip), name.weight});
   }
-  const double pitch_mm = line_height_mm(names.front().text.extent) / sin(angle) + kBetween_mm;
+  double highest_line_mm = 0; // long names may be set smaller
+  for (const NameToPlace& name : names)
+    highest_line_mm = std::max(highest_line_mm, line_height_mm(name.text.extent));
+  const double pitch_mm = highest_line_mm / sin(angle) + kBetween_mm;
   std::vector<std::size_t> chosen;
   for (const std::size_t i : choose_on_line(on_line, pitch_mm, most))
     chosen.push_back(with_room[i]);
@@ -183,7 +186,9 @@ std::vector<PlacedName> names_in_rows(std::span<const NameToPlace> names,
       }
     double line_mm = line_of_names_mm(strips[s], boxes, summits);
     for (const auto& row : of_strips[s].rows()) {
+      double row_mm = 0;
       for (const InRow& one : row) {
+        row_mm = std::max(row_mm, line_height_mm(names[one.name].text.extent) + kBetween_mm);
         PlacedName placed{one.name, names[one.name].text};
         placed.text.angle = {};
         placed.text.anchor = TextAnchor::start;
@@ -192,8 +197,7 @@ std::vector<PlacedName> names_in_rows(std::span<const NameToPlace> names,
                                {one.leader_mm, line_mm}};
         if (is_inside(placed.text.box_mm(), strips[s].box_mm)) out.push_back(placed);
       }
-      if (!row.empty())
-        line_mm -= line_height_mm(names[row.front().name].text.extent) + kBetween_mm;
+      line_mm -= row_mm;
     }
   }
   return out;

@@ -51,7 +51,7 @@ RoomForNames room_for_names(const TextExtent& longest, double size_mm, Angle ang
 /// Names that climb at an angle, each over its own summit, on one line for all of a strip that is
 /// above the highest line beneath them: of the sets of at most `most` names in which none touches
 /// another the one that counts most, exactly. Names for which their strip has no room are left out
-/// before. REQUIRES an angle above 0, at most 90 degrees, and texts of one size.
+/// before. REQUIRES an angle above 0, at most 90 degrees.
 std::vector<PlacedName> names_slanted(std::span<const NameToPlace> names,
                                       std::span<const StripRoom> strips, Angle angle,
                                       std::optional<std::size_t> most);

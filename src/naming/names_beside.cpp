@@ -9,9 +9,12 @@
 namespace orograph {
 namespace {
 
-constexpr double kOffPoint_mm = 0.8;
+constexpr double kOffPoint_mm = 1.1;
 constexpr double kAroundTexts_mm = 0.6; // half of it around each name
-constexpr double kOfPoint_mm = 0.4;     // around a summit's own point
+
+// Of the room, by names whose number isn't given: by looking, a map with more of them isn't read
+// as ground any more.
+constexpr double kMostCovered = 1.0 / 16;
 
 // What a worse place costs, in shares of ink: by looking, a name goes elsewhere for a quarter of
 // the lines beneath it.
@@ -33,7 +36,7 @@ constexpr std::array<Beside, 8> kPlacesBeside{{{TextAnchor::middle, 0, 1},
 
 PageText put(PageText text, Vec2 summit_mm, const Beside& place) {
   const auto [width_mm, ascent_mm, descent_mm] = text.extent;
-  const double off_mm = place.right != 0 && place.up != 0 ? 0.6 * kOffPoint_mm : kOffPoint_mm;
+  const double off_mm = place.right != 0 && place.up != 0 ? 0.7 * kOffPoint_mm : kOffPoint_mm;
   const double baseline_mm = place.up > 0   ? -off_mm - descent_mm
                              : place.up < 0 ? off_mm + ascent_mm
                                             : 0.5 * (ascent_mm - descent_mm);
@@ -53,11 +56,15 @@ std::vector<PlacedName> names_beside(std::span<const NameToPlace> names, const B
   std::ranges::sort(
       order, [&](std::size_t a, std::size_t b) { return names[b].weight < names[a].weight; });
   std::vector<PlacedName> out;
+  double covered_mm2 = 0;
   for (const std::size_t i : order) {
-    if (most && out.size() == *most) break;
+    if (most ? out.size() == *most
+             : covered_mm2 > kMostCovered * room_mm.width() * room_mm.height())
+      break;
     const NameToPlace& name = names[i];
     if (name.text.extent.width_mm <= 0) continue;
-    const TurnedBox summit = box_of(name.summit_mm, name.summit_mm, kOfPoint_mm);
+    const TurnedBox summit = box_of(name.summit_mm, name.summit_mm, kSummitMark_mm);
+    if (!is_inside(bounds_of(summit), room_mm)) continue;
     if (!taken.is_free(summit)) continue; // it would seem to be another's
     std::optional<PageText> best;
     double least = 0;
@@ -72,6 +79,8 @@ std::vector<PlacedName> names_beside(std::span<const NameToPlace> names, const B
       least = cost;
     }
     if (!best) continue;
+    const Box2 box = best->box_mm();
+    covered_mm2 += box.width() * box.height();
     taken.take(box_of(*best, 0.5 * kAroundTexts_mm));
     taken.take(summit);
     out.push_back({i, *std::move(best)});

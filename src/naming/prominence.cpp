@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -105,26 +106,77 @@ std::vector<Prominence> of_each(const Islands& islands, std::span<const std::uin
   return out;
 }
 
-// The six neighbours of a grid's vertex along its edges, in turn round it.
+// The six neighbours of a grid's vertex along its edges, in turn round it; the first three come
+// after it in the grid's order, so that of equal heights theirs are lower.
 struct Step {
   int column, row;
 };
 constexpr std::array<Step, 6> kRound{{{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}}};
-constexpr std::uint8_t kSummit = 6; // instead of the number of a step
+constexpr std::uint8_t kNoGround = 64; // instead of a bit for each neighbour that is higher
+constexpr std::uint8_t kBorder = 128;  // a bit more: a neighbour isn't there
 
-// What a pass over a grid finds. From any vertex steps to the highest neighbour lead to a summit.
+std::uint32_t beside(const Grid& grid, std::uint32_t vertex, unsigned step) {
+  const std::int64_t by = std::int64_t{kRound[step].row} * grid.columns + kRound[step].column;
+  return static_cast<std::uint32_t>(vertex + by);
+}
+
+// How many arcs neighbours make, by their bits.
+constexpr auto kArcs = [] {
+  std::array<std::uint8_t, 64> arcs{};
+  for (unsigned bits = 0; bits < 64; ++bits)
+    for (unsigned i = 0; i < 6; ++i)
+      if ((bits >> i & 1U) != 0 && (bits >> (i + 5) % 6 & 1U) == 0) ++arcs[bits];
+  return arcs;
+}();
+
+// What a pass over a grid finds.
 struct GridSlopes {
-  std::vector<std::uint8_t> upwards; ///< number of a step
+  std::vector<std::uint8_t> higher; ///< of each vertex: its neighbours' bits, or kNoGround
   std::vector<std::uint32_t> summits;
   std::vector<Meeting> meetings;
 };
+
+// Neighbours' bits of a row's vertices but the first and the last; without a branch, so that
+// compilers do several at once.
+template <class T>
+void mark_row(const T* above, const T* here, const T* below, std::size_t columns,
+              std::uint8_t* higher) {
+  for (std::size_t c = 1; c + 1 < columns; ++c) {
+    const T h = here[c], east = here[c + 1], south_east = below[c + 1], south = below[c],
+            west = here[c - 1], north_west = above[c - 1], north = above[c];
+    const unsigned bits = (east > h ? 1U : 0U) | (south_east > h ? 2U : 0U) |
+                          (south > h ? 4U : 0U) | (west >= h ? 8U : 0U) |
+                          (north_west >= h ? 16U : 0U) | (north >= h ? 32U : 0U);
+    const T sum = east + south_east + south + west + north_west + north;
+    const unsigned border = sum == sum ? 0U : kBorder;
+    higher[c] = static_cast<std::uint8_t>(h == h ? bits | border : kNoGround);
+  }
+}
+
+// The same of any vertex.
+template <class T>
+std::uint8_t marks_of(const Grid& grid, const Heights<T>& heights_m, int column, int row) {
+  const T h = heights_m[grid.index(column, row)];
+  if (std::isnan(h)) return kNoGround;
+  unsigned marks = 0;
+  for (std::size_t i = 0; i < kRound.size(); ++i) {
+    const int c = column + kRound[i].column, r = row + kRound[i].row;
+    const bool is_inside = c >= 0 && r >= 0 && c < grid.columns && r < grid.rows;
+    const T other = is_inside ? heights_m[grid.index(c, r)] : static_cast<T>(NAN);
+    if (std::isnan(other))
+      marks |= kBorder;
+    else if (other > h || (other == h && i >= 3))
+      marks |= 1U << i;
+  }
+  return static_cast<std::uint8_t>(marks);
+}
 
 // Ground comes together only where what is higher around a vertex isn't one arc.
 template <class T>
 GridSlopes slopes_of(const Grid& grid, const Heights<T>& heights_m) {
   const auto columns = static_cast<std::size_t>(grid.columns);
   GridSlopes out;
-  out.upwards.resize(grid.size());
+  out.higher.resize(grid.size());
   struct OfRows {
     std::vector<std::uint32_t> summits;
     std::vector<Meeting> meetings;
@@ -134,50 +186,32 @@ GridSlopes slopes_of(const Grid& grid, const Heights<T>& heights_m) {
   on_all_cores(parts.size(), [&](std::size_t part) {
     auto& [summits, meetings] = parts[part];
     const int first = static_cast<int>(part) * kRows;
-    for (int row = first; row < std::min(first + kRows, grid.rows); ++row)
-      for (int column = 0; column < grid.columns; ++column) {
-        const std::size_t here =
-            static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column);
-        const double height_m = heights_m[here];
-        if (std::isnan(height_m)) continue;
-        const auto number = static_cast<std::uint32_t>(here);
-        std::array<bool, 6> is_higher{};
-        std::array<std::uint32_t, 6> neighbours{};
-        std::uint8_t highest = kSummit;
-        double highest_m = height_m;
-        std::uint32_t highest_number = number;
-        bool is_border = false;
-        for (std::uint8_t i = 0; i < kRound.size(); ++i) {
-          const int c = column + kRound[i].column, r = row + kRound[i].row;
-          const bool is_inside = c >= 0 && r >= 0 && c < grid.columns && r < grid.rows;
-          const std::size_t there =
-              is_inside ? static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c) : 0;
-          const double other_m = is_inside ? static_cast<double>(heights_m[there]) : NAN;
-          if (std::isnan(other_m)) {
-            is_border = true;
-            continue;
-          }
-          const auto other = static_cast<std::uint32_t>(there);
-          neighbours[i] = other;
-          is_higher[i] = other_m > height_m || (other_m == height_m && other < number);
-          if (!is_higher[i]) continue;
-          if (other_m > highest_m || (other_m == highest_m && other < highest_number)) {
-            highest = i;
-            highest_m = other_m;
-            highest_number = other;
-          }
-        }
-        out.upwards[here] = highest;
-        if (highest == kSummit) summits.push_back(number);
-        int arcs = 0;
-        for (std::size_t i = 0; i < 6; ++i)
-          if (is_higher[i] && !is_higher[(i + 5) % 6]) ++arcs;
-        if (arcs > 1)
-          for (std::size_t i = 0; i < 6; ++i)
-            if (is_higher[i] && !is_higher[(i + 5) % 6])
-              meetings.push_back({height_m, number, neighbours[i]});
-        if (is_border) meetings.push_back({height_m, number, kBeyond});
+    for (int row = first; row < std::min(first + kRows, grid.rows); ++row) {
+      const std::size_t begin = grid.index(0, row);
+      std::uint8_t* const higher = out.higher.data() + begin;
+      const bool is_inner = row > 0 && row + 1 < grid.rows;
+      if (is_inner)
+        mark_row(heights_m.data() + begin - columns, heights_m.data() + begin,
+                 heights_m.data() + begin + columns, columns, higher);
+      for (int column = 0; column < grid.columns; ++column)
+        if (!is_inner || column == 0 || column + 1 == grid.columns)
+          higher[column] = marks_of(grid, heights_m, column, row);
+      for (std::size_t column = 0; column < columns; ++column) {
+        const std::uint8_t marks = higher[column];
+        if (marks == kNoGround) continue;
+        const std::uint8_t bits = marks % kNoGround;
+        higher[column] = bits;
+        if (kArcs[bits] == 1 && marks == bits) continue; // nearly all
+        const auto number = static_cast<std::uint32_t>(begin + column);
+        const double height_m = heights_m[number];
+        if (bits == 0) summits.push_back(number);
+        if (kArcs[bits] > 1)
+          for (unsigned i = 0; i < 6; ++i)
+            if ((bits >> i & 1U) != 0 && (bits >> (i + 5) % 6 & 1U) == 0)
+              meetings.push_back({height_m, number, beside(grid, number, i)});
+        if (marks != bits) meetings.push_back({height_m, number, kBeyond});
       }
+    }
   });
   for (OfRows& part : parts) {
     out.summits.insert(out.summits.end(), part.summits.begin(), part.summits.end());
@@ -193,12 +227,10 @@ std::vector<Prominence> of_grid(const Grid& grid, std::span<const std::uint32_t>
     return std::visit([&](const auto& h) { return static_cast<double>(h[vertex]); },
                       grid.heights_m);
   });
+  // Whichever way is up, it leads to a summit of the same island.
   const auto island_of = [&](std::uint32_t vertex) {
-    for (std::uint8_t step = slopes.upwards[vertex]; step != kSummit;
-         step = slopes.upwards[vertex]) {
-      const std::int64_t by = std::int64_t{kRound[step].row} * grid.columns + kRound[step].column;
-      vertex = static_cast<std::uint32_t>(vertex + by);
-    }
+    while (slopes.higher[vertex] != 0)
+      vertex = beside(grid, vertex, static_cast<unsigned>(std::countr_zero(slopes.higher[vertex])));
     return islands.number(vertex);
   };
   std::size_t step = 0;

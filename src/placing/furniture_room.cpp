@@ -66,11 +66,12 @@ PageRequest page_with_room(const MapSpec& spec) {
           room.right + pad_mm,
           room.bottom + pad_mm + (beneath_mm > 0 ? beneath_mm + furniture.gap_mm : 0)};
   Sides& strip = page.strip_room_mm;
-  if (furniture.has(Furniture::azimuths)) // degrees, and directions beneath them
+  if (furniture.has(Furniture::azimuths)) { // degrees, and directions beneath them
     strip.bottom += kTick_mm + kTickGap_mm + 2 * kRowOfEm * furniture.text_mm;
+    strip.right += 0.5 * kAzimuthOfEm * furniture.text_mm;
+  }
   if (furniture.has(Furniture::altitudes)) {
-    strip.left += kTick_mm + kTickGap_mm + kAltitudeOfEm * furniture.text_mm;
-    strip.right += kTick_mm + kTickGap_mm + kDipOfEm * furniture.text_mm;
+    strip.left += 2 * (kTick_mm + kTickGap_mm) + (kAltitudeOfEm + kDipOfEm) * furniture.text_mm;
     // The lowest and the highest text reach beyond the strip by half of their height.
     strip.top += 0.5 * kRowOfEm * furniture.text_mm;
     if (!furniture.has(Furniture::azimuths)) strip.bottom += 0.5 * kRowOfEm * furniture.text_mm;

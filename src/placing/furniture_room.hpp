@@ -14,8 +14,9 @@ constexpr double kRowOfEm = 1.4, kBaselineOfEm = 1.03;
 /// Marks of scales, how far a mark is from its text, and the side of the square that the north
 /// arrow has.
 constexpr double kTick_mm = 2.4, kTickGap_mm = 0.8, kNorth_mm = 13;
-/// Widths of an altitude, "−20°", and of the horizon's, "dip 1.4°", in ems.
-constexpr double kAltitudeOfEm = 3, kDipOfEm = 4.6;
+/// Widths of an azimuth, "360°", of an altitude, "−20°", and of the horizon's, "dip 1.4°", in ems;
+/// the last, with a mark behind it, is to the left of altitudes.
+constexpr double kAzimuthOfEm = 2.6, kAltitudeOfEm = 3, kDipOfEm = 4.6;
 /// A neatline's distance from a terrain that is shown whole; else lines run up to it.
 constexpr double kNeatline_mm = 4;
 

@@ -81,19 +81,25 @@ bool overlap(const Box2& a, const Box2& b) {
 // The first that is wrong.
 std::string fault_of(const Map& map) {
   if (const auto fault = find_fault(map.drawing)) return *fault;
-  const std::vector<FurnitureFacts>& boxes = map.facts.furniture;
+  struct Piece {
+    std::string piece;
+    Box2 box_mm;
+  };
+  std::vector<Piece> boxes;
+  for (const FurnitureFacts& one : map.facts.furniture)
+    if (one.box_mm) boxes.push_back({one.piece, *one.box_mm});
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (overlap(boxes[i].box_mm, boxes[k].box_mm))
         return boxes[i].piece + " overlaps " + boxes[k].piece;
   for (const Layer& layer : map.drawing.layers) {
     for (const PageText& text : layer.texts)
-      for (const FurnitureFacts& window : boxes)
+      for (const Piece& window : boxes)
         if (window.piece == "window" && !text.text.empty() && overlap(text.box_mm(), window.box_mm))
           return "the text " + text.text + " is in the picture";
     if (layer.name == "furniture") continue;
     for (const Vec2 p : layer.page_mm)
-      if (std::none_of(boxes.begin(), boxes.end(), [&](const FurnitureFacts& one) {
+      if (std::none_of(boxes.begin(), boxes.end(), [&](const Piece& one) {
             return one.piece == "window" && p.x >= one.box_mm.low.x - 1e-3 &&
                    p.x <= one.box_mm.high.x + 1e-3 && p.y >= one.box_mm.low.y - 1e-3 &&
                    p.y <= one.box_mm.high.y + 1e-3;

@@ -86,7 +86,7 @@ TEST_CASE("prominences are those of a flood from each summit") {
   CHECK(exact > 100);
 }
 
-TEST_CASE("a TIN of a grid's triangles has its prominences") {
+TEST_CASE("a TIN of a grid's triangles has its prominences, and its dominance along edges") {
   std::mt19937 engine(12);
   constexpr int kSide = 12;
   std::vector<float> heights(kSide * kSide);
@@ -113,10 +113,14 @@ TEST_CASE("a TIN of a grid's triangles has its prominences") {
       }
   std::vector<std::uint32_t> all(tin.vertices_m.size());
   std::iota(all.begin(), all.end(), 0U);
+  const TinIndex index(tin);
   const auto of_grid = prominences(grid, all), of_tin = prominences(tin, all);
   for (const std::uint32_t i : all) {
     CAPTURE(i);
     CHECK(of_tin[i].m == of_grid[i].m);
+    for (const Vec2 along_edges : {Vec2{1, 0}, Vec2{0, 1}})
+      CHECK(dominance_m(tin, index, i, along_edges) ==
+            Approx(dominance_m(grid, i, along_edges)).margin(1e-9));
   }
 }
 

@@ -116,6 +116,28 @@ TEST_CASE("by pens, within a rectangle, for a plotter", "[slow]") {
                 {"azimuth-140", words("--view-from 140/25")}});
 }
 
+TEST_CASE("with names, and furniture around each view") {
+  const MadeFolder folder;
+  make_terrains(folder);
+  folder.write("names.csv", "name,x,y\nFirst,120,120\nSecond,60,170\nNowhere,-9000,0\n");
+  folder.write("house.toml", "source = 'a survey'\n");
+  const Words shared = words("--page 120x90 --layers skyline,border --labels names.csv --furniture "
+                             "map --template house.toml --title Hills");
+  check_same(
+      folder, {"hill.asc"}, "svg", shared, words("--azimuth 20,140"),
+      {{"azimuth-020", words("--view-from 20/25")}, {"azimuth-140", words("--view-from 140/25")}});
+  const auto rows = nlohmann::json::parse(folder.read("out/sweep.json")).at("views");
+  REQUIRE(rows.size() == 2);
+  for (const auto& row : rows)
+    CHECK(row.at("names").get<int>() + row.at("names_hidden").get<int>() +
+              row.at("names_without_room").get<int>() ==
+          2);
+  // A template decides what is drawn by what it says.
+  folder.write("house.toml", "source = 'another'\n");
+  const auto other = run(folder, words("sweep hill.asc out -q --resume --azimuth 20,140") + shared);
+  CHECK(other.exit_code != 0);
+}
+
 TEST_CASE("eyes along a path", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);
