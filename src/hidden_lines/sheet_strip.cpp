@@ -4,6 +4,7 @@
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace orograph {
@@ -31,47 +32,71 @@ SheetStrip::SheetStrip(const SheetInWork& sheet, const Strip& strip,
 void SheetStrip::add_line(std::uint32_t number) {
   const EdgeLine& line = pictures_.line(number);
   if (!line.drawn && !line.hides) return;
-  if (is_on_ground(line.kind))
-    add_ground_line(number);
+  if (pictures_.is_edge(number))
+    add_edge(number, line.edge);
   else
-    add_edge(number);
+    add_ground_line(number);
 }
 
-// Which lie on the upper side.
+// Which lie on the upper side. A contour on level ground's rim has the triangle below it, but lies
+// on the one above as well.
 void SheetStrip::add_ground_line(std::uint32_t number) {
   const std::uint32_t triangle = sheet_.work.triangle_of(number);
-  if (sheet_.sheet.is_up[triangle] == 0) return;
+  if (sheet_.sheet.is_up[triangle] == 0) {
+    if (const auto edge = edge_under(pictures_.whole(number), triangle)) add_edge(number, *edge);
+    return;
+  }
   events_.push_back({turn_of(sheet_.order.place(triangle), SheetStep::inside), number, kLine,
-                     SheetEnd::turns, true, true});
+                     SheetEnd::turns, true, true, false});
 }
 
-void SheetStrip::add_edge(std::uint32_t number) {
+// The side of a triangle that a line runs along from vertex to vertex.
+std::optional<SurfaceEdge> SheetStrip::edge_under(const ProfileLine& line,
+                                                  std::uint32_t triangle) const {
+  const double rounding_m = 4 * pictures_.rounding_m();
+  const auto corner_at = [&](ProfilePoint p) -> std::optional<std::uint32_t> {
+    for (const std::uint32_t corner : sheet_.sheet.triangles.corners(triangle))
+      if (const ProfilePoint& at = sheet_.vertices[corner];
+          std::abs(p.u - at.u) <= rounding_m && std::abs(p.v - at.v) <= rounding_m)
+        return corner;
+    return std::nullopt;
+  };
+  const auto from = corner_at(line.from), to = corner_at(line.to);
+  if (!from || !to || *from == *to) return std::nullopt;
+  return SurfaceEdge{std::min(*from, *to), std::max(*from, *to)};
+}
+
+void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   const EdgeLine& line = pictures_.line(number);
-  const auto [left, right] = sheet_.sheet.triangles.sides_of(line.edge);
+  const auto [left, right] = sheet_.sheet.triangles.sides_of(edge);
+  const bool of_upper_side = line.kind == LineKind::shore || is_on_ground(line.kind);
   const auto is_up = [&](std::uint32_t t) {
     return t != kNoTriangle && sheet_.sheet.is_up[t] != 0;
   };
-  const bool is_asked = line.drawn && (line.kind != LineKind::shore || is_up(left) || is_up(right));
   const LinePicture picture = pictures_.picture(number, pictures_.whole(number));
-  const int side = eye_side(sheet_.work.sector.view, sheet_.vertices[line.edge.from],
-                            sheet_.vertices[line.edge.to]);
+  const int side =
+      eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[edge.to]);
   const auto place = [&](std::uint32_t t) { return sheet_.order.place(t); };
   if (picture.is_upright() || side == 0) {
+    if (!line.drawn || (of_upper_side && !is_up(left) && !is_up(right))) return;
     // It is asked before either of its triangles covers anything, beside the first of them.
-    if (!is_asked) return;
     const bool takes_left =
         right == kNoTriangle || (left != kNoTriangle && place(left) < place(right));
     events_.push_back({turn_of(place(takes_left ? left : right), SheetStep::inside), number, kLine,
-                       SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right)});
+                       SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right),
+                       false});
     return;
   }
   const std::uint32_t front = side > 0 ? left : right, behind = side > 0 ? right : left;
+  // The side that one sees of an edge is that of the triangle in front of it.
+  const bool is_asked =
+      line.drawn && (!of_upper_side || is_up(front == kNoTriangle ? behind : front));
   const SheetEnd end = front == kNoTriangle    ? SheetEnd::opens
                        : behind == kNoTriangle ? SheetEnd::closes
                                                : SheetEnd::turns;
   const SheetTurn turn = front == kNoTriangle ? turn_of(place(behind), SheetStep::rim)
                                               : turn_of(place(front), SheetStep::behind);
-  events_.push_back({turn, number, kLine, end, is_asked, true});
+  events_.push_back({turn, number, kLine, end, is_asked, true, line.hides});
 }
 
 void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
@@ -83,7 +108,8 @@ void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
       if (left[0] >= range_.end) break;
       const auto span = static_cast<std::uint32_t>(left - x.begin());
       if (profile.spans[span].is_there)
-        events_.push_back({profile.spans[span].turn, number, span, SheetEnd::turns, true, true});
+        events_.push_back(
+            {profile.spans[span].turn, number, span, SheetEnd::turns, true, true, false});
     }
   }
 }
@@ -92,7 +118,8 @@ void SheetStrip::run(std::span<const SheetProfile> profiles) {
   for (std::uint32_t i = 0; i < profiles.size(); ++i) add_spans(i, profiles[i]);
   throw_if_stopped();
   std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
-    return std::tie(a.turn, a.span, a.number) < std::tie(b.turn, b.span, b.number);
+    return std::tie(a.turn, a.hides, a.span, a.number) <
+           std::tie(b.turn, b.hides, b.span, b.number);
   });
   std::size_t step = 0;
   for (const Event& event : events_) {

@@ -10,6 +10,7 @@
 #include "profiles/sheet_order.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -76,12 +77,14 @@ private:
     std::uint32_t span;   ///< of a profile, by its left vertex; of lines kLine
     SheetEnd end;         ///< of lines that hide
     bool is_asked, takes_left;
+    bool hides; ///< which it does when all that lies on it has been asked
   };
   static constexpr std::uint32_t kLine = 0xffffffff;
 
   void add_line(std::uint32_t number);
   void add_ground_line(std::uint32_t number);
-  void add_edge(std::uint32_t number);
+  std::optional<SurfaceEdge> edge_under(const ProfileLine& line, std::uint32_t triangle) const;
+  void add_edge(std::uint32_t number, SurfaceEdge edge);
   void add_spans(std::uint32_t number, const SheetProfile& profile);
   void take_line(const Event& event);
   void take_span(const Event& event, const SheetProfile& profile);

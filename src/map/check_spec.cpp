@@ -66,7 +66,7 @@ void check_panorama(const ViewSpec& view) {
   }
 }
 
-void check_view(const ViewSpec& view, Underside underside) {
+void check_view(const ViewSpec& view) {
   const bool is_round = is_panorama(view.projection);
   if (is_round) {
     check_panorama(view);
@@ -90,11 +90,7 @@ void check_view(const ViewSpec& view, Underside underside) {
         std::pair{"look_at_lonlat", view.look_at_lonlat}})
     check_finite(field, place);
   check_range("from_azimuth", view.from_azimuth.in_degrees(), -1e6, 1e6, " degrees");
-  const double elevation_deg = view.from_elevation.in_degrees();
-  if (underside == Underside::omit && elevation_deg < 0 && elevation_deg >= -90)
-    throw UsageError(fmt::format("`from_elevation` is {} degrees", elevation_deg),
-                     "0 to 90 degrees, or from -90 with `underside`");
-  check_range("from_elevation", elevation_deg, -90, 90, " degrees");
+  check_range("from_elevation", view.from_elevation.in_degrees(), -90, 90, " degrees");
   if (view.field_of_view) {
     const double field_deg = view.field_of_view->in_degrees();
     if (!(field_deg > 0 && (is_round ? field_deg <= 360 : field_deg < 180)))
@@ -142,10 +138,6 @@ void check_layers(const Style& style) {
     if (std::count_if(layers.begin(), layers.end(), is_named) > 1)
       throw UsageError(fmt::format("the layer '{}' is asked for twice", spec.name), "once");
     const LayerRow& row = layer_row(spec.name);
-    if (is_of_underside(row) && style.underside == Underside::omit)
-      throw UsageError(
-          fmt::format("the layer '{}' has no meaning where no underside is drawn", spec.name),
-          "give `underside`");
     if (row.is_hidden() && row.source != LineSource::hidden_solids &&
         !layer_of(layer_row(row.hidden_of), style))
       throw UsageError(
@@ -174,16 +166,6 @@ void check_ground_lines(const Style& style) {
   check_range("overlay_above_m", style.overlay_above_m, 0, 10000, " m");
 }
 
-void check_underside(const Style& style, bool has_solids) {
-  if (style.asks_for("block"))
-    throw UsageError("a block is solid, and has no underside", "leave out the block, or `underside`");
-  if (has_solids)
-    throw UsageError("solids hide, and are hidden by, ground that has no underside",
-                     "leave out `solids`, or `underside`");
-  if (style.occluder == Occluder::profiles)
-    throw UsageError("profiles that hide have no underside", "leave out `underside`");
-}
-
 void check_style(const Style& style, bool has_solids) {
   if (style.plan) check_plan(*style.plan);
   check_range("visibility_tolerance_mm", style.visibility_tolerance_mm, 0, 10);
@@ -206,7 +188,6 @@ void check_style(const Style& style, bool has_solids) {
   check_range("haze", style.haze.value_or(0), 0, 1);
   check_layers(style);
   check_ground_lines(style);
-  if (style.underside == Underside::draw) check_underside(style, has_solids);
   if (has_solids && style.occluder == Occluder::profiles)
     throw UsageError("solids stand in front of the surface and behind it, not of profiles",
                      "Occluder::surface");
@@ -221,6 +202,32 @@ void check_page(const PageRequest& page) {
 }
 
 } // namespace
+
+void check_underside(const MapSpec& spec, bool has_solids) {
+  const Style& style = spec.style;
+  if (style.underside == Underside::omit) {
+    const double elevation_deg = spec.view.from_elevation.in_degrees();
+    if (!spec.view.file && elevation_deg < 0)
+      throw UsageError(fmt::format("`from_elevation` is {} degrees", elevation_deg),
+                       "0 to 90 degrees, or from -90 with `underside`");
+    for (const LayerSpec& layer : style.layers)
+      if (is_of_underside(layer_row(layer.name)))
+        throw UsageError(
+            fmt::format("the layer '{}' has no meaning where no underside is drawn", layer.name),
+            "give `underside`");
+    return;
+  }
+  if (style.asks_for("block"))
+    throw UsageError("a block is solid, and has no underside", "leave out `block`, or `underside`");
+  if (has_solids)
+    throw UsageError("solids hide, and are hidden by, ground that has no underside",
+                     "leave out `solids`, or `underside`");
+  if (style.occluder == Occluder::profiles)
+    throw UsageError("profiles that hide have no underside", "leave out `underside`");
+  if (spec.check > 0)
+    throw UsageError("`check` asks of ground that has no underside",
+                     "leave out `check`, or `underside`");
+}
 
 void check_furniture(const MapSpec& spec) {
   const FurnitureSpec& furniture = spec.furniture;
@@ -250,7 +257,7 @@ void check_eye_spec(const ViewSpec& view) {
                      "`eye_map` or `eye_lonlat` without it");
   ViewSpec eye = view; // in what picture doesn't matter
   eye.projection = Projection::perspective;
-  check_view(eye, Underside::omit);
+  check_view(eye);
 }
 
 namespace {
@@ -280,15 +287,14 @@ void check_skyline_step(double step_deg) {
 }
 
 void check_spec(const MapSpec& spec, bool has_solids) {
-  if (!spec.view.file) check_view(spec.view, spec.style.underside);
+  if (!spec.view.file) check_view(spec.view);
   if (spec.page.strips > 1 && (spec.view.file || !is_panorama(spec.view.projection)))
     throw UsageError("`strips` has no meaning but in a panorama", "1");
   check_style(spec.style, has_solids);
   check_page(spec.page);
   check_furniture(spec);
   check_labels(spec.labels);
-  if (spec.check > 0 && spec.style.underside == Underside::draw)
-    throw UsageError("`check` asks of ground that has no underside", "leave out one of `check` and `underside`");
+  check_underside(spec, has_solids);
   if (spec.ground_points && spec.style.asks_for("pen-up"))
     throw UsageError(
         "the layer 'pen-up' has no meaning where lines keep their places on the ground",
