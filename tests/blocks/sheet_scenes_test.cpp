@@ -7,6 +7,7 @@
 #include "placing/placed_view.hpp"
 #include "placing/terrain_of_view.hpp"
 #include "profiles/slab_lines.hpp"
+#include "profiles/surface_edges.hpp"
 #include "tests/blocks/sheet_walk.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_earth_scene.hpp"
@@ -307,6 +308,61 @@ TEST_CASE("both sides of a sheet are drawn where they are seen, and nowhere else
   CHECK(sum.upper > 10 * drawn);
   CHECK(sum.underside > 10 * drawn);
   CHECK(sum.unsure < sum.asked / 10);
+}
+
+TEST_CASE("and of sheets in degrees, whose tiles bulge") {
+  Tally sum;
+  std::uint64_t drawn = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 5; ++seed) {
+    Random random(seed);
+    RandomScene scene = random_earth_scene(
+        seed, random.pick({Stand::frames_terrain, Stand::in_air, Stand::on_ground}));
+    draw_both_sides(scene.spec.style);
+    ViewSpec& view = scene.spec.view;
+    if (!view.has_eye()) view.from_elevation = Angle::degrees(random.between(-80, 80));
+    if (view.eye_map && view.eye_map->z) *view.eye_map->z -= random.pick({0.0, 1e3, 1e4});
+    INFO("seed " << seed << ": " << scene.what);
+    try {
+      stand_on_earth(scene.terrain, view);
+    } catch (const Error&) {
+      continue;
+    }
+    if (const auto tally = check(scene.terrain, scene.spec, random)) {
+      add(*tally, sum);
+      ++drawn;
+    }
+  }
+  tell(sum, drawn);
+  CHECK(drawn > kScenes / 10);
+  CHECK(sum.upper > 5 * drawn);
+  CHECK(sum.underside > 5 * drawn);
+  CHECK(sum.unsure < sum.asked / 5);
+}
+
+TEST_CASE("and of surveys, whose triangles have any shape and order") {
+  Tally sum;
+  std::uint64_t drawn = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 2; ++seed) {
+    Random random(seed);
+    RandomTinScene scene = random_tin_scene(seed, false);
+    draw_both_sides(scene.spec.style);
+    if (!scene.spec.view.has_eye())
+      scene.spec.view.from_elevation = Angle::degrees(random.between(-80, 80));
+    INFO("seed " << seed << ": " << scene.what);
+    try {
+      if (const auto tally = check(scene.terrain, scene.spec, random)) {
+        add(*tally, sum);
+        ++drawn;
+      }
+    } catch (const UsageError&) { // it has walls
+      CHECK(!walls_of(std::get<Tin>(scene.terrain.surface)).empty());
+    }
+  }
+  tell(sum, drawn);
+  CHECK(drawn > kScenes / 10);
+  CHECK(sum.upper > 5 * drawn);
+  CHECK(sum.underside > 5 * drawn);
+  CHECK(sum.unsure < sum.asked / 5);
 }
 
 } // namespace orograph::sheet_scenes_test
