@@ -56,17 +56,6 @@ SheetTriangles::SheetTriangles(const Surface& surface)
   std::ranges::sort(edges_, {}, &TinSides::edge);
 }
 
-std::array<std::uint32_t, 3> SheetTriangles::corners(std::uint32_t t) const {
-  if (!grid_) return std::get<Tin>(*surface_).triangles[t];
-  const auto cells = static_cast<std::uint32_t>(grid_->columns - 1),
-             columns = static_cast<std::uint32_t>(grid_->columns);
-  const std::uint32_t cell = t / 2, first = cell / cells * columns + cell % cells;
-  std::array corners = t % 2 == 0 ? std::array{first, first + columns, first + columns + 1}
-                                  : std::array{first, first + columns + 1, first + 1};
-  if (is_mirrored_) std::swap(corners[1], corners[2]);
-  return corners;
-}
-
 std::uint32_t SheetTriangles::if_there(int column, int row, Half half) const {
   if (column < 0 || row < 0 || column + 1 >= grid_->columns || row + 1 >= grid_->rows)
     return kNoTriangle;
@@ -112,9 +101,9 @@ Sheet sheet_of(const Surface& surface, const View& view) {
   if (const Tin* tin = std::get_if<Tin>(&surface); tin && !walls_of(*tin).empty())
     throw UsageError("the underside of a terrain with vertical walls isn't drawn",
                      "leave out `underside`");
-  Sheet sheet{SheetTriangles(surface), {}, {}, {}};
+  Sheet sheet{SheetTriangles(surface), vertices_in(surface, view), {}, {}, {}};
   const SheetTriangles& triangles = sheet.triangles;
-  const std::vector<ProfilePoint> vertices = vertices_in(surface, view);
+  const std::vector<ProfilePoint>& vertices = sheet.vertices;
   sheet.is_up.resize(triangles.count());
   in_tasks(triangles.count(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
@@ -138,11 +127,11 @@ Sheet sheet_of(const Surface& surface, const View& view) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto number = static_cast<std::uint32_t>(t);
       if (!triangles.is_there(number)) continue;
-      const auto corners = triangles.corners(number);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = triangles.across(number, k);
         if (other == kNoTriangle || other < number || sheet.is_up[other] == sheet.is_up[t])
           continue;
+        const auto corners = triangles.corners(number);
         const std::uint32_t a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
         // The triangle itself is on the left of a -> b.
         const int side = eye_side(view, vertices[std::min(a, b)], vertices[std::max(a, b)]) *

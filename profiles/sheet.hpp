@@ -24,7 +24,15 @@ public:
   std::size_t count() const { return count_; } ///< of numbers, whether there is one or not
   bool is_there(std::uint32_t t) const { return there_.empty() || there_[t] != 0; }
   /// Counterclockwise, seen from above.
-  std::array<std::uint32_t, 3> corners(std::uint32_t t) const;
+  std::array<std::uint32_t, 3> corners(std::uint32_t t) const {
+    if (!grid_) return std::get<Tin>(*surface_).triangles[t];
+    const auto cells = static_cast<std::uint32_t>(grid_->columns - 1),
+               columns = static_cast<std::uint32_t>(grid_->columns);
+    const std::uint32_t cell = t / 2, first = cell + cell / cells, across = first + columns + 1;
+    const std::uint32_t beside = t % 2 == 0 ? first + columns : across,
+                        last = t % 2 == 0 ? across : first + 1;
+    return is_mirrored_ ? std::array{first, last, beside} : std::array{first, beside, last};
+  }
   /// The triangle beyond the side opposite to corner k; kNoTriangle where there is none.
   std::uint32_t across(std::uint32_t t, std::size_t k) const;
 
@@ -63,6 +71,7 @@ inline int eye_side(const View& view, ProfilePoint from, ProfilePoint to) {
 /// A sheet as an eye sees it.
 struct Sheet {
   SheetTriangles triangles;
+  std::vector<ProfilePoint> vertices; ///< in the eye's profile frame, by number
   std::vector<std::uint8_t> is_up; ///< by triangle: the eye is on its upper side
   /// Where along a ray the sheet's picture turns from up to down, and from down to up: the upper
   /// side ends there against what is behind it, and the underside. In order.

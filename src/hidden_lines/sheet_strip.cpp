@@ -9,8 +9,19 @@
 
 namespace orograph {
 
+namespace {
+
+bool has_own_frame(const SectorInWork& work) {
+  return work.sector.behind || work.placed.panorama;
+}
+
+} // namespace
+
 SheetInWork::SheetInWork(const SectorInWork& of)
-    : work(of), sheet(*of.sheet), vertices(vertices_in(of.terrain.surface, of.sector.view)),
+    : work(of), sheet(*of.sheet),
+      turned(has_own_frame(of) ? vertices_in(of.terrain.surface, of.sector.view)
+                               : std::vector<ProfilePoint>{}),
+      vertices(turned.empty() ? sheet.vertices : turned),
       order(of.terrain.surface, sheet.triangles, vertices, of.placed.border, of.sector.view,
             of.from_m) {}
 

@@ -20,7 +20,8 @@ namespace orograph {
 struct SheetInWork {
   const SectorInWork& work;
   const Sheet& sheet;
-  std::vector<ProfilePoint> vertices; ///< in the sector's profile frame
+  std::vector<ProfilePoint> turned;       ///< of a sector with a frame of its own
+  std::span<const ProfilePoint> vertices; ///< in the sector's profile frame
   SheetOrder order;
 
   explicit SheetInWork(const SectorInWork& of);

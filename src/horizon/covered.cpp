@@ -102,7 +102,8 @@ Covered::Covered(XRange core, XRange range, std::size_t count)
     column.x_begin = i == 0 ? range.begin : columns_.back().x_end;
     column.x_end =
         i + 1 == count ? range.end : core.begin + static_cast<double>(i + 1) * width;
-    column.cells.push_back({column.x_begin, column.x_end, 0, 0, 0});
+    column.cells.push_back({column.x_begin, column.x_end, 0, 0, 0, kInfinity, -kInfinity, kInfinity,
+                            -kInfinity});
     column.find_bounds();
     columns_.push_back(std::move(column));
   }
@@ -118,38 +119,50 @@ std::size_t Covered::column_at(double x) const {
 
 void Covered::Column::find_bounds() {
   is_one_band = true;
-  inner_low = low = kInfinity;
-  inner_high = high = -kInfinity;
-  double least_top = kInfinity, greatest_bottom = -kInfinity;
+  low = inner_high = kInfinity;
+  high = inner_low = -kInfinity;
   for (const CoveredCell& cell : cells) {
     is_one_band = is_one_band && cell.count == 1;
-    for (std::uint32_t i = cell.first; i < cell.first + cell.count; ++i) {
-      const Extent bottom = extent_of(bands[i].bottom, std::max(cell.x_begin, bands[i].bottom.x0),
-                                      std::min(cell.x_end, bands[i].bottom.x1)),
-                   top = extent_of(bands[i].top, std::max(cell.x_begin, bands[i].top.x0),
-                                   std::min(cell.x_end, bands[i].top.x1));
-      low = std::min(low, bottom.low - rounding_of(bottom));
-      high = std::max(high, top.high + rounding_of(top));
-      greatest_bottom = std::max(greatest_bottom, bottom.high + rounding_of(bottom));
-      least_top = std::min(least_top, top.low - rounding_of(top));
-    }
+    low = std::min(low, cell.low);
+    high = std::max(high, cell.high);
+    inner_low = std::max(inner_low, cell.inner_low);
+    inner_high = std::min(inner_high, cell.inner_high);
   }
-  inner_low = greatest_bottom;
-  inner_high = least_top;
 }
 
-void Covered::add_cell(double begin, double end, std::span<const Band> bands, std::uint32_t open) {
+// Neighbours with the same bands are one cell.
+void Covered::add_cell(const CoveredCell& cell, std::span<const Band> bands) {
   if (!next_.cells.empty()) {
     CoveredCell& last = next_.cells.back();
-    if (last.count == bands.size() && (last.open == open || last.count <= 1) &&
+    if (last.count == bands.size() && (last.open == cell.open || last.count <= 1) &&
         std::equal(bands.begin(), bands.end(), next_.bands.begin() + last.first, is_same)) {
-      last.x_end = end;
+      last.x_end = cell.x_end;
+      last.low = std::min(last.low, cell.low);
+      last.high = std::max(last.high, cell.high);
+      last.inner_low = std::max(last.inner_low, cell.inner_low);
+      last.inner_high = std::min(last.inner_high, cell.inner_high);
       return;
     }
   }
-  next_.cells.push_back({begin, end, static_cast<std::uint32_t>(next_.bands.size()),
-                         static_cast<std::uint32_t>(bands.size()), open});
+  next_.cells.push_back(cell);
+  next_.cells.back().first = static_cast<std::uint32_t>(next_.bands.size());
   next_.bands.insert(next_.bands.end(), bands.begin(), bands.end());
+}
+
+void Covered::add_cell(double begin, double end, std::span<const Band> bands, std::uint32_t open) {
+  CoveredCell cell{begin,     end,       0,         static_cast<std::uint32_t>(bands.size()), open,
+                   kInfinity, -kInfinity, kInfinity, -kInfinity};
+  if (!bands.empty()) {
+    const auto padded = [&](const Segment& s) {
+      const Extent extent = extent_of(s, begin, end);
+      return Extent{extent.low - rounding_of(extent), extent.high + rounding_of(extent)};
+    };
+    cell.low = padded(bands.front().bottom).low;
+    cell.high = padded(bands.back().top).high;
+    cell.inner_low = padded(bands[open].bottom).high;
+    cell.inner_high = padded(bands[open].top).low;
+  }
+  add_cell(cell, bands);
 }
 
 void Covered::take(const Segment& source, double x_begin, double x_end, SheetEnd end, bool inked) {
@@ -168,18 +181,33 @@ void Covered::take(const Segment& source, double x_begin, double x_end, SheetEnd
 
 void Covered::take_in(Column& column, const Segment& source, double begin, double end,
                       SheetEnd sheet_end, bool inked) {
+  // In the open band the sheet goes on, wherever it is; one that begins has to be told where.
+  const auto stays = [&](const CoveredCell& cell) {
+    const double from = std::max(begin, cell.x_begin), to = std::min(end, cell.x_end);
+    if (!(from < to)) return true;
+    if (sheet_end == SheetEnd::opens && cell.count != 1) return false;
+    const Extent extent = extent_of(source, from, to);
+    return extent.low >= cell.inner_low && extent.high <= cell.inner_high;
+  };
+  if (std::ranges::all_of(column.cells, stays)) return;
   next_.cells.clear();
   next_.bands.clear();
   for (const CoveredCell& cell : column.cells) {
     const std::span<const Band> bands(column.bands.data() + cell.first, cell.count);
-    const double from = std::max(begin, cell.x_begin), to = std::min(end, cell.x_end);
-    if (!(from < to)) {
-      add_cell(cell.x_begin, cell.x_end, bands, cell.open);
+    if (stays(cell)) {
+      add_cell(cell, bands);
       continue;
     }
-    if (cell.x_begin < from) add_cell(cell.x_begin, from, bands, cell.open);
+    const auto add_part = [&](double from, double to) {
+      CoveredCell part = cell;
+      part.x_begin = from;
+      part.x_end = to;
+      if (from < to) add_cell(part, bands);
+    };
+    const double from = std::max(begin, cell.x_begin), to = std::min(end, cell.x_end);
+    add_part(cell.x_begin, from);
     take_in(column, cell, source, from, to, sheet_end, inked);
-    if (to < cell.x_end) add_cell(to, cell.x_end, bands, cell.open);
+    add_part(to, cell.x_end);
   }
   std::swap(column.cells, next_.cells);
   std::swap(column.bands, next_.bands);
@@ -190,7 +218,8 @@ void Covered::take_in(const Column& column, const CoveredCell& cell, const Segme
                       double begin, double end, SheetEnd sheet_end, bool inked) {
   const std::span<const Band> bands(column.bands.data() + cell.first, cell.count);
   breaks_.assign({begin, end});
-  std::vector<std::array<Standing, 2>> standings;
+  thread_local std::vector<std::array<Standing, 2>> standings;
+  standings.clear();
   for (const Band& band : bands) {
     const auto& both = standings.emplace_back(std::array{exact_standing(source, band.bottom),
                                                          exact_standing(source, band.top)});
@@ -258,7 +287,13 @@ void Covered::add_seen(const Segment& line, double x_begin, double x_end,
     for (const CoveredCell& cell : column.cells) {
       const double begin = std::max(from, cell.x_begin), end = std::min(to, cell.x_end);
       if (!(begin < end)) continue;
+      const Extent here = extent_of(line, begin, end);
+      if (here.low > cell.inner_low + slack && here.high < cell.inner_high - slack) continue;
       const Shares all{parameter_at(line, begin), parameter_at(line, end)};
+      if (here.low > cell.high + slack || here.high < cell.low - slack) {
+        append(seen, all);
+        continue;
+      }
       hidden.clear();
       for (std::uint32_t k = cell.first; k < cell.first + cell.count; ++k) {
         const Band& band = column.bands[k];

@@ -29,6 +29,8 @@ struct CoveredCell {
   double x_begin, x_end;
   std::uint32_t first, count; ///< of the block's bands
   std::uint32_t open;         ///< of these: the one that the sheet was last seen in
+  double low, high;             ///< no band is beyond; falling: there is none
+  double inner_low, inner_high; ///< the open band is at least from and to; falling: it isn't known
 };
 
 /// Shares of the way along a line, left to right.
@@ -67,10 +69,9 @@ private:
     double x_begin, x_end;
     std::vector<CoveredCell> cells;
     std::vector<Band> bands;
-    /// All cells have one band: each from `inner_low` or less to `inner_high` or more.
-    bool is_one_band = false;
-    double inner_low = 0, inner_high = 0;
-    double low = 0, high = 0; ///< no band is beyond; falling: there is none
+    bool is_one_band = false; ///< all cells are
+    /// As in a cell, of all cells.
+    double low = 0, high = 0, inner_low = 0, inner_high = 0;
     void find_bounds();
   };
   std::size_t column_at(double x) const;
@@ -78,6 +79,7 @@ private:
                bool inked);
   void take_in(const Column& column, const CoveredCell& cell, const Segment& source, double begin,
                double end, SheetEnd sheet_end, bool inked);
+  void add_cell(const CoveredCell& cell, std::span<const Band> bands);
   void add_cell(double begin, double end, std::span<const Band> bands, std::uint32_t open);
 
   double x_begin_, columns_per_x_;
