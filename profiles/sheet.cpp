@@ -88,6 +88,25 @@ SheetTriangles::Sides SheetTriangles::sides_of(SurfaceEdge edge) const {
 std::vector<ProfilePoint> vertices_in(const Surface& surface, const View& view) {
   const Grid* const grid = std::get_if<Grid>(&surface);
   std::vector<ProfilePoint> out(grid ? grid->size() : std::get<Tin>(surface).vertices_m.size());
+  if (grid && !grid->is_on_earth()) {
+    std::visit(
+        [&](const auto& heights) {
+          const PlaneLattice& lattice = grid->plane();
+          in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            const auto columns = static_cast<std::size_t>(grid->columns);
+            for (std::size_t i = begin, row = begin / columns, at = begin % columns; i < end; ++i) {
+              out[i] = to_profile_frame(view, lattice.vertex_m(static_cast<int>(at),
+                                                               static_cast<int>(row), heights[i]));
+              if (++at == columns) {
+                at = 0;
+                ++row;
+              }
+            }
+          });
+        },
+        grid->heights_m);
+    return out;
+  }
   in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto number = static_cast<std::uint32_t>(i);

@@ -38,24 +38,24 @@ std::optional<double> middle_of_cut(const std::array<ProfilePoint, 3>& corners, 
 // A span along an edge belongs to the triangle in front of it, and is asked before that edge covers
 // anything; where there is none, to the one behind, before the edge itself.
 void add_passages(const SheetInWork& sheet, std::span<const TimedProfile> profiles,
-                  std::uint32_t triangle, std::vector<Passage>& out) {
-  std::array<ProfilePoint, 3> corners;
-  std::ranges::transform(sheet.sheet.triangles.corners(triangle), corners.begin(),
-                         [&](std::uint32_t i) { return sheet.vertices[i]; });
+                  std::span<const double> depths_m, std::uint32_t triangle,
+                  std::vector<Passage>& out) {
+  const auto [a, b, c] = sheet.sheet.triangles.corners(triangle);
+  const std::array corners{sheet.vertices[a], sheet.vertices[b], sheet.vertices[c]};
   const auto [nearest, farthest] = std::minmax({corners[0].v, corners[1].v, corners[2].v});
-  const auto depth = [](const TimedProfile& of) { return of.profile.planned.depth_m; };
-  auto at = std::ranges::lower_bound(profiles, nearest, {}, depth);
-  for (; at != profiles.end() && depth(*at) <= farthest; ++at) {
-    const double depth_m = depth(*at);
+  const auto first = std::lower_bound(depths_m.begin(), depths_m.end(), nearest);
+  for (auto at = first; at != depths_m.end() && *at <= farthest; ++at) {
+    const double depth_m = *at;
+    const auto profile = static_cast<std::size_t>(at - depths_m.begin());
     const bool on_rim = depth_m == nearest;
     const auto middle =
         on_rim ? middle_of_cut(corners, depth_m, [&](ProfilePoint p) { return p.v <= depth_m; })
                : middle_of_cut(corners, depth_m, [&](ProfilePoint p) { return p.v < depth_m; });
     if (!middle) continue;
-    const std::vector<double>& u_m = at->profile.profile.u_m;
+    const std::vector<double>& u_m = profiles[profile].profile.profile.u_m;
     const auto right = std::upper_bound(u_m.begin(), u_m.end(), *middle);
     if (right == u_m.begin() || right == u_m.end()) continue;
-    out.push_back({static_cast<std::uint32_t>(at - profiles.begin()),
+    out.push_back({static_cast<std::uint32_t>(profile),
                    static_cast<std::uint32_t>(right - u_m.begin()) - 1, triangle, on_rim});
   }
 }
@@ -75,17 +75,18 @@ std::vector<SheetProfile> sheet_profiles(const SheetInWork& sheet,
                                          std::span<const TimedProfile> profiles) {
   constexpr std::size_t kOfTask = std::size_t{1} << 15U;
   const std::size_t count = sheet.sheet.triangles.count();
+  std::vector<double> depths_m;
+  for (const TimedProfile& of : profiles) depths_m.push_back(of.profile.planned.depth_m);
   std::vector<std::vector<Passage>> of_tasks((count + kOfTask - 1) / kOfTask);
   on_all_cores(of_tasks.size(), [&](std::size_t task) {
     const std::size_t end = std::min(count, (task + 1) * kOfTask);
     for (std::size_t t = task * kOfTask; t < end; ++t)
       if (sheet.sheet.triangles.is_there(static_cast<std::uint32_t>(t)))
-        add_passages(sheet, profiles, static_cast<std::uint32_t>(t), of_tasks[task]);
+        add_passages(sheet, profiles, depths_m, static_cast<std::uint32_t>(t), of_tasks[task]);
   });
   std::vector<SheetProfile> out;
   for (const TimedProfile& of : profiles)
     out.push_back({&of.profile.projected, std::vector<SheetSpan>(of.profile.profile.size())});
-  std::vector<std::vector<bool>> on_rim(out.size());
   for (const std::vector<Passage>& passages : of_tasks) {
     throw_if_stopped();
     for (const auto& [profile, number, triangle, is_on_rim] : passages) {
