@@ -125,7 +125,8 @@ public:
     // From below the plane is above the eye.
     if (view.is_perspective() && view.frames_terrain && view.elevation < Angle())
       drop_ = -std::max(ground.mean_z_m - view.eye_z_m, kLeastDrop * ground.relief_m);
-    else if (drop_ <= 0) drop_ = 1e-3 * farthest_; // level ground at the eye's own height
+    else if (drop_ <= 0)
+      drop_ = 1e-3 * farthest_; // level ground at the eye's own height
     enters_ = nearest_;
     leaves_ = farthest_;
     if (!view.is_perspective()) return;

@@ -50,9 +50,7 @@ SheetTriangles::SheetTriangles(const Surface& surface)
   }
   const Tin& tin = std::get<Tin>(surface);
   count_ = tin.triangles.size();
-  for_each_edge(tin, [&](const TinEdge& of) {
-    edges_.push_back({of.edge, {of.left, of.right}});
-  });
+  for_each_edge(tin, [&](const TinEdge& of) { edges_.push_back({of.edge, {of.left, of.right}}); });
   std::ranges::sort(edges_, {}, &TinSides::edge);
 }
 
@@ -95,8 +93,8 @@ std::vector<ProfilePoint> vertices_in(const Surface& surface, const View& view) 
           in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
             const auto columns = static_cast<std::size_t>(grid->columns);
             for (std::size_t i = begin, row = begin / columns, at = begin % columns; i < end; ++i) {
-              out[i] = to_profile_frame(view, lattice.vertex_m(static_cast<int>(at),
-                                                               static_cast<int>(row), heights[i]));
+              out[i] = to_profile_frame(
+                  view, lattice.vertex_m(static_cast<int>(at), static_cast<int>(row), heights[i]));
               if (++at == columns) {
                 at = 0;
                 ++row;
@@ -153,8 +151,8 @@ Sheet sheet_of(const Surface& surface, const View& view) {
         const auto corners = triangles.corners(number);
         const std::uint32_t a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
         // The triangle itself is on the left of a -> b.
-        const int side = eye_side(view, vertices[std::min(a, b)], vertices[std::max(a, b)]) *
-                         (a < b ? 1 : -1);
+        const int side =
+            eye_side(view, vertices[std::min(a, b)], vertices[std::max(a, b)]) * (a < b ? 1 : -1);
         if (side == 0) continue; // straight away from the eye, or towards it
         const bool front_is_up = sheet.is_up[side > 0 ? t : other] != 0;
         (front_is_up ? of_tasks[task].ridges : of_tasks[task].valleys)

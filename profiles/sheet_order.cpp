@@ -32,8 +32,7 @@ struct IsNearer {
     if (i == j) return false;
     const Rim &a = (*rims)[i], &b = (*rims)[j];
     // Edges don't cross: where in the X that they share is a matter of rounding alone.
-    const double x =
-        0.5 * (std::max(a.x_begin, b.x_begin) + std::min(a.x_end, b.x_end));
+    const double x = 0.5 * (std::max(a.x_begin, b.x_begin) + std::min(a.x_end, b.x_end));
     const double of_a = a.nearness_at(x), of_b = b.nearness_at(x);
     return of_a != of_b ? of_a > of_b : i < j;
   }

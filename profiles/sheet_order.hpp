@@ -34,7 +34,7 @@ public:
 
 private:
   std::optional<LatticeOrder> lattice_;
-  std::uint32_t cells_ = 1;            ///< in a row of the lattice
+  std::uint32_t cells_ = 1;           ///< in a row of the lattice
   std::vector<std::uint32_t> places_; ///< of others
 };
 

@@ -42,9 +42,9 @@ struct ProfileInWork {
   /// The same of its underside, where the surface has one: then the others are of the upper side.
   std::vector<std::vector<VisibleRun>> underside_by_strip;
   std::vector<VisibleRun> underside;
-  Layer strokes;                                 ///< rounded
-  Layer hidden_strokes;                          ///< of what isn't visible, if it is asked for
-  Layer underside_strokes;                       ///< not rounded
+  Layer strokes;           ///< rounded
+  Layer hidden_strokes;    ///< of what isn't visible, if it is asked for
+  Layer underside_strokes; ///< not rounded
   double left_out_mm = 0;
   std::size_t dropped_strokes = 0;
 };

@@ -280,9 +280,10 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     if (profiles->hidden) {
       profile.hidden_strokes.clear();
       std::vector<VisibleRun> seen(runs.size() + profile.underside.size());
-      std::ranges::merge(runs, profile.underside, seen.begin(), {},
-                         [](const VisibleRun& run) { return std::pair(run.first, run.t_begin); },
-                         [](const VisibleRun& run) { return std::pair(run.first, run.t_begin); });
+      std::ranges::merge(
+          runs, profile.underside, seen.begin(), {},
+          [](const VisibleRun& run) { return std::pair(run.first, run.t_begin); },
+          [](const VisibleRun& run) { return std::pair(run.first, run.t_begin); });
       add_hidden(profile, seen);
     }
     profile.underside_strokes.clear();

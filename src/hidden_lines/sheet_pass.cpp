@@ -93,14 +93,13 @@ std::vector<SheetProfile> sheet_profiles(const SheetInWork& sheet,
       SheetSpan& span = out[profile].spans[number];
       const bool has_front = span.is_there && (span.turn & 3U) != 0;
       if (has_front || (span.is_there && is_on_rim)) continue;
-      span = {turn_of(sheet.order.place(triangle),
-                      is_on_rim ? SheetStep::on_rim : SheetStep::inside),
-              true, sheet.sheet.is_up[triangle] != 0};
+      span = {
+          turn_of(sheet.order.place(triangle), is_on_rim ? SheetStep::on_rim : SheetStep::inside),
+          true, sheet.sheet.is_up[triangle] != 0};
     }
   }
-  on_all_cores(out.size(), [&](std::size_t i) {
-    fill_slivers(profiles[i].profile.profile, out[i].spans);
-  });
+  on_all_cores(out.size(),
+               [&](std::size_t i) { fill_slivers(profiles[i].profile.profile, out[i].spans); });
   return out;
 }
 
@@ -110,10 +109,9 @@ SectorParts sheet_pass(const SectorInWork& work, const LayOut& lay_out, const Sh
                        Counts& counts, StageSeconds& seconds) {
   Stopwatch watch;
   const SheetInWork sheet(work);
-  const auto strips =
-      strips_of<SheetStrip>(work, [&](std::size_t, const auto&... of_strip) {
-        return std::make_unique<SheetStrip>(sheet, of_strip...);
-      });
+  const auto strips = strips_of<SheetStrip>(work, [&](std::size_t, const auto&... of_strip) {
+    return std::make_unique<SheetStrip>(sheet, of_strip...);
+  });
   watch.mark(seconds.facing);
   const ProfileStages stages(work, lay_out, strips.size());
   std::vector<TimedProfile> profiles(work.sector.profiles.size());

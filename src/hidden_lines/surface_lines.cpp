@@ -80,8 +80,8 @@ std::vector<bool> open_water(const TerrainData& terrain, const PlacedView& place
 
 // Silhouettes are in order.
 std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
-                                 std::span<const SurfaceEdge> valleys, const TerrainData& terrain, const PlacedView& placed,
-                                 const Style& style) {
+                                 std::span<const SurfaceEdge> valleys, const TerrainData& terrain,
+                                 const PlacedView& placed, const Style& style) {
   // With the seed's occluders only what is drawn of the profiles hides.
   const bool surface = style.occluder == Occluder::surface;
   const bool border = style.asks_for("border"), voids = style.asks_for("voids");

@@ -100,10 +100,9 @@ Covered::Covered(XRange core, XRange range, std::size_t count)
   for (std::size_t i = 0; i < count; ++i) {
     Column column;
     column.x_begin = i == 0 ? range.begin : columns_.back().x_end;
-    column.x_end =
-        i + 1 == count ? range.end : core.begin + static_cast<double>(i + 1) * width;
-    column.cells.push_back({column.x_begin, column.x_end, 0, 0, 0, kInfinity, -kInfinity, kInfinity,
-                            -kInfinity});
+    column.x_end = i + 1 == count ? range.end : core.begin + static_cast<double>(i + 1) * width;
+    column.cells.push_back(
+        {column.x_begin, column.x_end, 0, 0, 0, kInfinity, -kInfinity, kInfinity, -kInfinity});
     column.find_bounds();
     columns_.push_back(std::move(column));
   }
@@ -150,8 +149,9 @@ void Covered::add_cell(const CoveredCell& cell, std::span<const Band> bands) {
 }
 
 void Covered::add_cell(double begin, double end, std::span<const Band> bands, std::uint32_t open) {
-  CoveredCell cell{begin,     end,       0,         static_cast<std::uint32_t>(bands.size()), open,
-                   kInfinity, -kInfinity, kInfinity, -kInfinity};
+  CoveredCell cell{begin,     end,       0,          static_cast<std::uint32_t>(bands.size()),
+                   open,      kInfinity, -kInfinity, kInfinity,
+                   -kInfinity};
   if (!bands.empty()) {
     const auto padded = [&](const Segment& s) {
       const Extent extent = extent_of(s, begin, end);
@@ -221,8 +221,8 @@ void Covered::take_in(const Column& column, const CoveredCell& cell, const Segme
   thread_local std::vector<std::array<Standing, 2>> standings;
   standings.clear();
   for (const Band& band : bands) {
-    const auto& both = standings.emplace_back(std::array{exact_standing(source, band.bottom),
-                                                         exact_standing(source, band.top)});
+    const auto& both = standings.emplace_back(
+        std::array{exact_standing(source, band.bottom), exact_standing(source, band.top)});
     for (const Standing& standing : both)
       if ((standing.kind == Standing::Kind::above_then_below ||
            standing.kind == Standing::Kind::below_then_above) &&
@@ -240,8 +240,7 @@ void Covered::take_in(const Column& column, const CoveredCell& cell, const Segme
     bands_.assign(bands.begin(), bands.end());
     std::uint32_t open = below;
     if (sheet_end == SheetEnd::opens || cell.count == 0) {
-      if (!inside)
-        bands_.insert(bands_.begin() + below, Band{source, source, inked, inked});
+      if (!inside) bands_.insert(bands_.begin() + below, Band{source, source, inked, inked});
     } else { // from where the sheet was to here
       const std::uint32_t was = std::min(cell.open, cell.count - 1);
       const std::uint32_t first = std::min(was, below),
@@ -299,8 +298,8 @@ void Covered::add_seen(const Segment& line, double x_begin, double x_end,
         const Band& band = column.bands[k];
         const Standing on_bottom = compare(line, band.bottom, tolerance),
                        on_top = compare(line, band.top, tolerance);
-        const bool is_tied = on_bottom.kind == Standing::Kind::tied ||
-                             on_top.kind == Standing::Kind::tied;
+        const bool is_tied =
+            on_bottom.kind == Standing::Kind::tied || on_top.kind == Standing::Kind::tied;
         if (is_tied) {
           if ((on_bottom.kind == Standing::Kind::tied && band.bottom_inked) ||
               (on_top.kind == Standing::Kind::tied && band.top_inked))
@@ -323,16 +322,16 @@ void Covered::add_upright_seen(const Segment& upright, bool left, std::vector<Sh
   std::size_t at = column_at(x);
   if (left && at > 0 && columns_[at].x_begin >= x) --at;
   const Column& column = columns_[at];
-  auto cell = std::ranges::find_if(column.cells, [&](const CoveredCell& of) {
-    return left ? x <= of.x_end : x < of.x_end;
-  });
+  auto cell = std::ranges::find_if(
+      column.cells, [&](const CoveredCell& of) { return left ? x <= of.x_end : x < of.x_end; });
   if (cell == column.cells.end()) --cell;
   const auto share = [&](double y) { return std::clamp((y - y0) / (y1 - y0), 0.0, 1.0); };
   thread_local std::vector<Shares> hidden;
   hidden.clear();
   for (std::uint32_t k = cell->first; k < cell->first + cell->count; ++k) {
     const Band& band = column.bands[k];
-    const double bottom = share(height_at(band.bottom, std::clamp(x, band.bottom.x0, band.bottom.x1))),
+    const double bottom =
+                     share(height_at(band.bottom, std::clamp(x, band.bottom.x0, band.bottom.x1))),
                  top = share(height_at(band.top, std::clamp(x, band.top.x0, band.top.x1)));
     hidden.push_back({std::min(bottom, top), std::max(bottom, top)});
   }

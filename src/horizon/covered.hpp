@@ -27,8 +27,8 @@ struct Band {
 /// Between two abscissae the same bands everywhere, in order of Y and apart from each other.
 struct CoveredCell {
   double x_begin, x_end;
-  std::uint32_t first, count; ///< of the block's bands
-  std::uint32_t open;         ///< of these: the one that the sheet was last seen in
+  std::uint32_t first, count;   ///< of the block's bands
+  std::uint32_t open;           ///< of these: the one that the sheet was last seen in
   double low, high;             ///< no band is beyond; falling: there is none
   double inner_low, inner_high; ///< the open band is at least from and to; falling: it isn't known
 };

@@ -265,8 +265,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     double of_hidden_mm = 0; // which aren't counted
     if (hidden_profiles)
       join_at_borders(*hidden_profiles, placed.sectors, strokes.min_stroke_mm, of_hidden_mm);
-    if (underside)
-      join_at_borders(*underside, placed.sectors, strokes.min_stroke_mm, of_hidden_mm);
+    if (underside) join_at_borders(*underside, placed.sectors, strokes.min_stroke_mm, of_hidden_mm);
   }
 
   watch = {};

@@ -31,11 +31,10 @@ struct Passed {
 
 SheetWalk::Sight SheetWalk::sight(ProfilePoint point, double tolerance_m) const {
   const Spatial from = of(point);
-  Spatial step = view_.is_perspective()
-                     ? Spatial{0, 0, view_.eye_z_m} - from
-                     : Spatial{view_.x_per_v, -1, view_.y_per_v / view_.y_per_z};
-  const double last = view_.is_perspective() ? 1 - from_m_ / point.v
-                                             : std::numeric_limits<double>::infinity();
+  Spatial step = view_.is_perspective() ? Spatial{0, 0, view_.eye_z_m} - from
+                                        : Spatial{view_.x_per_v, -1, view_.y_per_v / view_.y_per_z};
+  const double last =
+      view_.is_perspective() ? 1 - from_m_ / point.v : std::numeric_limits<double>::infinity();
   // What is this close to the point, seen from above, is at it.
   constexpr double kAtPoint_m = 1e-6;
   const double at_point = kAtPoint_m / std::hypot(step.u, step.v);
@@ -67,12 +66,15 @@ SheetWalk::Sight SheetWalk::sight(ProfilePoint point, double tolerance_m) const 
   }
   std::sort(passed.begin(), passed.end(),
             [](const Passed& a, const Passed& b) { return a.begin < b.begin; });
-  const auto sign = [&](double above) { return above > tolerance_m ? 1 : above < -tolerance_m ? -1 : 0; };
+  const auto sign = [&](double above) {
+    return above > tolerance_m ? 1 : above < -tolerance_m ? -1 : 0;
+  };
   Sight seen = Sight::edge;
   bool is_unsure = false;
   for (std::size_t first = 0, end = 0; first < passed.size(); first = end) {
     // As far as the ground goes on.
-    for (end = first + 1; end < passed.size() && passed[end].begin <= passed[end - 1].end + at_point;)
+    for (end = first + 1;
+         end < passed.size() && passed[end].begin <= passed[end - 1].end + at_point;)
       ++end;
     const bool is_own = passed[first].begin <= at_point;
     bool is_above = false, is_below = false, is_near = false, leaves_point = false;

@@ -20,7 +20,7 @@ public:
 
   enum class Sight {
     hidden,
-    upper,     ///< side of the sheet that is seen
+    upper, ///< side of the sheet that is seen
     underside,
     edge,  ///< seen; no ground in front of it meets it
     unsure ///< the way to the eye passes the sheet, or leads along it, within a tolerance

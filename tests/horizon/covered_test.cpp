@@ -2,7 +2,6 @@
 // What a sheet covers: against a brute-force pair of envelopes where it goes on everywhere, as the
 // paper's own extension has it, and by hand where it has gaps.
 #include "horizon/covered.hpp"
-
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 
@@ -114,8 +113,7 @@ TEST_CASE("without gaps what is covered is between two envelopes, piece for piec
     INFO("seed " << seed);
     Random random(seed);
     const std::vector<std::vector<Segment>> lines = made_lines(random);
-    Covered covered({0, 1}, {-kInfinity, kInfinity},
-                    static_cast<std::size_t>(random.whole(1, 7)));
+    Covered covered({0, 1}, {-kInfinity, kInfinity}, static_cast<std::size_t>(random.whole(1, 7)));
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const std::span in_front(lines.data(), i);
       for (const Segment& s : lines[i]) {
