@@ -18,9 +18,10 @@ namespace {
 
 // `beyond` is the side along an edge, told by its vertices on the left and on the right of the ray,
 // of the triangle behind it.
+// `upwards` is 1, or -1 where the surface is to come down.
 template <class Mesh, class Beyond>
-bool rises(const Mesh& mesh, const Beyond& beyond, const ProfileLine& line, SurfaceEdge edge,
-           ProfilePoint from, double reach_m) {
+bool meets_ray(double upwards, const Mesh& mesh, const Beyond& beyond, const ProfileLine& line,
+               SurfaceEdge edge, ProfilePoint from, double reach_m) {
   const View& view = mesh.view;
   // How far to the right of the ray a point is, in some measure.
   const auto right_of_ray = [&](ProfilePoint p) {
@@ -32,7 +33,8 @@ bool rises(const Mesh& mesh, const Beyond& beyond, const ProfileLine& line, Surf
   // By more than rounding, which is a few ulp.
   const auto is_below_ray = [&](ProfilePoint p) {
     const double fall = (p.v - from.v) * z_per_m;
-    return p.z - from.z - fall < -1e-12 * (std::abs(p.z) + std::abs(from.z) + std::abs(fall));
+    return upwards * (p.z - from.z - fall) <
+           -1e-12 * (std::abs(p.z) + std::abs(from.z) + std::abs(fall));
   };
   MeshVertex left{edge.from, line.from}, right{edge.to, line.to};
   if (right_of_ray(left.at) > right_of_ray(right.at)) std::swap(left, right);
@@ -67,7 +69,7 @@ bool rises(const Mesh& mesh, const Beyond& beyond, const ProfileLine& line, Surf
     if (distance > reach_m) return false;
     // The silhouette's own edge is in reach of rounding: a thousandth of an edge is not behind it.
     const double least_m = 1e-3 * std::max(std::abs(b.u - a.u), std::abs(b.v - a.v));
-    if (distance > least_m && p.z >= from.z + distance * z_per_m) return true;
+    if (distance > least_m && upwards * p.z >= upwards * (from.z + distance * z_per_m)) return true;
   }
   return false;
 }
@@ -75,8 +77,8 @@ bool rises(const Mesh& mesh, const Beyond& beyond, const ProfileLine& line, Surf
 // The same on a map plane, where the lattice is alike everywhere: of two triangles at an edge the
 // apexes are, added up, where its two ends are; so is all that is linear, and needn't be reckoned.
 template <class Height>
-bool rises_on_plane(const Grid& grid, const Heights<Height>& heights, const View& view,
-                    SurfaceEdge edge, ProfilePoint from, double reach_m) {
+bool meets_on_plane(double upwards, const Grid& grid, const Heights<Height>& heights,
+                    const View& view, SurfaceEdge edge, ProfilePoint from, double reach_m) {
   struct Vertex {
     int column, row;
     double side;      // how far to the right of the ray it is, in some measure
@@ -97,7 +99,8 @@ bool rises_on_plane(const Grid& grid, const Heights<Height>& heights, const View
     if (sinks) p.z -= view.drop.at(from.u + p.u, from.v + p.v);
     const double fall = p.v * z_per_m;
     // Rounding is a few ulp.
-    p.above = p.z - from.z - fall + 1e-12 * (std::abs(p.z) + std::abs(from.z) + std::abs(fall));
+    p.above = upwards * (p.z - from.z - fall) +
+              1e-12 * (std::abs(p.z) + std::abs(from.z) + std::abs(fall));
     return !std::isnan(p.z);
   };
   const auto place = [&](int column, int row) {
@@ -140,8 +143,8 @@ bool rises_on_plane(const Grid& grid, const Heights<Height>& heights, const View
     if (distance > reach_m) return false;
     // The silhouette's own edge is in reach of rounding: a thousandth of an edge is not behind it.
     const double least_m = 1e-3 * std::max(std::abs(right.u - left.u), std::abs(right.v - left.v));
-    if (distance > least_m && left.z + share * (right.z - left.z) >= from.z + distance * z_per_m)
-      return true;
+    const double z = left.z + share * (right.z - left.z);
+    if (distance > least_m && upwards * z >= upwards * (from.z + distance * z_per_m)) return true;
   }
   return false;
 }
@@ -162,7 +165,8 @@ GroundBehind::GroundBehind(const Surface& surface, const View& view)
     for (const std::uint32_t vertex : tin->triangles[t]) triangles_[next[vertex]++] = t;
 }
 
-bool GroundBehind::rises_within(SurfaceEdge edge, ProfilePoint from, double reach_m) const {
+bool GroundBehind::meets(double upwards, SurfaceEdge edge, ProfilePoint from,
+                         double reach_m) const {
   if (const Tin* tin = std::get_if<Tin>(&surface_)) {
     const auto beyond = [&](std::uint32_t left, std::uint32_t right) -> std::optional<TinSide> {
       for (std::uint32_t i = begin_[left]; i < begin_[left + 1]; ++i) {
@@ -173,17 +177,19 @@ bool GroundBehind::rises_within(SurfaceEdge edge, ProfilePoint from, double reac
       }
       return std::nullopt;
     };
-    return rises(TinMesh{*tin, view_}, beyond, line_of(*tin, view_, edge), edge, from, reach_m);
+    return meets_ray(upwards, TinMesh{*tin, view_}, beyond, line_of(*tin, view_, edge), edge, from,
+                     reach_m);
   }
   const Grid& grid = std::get<Grid>(surface_);
   return std::visit(
       [&](const auto& heights) {
-        if (!grid.is_on_earth()) return rises_on_plane(grid, heights, view_, edge, from, reach_m);
+        if (!grid.is_on_earth())
+          return meets_on_plane(upwards, grid, heights, view_, edge, from, reach_m);
         const GridMesh mesh{grid, std::get<EarthLattice>(grid.lattice), heights, view_};
         const auto beyond = [&](std::uint32_t left, std::uint32_t right) {
           return mesh.if_there(side_of(grid, edge, left < right));
         };
-        return rises(mesh, beyond, line_of(grid, view_, edge), edge, from, reach_m);
+        return meets_ray(upwards, mesh, beyond, line_of(grid, view_, edge), edge, from, reach_m);
       },
       grid.heights_m);
 }

@@ -21,9 +21,17 @@ public:
   /// Whether, walking on from a point of an edge along its ray, the surface comes up to the ray
   /// again within `reach_m` of depth. Where the terrain ends or has a hole it doesn't. Exact: the
   /// surface is looked at wherever the ray passes an edge. Cost O(triangles passed).
-  bool rises_within(SurfaceEdge edge, ProfilePoint from, double reach_m) const;
+  bool rises_within(SurfaceEdge edge, ProfilePoint from, double reach_m) const {
+    return meets(1, edge, from, reach_m);
+  }
+  /// The same of a surface that comes down to the ray again.
+  bool falls_within(SurfaceEdge edge, ProfilePoint from, double reach_m) const {
+    return meets(-1, edge, from, reach_m);
+  }
 
 private:
+  bool meets(double upwards, SurfaceEdge edge, ProfilePoint from, double reach_m) const;
+
   const Surface& surface_;
   const View& view_;
   std::vector<std::uint32_t> begin_, triangles_; ///< of a TIN, at vertex i: [begin_[i],

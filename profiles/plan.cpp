@@ -122,7 +122,11 @@ public:
       : view_(view), to_page_(to_page), nearest_(range.nearest_m), farthest_(range.farthest_m),
         relief_(ground.relief_m),
         drop_(std::max(view.eye_z_m - ground.mean_z_m, kLeastDrop * ground.relief_m)) {
-    if (drop_ <= 0) drop_ = 1e-3 * farthest_; // level ground at the eye's own height
+    // From below the plane is above the eye.
+    if (view.is_perspective() && view.frames_terrain && view.elevation < Angle())
+      drop_ = -std::max(ground.mean_z_m - view.eye_z_m, kLeastDrop * ground.relief_m);
+    else if (drop_ <= 0)
+      drop_ = 1e-3 * farthest_; // level ground at the eye's own height
     enters_ = nearest_;
     leaves_ = farthest_;
     if (!view.is_perspective()) return;
@@ -174,7 +178,7 @@ private:
     if (as_if_level_) return {0, mm_per_tangent_ * (drop_ - above_plane) / depth};
     if (!view_.is_perspective())
       return to_page_(
-          {0, depth * std::max(view_.y_per_v, kLeastSine) + above_plane * view_.y_per_z});
+          {0, depth * std::max(std::abs(view_.y_per_v), kLeastSine) + above_plane * view_.y_per_z});
     return to_page_.at({depth * u_per_depth_, above_plane - drop_, depth});
   }
   double page_mm(double from, double to) const { return length(page_at(to) - page_at(from)); }

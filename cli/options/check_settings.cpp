@@ -10,6 +10,7 @@
 #include "cli/render.hpp"
 #include "cli/report/run_report.hpp"
 #include "geometry/error.hpp"
+#include "map/check_spec.hpp"
 #include "map/layer_table.hpp"
 #include "solids/read_scene.hpp"
 #include "write/write_drawing.hpp"
@@ -361,6 +362,7 @@ void check_picture_settings(RenderSettings& settings, const GivenOptions& given)
   check_tone(settings.map.style, given);
   check_page(settings, given);
   take_scene(settings, given);
+  check_underside(settings.map, settings.solids != nullptr);
   if (!settings.map.view.file_name.empty())
     settings.map.view.file = read_view(settings.map.view.file_name);
   if (settings.map.view.curvature == Curvature::on && settings.map.view.file &&

@@ -183,6 +183,13 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
        .help = "What hides: the whole surface, exactly, or only the profiles drawn",
        .by_default = "surface"},
       {{"surface", Occluder::surface}, {"profiles", Occluder::profiles}}, s.map.style.occluder));
+  options.push_back(with_choice<Underside>(
+      {.group = kGroup,
+       .name = "--underside",
+       .help = "Draw the surface as a thin sheet with both its sides: what of its underside one "
+               "sees under an edge, through a void or from below",
+       .by_default = "omit: the ground is solid"},
+      {{"draw", Underside::draw}, {"omit", Underside::omit}}, s.map.style.underside));
   options.push_back(
       with_number({.group = kGroup,
                    .name = "--visibility-tolerance",

@@ -9,7 +9,7 @@ namespace orograph {
 namespace {
 
 // Fields that messages of the library name, with what sets them on the command line.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 37> kOptions{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 41> kOptions{{
     {"terrain", "INPUT"},
     {"solids", "--scene"},
     // ReadOptions
@@ -42,6 +42,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 37> kOptions
     {"labels.weight_field", "--label-weight"},
     // Style
     {"plan", "--spacing"},
+    {"block", "--block"},
+    {"check", "--check"},
+    {"underside", "--underside draw"},
+    {"from_elevation", "the elevation of --view-from"},
     // PageRequest
     {"page", "--page"},
     {"scale", "--scale"},

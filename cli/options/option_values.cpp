@@ -91,7 +91,7 @@ std::optional<ViewFrom> parse_view_from(std::string_view text) {
   const auto parts = split(text, '/');
   if (parts.size() != 2) return std::nullopt;
   const auto azimuth = parse_azimuth_deg(parts[0]), elevation = parse_number(parts[1]);
-  if (!azimuth || !elevation || *elevation < 0 || *elevation > 90) return std::nullopt;
+  if (!azimuth || !elevation || *elevation < -90 || *elevation > 90) return std::nullopt;
   return ViewFrom{Angle::degrees(*azimuth), Angle::degrees(*elevation)};
 }
 
@@ -107,7 +107,7 @@ std::optional<LightSpec> parse_light(std::string_view text) {
   LightSpec light;
   if (text == "picture") return light;
   const auto from = parse_view_from(text);
-  if (!from) return std::nullopt;
+  if (!from || from->elevation < Angle()) return std::nullopt;
   light.of_picture = false;
   light.azimuth = from->azimuth;
   light.altitude = from->elevation;

@@ -78,7 +78,8 @@ Option listed(const ListOption& list, const Option& single, SweepSettings& s) {
   const std::string& name = names_of(list.parameter).option;
   std::string allowed = single.allowed;
   if (list.parameter == Parameter::azimuth) allowed = "degrees";
-  if (list.parameter == Parameter::elevation) allowed = "degrees, 0 to 90";
+  if (list.parameter == Parameter::elevation)
+    allowed = "degrees, 0 to 90, or from -90 with --underside draw";
   std::string by_default = single.by_default;
   if (list.parameter == Parameter::azimuth) by_default = "180";
   if (list.parameter == Parameter::elevation) by_default = "25";

@@ -114,8 +114,8 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                              "from north and elevation above the horizontal; auto tries 16 "
                              "azimuths at 10 to 45 degrees on a coarse copy, takes what shows most "
                              "ground with most relief, and says which",
-                     .allowed = "degrees, EL from 0 to 90; AZ may be N, NNE, NE, … NNW, and stand "
-                                "alone then; or auto",
+                     .allowed = "degrees, EL from 0 to 90, or from -90 with --underside draw; AZ "
+                                "may be N, NNE, NE, … NNW, and stand alone then; or auto",
                      .by_default = fmt::format("{}/{}", s.map.view.from_azimuth.in_degrees(),
                                                s.map.view.from_elevation.in_degrees()),
                      .between = '/',

@@ -70,6 +70,7 @@ class RenderOptions(TypedDict, total=False):
     light_by: Literal["width", "density"] | None
     haze: float | str | None
     occluder: Literal["surface", "profiles"] | None
+    underside: Literal["draw", "omit"] | None
     visibility_tolerance: float | str | None
     simplify: float | str | None
     silhouette_jump: float | str | None

@@ -107,7 +107,6 @@ public:
     for (std::size_t k = 0; k < levels.heights_m.size(); ++k) {
       if (!(levels.is_index[k] ? index : normal)) continue;
       const double level_m = levels.heights_m[k];
-      if (level_m < *placed_.block_base_m) continue;
       const auto feature =
           add_feature({levels.is_index[k] ? LineKind::wall_index_contour : LineKind::wall_contour,
                        {{"elevation", levels.heights[k]}}});
@@ -292,7 +291,8 @@ void add_block(const TerrainData& terrain, const PlacedView& placed, const Style
   if (style.hatches_block()) walls.add_hatching(kPenWidthsApart * style.pen_width_mm);
   const bool contours = style.asks_for("contours"), index = style.draws_index_contours();
   if (contours || index)
-    walls.add_contours(contour_levels(terrain, style.contours), contours, index);
+    walls.add_contours(contour_levels(terrain, style.contours, placed.block_base_m), contours,
+                       index);
 }
 
 } // namespace orograph

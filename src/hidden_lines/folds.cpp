@@ -18,10 +18,12 @@ Folds::Folds(const Surface& surface, const PlacedView& placed, const Sector& sec
 }
 
 bool Folds::is_fold(const EdgeLine& line, const ProfileLine& whole, const LinePart& part) const {
-  if (!ground_ || line.kind != LineKind::silhouette) return false;
+  const bool is_below = line.kind == LineKind::underside;
+  if (!ground_ || (line.kind != LineKind::silhouette && !is_below)) return false;
   const ProfilePoint middle =
       point_between(whole.from, whole.to, 0.5 * (part.t_begin + part.t_end));
-  return ground_->rises_within(line.edge, middle, reach_m(middle.v));
+  return is_below ? ground_->falls_within(line.edge, middle, reach_m(middle.v))
+                  : ground_->rises_within(line.edge, middle, reach_m(middle.v));
 }
 
 std::vector<LinePart> Folds::among(const LinePictures& lines,

@@ -12,8 +12,9 @@
 namespace orograph {
 
 /// A part of a silhouette is a fold if the ground behind its middle comes up again within a share
-/// of the depth (`Style::silhouette_jump`). In a parallel view, which has no eye to be far from,
-/// the share is of the sector's own extent in depth.
+/// of the depth (`Style::silhouette_jump`); of one of the underside, if it comes down again. In a
+/// parallel view, which has no eye to be far from, the share is of the sector's own extent in
+/// depth.
 class Folds {
 public:
   /// Nothing is a fold with a share of 0. REQUIRES that all outlive this.

@@ -39,6 +39,8 @@ class LineObserver {
 public:
   virtual ~LineObserver() = default;
   virtual void see(const SeenProfile& profile) = 0;
+  /// The same profile with what shows the surface's underside, where it has one.
+  virtual void see_underside(const SeenProfile&) {}
   /// Whether it wants to see lines, which have to be listed for it, hidden ones too.
   virtual bool asks_lines() const { return true; }
   virtual void see(const SeenLines& lines) = 0;

@@ -24,6 +24,7 @@ enum class LineKind : std::uint8_t {
   border,
   void_edge,
   edge,
+  underside, ///< where that ends against what is behind it
   waterline,
   contour,
   index_contour,

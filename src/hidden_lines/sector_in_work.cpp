@@ -27,10 +27,12 @@ bool meet(const ProfileInWork& work, const VisibleRun& a, const VisibleRun& b) {
 
 } // namespace
 
-void join_strips(ProfileInWork& work) {
-  auto& visible = work.visible;
+namespace {
+
+void join(const ProfileInWork& work, const std::vector<std::vector<VisibleRun>>& by_strip,
+          std::vector<VisibleRun>& visible) {
   visible.clear();
-  for (const std::vector<VisibleRun>& runs : work.by_strip)
+  for (const std::vector<VisibleRun>& runs : by_strip)
     visible.insert(visible.end(), runs.begin(), runs.end());
   const auto in_order = [](const VisibleRun& a, const VisibleRun& b) {
     return a.first != b.first ? a.first < b.first : a.t_begin < b.t_begin;
@@ -49,6 +51,33 @@ void join_strips(ProfileInWork& work) {
   visible.resize(count);
 }
 
+void add_pieces(const std::vector<Segment>& segments, const std::vector<VisibleRun>& runs,
+                std::vector<Piece>& out) {
+  auto segment = segments.begin();
+  for (const VisibleRun& run : runs) {
+    segment = std::partition_point(segment, segments.end(),
+                                   [&](const Segment& s) { return left_vertex(s) < run.first; });
+    for (; segment != segments.end() && left_vertex(*segment) <= run.last; ++segment) {
+      const std::uint32_t span = left_vertex(*segment);
+      const double begin = span == run.first ? run.t_begin : 0,
+                   end = span == run.last ? run.t_end : 1;
+      const auto x_at = [&](double t) {
+        return t >= 1 ? segment->x1 : segment->x0 + t * (segment->x1 - segment->x0);
+      };
+      out.push_back({static_cast<std::uint32_t>(segment - segments.begin()), x_at(begin), x_at(end),
+                     begin, end});
+      if (span == run.last) break; // the next run may begin on the same segment
+    }
+  }
+}
+
+} // namespace
+
+void join_strips(ProfileInWork& work) {
+  join(work, work.by_strip, work.visible);
+  join(work, work.underside_by_strip, work.underside);
+}
+
 PiecesOfProfile pieces_of(const ProfileInWork& work, const View& view) {
   PiecesOfProfile out;
   std::vector<Segment> wide, uprights;
@@ -57,22 +86,8 @@ PiecesOfProfile pieces_of(const ProfileInWork& work, const View& view) {
   std::merge(wide.begin(), wide.end(), uprights.begin(), uprights.end(),
              std::back_inserter(out.segments),
              [](const Segment& a, const Segment& b) { return a.id < b.id; });
-  auto segment = out.segments.begin();
-  for (const VisibleRun& run : work.visible) {
-    segment = std::partition_point(segment, out.segments.end(),
-                                   [&](const Segment& s) { return left_vertex(s) < run.first; });
-    for (; segment != out.segments.end() && left_vertex(*segment) <= run.last; ++segment) {
-      const std::uint32_t span = left_vertex(*segment);
-      const double begin = span == run.first ? run.t_begin : 0,
-                   end = span == run.last ? run.t_end : 1;
-      const auto x_at = [&](double t) {
-        return t >= 1 ? segment->x1 : segment->x0 + t * (segment->x1 - segment->x0);
-      };
-      out.visible.push_back({static_cast<std::uint32_t>(segment - out.segments.begin()),
-                             x_at(begin), x_at(end), begin, end});
-      if (span == run.last) break; // the next run may begin on the same segment
-    }
-  }
+  add_pieces(out.segments, work.visible, out.visible);
+  add_pieces(out.segments, work.underside, out.underside);
   return out;
 }
 

@@ -17,6 +17,7 @@
 #include "profiles/cut_surface.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/seen_ground.hpp"
+#include "profiles/sheet.hpp"
 #include "profiles/silhouettes.hpp"
 
 #include <algorithm>
@@ -38,8 +39,12 @@ struct ProfileInWork {
   std::vector<std::vector<VisibleRun>> by_strip; ///< in each strip's range
   std::vector<std::size_t> horizon_sizes;        ///< of each strip, in front of the profile
   std::vector<VisibleRun> visible;               ///< along all of the profile
-  Layer strokes;                                 ///< rounded
-  Layer hidden_strokes;                          ///< of what isn't visible, if it is asked for
+  /// The same of its underside, where the surface has one: then the others are of the upper side.
+  std::vector<std::vector<VisibleRun>> underside_by_strip;
+  std::vector<VisibleRun> underside;
+  Layer strokes;           ///< rounded
+  Layer hidden_strokes;    ///< of what isn't visible, if it is asked for
+  Layer underside_strokes; ///< not rounded
   double left_out_mm = 0;
   std::size_t dropped_strokes = 0;
 };
@@ -50,7 +55,7 @@ void join_strips(ProfileInWork& work);
 /// The same as segments and pieces of them, for those who watch.
 struct PiecesOfProfile {
   std::vector<Segment> segments;
-  std::vector<Piece> visible;
+  std::vector<Piece> visible, underside;
 };
 PiecesOfProfile pieces_of(const ProfileInWork& work, const View& view);
 
@@ -78,6 +83,7 @@ struct SectorInWork {
   bool hidden_profiles = false; ///< whether what isn't visible of profiles is drawn as well
   /// Of the lines that may reach into the range, where those aren't all.
   const std::vector<std::uint32_t>* line_numbers = nullptr;
+  const Sheet* sheet = nullptr; ///< the surface, where it has two sides
 
   /// Of a line on the ground.
   std::uint32_t triangle_of(std::uint32_t line) const {

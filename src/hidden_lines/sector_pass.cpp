@@ -10,6 +10,7 @@
 #include "hidden_lines/lattice_pass.hpp"
 #include "hidden_lines/lines_by_sector.hpp"
 #include "hidden_lines/profile_strokes.hpp"
+#include "hidden_lines/sheet_pass.hpp"
 #include "hidden_lines/solid_lines.hpp"
 #include "hidden_lines/strip_pass.hpp"
 #include "hidden_lines/strips.hpp"
@@ -144,7 +145,7 @@ const Grid* grid_in_order(const TerrainData& terrain, const Style& style,
                           const Instruments& instruments) {
   const Grid* grid = std::get_if<Grid>(&terrain.surface);
   const bool has_order = grid && !grid->is_on_earth() && style.occluder == Occluder::surface &&
-                         !instruments.needs_list();
+                         style.underside == Underside::omit && !instruments.needs_list();
   return has_order ? grid : nullptr;
 }
 
@@ -180,7 +181,10 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
                               !hidden.has(LineKind::contour) &&
                               !hidden.has(LineKind::index_contour);
   out.on_ground = ground_lines_of(terrain, placed, style, ground, !finds_contours);
-  if (!finds || hidden.has(LineKind::silhouette)) {
+  if (style.underside == Underside::draw) {
+    out.sheet = sheet_of(terrain.surface, placed.view);
+    out.listed = lines_of_sheet(terrain, placed, style, *out.sheet);
+  } else if (!finds || hidden.has(LineKind::silhouette)) {
     out.listed = lines_of(terrain, placed, style, ground);
   } else {
     const auto by_rows = [&](const Sector& sector) {
@@ -229,7 +233,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
       profiles && profiles->hidden,
       lines.by_sector.empty()
           ? nullptr
-          : &lines.by_sector[static_cast<std::size_t>(&sector - placed.sectors.data())]};
+          : &lines.by_sector[static_cast<std::size_t>(&sector - placed.sectors.data())],
+      lines.sheet ? &*lines.sheet : nullptr};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and
@@ -251,6 +256,15 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
         .add(profile.profile, {profile.planned.depth_m, profile.planned.number},
              hidden_runs(profile.profile, visible));
   };
+  // With the layer's own pen: light falls on the upper side.
+  const auto add_underside = [&](ProfileInWork& profile) {
+    PlannedProfile planned = profile.planned;
+    if (planned.runs)
+      for (ToneRun& run : *planned.runs) run.width_mm = 0;
+    StrokeBuilder builder(*settings, profile.underside_strokes);
+    ProfileStrokes(placed.view, sector, true, builder)
+        .add(profile.profile, planned, profile.underside);
+  };
   const LayOut lay_out = [&](ProfileInWork& profile) {
     if (!profiles) return;
     profile.strokes.clear();
@@ -265,8 +279,15 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     strokes.add(profile.profile, profile.planned, runs);
     if (profiles->hidden) {
       profile.hidden_strokes.clear();
-      add_hidden(profile, runs);
+      std::vector<VisibleRun> seen(runs.size() + profile.underside.size());
+      std::ranges::merge(
+          runs, profile.underside, seen.begin(), {},
+          [](const VisibleRun& run) { return std::pair(run.first, run.t_begin); },
+          [](const VisibleRun& run) { return std::pair(run.first, run.t_begin); });
+      add_hidden(profile, seen);
     }
+    profile.underside_strokes.clear();
+    if (profiles->underside) add_underside(profile);
     profile.left_out_mm = builder.left_out_mm();
     if (!sector.frame_mm) profile.dropped_strokes = round_strokes(profile.strokes).empty_strokes;
   };
@@ -275,14 +296,19 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     if (profiles) {
       append(profiles->layer, profile.strokes);
       if (profiles->hidden) append(*profiles->hidden, profile.hidden_strokes);
+      if (profiles->underside) append(*profiles->underside, profile.underside_strokes);
       profiles->left_out_mm += profile.left_out_mm;
       profiles->dropped_strokes += profile.dropped_strokes;
     }
     own.mark(seconds.layout);
     if (watched) {
-      const auto& [segments, visible] = pieces_of(profile, view);
-      for (LineObserver* observer : instruments.observers)
+      const auto& [segments, visible, underside] = pieces_of(profile, view);
+      for (LineObserver* observer : instruments.observers) {
         observer->see(SeenProfile{sector, work.range, profile.profile, segments, visible});
+        if (work.sheet)
+          observer->see_underside(
+              SeenProfile{sector, work.range, profile.profile, segments, underside});
+      }
     }
     own.mark(seconds.check);
     profile_done();
@@ -290,7 +316,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   watch.mark(seconds.facing);
   const bool in_order = grid && goes_in_order(*grid, sector, instruments);
   SectorParts found_parts =
-      in_list    ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)
+      work.sheet ? sheet_pass(work, lay_out, show, counts, seconds)
+      : in_list  ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)
       : in_order ? lattice_pass(work, lay_out, show, counts, seconds)
                  : strips_pass(work, lay_out, show, counts, seconds);
 

@@ -14,6 +14,7 @@
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/seen_ground.hpp"
+#include "profiles/sheet.hpp"
 #include "profiles/silhouettes.hpp"
 
 #include <cstdint>
@@ -45,6 +46,7 @@ struct ProfileLayer {
   const StrokeSettings& settings;
   Layer& layer;
   Layer* hidden = nullptr;         ///< gets what isn't visible of them, not rounded
+  Layer* underside = nullptr;      ///< gets what shows the surface's underside, not rounded
   double left_out_mm = 0;          ///< strokes that were too short
   std::size_t dropped_strokes = 0; ///< without length when rounded
 };
@@ -58,6 +60,7 @@ struct LinesOfView {
   HiddenKinds hidden = {}; ///< of which what isn't visible is asked for, too
   /// By the lattice's other direction, where some of a panorama's sectors want that.
   std::optional<SilhouetteMarks> turned_silhouettes = {};
+  std::optional<Sheet> sheet = {}; ///< the surface, where it has two sides
   /// For each of a panorama's sectors those listed that may reach into it, by number.
   std::vector<std::vector<std::uint32_t>> by_sector = {};
 

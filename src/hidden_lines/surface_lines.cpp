@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <span>
 
 namespace orograph {
 
@@ -79,8 +80,8 @@ std::vector<bool> open_water(const TerrainData& terrain, const PlacedView& place
 
 // Silhouettes are in order.
 std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
-                                 const TerrainData& terrain, const PlacedView& placed,
-                                 const Style& style) {
+                                 std::span<const SurfaceEdge> valleys, const TerrainData& terrain,
+                                 const PlacedView& placed, const Style& style) {
   // With the seed's occluders only what is drawn of the profiles hides.
   const bool surface = style.occluder == Occluder::surface;
   const bool border = style.asks_for("border"), voids = style.asks_for("voids");
@@ -124,13 +125,15 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
   };
   drawn = behind_walls; // not to be drawn at all
   lines.reserve(silhouettes.size() + placed.border.size());
-  {
+  const auto add_all_hiding = [&](std::span<const SurfaceEdge> edges, LineKind kind) {
     EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
     const std::size_t middle = drawn.size();
-    for (const SurfaceEdge& edge : silhouettes)
-      add_hiding(edge, LineKind::silhouette, true, draws_silhouettes(style), walls, brinks_on);
+    for (const SurfaceEdge& edge : edges)
+      add_hiding(edge, kind, true, draws_silhouettes(style), walls, brinks_on);
     merge_drawn(middle);
-  }
+  };
+  add_all_hiding(silhouettes, LineKind::silhouette);
+  add_all_hiding(valleys, LineKind::underside);
   if (surface || border || voids || outlines) {
     const std::vector<bool> of_void = border || voids || outlines
                                           ? around_voids(terrain.surface, placed.border)
@@ -163,7 +166,12 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
 
 std::vector<EdgeLine> lines_but_silhouettes(const TerrainData& terrain, const PlacedView& placed,
                                             const Style& style) {
-  return lines_with({}, terrain, placed, style);
+  return lines_with({}, {}, terrain, placed, style);
+}
+
+std::vector<EdgeLine> lines_of_sheet(const TerrainData& terrain, const PlacedView& placed,
+                                     const Style& style, const Sheet& sheet) {
+  return lines_with(sheet.ridges, sheet.valleys, terrain, placed, style);
 }
 
 std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& placed,
@@ -171,7 +179,7 @@ std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& pla
   std::vector<SurfaceEdge> silhouettes;
   if (style.occluder == Occluder::surface || draws_silhouettes(style))
     silhouettes = silhouette_edges(terrain.surface, placed.view, ground);
-  return lines_with(silhouettes, terrain, placed, style);
+  return lines_with(silhouettes, {}, terrain, placed, style);
 }
 
 } // namespace orograph

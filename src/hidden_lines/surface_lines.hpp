@@ -5,6 +5,7 @@
 #include "hidden_lines/line_pictures.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/seen_ground.hpp"
+#include "profiles/sheet.hpp"
 
 #include <vector>
 
@@ -17,6 +18,9 @@ std::vector<EdgeLine> lines_but_silhouettes(const TerrainData& terrain, const Pl
 /// All lines that hide or are drawn: first silhouettes, only of `ground`, where that isn't all.
 std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& placed,
                                const Style& style, const SeenGround* ground = nullptr);
+/// The same of a sheet, with the edges where its underside ends as well.
+std::vector<EdgeLine> lines_of_sheet(const TerrainData& terrain, const PlacedView& placed,
+                                     const Style& style, const Sheet& sheet);
 
 /// Whether border that is the horizon is drawn as skyline. In a plan (straight from above, in
 /// parallel, or with rays beside the eye) it isn't: there the eye sees all of the border alike.

@@ -90,7 +90,7 @@ void check_view(const ViewSpec& view) {
         std::pair{"look_at_lonlat", view.look_at_lonlat}})
     check_finite(field, place);
   check_range("from_azimuth", view.from_azimuth.in_degrees(), -1e6, 1e6, " degrees");
-  check_range("from_elevation", view.from_elevation.in_degrees(), 0, 90, " degrees");
+  check_range("from_elevation", view.from_elevation.in_degrees(), -90, 90, " degrees");
   if (view.field_of_view) {
     const double field_deg = view.field_of_view->in_degrees();
     if (!(field_deg > 0 && (is_round ? field_deg <= 360 : field_deg < 180)))
@@ -203,6 +203,32 @@ void check_page(const PageRequest& page) {
 
 } // namespace
 
+void check_underside(const MapSpec& spec, bool has_solids) {
+  const Style& style = spec.style;
+  if (style.underside == Underside::omit) {
+    const double elevation_deg = spec.view.from_elevation.in_degrees();
+    if (!spec.view.file && elevation_deg < 0)
+      throw UsageError(fmt::format("`from_elevation` is {} degrees", elevation_deg),
+                       "0 to 90 degrees, or from -90 with `underside`");
+    for (const LayerSpec& layer : style.layers)
+      if (is_of_underside(layer_row(layer.name)))
+        throw UsageError(
+            fmt::format("the layer '{}' has no meaning where no underside is drawn", layer.name),
+            "give `underside`");
+    return;
+  }
+  if (style.asks_for("block"))
+    throw UsageError("a block is solid, and has no underside", "leave out `block`, or `underside`");
+  if (has_solids)
+    throw UsageError("solids hide, and are hidden by, ground that has no underside",
+                     "leave out `solids`, or `underside`");
+  if (style.occluder == Occluder::profiles)
+    throw UsageError("profiles that hide have no underside", "leave out `underside`");
+  if (spec.check > 0)
+    throw UsageError("`check` asks of ground that has no underside",
+                     "leave out `check`, or `underside`");
+}
+
 void check_furniture(const MapSpec& spec) {
   const FurnitureSpec& furniture = spec.furniture;
   check_range("title_mm", furniture.title_mm, 0.5, 100);
@@ -268,6 +294,7 @@ void check_spec(const MapSpec& spec, bool has_solids) {
   check_page(spec.page);
   check_furniture(spec);
   check_labels(spec.labels);
+  check_underside(spec, has_solids);
   if (spec.ground_points && spec.style.asks_for("pen-up"))
     throw UsageError(
         "the layer 'pen-up' has no meaning where lines keep their places on the ground",

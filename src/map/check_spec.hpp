@@ -14,6 +14,10 @@ namespace orograph {
 /// other: an eye, a distance or a field in a parallel view; solids where only profiles hide.
 void check_spec(const MapSpec& spec, bool has_solids);
 
+/// Of the underside: a view from below shows nothing else, and not everything goes with it. Throws
+/// UsageError.
+void check_underside(const MapSpec& spec, bool has_solids);
+
 /// Sizes, and whether each piece has a meaning in this view. Throws UsageError.
 void check_furniture(const MapSpec& spec);
 

@@ -133,7 +133,7 @@ void close_outlines(std::vector<LineLayer>& layers) {
 // All layers that are asked for, in drawing order; `profiles` is drawn already.
 std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& placed,
                                  const Style& style, const std::optional<LineShade>& shade,
-                                 Layer profiles, Layer hidden_profiles) {
+                                 Layer profiles, Layer hidden_profiles, Layer underside) {
   const std::vector<LinePart> visible = found.of(&SectorLines::visible);
   const std::vector<LinePart> hidden = found.hidden();
   const auto solids = [&](std::vector<LinePart> SolidParts::*kind,
@@ -158,6 +158,9 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       added.layer = std::move(row.is_hidden() ? hidden_profiles : profiles);
       added.is_rounded = !row.is_hidden() && !placed.panorama;
       tell_darkness(added.layer, placed);
+      break;
+    case LineSource::underside:
+      added.layer = std::move(underside);
       break;
     case LineSource::edges:
       added.parts = of_kind(found.lines(), row.is_hidden() ? hidden : visible, row.kind);
@@ -220,12 +223,15 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   }
   const StrokeSettings strokes = stroke_settings(terrain, placed, spec);
   std::optional<Layer> profiles = layer_of(layer_row("profiles"), style),
-                       hidden_profiles = layer_of(layer_row("hidden-profiles"), style);
+                       hidden_profiles = layer_of(layer_row("hidden-profiles"), style),
+                       underside = layer_of(layer_row("underside"), style);
   std::optional<ProfileLayer> profile_layer;
   if (profiles)
-    profile_layer.emplace(strokes, *profiles, hidden_profiles ? &*hidden_profiles : nullptr);
+    profile_layer.emplace(strokes, *profiles, hidden_profiles ? &*hidden_profiles : nullptr,
+                          underside ? &*underside : nullptr);
   const HiddenKinds hidden = hidden_kinds(style);
-  if (hidden.any() || hidden_profiles) instruments.hidden_ground = true;
+  if (hidden.any() || hidden_profiles || style.underside == Underside::draw)
+    instruments.hidden_ground = true;
   const std::vector<SeenGround> ground = ground_of_sectors(terrain, placed, style, instruments);
   const std::optional<SeenGround> all_ground = looked_at_by_any(ground);
   LinesOfView lines;
@@ -259,6 +265,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     double of_hidden_mm = 0; // which aren't counted
     if (hidden_profiles)
       join_at_borders(*hidden_profiles, placed.sectors, strokes.min_stroke_mm, of_hidden_mm);
+    if (underside) join_at_borders(*underside, placed.sectors, strokes.min_stroke_mm, of_hidden_mm);
   }
 
   watch = {};
@@ -272,7 +279,8 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
       spec.ground_points ? std::nullopt : placed.ridge_shade; // shading cuts strokes
   std::vector<LineLayer> layers =
       layers_of(found, placed, style, shade, profiles ? std::move(*profiles) : Layer{},
-                hidden_profiles ? std::move(*hidden_profiles) : Layer{});
+                hidden_profiles ? std::move(*hidden_profiles) : Layer{},
+                underside ? std::move(*underside) : Layer{});
   on_all_cores(layers.size(), [&](std::size_t i) {
     LineLayer& task = layers[i];
     // What is joined is simplified and judged afterwards.

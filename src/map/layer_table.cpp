@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map/layer_table.hpp"
 
+#include "hidden_lines/surface_lines.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -13,6 +15,7 @@ constexpr Colour kRock{0x2b, 0x26, 0x22}, kContour{0x9c, 0x62, 0x33}, kWater{0x2
 
 // Ridges and shores are a little heavier than profiles, border, voids and edges lighter.
 constexpr auto kSeen = std::to_array<LayerRow>({
+    {"underside", LineSource::underside, 0.8, 0.4, {}, kNet},
     {.name = "profiles", .source = LineSource::profiles, .map = kRock},
     {"mesh", LineSource::ground, 0.8, 0, LineKind::mesh, kRock},
     {"hachures", LineSource::ground, 1, 0, LineKind::hachure, kRock},
@@ -30,6 +33,7 @@ constexpr auto kSeen = std::to_array<LayerRow>({
     {"border", LineSource::edges, 0.8, 0.45, LineKind::border, kEdge},
     {"drape", LineSource::ground, 2.2, 0, LineKind::drape, kDrape},
     {"voids", LineSource::edges, 0.8, 0.45, LineKind::void_edge, kEdge},
+    {"underside-edges", LineSource::edges, 1.2, 0.2, LineKind::underside, kNet},
     {"silhouettes", LineSource::edges, 1.6, 0, LineKind::silhouette, kRock},
     {.name = "skyline", .source = LineSource::skyline, .weight = 2, .map = kRock},
     {.name = "hidden",
@@ -83,8 +87,13 @@ constexpr auto kLayers = [] {
 }();
 
 // Whether a layer that isn't asked for by its name is drawn all the same: waterlines as a way of
-// drawing water, index contours among the others, hidden ones too; and what is on a block's walls.
+// drawing water, index contours among the others, hidden ones too; what is on a block's walls; and
+// the underside of what is drawn of the upper side.
 bool goes_with_another(const LayerRow& row, const Style& style) {
+  if (row.source == LineSource::underside)
+    return style.underside == Underside::draw && style.asks_for("profiles");
+  if (row.kind == LineKind::underside)
+    return style.underside == Underside::draw && draws_silhouettes(style);
   if (row.kind == LineKind::wall) return style.hatches_block();
   if (row.kind == LineKind::wall_contour)
     return style.asks_for("block") && style.asks_for("contours");
@@ -107,6 +116,7 @@ const LayerSpec* companion_of(const LayerRow& row, const Style& style) {
     return index ? index : style.layer("contours");
   }
   if (row.kind == LineKind::wall) return style.layer("block");
+  if (row.kind == LineKind::underside) return style.layer("underside");
   return row.kind == LineKind::waterline ? style.layer("shores") : nullptr;
 }
 
@@ -146,6 +156,10 @@ HiddenKinds hidden_kinds(const Style& style) {
         layer_of(row, style))
       kinds.add(row.kind);
   return kinds;
+}
+
+bool is_of_underside(const LayerRow& row) {
+  return row.source == LineSource::underside || row.kind == LineKind::underside;
 }
 
 std::optional<Layer> layer_of(const LayerRow& row, const Style& style) {

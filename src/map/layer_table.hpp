@@ -17,6 +17,7 @@ namespace orograph {
 /// Where a layer's lines come from.
 enum class LineSource {
   profiles,
+  underside, ///< of profiles what shows it
   edges,
   ground,
   skyline,
@@ -45,6 +46,9 @@ std::span<const LayerRow> layer_table();
 
 /// REQUIRES that there is one of that name.
 const LayerRow& layer_row(std::string_view name);
+
+/// Whether a layer shows the underside of a surface that has one.
+bool is_of_underside(const LayerRow& row);
 
 /// The kinds of edges and of lines on the ground of which a style asks for hidden parts, too.
 HiddenKinds hidden_kinds(const Style& style);

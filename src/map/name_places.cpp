@@ -302,6 +302,7 @@ void label_lines(const TerrainData& terrain, const PlacedView& placed, const Map
 bool is_of_terrain(const Layer& layer) {
   switch (layer_row(layer.name).source) {
   case LineSource::profiles:
+  case LineSource::underside:
   case LineSource::edges:
   case LineSource::ground:
   case LineSource::skyline:

@@ -35,9 +35,11 @@ double round_step(double value) {
   return best;
 }
 
-ContourLevels contour_levels(const TerrainData& terrain, const ContourSpec& spec) {
+ContourLevels contour_levels(const TerrainData& terrain, const ContourSpec& spec,
+                             std::optional<double> base_m) {
   const double unit_m = spec.unit_m.value_or(terrain.map.height_unit_m);
-  const auto [low_m, high_m] = height_range_of(terrain);
+  const auto [lowest_m, high_m] = height_range_of(terrain);
+  const double low_m = base_m.value_or(lowest_m);
   ContourLevels out;
   const auto add = [&](double height, bool is_index) {
     const double height_m = height * unit_m;
@@ -51,8 +53,9 @@ ContourLevels contour_levels(const TerrainData& terrain, const ContourSpec& spec
     return out;
   }
   const double low = low_m / unit_m, high = high_m / unit_m;
-  if (!(low < high)) return out;
-  const double interval = spec.interval.value_or(round_step((high - low) / kOverRelief));
+  const double relief = high - lowest_m / unit_m;
+  if (!(low < high) || !(spec.interval || relief > 0)) return out;
+  const double interval = spec.interval.value_or(round_step(relief / kOverRelief));
   const double first = std::floor((low - spec.offset) / interval),
                last = std::ceil((high - spec.offset) / interval);
   if (last - first > kMostLevels)

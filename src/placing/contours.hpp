@@ -5,6 +5,7 @@
 #include "dem/terrain.hpp"
 #include "placing/map_spec.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace orograph {
@@ -15,9 +16,10 @@ struct ContourLevels {
   std::vector<bool> is_index;
 };
 
-/// Those between the least and the greatest of a terrain's heights. Throws Error where there were
-/// more than 10,000.
-ContourLevels contour_levels(const TerrainData& terrain, const ContourSpec& spec);
+/// Those between the least and the greatest of a terrain's heights; on a block's walls from its
+/// base on. Throws Error where there were more than 10,000.
+ContourLevels contour_levels(const TerrainData& terrain, const ContourSpec& spec,
+                             std::optional<double> base_m = {});
 
 /// The one of 1, 2 and 5 times powers of ten that is nearest, by ratio. REQUIRES a value above 0.
 double round_step(double value);

@@ -112,6 +112,8 @@ enum class FlatGround { shore, draw, waterlines };
 /// Whether lines are as far apart on the page as the plan says, wherever the ground is, or planes
 /// are on level ground.
 enum class Spread { even, planes };
+/// Whether the ground is solid all the way down, or a sheet of which one sees both sides.
+enum class Underside { omit, draw };
 /// Whether terrain's border, where it is the horizon, is drawn as skyline, or as border as
 /// elsewhere.
 enum class Outline { one, by_layer };
@@ -184,6 +186,7 @@ struct Style {
   std::optional<PlanRequest> plan; ///< none: four pen widths on the page
   Spread spread = Spread::even;    ///< of a plan in millimetres
   Occluder occluder = Occluder::surface;
+  Underside underside = Underside::omit;
   double visibility_tolerance_mm = 1e-4;
   double simplify_mm = 0.02;
   double silhouette_jump = 0.003; ///< share of the depth by which the ground behind is farther

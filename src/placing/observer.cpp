@@ -65,7 +65,7 @@ void check_above_ground(const View& view, double ground_z_m, const MapFrame& map
   throw Error(
       fmt::format("the eye, at height {:.6g}, is under the ground, which is at {:.6g} there",
                   height(view.eye_z_m), height(ground_z_m)),
-      "raise the eye, or move it");
+      "raise the eye, move it, or give `underside`, to see the ground from below");
 }
 
 } // namespace orograph

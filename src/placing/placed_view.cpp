@@ -43,6 +43,7 @@ ViewRequest view_request(const MapSpec& spec, const TerrainData& terrain, double
   request.distance_m = spec.view.distance_m;
   request.roll = spec.view.roll;
   request.exaggeration = exaggeration;
+  request.both_sides = spec.style.underside == Underside::draw;
   place_eye(request, spec.view, terrain);
   return request;
 }
@@ -117,7 +118,9 @@ bool frame_by_skyline(PlacedView& placed, const TerrainData& terrain, const MapS
   if (!has_ground(terrain.surface) || !is_framed_by_skyline(spec.view)) return false;
   request.look = level_look(request, shape);
   placed.view = place_view(request, shape, page_aspect(spec.page));
-  const bool over_ground = ground_under_eye(placed.view, terrain.surface).has_value();
+  const std::optional<double> under_eye_m = ground_under_eye(placed.view, terrain.surface);
+  if (under_eye_m && placed.view.eye_z_m < *under_eye_m) return false; // which has no skyline
+  const bool over_ground = under_eye_m.has_value();
   return frame_eye_view(placed.view, shape, ground_ahead_of(placed, terrain.surface, request.drop),
                         over_ground, window_shape(spec.page));
 }
@@ -158,6 +161,10 @@ void place_on_earth(PlacedView& placed, const TerrainData& terrain, const MapSpe
   }
   if (spec.view.file) {
     place_view_file(placed, *spec.view.file, terrain.map, exaggeration, drop);
+    if (placed.view.y_per_v < 0 && spec.style.underside == Underside::omit)
+      throw Error("a parallel view that looks up shows the underside alone",
+                  "put the PRP higher, so that the direction from it to the window's centre "
+                  "descends, or give `underside`");
   } else {
     ViewRequest request = view_request(spec, terrain, exaggeration);
     const auto& chosen = placed.chosen_view;
@@ -187,7 +194,7 @@ void place_on_earth(PlacedView& placed, const TerrainData& terrain, const MapSpe
 // With the eye on the ground itself there is no seam to be seen between two sectors: all ground
 // under it is seen edge-on. The narrow strip's near cut would be a matter of rounding.
 void keep_off_the_ground(View& view, double ground_z_m, double cell_m) {
-  if (shows_beside(view) && view.eye_z_m < ground_z_m + 1e-6 * cell_m)
+  if (shows_beside(view) && std::abs(view.eye_z_m - ground_z_m) < 1e-6 * cell_m)
     view.near_m = kNearShareOfCell * cell_m;
 }
 
@@ -305,9 +312,10 @@ Picture place_picture(const TerrainData& terrain, TerrainFacts facts, const MapS
   if (solids) check_eye_outside(placed.solids, *solids, placed.view);
   const std::optional<double> under_eye_m = ground_under_eye(placed.view, surface);
   if (under_eye_m) {
-    check_above_ground(placed.view, *under_eye_m, terrain.map);
+    if (spec.style.underside == Underside::omit)
+      check_above_ground(placed.view, *under_eye_m, terrain.map);
     keep_off_the_ground(placed.view, *under_eye_m, placed.cell_m);
-    if (spec.view.has_eye())
+    if (spec.view.has_eye() && placed.view.eye_z_m >= *under_eye_m)
       placed.near_skyline =
           near_skyline(placed.view, ground_ahead_of(placed, surface, has_drop ? drop : EarthDrop{}),
                        placed.cell_m, placed.view.eye_z_m - *under_eye_m);

@@ -60,17 +60,18 @@ double between(double a_m, double b_m, const View& view, const PageColumns& colu
 } // namespace
 
 PlanOnPage as_planned(const ProfileSampler& sampler, std::span<const double> depths_m,
-                      const PageColumns& columns, const View& view, const Box2& frame_mm) {
+                      const PageColumns& columns, const View& view, const Box2& frame_mm,
+                      bool both_sides) {
   PlanOnPage plan;
   plan.profiles = at_depths(depths_m);
   sample_all(sampler, plan.profiles);
-  plan.seen = seen_profiles(plan.profiles, columns, view, frame_mm);
+  plan.seen = seen_profiles(plan.profiles, columns, view, frame_mm, both_sides);
   return plan;
 }
 
 PlanOnPage plan_on_page(const ProfileSampler& sampler, std::span<const double> depths_m,
                         double nearest_m, const PageColumns& columns, const View& view,
-                        const Box2& frame_mm, double spacing_mm, bool draws_level) {
+                        const Box2& frame_mm, const ToneRequest& request) {
   PlanOnPage plan;
   plan.profiles = at_depths(depths_m);
   if (view.is_perspective() && !columns.of_u && nearest_m > 0 && !depths_m.empty()) {
@@ -83,14 +84,14 @@ PlanOnPage plan_on_page(const ProfileSampler& sampler, std::span<const double> d
   sample_all(sampler, plan.profiles);
   const std::size_t most = std::max(kLeastMost, kMostPerPlanned * depths_m.size());
   for (;;) {
-    plan.seen = seen_profiles(plan.profiles, columns, view, frame_mm);
+    plan.seen = seen_profiles(plan.profiles, columns, view, frame_mm, request.both_sides);
     std::vector<SampledProfile> halved;
     std::vector<std::size_t> added;
     for (std::size_t j = 0; j < plan.profiles.size(); ++j) {
       SampledProfile& profile = plan.profiles[j];
       if (j > 0 && profile.halvings < kMostHalvings && plan.profiles.size() + added.size() < most &&
-          is_too_far_apart(profile, plan.seen[j], columns, std::numbers::sqrt2 * spacing_mm,
-                           draws_level)) {
+          is_too_far_apart(profile, plan.seen[j], columns, std::numbers::sqrt2 * request.spacing_mm,
+                           request.draws_level)) {
         SampledProfile middle;
         middle.depth_m = between(plan.profiles[j - 1].depth_m, profile.depth_m, view, columns);
         middle.halvings = ++profile.halvings;

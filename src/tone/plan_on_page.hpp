@@ -7,6 +7,7 @@
 
 #include "tone/sampled_profile.hpp"
 #include "tone/seen_profiles.hpp"
+#include "tone/tone_request.hpp"
 
 namespace orograph {
 
@@ -16,16 +17,17 @@ struct PlanOnPage {
 };
 
 /// Profiles at the planned depths, and between them where lines would be farther apart than
-/// sqrt(2) times `spacing_mm` along 2 mm of a line or more: steps between two profiles are halved,
+/// sqrt(2) times the spacing along 2 mm of a line or more: steps between two profiles are halved,
 /// at most six times. In a view from within the terrain ground in front of the first depth is
 /// looked at from `nearest_m` on, unless it is under the eye. Of the planned profiles number i has
 /// as its level the number of times that i + 1 can be halved.
 PlanOnPage plan_on_page(const ProfileSampler& sampler, std::span<const double> depths_m,
                         double nearest_m, const PageColumns& columns, const View& view,
-                        const Box2& frame_mm, double spacing_mm, bool draws_level);
+                        const Box2& frame_mm, const ToneRequest& request);
 
 /// The same without any added profiles.
 PlanOnPage as_planned(const ProfileSampler& sampler, std::span<const double> depths_m,
-                      const PageColumns& columns, const View& view, const Box2& frame_mm);
+                      const PageColumns& columns, const View& view, const Box2& frame_mm,
+                      bool both_sides);
 
 } // namespace orograph

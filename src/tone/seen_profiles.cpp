@@ -32,7 +32,7 @@ float across_mm(const SampledProfile& profile, std::size_t column, float dx_mm, 
 
 std::vector<SeenProfile> seen_profiles(std::span<const SampledProfile> profiles,
                                        const PageColumns& columns, const View& view,
-                                       const Box2& frame_mm) {
+                                       const Box2& frame_mm, bool both_sides) {
   std::vector<SeenProfile> seen(profiles.size());
   for (SeenProfile& profile : seen) {
     profile.sight.assign(columns.count, Sight::none);
@@ -68,14 +68,16 @@ std::vector<SeenProfile> seen_profiles(std::span<const SampledProfile> profiles,
   on_all_cores((columns.count + kColumnsOfTask - 1) / kColumnsOfTask, [&](std::size_t task) {
     const std::size_t first = task * kColumnsOfTask,
                       count = std::min(kColumnsOfTask, columns.count - first);
-    std::array<ColumnHorizon, kColumnsOfTask> horizons;
+    std::array<ColumnHorizon, kColumnsOfTask> horizons, from_below; // these with -y
     for (std::size_t j = 0; j < profiles.size(); ++j) {
       const SampledProfile& profile = profiles[j];
       const double per_z = view.is_perspective() ? 1 / profile.depth_m : view.y_per_z,
                    from_0 = view.is_perspective() ? -view.eye_z_m * per_z
                                                   : profile.depth_m * view.y_per_v;
-      for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t k = 0; k < count; ++k) {
         take(profile, per_z, from_0, j, first + k, horizons[k]);
+        if (both_sides) take(profile, -per_z, -from_0, j, first + k, from_below[k]);
+      }
     }
   });
   return seen;

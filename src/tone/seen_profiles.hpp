@@ -27,10 +27,11 @@ struct SeenProfile {
   std::vector<float> gap_mm;
 };
 
-/// Of profiles front to back: what rises above all samples in front of it in its column is seen.
+/// Of profiles front to back: what rises above all samples in front of it in its column is seen,
+/// and with `both_sides` what falls below them as well.
 /// Cost: some 10 ns a sample.
 std::vector<SeenProfile> seen_profiles(std::span<const SampledProfile> profiles,
                                        const PageColumns& columns, const View& view,
-                                       const Box2& frame_mm);
+                                       const Box2& frame_mm, bool both_sides = false);
 
 } // namespace orograph

@@ -68,10 +68,9 @@ std::vector<TonedProfile> toned_profiles(const ProfileSampler& sampler, const Pa
                                          const View& view, const Box2& frame_mm,
                                          std::span<const double> depths_m, double nearest_m,
                                          const ToneRequest& request) {
-  const PlanOnPage plan = request.is_even
-                              ? plan_on_page(sampler, depths_m, nearest_m, columns, view, frame_mm,
-                                             request.spacing_mm, request.draws_level)
-                              : as_planned(sampler, depths_m, columns, view, frame_mm);
+  const PlanOnPage plan =
+      request.is_even ? plan_on_page(sampler, depths_m, nearest_m, columns, view, frame_mm, request)
+                      : as_planned(sampler, depths_m, columns, view, frame_mm, request.both_sides);
   const std::vector<float> octaves = planned_octaves(plan, columns);
   const std::vector<float> darkness = darkness_of(plan, columns, view, request);
   std::vector<TonedProfile> toned(plan.profiles.size());

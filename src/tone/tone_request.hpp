@@ -32,6 +32,7 @@ struct ToneRequest {
   std::optional<GroundLight> light;
   double haze = 0;           ///< share of their darkness that the farthest lines lose
   bool draws_level = false;  ///< whether level ground has lines
+  bool both_sides = false;   ///< the underside is seen as well
   bool keeps_unseen = false; ///< planned profiles stay where nothing of them would be drawn
 
   bool is_shown_by(LightShownBy way) const { return light && light->shown_by == way; }

@@ -130,15 +130,11 @@ void set_directions(View& view, const PhigsView& phigs, const ProfileFrame& fram
     view.elevation = atan2_angle(phigs.vpn.z, std::hypot(phigs.vpn.x, phigs.vpn.y));
     return;
   }
-  if (direction.z > 0)
-    throw Error(
-        "a parallel view can't look up",
-        "put the PRP higher, so that the direction from it to the window's centre descends");
   view.depth_origin_m = {phigs.vrp_m.x, phigs.vrp_m.y};
   view.elevation = atan2_angle(-direction.z, std::hypot(direction.x, direction.y));
   if (is_vertical(direction)) {
     view.y_per_z = 0;
-    view.y_per_v = 1;
+    view.y_per_v = direction.z > 0 ? -1 : 1;
     return;
   }
   const Vec2 along{direction.x, direction.y};

@@ -107,18 +107,20 @@ double lowest_near_edge(const View& view, const TerrainShape& terrain) {
 }
 
 // The picture's bounding box. REQUIRES that all ground has a picture.
-Box2 picture_box(const View& view, const TerrainShape& terrain, PictureEnds& ends) {
+Box2 picture_box(const View& view, const TerrainShape& terrain, bool both_sides,
+                 PictureEnds& ends) {
   const auto most = [&](int row, double sign) {
     return sign * greatest(terrain, PictureCoordinate{view, -kInfinity, row, sign}, ends);
   };
   Box2 box{{most(0, -1), 0}, {most(0, 1), most(1, 1)}};
-  // "Lowest at the near edge" holds along the vertical of the visibility plane only, and in front
-  // of the eye.
+  // "Lowest at the near edge" holds along the vertical of the visibility plane only, in front of
+  // the eye, and of the upper side.
   const auto nearness = [&](Vec3 p) { return -to_profile_frame(view, p).v; };
   const double nearest =
       std::max(greatest(terrain.points, nearness), greatest(terrain.beside, nearness));
   const bool in_front = !view.is_perspective() || nearest <= -view.near_m;
-  box.low.y = view.roll == Angle() && in_front ? lowest_near_edge(view, terrain) : most(1, -1);
+  const bool at_edge = view.roll == Angle() && in_front && !both_sides;
+  box.low.y = at_edge ? lowest_near_edge(view, terrain) : most(1, -1);
   return box;
 }
 
@@ -329,7 +331,7 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
       throw Error(
           "part of the terrain is beside or behind the eye, where it has no picture",
           "use a greater `distance_m`, or give `field_of_view` too, to show a part of the terrain");
-    view.window = picture_box(view, terrain, ends);
+    view.window = picture_box(view, terrain, request.both_sides, ends);
   }
   view.near_m = near_plane_m(view, terrain.cell_m);
   return view;

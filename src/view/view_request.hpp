@@ -28,8 +28,8 @@ struct ViewRequest {
   Projection projection = Projection::perspective;
   Oblique oblique; ///< oblique only
   /// Where the viewer stands, seen from the target: azimuth clockwise from north, elevation above
-  /// the horizontal, 0 to 90 degrees. Not looked at where `eye_m` is given; the elevation not in an
-  /// oblique view.
+  /// the horizontal, 0 to 90 degrees, and from -90 where both sides are looked at. Not looked at
+  /// where `eye_m` is given; the elevation not in an oblique view.
   Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);
   /// Horizontal field, perspective only. Without an eye or a distance, the eye goes where the
   /// terrain fills this field (30 degrees by default). With a distance and a field, or with an eye
@@ -44,6 +44,7 @@ struct ViewRequest {
   std::optional<LookDirection> look;
   Angle roll; ///< the picture turns clockwise by it
   EarthDrop drop;
+  bool both_sides = false; ///< the underside is part of the picture, too
   double exaggeration = 1; ///< multiplies all heights, the eye's and the target's too
 };
 

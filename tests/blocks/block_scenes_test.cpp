@@ -5,9 +5,9 @@
 #include "hidden_lines/instruments.hpp"
 #include "map/draw_map.hpp"
 #include "placing/block.hpp"
+#include "placing/contours.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/terrain_of_view.hpp"
-#include "placing/vertex_values.hpp"
 #include "profiles/slab_lines.hpp"
 #include "tests/blocks/block_walk.hpp"
 #include "tests/catch.hpp"
@@ -23,7 +23,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace orograph::block_scenes_test {
@@ -65,15 +64,15 @@ struct Tally {
 class WallCheck : public LineObserver {
 public:
   WallCheck(const TerrainData& terrain, const PlacedView& placed, Random& random)
-      : terrain_(terrain), placed_(placed), random_(random), heights_(heights_of(terrain)) {}
+      : terrain_(terrain), placed_(placed), random_(random) {}
 
   void see(const SeenProfile&) override {}
   void see(const SeenLines& seen) override {
     const View& view = seen.sector.view;
     if (!view.is_perspective() && !(view.y_per_z > 1e-3)) return; // from straight above
     tolerance_ = tie_tolerance(seen.sector, 1e-4);
-    const std::vector<BlockWall> walls = walls_in(view);
-    const BlockWalk walk(triangles_in(view), walls, view);
+    const std::vector<BlockWall> walls = walls_in(terrain_, placed_, view);
+    const BlockWalk walk(triangles_in(terrain_, view), walls, view);
     std::vector<std::uint32_t> lines;
     for (std::uint32_t i = 0; i < seen.lines.size(); ++i)
       if (is_on_wall(seen.lines.line(i).kind)) lines.push_back(i);
@@ -149,41 +148,9 @@ private:
     if (here < 0) ++tally.visible;
   }
 
-  ProfilePoint vertex(std::uint32_t number, const View& view) const {
-    return line_of(terrain_.surface, view, {number, number}).from;
-  }
-  ProfilePoint foot(std::uint32_t number, const View& view) const {
-    double height_m = 0;
-    heights_(number, std::span(&height_m, 1));
-    const Grid* grid = std::get_if<Grid>(&terrain_.surface);
-    Vec3 at = grid ? grid->vertex_m(number) : std::get<Tin>(terrain_.surface).vertices_m[number];
-    at.z -= (terrain_.map.earth ? terrain_.map.earth->exaggeration : 1) *
-            (height_m - *placed_.block_base_m);
-    return to_profile_frame(view, at);
-  }
-  std::vector<BlockWall> walls_in(const View& view) const {
-    std::vector<BlockWall> walls;
-    for (const auto& [edge, left] : placed_.border) {
-      const std::uint32_t a = left ? edge.from : edge.to, b = left ? edge.to : edge.from;
-      walls.push_back({vertex(a, view), vertex(b, view), foot(a, view), foot(b, view)});
-    }
-    return walls;
-  }
-  std::vector<std::array<ProfilePoint, 3>> triangles_in(const View& view) const {
-    const Grid* grid = std::get_if<Grid>(&terrain_.surface);
-    const Tin tin = grid ? tin_of(*grid) : std::get<Tin>(terrain_.surface);
-    std::vector<std::array<ProfilePoint, 3>> triangles;
-    for (const auto& [a, b, c] : tin.triangles)
-      triangles.push_back({to_profile_frame(view, tin.vertices_m[a]),
-                           to_profile_frame(view, tin.vertices_m[b]),
-                           to_profile_frame(view, tin.vertices_m[c])});
-    return triangles;
-  }
-
   const TerrainData& terrain_;
   const PlacedView& placed_;
   Random& random_;
-  VertexValues heights_;
   TieTolerance tolerance_;
 };
 
@@ -294,6 +261,13 @@ TEST_CASE("a block's base is below all heights, by 0.15 of the relief unless tol
   grid.columns = grid.rows = 2;
   grid.heights_m = std::vector<float>{100, 200, 300, 400};
   CHECK(block_base_m(terrain, {}) == Approx(55));
+  // Contours on the walls go down to it.
+  const ContourLevels on_walls = contour_levels(terrain, {.interval = 50}, 55);
+  CHECK(on_walls.heights == std::vector<double>{100, 150, 200, 250, 300, 350, 400});
+  CHECK(contour_levels(terrain, {.interval = 50}, 20).heights.front() == 50);
+  CHECK(contour_levels(terrain, {.interval = 50}).heights.front() == 150);
+  CHECK(contour_levels(terrain, {.levels = {10, 60, 250}}, 55).heights ==
+        std::vector<double>{60, 250});
   CHECK(block_base_m(terrain, {.base = 99}) == 99);
   CHECK(block_base_m(terrain, {.base = 100, .unit_m = 0.3048}) == Approx(30.48));
   CHECK_THROWS_AS(block_base_m(terrain, {.base = 100}), Error);

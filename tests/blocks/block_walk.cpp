@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/blocks/block_walk.hpp"
 
+#include "dem/approximate/tin_of_grid.hpp"
+#include "placing/vertex_values.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace orograph {
 namespace {
@@ -84,6 +88,42 @@ double BlockWalk::depth_inside_m(ProfilePoint point) const {
     if (z > foot) deepest_m = std::max(deepest_m, top - z);
   }
   return deepest_m;
+}
+
+std::vector<BlockWall> walls_in(const TerrainData& terrain, const PlacedView& placed,
+                                const View& view) {
+  const VertexValues heights = heights_of(terrain);
+  const auto place = [&](std::uint32_t number) {
+    const Grid* grid = std::get_if<Grid>(&terrain.surface);
+    return grid ? grid->vertex_m(number) : std::get<Tin>(terrain.surface).vertices_m[number];
+  };
+  const auto top = [&](std::uint32_t number) { return to_profile_frame(view, place(number)); };
+  const auto foot = [&](std::uint32_t number) {
+    double height_m = 0;
+    heights(number, std::span(&height_m, 1));
+    Vec3 at = place(number);
+    at.z -= (terrain.map.earth ? terrain.map.earth->exaggeration : 1) *
+            (height_m - *placed.block_base_m);
+    return to_profile_frame(view, at);
+  };
+  std::vector<BlockWall> walls;
+  for (const auto& [edge, left] : placed.border) {
+    const std::uint32_t a = left ? edge.from : edge.to, b = left ? edge.to : edge.from;
+    walls.push_back({top(a), top(b), foot(a), foot(b)});
+  }
+  return walls;
+}
+
+std::vector<std::array<ProfilePoint, 3>> triangles_in(const TerrainData& terrain,
+                                                      const View& view) {
+  const Grid* grid = std::get_if<Grid>(&terrain.surface);
+  const Tin tin = grid ? tin_of(*grid) : std::get<Tin>(terrain.surface);
+  std::vector<std::array<ProfilePoint, 3>> triangles;
+  for (const auto& [a, b, c] : tin.triangles)
+    triangles.push_back({to_profile_frame(view, tin.vertices_m[a]),
+                         to_profile_frame(view, tin.vertices_m[b]),
+                         to_profile_frame(view, tin.vertices_m[c])});
+  return triangles;
 }
 
 } // namespace orograph

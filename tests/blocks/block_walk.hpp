@@ -3,9 +3,9 @@
 // base, and nothing below. Shares no code with the pass, nor with the other ray walk.
 #pragma once
 
-#include "dem/surface.hpp"
+#include "dem/terrain.hpp"
 #include "geometry/profile_point.hpp"
-#include "profiles/outline.hpp"
+#include "placing/placed_view.hpp"
 #include "view/view.hpp"
 
 #include <array>
@@ -35,5 +35,11 @@ private:
   std::vector<BlockWall> walls_;
   const View& view_;
 };
+
+/// The walls below all edges of the border of a terrain that was placed as a block, and the
+/// triangles of its surface, in the profile frame of a view.
+std::vector<BlockWall> walls_in(const TerrainData& terrain, const PlacedView& placed,
+                                const View& view);
+std::vector<std::array<ProfilePoint, 3>> triangles_in(const TerrainData& terrain, const View& view);
 
 } // namespace orograph

@@ -50,8 +50,10 @@ TEST_CASE("no lines that are seen are too far apart") {
     const PageColumns columns{-60, 0.5, 240, 0.5};
     const ProfileSampler sampler(cutter, view, to_page, columns);
     const double spacing_mm = random.between(0.2, 2);
-    const PlanOnPage plan = plan_on_page(sampler, depths_m, cutter.nearest_m(), columns, view,
-                                         frame, spacing_mm, false);
+    ToneRequest request{};
+    request.spacing_mm = spacing_mm;
+    const PlanOnPage plan =
+        plan_on_page(sampler, depths_m, cutter.nearest_m(), columns, view, frame, request);
     INFO("seed " << seed);
     // Planned ones are all there, with their levels; others stand between.
     std::size_t next = 0;

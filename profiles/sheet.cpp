@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "profiles/sheet.hpp"
+
+#include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
+#include "profiles/facing.hpp"
+#include "profiles/mesh.hpp"
+#include "profiles/slab_lines.hpp"
+#include "profiles/surface_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+constexpr std::size_t kOfTask = std::size_t{1} << 15U;
+
+template <class Take>
+void in_tasks(std::size_t count, const Take& take) {
+  on_all_cores((count + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+    const std::size_t end = std::min(count, (task + 1) * kOfTask);
+    take(task, task * kOfTask, end);
+  });
+}
+
+} // namespace
+
+SheetTriangles::SheetTriangles(const Surface& surface)
+    : surface_(&surface), grid_(std::get_if<Grid>(&surface)) {
+  if (grid_) {
+    is_mirrored_ = !grid_->is_on_earth() && grid_->plane().is_mirrored();
+    count_ = grid_triangle_count(*grid_);
+    there_.resize(count_);
+    std::visit(
+        [&](const auto& heights) {
+          in_tasks(count_, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t t = begin; t < end; ++t) {
+              const auto corner = corners(static_cast<std::uint32_t>(t));
+              there_[t] = std::ranges::none_of(corner, [&](std::uint32_t i) {
+                return std::isnan(static_cast<double>(heights[i]));
+              });
+            }
+          });
+        },
+        grid_->heights_m);
+    if (std::ranges::all_of(there_, [](std::uint8_t there) { return there != 0; })) there_.clear();
+    return;
+  }
+  const Tin& tin = std::get<Tin>(surface);
+  count_ = tin.triangles.size();
+  for_each_edge(tin, [&](const TinEdge& of) { edges_.push_back({of.edge, {of.left, of.right}}); });
+  std::ranges::sort(edges_, {}, &TinSides::edge);
+}
+
+std::uint32_t SheetTriangles::if_there(int column, int row, Half half) const {
+  if (column < 0 || row < 0 || column + 1 >= grid_->columns || row + 1 >= grid_->rows)
+    return kNoTriangle;
+  const auto t = static_cast<std::uint32_t>(grid_triangle(*grid_, column, row, half));
+  return is_there(t) ? t : kNoTriangle;
+}
+
+std::uint32_t SheetTriangles::across(std::uint32_t t, std::size_t k) const {
+  if (!grid_) return std::get<Tin>(*surface_).neighbours[t][k];
+  const auto cells = static_cast<std::uint32_t>(grid_->columns - 1);
+  const std::size_t of_lattice = is_mirrored_ && k > 0 ? 3 - k : k;
+  const auto& [cell, corner] = grid_mesh::kBeyond[t % 2][of_lattice];
+  return if_there(static_cast<int>(t / 2 % cells) + cell.column,
+                  static_cast<int>(t / 2 / cells) + cell.row,
+                  t % 2 == 0 ? Half::upper : Half::lower);
+}
+
+SheetTriangles::Sides SheetTriangles::sides_of(SurfaceEdge edge) const {
+  if (!grid_) {
+    const auto found = std::ranges::lower_bound(edges_, edge, {}, &TinSides::edge);
+    return found->sides;
+  }
+  const auto side = [&](bool left) {
+    const auto& [column, row, half] = side_of(*grid_, edge, left).triangle;
+    return if_there(column, row, half);
+  };
+  return {side(!is_mirrored_), side(is_mirrored_)};
+}
+
+std::vector<ProfilePoint> vertices_in(const Surface& surface, const View& view) {
+  const Grid* const grid = std::get_if<Grid>(&surface);
+  std::vector<ProfilePoint> out(grid ? grid->size() : std::get<Tin>(surface).vertices_m.size());
+  if (grid && !grid->is_on_earth()) {
+    std::visit(
+        [&](const auto& heights) {
+          const PlaneLattice& lattice = grid->plane();
+          in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            const auto columns = static_cast<std::size_t>(grid->columns);
+            for (std::size_t i = begin, row = begin / columns, at = begin % columns; i < end; ++i) {
+              out[i] = to_profile_frame(
+                  view, lattice.vertex_m(static_cast<int>(at), static_cast<int>(row), heights[i]));
+              if (++at == columns) {
+                at = 0;
+                ++row;
+              }
+            }
+          });
+        },
+        grid->heights_m);
+    return out;
+  }
+  in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto number = static_cast<std::uint32_t>(i);
+      out[i] = line_of(surface, view, {number, number}).from;
+    }
+  });
+  return out;
+}
+
+Sheet sheet_of(const Surface& surface, const View& view) {
+  if (const Tin* tin = std::get_if<Tin>(&surface); tin && !walls_of(*tin).empty())
+    throw UsageError("the underside of a terrain with vertical walls isn't drawn",
+                     "leave out `underside`");
+  Sheet sheet{SheetTriangles(surface), vertices_in(surface, view), {}, {}, {}};
+  const SheetTriangles& triangles = sheet.triangles;
+  const std::vector<ProfilePoint>& vertices = sheet.vertices;
+  sheet.is_up.resize(triangles.count());
+  in_tasks(triangles.count(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto number = static_cast<std::uint32_t>(t);
+      if (!triangles.is_there(number)) continue;
+      auto [a, b, c] = triangles.corners(number);
+      while (a > b || a > c) { // from the lowest
+        const std::uint32_t first = a;
+        a = b;
+        b = c;
+        c = first;
+      }
+      sheet.is_up[t] = facing_of(view, vertices[a], vertices[b], vertices[c]) == kMayFace ? 1 : 0;
+    }
+  });
+  struct Found {
+    std::vector<SurfaceEdge> ridges, valleys;
+  };
+  std::vector<Found> of_tasks((triangles.count() + kOfTask - 1) / kOfTask);
+  in_tasks(triangles.count(), [&](std::size_t task, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto number = static_cast<std::uint32_t>(t);
+      if (!triangles.is_there(number)) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = triangles.across(number, k);
+        if (other == kNoTriangle || other < number || sheet.is_up[other] == sheet.is_up[t])
+          continue;
+        const auto corners = triangles.corners(number);
+        const std::uint32_t a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
+        // The triangle itself is on the left of a -> b.
+        const int side =
+            eye_side(view, vertices[std::min(a, b)], vertices[std::max(a, b)]) * (a < b ? 1 : -1);
+        if (side == 0) continue; // straight away from the eye, or towards it
+        const bool front_is_up = sheet.is_up[side > 0 ? t : other] != 0;
+        (front_is_up ? of_tasks[task].ridges : of_tasks[task].valleys)
+            .push_back({std::min(a, b), std::max(a, b)});
+      }
+    }
+  });
+  for (Found& found : of_tasks) {
+    throw_if_stopped();
+    sheet.ridges.insert(sheet.ridges.end(), found.ridges.begin(), found.ridges.end());
+    sheet.valleys.insert(sheet.valleys.end(), found.valleys.begin(), found.valleys.end());
+  }
+  std::sort(sheet.ridges.begin(), sheet.ridges.end());
+  std::sort(sheet.valleys.begin(), sheet.valleys.end());
+  return sheet;
+}
+
+} // namespace orograph

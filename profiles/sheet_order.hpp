@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The order of any surface's triangles front to back (docs/underside.md).
+#pragma once
+
+#include "dem/surface.hpp"
+#include "geometry/profile_point.hpp"
+#include "profiles/lattice_order.hpp"
+#include "profiles/outline.hpp"
+#include "profiles/sheet.hpp"
+#include "view/view.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// Gives every triangle a place: what stands in front of another along a ray, with gaps between
+/// them or not, has the lesser one. Of a grid on a map plane that is its turn in the lattice's
+/// order. Of others triangles are sorted by two relations: the one on the eye's side of a shared
+/// edge is in front; and of two edges of the border that are next to each other on a ray with no
+/// ground between them, the triangle at the nearer one is. Of triangles in a plane in front of the
+/// eye these have no cycles; where rounding makes one, the nearest triangle goes first.
+class SheetOrder {
+public:
+  /// `vertices` in the frame of `view`, which is a sector's; what is nearer than `from_m` isn't
+  /// looked at. Cost of the second kind: O(triangles + m log m) of m edges of the border.
+  SheetOrder(const Surface& surface, const SheetTriangles& triangles,
+             std::span<const ProfilePoint> vertices, const std::vector<BorderEdge>& border,
+             const View& view, double from_m);
+
+  std::uint64_t place(std::uint32_t triangle) const;
+
+private:
+  std::optional<LatticeOrder> lattice_;
+  std::uint32_t cells_ = 1;           ///< in a row of the lattice
+  std::vector<std::uint32_t> places_; ///< of others
+};
+
+} // namespace orograph

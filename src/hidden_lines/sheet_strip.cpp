@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/sheet_strip.hpp"
+
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace orograph {
+
+namespace {
+
+bool has_own_frame(const SectorInWork& work) {
+  return work.sector.behind || work.placed.panorama;
+}
+
+} // namespace
+
+SheetInWork::SheetInWork(const SectorInWork& of)
+    : work(of), sheet(*of.sheet),
+      turned(has_own_frame(of) ? vertices_in(of.terrain.surface, of.sector.view)
+                               : std::vector<ProfilePoint>{}),
+      vertices(turned.empty() ? sheet.vertices : turned),
+      order(of.terrain.surface, sheet.triangles, vertices, of.placed.border, of.sector.view,
+            of.from_m) {}
+
+SheetStrip::SheetStrip(const SheetInWork& sheet, const Strip& strip,
+                       std::span<const LineAtDepth> which, std::span<const Segment> near_cut)
+    : sheet_(sheet), range_(strip.range),
+      pictures_(sheet.work.terrain.surface, sheet.work.on_ground.points, sheet.work.sector,
+                sheet.work.lines, strip.range, sheet.work.from_m),
+      covered_(strip.core, pictures_.looked_at(), strip.blocks) {
+  const XRange looked_at = pictures_.looked_at();
+  for (const Segment& s : near_cut) {
+    const double begin = std::max(s.x0, looked_at.begin), end = std::min(s.x1, looked_at.end);
+    if (begin < end) covered_.take(s, begin, end, SheetEnd::opens, false);
+  }
+  events_.reserve(which.size());
+  for (const LineAtDepth& line : which) add_line(line.line);
+}
+
+void SheetStrip::add_line(std::uint32_t number) {
+  const EdgeLine& line = pictures_.line(number);
+  if (!line.drawn && !line.hides) return;
+  if (pictures_.is_edge(number))
+    add_edge(number, line.edge);
+  else
+    add_ground_line(number);
+}
+
+// Which lie on the upper side. A contour on level ground's rim has the triangle below it, but lies
+// on the one above as well.
+void SheetStrip::add_ground_line(std::uint32_t number) {
+  const std::uint32_t triangle = sheet_.work.triangle_of(number);
+  if (sheet_.sheet.is_up[triangle] == 0) {
+    if (const auto edge = edge_under(pictures_.whole(number), triangle)) add_edge(number, *edge);
+    return;
+  }
+  events_.push_back({turn_of(sheet_.order.place(triangle), SheetStep::inside), number, kLine,
+                     SheetEnd::turns, true, true, false});
+}
+
+// The side of a triangle that a line runs along from vertex to vertex.
+std::optional<SurfaceEdge> SheetStrip::edge_under(const ProfileLine& line,
+                                                  std::uint32_t triangle) const {
+  const double rounding_m = 4 * pictures_.rounding_m();
+  const auto corner_at = [&](ProfilePoint p) -> std::optional<std::uint32_t> {
+    for (const std::uint32_t corner : sheet_.sheet.triangles.corners(triangle))
+      if (const ProfilePoint& at = sheet_.vertices[corner];
+          std::abs(p.u - at.u) <= rounding_m && std::abs(p.v - at.v) <= rounding_m)
+        return corner;
+    return std::nullopt;
+  };
+  const auto from = corner_at(line.from), to = corner_at(line.to);
+  if (!from || !to || *from == *to) return std::nullopt;
+  return SurfaceEdge{std::min(*from, *to), std::max(*from, *to)};
+}
+
+void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
+  const EdgeLine& line = pictures_.line(number);
+  const auto [left, right] = sheet_.sheet.triangles.sides_of(edge);
+  const bool of_upper_side = line.kind == LineKind::shore || is_on_ground(line.kind);
+  const auto is_up = [&](std::uint32_t t) {
+    return t != kNoTriangle && sheet_.sheet.is_up[t] != 0;
+  };
+  const LinePicture picture = pictures_.picture(number, pictures_.whole(number));
+  const int side =
+      eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[edge.to]);
+  const auto place = [&](std::uint32_t t) { return sheet_.order.place(t); };
+  if (picture.is_upright() || side == 0) {
+    if (!line.drawn || (of_upper_side && !is_up(left) && !is_up(right))) return;
+    // It is asked before either of its triangles covers anything, beside the first of them.
+    const bool takes_left =
+        right == kNoTriangle || (left != kNoTriangle && place(left) < place(right));
+    events_.push_back({turn_of(place(takes_left ? left : right), SheetStep::inside), number, kLine,
+                       SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right),
+                       false});
+    return;
+  }
+  const std::uint32_t front = side > 0 ? left : right, behind = side > 0 ? right : left;
+  // The side that one sees of an edge is that of the triangle in front of it.
+  const bool is_asked =
+      line.drawn && (!of_upper_side || is_up(front == kNoTriangle ? behind : front));
+  const SheetEnd end = front == kNoTriangle    ? SheetEnd::opens
+                       : behind == kNoTriangle ? SheetEnd::closes
+                                               : SheetEnd::turns;
+  const SheetTurn turn = front == kNoTriangle ? turn_of(place(behind), SheetStep::rim)
+                                              : turn_of(place(front), SheetStep::behind);
+  events_.push_back({turn, number, kLine, end, is_asked, true, line.hides});
+}
+
+void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
+  const std::vector<double>& x = profile.projected->x;
+  for (const VertexRun& run : profile.projected->runs) {
+    const auto first = x.begin() + run.first, last = x.begin() + run.last;
+    for (auto left = first; left != last; ++left) {
+      if (!(left[0] < left[1]) || left[1] <= range_.begin) continue;
+      if (left[0] >= range_.end) break;
+      const auto span = static_cast<std::uint32_t>(left - x.begin());
+      if (profile.spans[span].is_there)
+        events_.push_back(
+            {profile.spans[span].turn, number, span, SheetEnd::turns, true, true, false});
+    }
+  }
+}
+
+void SheetStrip::run(std::span<const SheetProfile> profiles) {
+  for (std::uint32_t i = 0; i < profiles.size(); ++i) add_spans(i, profiles[i]);
+  throw_if_stopped();
+  std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
+    return std::tie(a.turn, a.hides, a.span, a.number) <
+           std::tie(b.turn, b.hides, b.span, b.number);
+  });
+  std::size_t step = 0;
+  for (const Event& event : events_) {
+    throw_if_stopped(step++);
+    if (event.span == kLine)
+      take_line(event);
+    else
+      take_span(event, profiles[event.number]);
+  }
+  events_ = {};
+}
+
+void SheetStrip::take_line(const Event& event) {
+  const LinePicture picture = pictures_.picture(event.number, pictures_.whole(event.number));
+  SurfaceLine line = pictures_.surface_line(event.number, picture);
+  if (!pictures_.cut_to_range(line)) return;
+  if (event.is_asked) {
+    seen_.clear();
+    if (line.upright())
+      covered_.add_upright_seen(line.source, event.takes_left, seen_);
+    else
+      covered_.add_seen(line.source, line.begin, line.end, sheet_.work.tolerance, seen_);
+    for (const Shares& part : seen_)
+      pictures_.add_part(event.number, picture, part.begin, part.end, parts_);
+  }
+  if (raises(line) && !pictures_.is_moved(pictures_.line(event.number).edge))
+    covered_.take(line.source, line.begin, line.end, event.end, line.drawn);
+}
+
+void SheetStrip::take_span(const Event& event, const SheetProfile& profile) {
+  const ProjectedProfile& of = *profile.projected;
+  const std::uint32_t i = event.span;
+  const Segment span{of.x[i], of.y[i], of.x[i + 1], of.y[i + 1], i};
+  seen_.clear();
+  covered_.add_seen(span, std::max(span.x0, range_.begin), std::min(span.x1, range_.end),
+                    sheet_.work.tolerance, seen_);
+  for (const Shares& part : seen_)
+    spans_.push_back({event.number, profile.spans[i].is_up, {i, i, part.begin, part.end}});
+}
+
+} // namespace orograph

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pass through one strip of X where the surface is a sheet with two sides (docs/underside.md).
+#pragma once
+
+#include "hidden_lines/line_pictures.hpp"
+#include "hidden_lines/sector_in_work.hpp"
+#include "hidden_lines/strips.hpp"
+#include "horizon/covered.hpp"
+#include "profiles/sheet.hpp"
+#include "profiles/sheet_order.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// A sheet as a sector sees it.
+struct SheetInWork {
+  const SectorInWork& work;
+  const Sheet& sheet;
+  std::vector<ProfilePoint> turned;       ///< of a sector with a frame of its own
+  std::span<const ProfilePoint> vertices; ///< in the sector's profile frame
+  SheetOrder order;
+
+  explicit SheetInWork(const SectorInWork& of);
+};
+
+/// When something has its turn: what has the lesser one comes first.
+using SheetTurn = std::uint64_t;
+
+/// Within the turn of a triangle: lines along edges at which the sheet begins, these edges, what is
+/// in the triangle, and the edges on its farther side.
+enum class SheetStep : std::uint8_t { on_rim = 0, rim = 1, inside = 2, behind = 3 };
+inline SheetTurn turn_of(std::uint64_t place, SheetStep step) {
+  return place << 2U | static_cast<SheetTurn>(step);
+}
+
+/// A span of a profile, in the triangle that it lies in.
+struct SheetSpan {
+  SheetTurn turn = 0;
+  bool is_there = false, is_up = false;
+};
+
+/// A profile with its spans, by left vertex.
+struct SheetProfile {
+  const ProjectedProfile* projected;
+  std::vector<SheetSpan> spans;
+};
+
+/// What is seen of a profile's span in a strip.
+struct SeenSpan {
+  std::uint32_t profile;
+  bool is_up;
+  VisibleRun run;
+};
+
+/// Takes all that a strip holds in the order of its turns.
+class SheetStrip {
+public:
+  /// `which`: the lines that reach into the strip; `near_cut` stands in front of everything.
+  /// REQUIRES that all outlive it.
+  SheetStrip(const SheetInWork& sheet, const Strip& strip, std::span<const LineAtDepth> which,
+             std::span<const Segment> near_cut);
+
+  void run(std::span<const SheetProfile> profiles);
+
+  const std::vector<LinePart>& visible_parts() const { return parts_; }
+  const std::vector<SeenSpan>& seen_spans() const { return spans_; }
+  const LinePictures& pictures() const { return pictures_; }
+  Horizon top() const { return covered_.top(); }
+
+private:
+  struct Event {
+    SheetTurn turn;
+    std::uint32_t number; ///< of the line, or the profile
+    std::uint32_t span;   ///< of a profile, by its left vertex; of lines kLine
+    SheetEnd end;         ///< of lines that hide
+    bool is_asked, takes_left;
+    bool hides; ///< which it does when all that lies on it has been asked
+  };
+  static constexpr std::uint32_t kLine = 0xffffffff;
+
+  void add_line(std::uint32_t number);
+  void add_ground_line(std::uint32_t number);
+  std::optional<SurfaceEdge> edge_under(const ProfileLine& line, std::uint32_t triangle) const;
+  void add_edge(std::uint32_t number, SurfaceEdge edge);
+  void add_spans(std::uint32_t number, const SheetProfile& profile);
+  void take_line(const Event& event);
+  void take_span(const Event& event, const SheetProfile& profile);
+
+  const SheetInWork& sheet_;
+  XRange range_;
+  LinePictures pictures_;
+  Covered covered_;
+  std::vector<Event> events_;
+  std::vector<LinePart> parts_;
+  std::vector<SeenSpan> spans_;
+  std::vector<Shares> seen_; ///< scratch
+};
+
+} // namespace orograph

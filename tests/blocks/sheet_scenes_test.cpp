@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Both sides of a sheet: what is drawn of them is what an eye sees, and nothing else.
+#include "dem/approximate/tin_of_grid.hpp"
+#include "geometry/error.hpp"
+#include "hidden_lines/instruments.hpp"
+#include "map/draw_map.hpp"
+#include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
+#include "profiles/slab_lines.hpp"
+#include "profiles/surface_edges.hpp"
+#include "tests/blocks/block_walk.hpp"
+#include "tests/blocks/sheet_walk.hpp"
+#include "tests/catch.hpp"
+#include "tests/scenes/random_earth_scene.hpp"
+#include "tests/scenes/random_scene.hpp"
+#include "tests/scenes/random_tin_scene.hpp"
+#include "tests/scenes/vary_view.hpp"
+#include "tests/support/grid_of.hpp"
+#include "tests/support/random.hpp"
+#include "view/sectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace orograph::sheet_scenes_test {
+namespace {
+
+constexpr std::uint64_t kScenes = last_seed(500);
+
+// Seen from below and from above, from outside, between, and under the ground.
+void look_anywhere(MapSpec& spec, const TerrainData& terrain, Random& random) {
+  ViewSpec& view = spec.view;
+  const Grid& grid = grid_of(terrain);
+  const Angle elevation = Angle::degrees(
+      random.pick({-90.0, -60.0, -30.0, -10.0, -3.0, 0.0, 3.0, 10.0, 30.0, 60.0, 90.0}));
+  switch (random.whole(0, 3)) {
+  case 0:
+    view.projection = Projection::orthographic;
+    view.from_elevation = elevation;
+    return;
+  case 1:
+    view.projection = random.chance(0.3) ? Projection::oblique : Projection::orthographic;
+    view.from_elevation = Angle::degrees(random.between(-90, 90));
+    view.oblique = {random.between(0.2, 1.2), Angle::degrees(random.between(20, 160))};
+    return;
+  case 2:
+    view.projection = Projection::perspective;
+    view.from_elevation = elevation;
+    return;
+  default:
+    break;
+  }
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const float height : std::get<Heights<float>>(grid.heights_m))
+    if (!std::isnan(height)) {
+      low = std::min<double>(low, height);
+      high = std::max<double>(high, height);
+    }
+  const double cell_m = cell_size_m(grid), relief_m = high - low + cell_m;
+  const auto anywhere = [&](double beyond) -> Vec3 {
+    const Vec2 at =
+        grid.plane().position_m(0, 0) +
+        random.between(-beyond, grid.columns - 1 + beyond) * grid.plane().column_step_m +
+        random.between(-beyond, grid.rows - 1 + beyond) * grid.plane().row_step_m;
+    return {at.x, at.y, random.between(low - relief_m, high + relief_m)};
+  };
+  view.projection = Projection::perspective;
+  view.exaggeration = 1;
+  view.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 90.0, 120.0}));
+  view.eye_map = anywhere(6);
+  view.look_at_map = anywhere(0);
+}
+
+RandomScene sheet_scene(std::uint64_t seed, Random& random) {
+  RandomScene scene = random_scene(seed, 18);
+  Grid& grid = grid_of(scene.terrain);
+  const auto heights = std::get<Heights<float>>(grid.heights_m).own();
+  if (random.chance(0.6)) {
+    const int column = random.whole(1, grid.columns - 6), row = random.whole(1, grid.rows - 6),
+              size = random.whole(2, 5);
+    const bool has_island = size == 5 && random.chance(0.7);
+    for (int r = row; r < std::min(row + size, grid.rows); ++r)
+      for (int c = column; c < std::min(column + size, grid.columns); ++c)
+        if (!has_island || r == row || c == column || r == row + 4 || c == column + 4)
+          heights[grid.index(c, r)] = std::numeric_limits<float>::quiet_NaN();
+    for (const auto& [c, r] : {std::pair{0, 0}, {1, 0}, {1, 1}})
+      if (std::isnan(heights[grid.index(c, r)])) heights[grid.index(c, r)] = 100;
+  }
+  look_anywhere(scene.spec, scene.terrain, random);
+  return scene;
+}
+
+void draw_both_sides(Style& style) {
+  style.underside = Underside::draw;
+  for (const char* layer : {"voids", "contours", "edges"})
+    if (!style.asks_for(layer)) style.layers.emplace_back(layer);
+  std::erase_if(style.layers, [](const LayerSpec& of) {
+    return of.name.starts_with("hidden") || of.name == "solids" || of.name == "pen-up";
+  });
+}
+
+struct Tally {
+  std::uint64_t asked = 0, unsure = 0, upper = 0, underside = 0, drawn_wrong = 0, missing = 0;
+};
+
+void add(const Tally& of, Tally& sum) {
+  sum.asked += of.asked;
+  sum.unsure += of.unsure;
+  sum.upper += of.upper;
+  sum.underside += of.underside;
+  sum.drawn_wrong += of.drawn_wrong;
+  sum.missing += of.missing;
+}
+
+class SheetCheck : public LineObserver {
+public:
+  SheetCheck(const TerrainData& terrain, Random& random) : terrain_(terrain), random_(random) {}
+
+  void see(const SeenProfile& seen) override {
+    // With its underside, which comes next.
+    upper_ = seen.visible;
+  }
+
+  void see_underside(const SeenProfile& seen) override {
+    if (!prepare(seen.sector) || seen.segments.empty()) return;
+    constexpr int kPoints = 6;
+    for (int k = 0; k < kPoints; ++k) {
+      auto number =
+          static_cast<std::uint32_t>(random_.whole(0, static_cast<int>(seen.segments.size()) - 1));
+      double t = random_.between(0, 1);
+      const std::vector<Piece>& pieces = random_.chance(0.5) ? upper_ : seen.visible;
+      if (!pieces.empty() && random_.chance(0.4)) {
+        const Piece& piece =
+            pieces[static_cast<std::size_t>(random_.whole(0, static_cast<int>(pieces.size()) - 1))];
+        number = piece.segment;
+        t = (random_.chance(0.5) ? piece.t_begin : piece.t_end) + random_.pick({-1e-3, 1e-3});
+      }
+      if (!(t > 1e-4 && t < 1 - 1e-4)) continue;
+      const std::uint32_t left = left_vertex(seen.segments[number]);
+      const Profile& profile = seen.profile;
+      const ProfilePoint a{profile.u_m[left], profile.depth_m, profile.z_m[left]},
+          b{profile.u_m[left + 1], profile.depth_m, profile.z_m[left + 1]};
+      const auto holds = [&](const std::vector<Piece>& of) {
+        return std::ranges::any_of(of, [&](const Piece& piece) {
+          return piece.segment == number && piece.t_begin <= t && t <= piece.t_end;
+        });
+      };
+      ask(seen.clipped, a, b, t, holds(upper_), holds(seen.visible), On::both);
+    }
+  }
+
+  void see(const SeenLines& seen) override {
+    if (!prepare(seen.sector)) return;
+    std::vector<std::uint32_t> lines;
+    for (std::uint32_t i = 0; i < seen.lines.size(); ++i)
+      if (seen.lines.line(i).drawn) lines.push_back(i);
+    constexpr int kPoints = 80;
+    for (int k = 0; k < kPoints && !lines.empty(); ++k) {
+      const std::uint32_t line =
+          lines[static_cast<std::size_t>(random_.whole(0, static_cast<int>(lines.size()) - 1))];
+      const auto part = std::find_if(seen.visible.begin(), seen.visible.end(),
+                                     [&](const LinePart& p) { return p.line == line; });
+      double t = random_.between(0, 1);
+      if (part != seen.visible.end() && part->line == line && random_.chance(0.4))
+        t = (random_.chance(0.5) ? part->t_begin : part->t_end) + random_.pick({-1e-3, 1e-3});
+      if (!(t > 1e-4 && t < 1 - 1e-4)) continue;
+      bool is_drawn = false;
+      for (auto p = part; p != seen.visible.end() && p->line == line; ++p)
+        is_drawn = is_drawn || (p->t_begin <= t && t <= p->t_end);
+      const auto [from, to] = seen.lines.whole(line);
+      const LineKind kind = seen.lines.line(line).kind;
+      if (seen.lines.is_moved(seen.lines.line(line).edge)) continue;
+      const bool of_upper_side = is_on_ground(kind) || kind == LineKind::shore;
+      ask(seen.clipped, from, to, t, is_drawn, is_drawn, of_upper_side ? On::upper_side : On::both);
+    }
+  }
+
+  Tally tally;
+
+private:
+  bool prepare(const Sector& sector) {
+    if (&sector == sector_) return can_ask_;
+    sector_ = &sector;
+    view_ = &sector.view;
+    can_ask_ = view_->is_perspective() || view_->y_per_z > 1e-3; // not from straight above or below
+    tolerance_ = tie_tolerance(sector, 1e-4);
+    walk_.emplace(triangles_in(terrain_, *view_), *view_, view_->near_m);
+    return can_ask_;
+  }
+
+  // What a line lies on: the upper side, or either.
+  enum class On { upper_side, both };
+
+  // Of a point on a line of the sheet, and whether it is drawn as seen on the upper side, and as
+  // seen on the underside. Of an edge both are the same.
+  void ask(XRange clipped, ProfilePoint a, ProfilePoint b, double t, bool in_upper,
+           bool in_underside, On on) {
+    if (std::hypot(b.u - a.u, b.v - a.v) < 1e-6) return; // a crumb at a vertex
+    const ProfilePoint at = point_between(a, b, t);
+    const double from_m = std::max(kNearPlanesAhead * view_->near_m, view_->drawn_from_m);
+    if (view_->is_perspective() && at.v <= 1.01 * from_m) return;
+    const Vec2 plane = project(*view_, at);
+    if (!(plane.x > clipped.begin && plane.x < clipped.end)) return;
+    ++tally.asked;
+    const double tolerance_m = 1e-5 + 2 * tolerance_.at(plane.x, plane.y) *
+                                          (view_->is_perspective() ? at.v : 1 / view_->y_per_z);
+    using Sight = SheetWalk::Sight;
+    const auto sight = walk_->sight(at, tolerance_m);
+    // What ends just at the point's ray is a matter of rounding: a little to both sides.
+    const double beside = std::min(1e-4, 1e-5 * std::hypot(at.u, at.v) /
+                                             std::max(1e-9, std::hypot(b.u - a.u, b.v - a.v)));
+    const auto is_same = [&](double at_t) {
+      return walk_->sight(point_between(a, b, at_t), tolerance_m) == sight;
+    };
+    if (sight == Sight::unsure || !is_same(t - beside) || !is_same(t + beside)) {
+      ++tally.unsure;
+      return;
+    }
+    if (sight == Sight::upper) ++tally.upper;
+    if (sight == Sight::underside) ++tally.underside;
+    const bool may_be_upper = sight == Sight::upper || sight == Sight::edge,
+               may_be_underside = sight == Sight::underside || sight == Sight::edge;
+    bool is_wrong, is_missing;
+    if (on == On::upper_side) {
+      is_wrong = in_upper && !may_be_upper;
+      is_missing = sight == Sight::upper && !in_upper;
+    } else if (in_upper && in_underside) { // an edge
+      is_wrong = sight == Sight::hidden;
+      is_missing = false;
+    } else {
+      is_wrong = (in_upper && !may_be_upper) || (in_underside && !may_be_underside);
+      is_missing = sight != Sight::hidden && !in_upper && !in_underside;
+    }
+    if (is_wrong) ++tally.drawn_wrong;
+    if (is_missing) ++tally.missing;
+  }
+
+  const TerrainData& terrain_;
+  Random& random_;
+  const Sector* sector_ = nullptr;
+  const View* view_ = nullptr;
+  bool can_ask_ = false;
+  TieTolerance tolerance_;
+  std::optional<SheetWalk> walk_;
+  std::vector<Piece> upper_;
+};
+
+// None where the view is refused.
+std::optional<Tally> check(const TerrainData& terrain, const MapSpec& spec, Random& random) {
+  const std::optional<PlacedView> placed = placed_if_any(terrain, spec);
+  if (!placed || placed->extent.turned_over > 0) return std::nullopt;
+  SheetCheck check(terrain, random);
+  Instruments instruments;
+  instruments.observers = {&check};
+  instruments.vertices_a_strip = random.pick({600.0, 7.0});
+  draw_map(
+      terrain, *placed, spec, [](double) {}, instruments);
+  CHECK(check.tally.drawn_wrong == 0);
+  CHECK(check.tally.missing == 0);
+  return check.tally;
+}
+
+void tell(const Tally& sum, std::uint64_t drawn) {
+  WARN(drawn << " drawn, " << sum.asked << " asked, " << sum.unsure << " unsure, " << sum.upper
+             << " on the upper side, " << sum.underside << " on the underside, " << sum.drawn_wrong
+             << " drawn wrong, " << sum.missing << " missing");
+}
+
+} // namespace
+
+TEST_CASE("both sides of a sheet are drawn where they are seen, and nowhere else") {
+  Tally sum;
+  std::uint64_t drawn = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    Random random(seed);
+    RandomScene scene = sheet_scene(seed, random);
+    draw_both_sides(scene.spec.style);
+    const bool is_tin = seed % 4 == 0;
+    if (is_tin) {
+      const Grid grid = grid_of(scene.terrain);
+      scene.terrain.surface = tin_of(grid);
+    }
+    INFO("seed " << seed << ": " << scene.what << (is_tin ? ", a TIN" : ""));
+    if (const auto tally = check(scene.terrain, scene.spec, random)) {
+      add(*tally, sum);
+      ++drawn;
+    }
+  }
+  tell(sum, drawn);
+  CHECK(drawn > kScenes / 2);
+  CHECK(sum.asked > 50 * drawn);
+  CHECK(sum.upper > 10 * drawn);
+  CHECK(sum.underside > 10 * drawn);
+  CHECK(sum.unsure < sum.asked / 10);
+}
+
+TEST_CASE("and of sheets in degrees, whose tiles bulge") {
+  Tally sum;
+  std::uint64_t drawn = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 5; ++seed) {
+    Random random(seed);
+    RandomScene scene = random_earth_scene(
+        seed, random.pick({Stand::frames_terrain, Stand::in_air, Stand::on_ground}));
+    draw_both_sides(scene.spec.style);
+    ViewSpec& view = scene.spec.view;
+    if (!view.has_eye()) view.from_elevation = Angle::degrees(random.between(-80, 80));
+    if (view.eye_map && view.eye_map->z) *view.eye_map->z -= random.pick({0.0, 1e3, 1e4});
+    INFO("seed " << seed << ": " << scene.what);
+    try {
+      stand_on_earth(scene.terrain, view);
+    } catch (const Error&) {
+      continue;
+    }
+    if (const auto tally = check(scene.terrain, scene.spec, random)) {
+      add(*tally, sum);
+      ++drawn;
+    }
+  }
+  tell(sum, drawn);
+  CHECK(drawn > kScenes / 10);
+  CHECK(sum.upper > 5 * drawn);
+  CHECK(sum.underside > 5 * drawn);
+  CHECK(sum.unsure < sum.asked / 5);
+}
+
+TEST_CASE("and of surveys, whose triangles have any shape and order") {
+  Tally sum;
+  std::uint64_t drawn = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 2; ++seed) {
+    Random random(seed);
+    RandomTinScene scene = random_tin_scene(seed, false);
+    draw_both_sides(scene.spec.style);
+    if (!scene.spec.view.has_eye())
+      scene.spec.view.from_elevation = Angle::degrees(random.between(-80, 80));
+    INFO("seed " << seed << ": " << scene.what);
+    try {
+      if (const auto tally = check(scene.terrain, scene.spec, random)) {
+        add(*tally, sum);
+        ++drawn;
+      }
+    } catch (const UsageError&) { // it has walls
+      CHECK(!walls_of(std::get<Tin>(scene.terrain.surface)).empty());
+    }
+  }
+  tell(sum, drawn);
+  CHECK(drawn > kScenes / 10);
+  CHECK(sum.upper > 5 * drawn);
+  CHECK(sum.underside > 5 * drawn);
+  CHECK(sum.unsure < sum.asked / 5);
+}
+
+} // namespace orograph::sheet_scenes_test
