@@ -6,6 +6,7 @@
 #include "dem/levels/refine.hpp"
 #include "dem/levels/summits.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/places.hpp"
 #include "profiles/level_ground.hpp"
 
 #include <algorithm>
@@ -48,20 +49,38 @@ bool is_on_page(const PlacedView& placed, Vec3 on_page) {
   return at.x >= frame.low.x && at.x <= frame.high.x && at.y >= frame.low.y && at.y <= frame.high.y;
 }
 
+bool stands_over(const std::vector<Box3>& boxes, Vec2 eye_m) {
+  return std::ranges::any_of(boxes, [&](const Box3& box) {
+    return box.low.x <= eye_m.x && eye_m.x <= box.high.x && box.low.y <= eye_m.y &&
+           eye_m.y <= box.high.y;
+  });
+}
+
+// Whether an eye that is given stands over the ground, which is told at once: to place a panorama
+// costs as much as to draw one.
+bool stands_over_ground(const ViewSpec& view, const TerrainData& terrain,
+                        const TerrainFacts& facts) {
+  const bool is_eyes = view.projection == Projection::perspective || is_panorama(view.projection);
+  if (!view.has_eye() || view.file || !is_eyes) return false;
+  ViewRequest request;
+  request.exaggeration = exaggeration_of(view, facts.extent.box);
+  place_eye(request, view, terrain);
+  return request.eye_m &&
+         stands_over(facts.extent.blocks.boxes, {request.eye_m->x, request.eye_m->y});
+}
+
 // How large a cell is on the page where it is largest; infinite at the eye's feet.
 double greatest_cell_mm(const PlacedView& placed, const Grid& grid) {
   const View& view = placed.view;
+  if (view.is_perspective() && stands_over(placed.extent.blocks.boxes, view.depth_origin_m))
+    return std::numeric_limits<double>::infinity();
   const GridSteps steps = steps_of(grid);
   const auto in_frame = [&](Vec2 step) {
     return Vec3{dot(step, view.right), dot(step, view.forward), 0};
   };
   const Vec3 across = in_frame(steps.column_m), down = in_frame(steps.row_m);
   double greatest = 0;
-  for (const Box3& box : placed.extent.blocks.boxes) {
-    if (view.is_perspective() && box.low.x <= view.depth_origin_m.x &&
-        view.depth_origin_m.x <= box.high.x && box.low.y <= view.depth_origin_m.y &&
-        view.depth_origin_m.y <= box.high.y)
-      return std::numeric_limits<double>::infinity();
+  for (const Box3& box : placed.extent.blocks.boxes)
     for (const double x : {box.low.x, box.high.x})
       for (const double y : {box.low.y, box.high.y})
         for (const double z : {box.low.z, box.high.z}) {
@@ -70,7 +89,6 @@ double greatest_cell_mm(const PlacedView& placed, const Grid& grid) {
           greatest =
               std::max({greatest, placed.mm_per_step(at, across), placed.mm_per_step(at, down)});
         }
-  }
   return greatest;
 }
 
@@ -123,16 +141,21 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   const TerrainData& file = terrain.of_file();
   const Grid* const grid = std::get_if<Grid>(&file.surface);
   if (!grid || terrain.is_cut()) return std::nullopt;
-  const TerrainFacts own = of_whole ? TerrainFacts{} : facts_of(file);
+  TerrainFacts own = of_whole ? TerrainFacts{} : facts_of(file);
   const TerrainFacts& facts = of_whole ? *of_whole : own;
-  const PlacedView placed = placed_picture(file, facts, spec, solids);
-  const double cell_mm = greatest_cell_mm(placed, *grid);
+  const auto stay = [&]() -> std::optional<LevelOfDetail> {
+    if (!of_whole) terrain.take_level_facts(std::move(own));
+    return std::nullopt;
+  };
   // What the eye stands over has cells of any size on the page; it and its skyline are the file's
   // then, as they are for who asks what is seen from there.
-  if (!(cell_mm > 0) || (std::isinf(cell_mm) && !detail.cell_mm)) return std::nullopt;
+  if (!detail.cell_mm && stands_over_ground(spec.view, file, facts)) return stay();
+  const PlacedView placed = placed_picture(file, facts, spec, solids);
+  const double cell_mm = greatest_cell_mm(placed, *grid);
+  if (!(cell_mm > 0) || (std::isinf(cell_mm) && !detail.cell_mm)) return stay();
   LevelOfDetail level;
   level.step = chosen_step(*grid, asked_size(spec.style), cell_mm);
-  if (level.step == 1) return std::nullopt;
+  if (level.step == 1) return stay();
 
   const bool is_finer = level.step < 1;
   const Grid made =
