@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a part of a profile is asked for, walks begin as well at the sides of a few cells about its
 // left end, and end beyond its right one.
-#include "profiles/cut_mesh.hpp"
+#include "profiles/cut_earth_grid.hpp"
+
 #include "profiles/mesh_walk.hpp"
-#include "profiles/surface_edges.hpp"
 #include "view/view.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -27,33 +29,8 @@ struct CutEarthMesh : GridMesh<EarthLattice, Height> {
   }
 };
 
-BorderSides<GridSide> sides_of(const Grid& grid, const View& view,
-                               std::span<const BorderEdge> border) {
-  std::vector<GridSide> sides;
-  sides.reserve(border.size());
-  for (const auto& [edge, left] : border) sides.push_back(side_of(grid, edge, left));
-  return std::visit(
-      [&](const auto& heights) {
-        const GridMesh mesh{grid, grid.earth(), heights, view};
-        return BorderSides<GridSide>(sides, [&](const GridSide& side) {
-          const double a = mesh.vertex(side.triangle, (side.k + 1U) % 3).at.v,
-                       b = mesh.vertex(side.triangle, (side.k + 2U) % 3).at.v;
-          return BorderSides<GridSide>::Depths{std::min(a, b), std::max(a, b)};
-        });
-      },
-      grid.heights_m);
-}
-
-// Cells, the last ones included; none where first is greater than last.
-struct CellBox {
-  int first_column, last_column, first_row, last_row;
-
-  bool empty() const { return first_column > last_column || first_row > last_row; }
-  bool has(const CellHalf& t) const {
-    return t.column >= first_column && t.column <= last_column && t.row >= first_row &&
-           t.row <= last_row;
-  }
-};
+using CellBox = BorderInView::Cells;
+constexpr CellBox kNoCells{0, -1, 0, -1};
 
 // Calls take(side) with the sides about a box, by the triangles in it.
 template <class Take>
@@ -96,8 +73,8 @@ bool is_plain(const DegreeLattice& degrees) {
 
 // A part of the profile of a grid.
 template <class Mesh>
-void cut_part(const Mesh& mesh, const BorderSides<GridSide>& border, const CellBox& left_end,
-              URange part, double depth_m, bool far_at_plane, Profile& out) {
+void cut_part(const Mesh& mesh, const BorderInView& border, const CellBox& left_end, URange part,
+              double depth_m, bool far_at_plane, Profile& out) {
   Profile found;
   std::vector<Run> runs;
   MeshWalk<Mesh> walk(mesh, depth_m, part.high_m, far_at_plane, found);
@@ -110,8 +87,9 @@ void cut_part(const Mesh& mesh, const BorderSides<GridSide>& border, const CellB
     // Where there is nothing beyond it, it is of the border.
     if (!ends && mesh.if_there(side) && mesh.across(side)) add(walk.over(side));
   });
-  for (const GridSide& side : border.at(depth_m))
-    if (left_end.has(side.triangle) || walk.reaches_into(side, part)) add(walk.from(side));
+  std::vector<GridSide> sides;
+  border.at(depth_m, part, left_end, sides);
+  for (const GridSide& side : sides) add(walk.from(side));
   keep_ground_in_front(runs);
   put_in_order(found, runs, out);
 }
@@ -119,8 +97,8 @@ void cut_part(const Mesh& mesh, const BorderSides<GridSide>& border, const CellB
 } // namespace
 
 EarthGridCutter::EarthGridCutter(const Grid& grid, const View& view, const TriangleSet& level,
-                                 std::span<const BorderEdge> border, const Box3* box)
-    : grid_(grid), view_(view), level_(level), border_(sides_of(grid, view, border)) {
+                                 std::shared_ptr<const BorderPlaces> border, const Box3* box)
+    : grid_(grid), view_(view), level_(level), border_(std::move(border), view) {
   if (box && is_plain(grid.earth().degrees())) z_m_ = {box->low.z, box->high.z};
 }
 
@@ -147,9 +125,11 @@ void EarthGridCutter::cut(double depth_m, Profile& out) const {
   out.clear();
   out.depth_m = depth_m;
   if (!(depth_m >= nearest_m() && depth_m <= farthest_m())) return;
+  thread_local std::vector<GridSide> sides; // kept for its memory
+  border_.at(depth_m, {}, kNoCells, sides);
   std::visit(
       [&]<class Height>(const Heights<Height>& heights) {
-        cut_mesh(CutEarthMesh<Height>{{grid_, grid_.earth(), heights, view_}, level_}, border_,
+        cut_mesh(CutEarthMesh<Height>{{grid_, grid_.earth(), heights, view_}, level_}, sides,
                  depth_m, depth_m > nearest_m(), out);
       },
       grid_.heights_m);

@@ -3,27 +3,29 @@
 #pragma once
 
 #include "dem/surface.hpp"
+#include "profiles/cut_earth_grid.hpp"
 #include "profiles/cut_grid.hpp"
 #include "profiles/cut_mesh.hpp"
 #include "profiles/heights_along.hpp"
 #include "profiles/profile.hpp"
 
+#include <memory>
 #include <span>
+#include <utility>
 #include <variant>
-#include <vector>
 
 namespace orograph {
 
 /// The cutter of the surface's kind, with the promises of all.
 class SurfaceCutter {
 public:
-  /// `border` is that of `border_edges`; only a grid on the ellipsoid needs it, and of one `box`,
-  /// that of all vertices, makes parts of profiles cheap.
-  /// REQUIRES that `surface` and `level` outlive the cutter.
+  /// Only a grid on the ellipsoid needs its `border_places`, and of one `box`, that of all
+  /// vertices, makes parts of profiles cheap. REQUIRES that `surface` and `level` outlive the
+  /// cutter.
   SurfaceCutter(const Surface& surface, const View& view, const TriangleSet& level,
-                const std::vector<BorderEdge>& border, const Box3* box = nullptr)
+                std::shared_ptr<const BorderPlaces> border, const Box3* box = nullptr)
       : surface_(surface), view_(view), level_(level),
-        cutter_(cutter_of(surface, view, level, border, box)) {}
+        cutter_(cutter_of(surface, view, level, std::move(border), box)) {}
 
   void cut(double depth_m, Profile& out) const { cut(depth_m, kAllOfProfile, out); }
   /// At least the parts of the profile in `ranges`, as GridCutter has them.
@@ -57,10 +59,10 @@ private:
   using Cutter = std::variant<GridCutter, EarthGridCutter, TinCutter>;
 
   static Cutter cutter_of(const Surface& surface, const View& view, const TriangleSet& level,
-                          const std::vector<BorderEdge>& border, const Box3* box) {
+                          std::shared_ptr<const BorderPlaces> border, const Box3* box) {
     if (const Tin* tin = std::get_if<Tin>(&surface)) return TinCutter(*tin, view, level);
     const Grid& grid = std::get<Grid>(surface);
-    if (grid.is_on_earth()) return EarthGridCutter(grid, view, level, border, box);
+    if (grid.is_on_earth()) return EarthGridCutter(grid, view, level, std::move(border), box);
     return GridCutter(grid, view, level);
   }
 

@@ -69,7 +69,7 @@ void TinCutter::cut(double depth_m, Profile& out) const {
   if (!(depth_m >= nearest_m_ && depth_m <= farthest_m_)) return;
   // Vertices in the plane count as far, except where the TIN only touches the plane from behind:
   // then nothing would be near.
-  cut_mesh(CutTinMesh{{tin_, view_}, level_, walls_, turned_walls_}, border_, depth_m,
+  cut_mesh(CutTinMesh{{tin_, view_}, level_, walls_, turned_walls_}, border_.at(depth_m), depth_m,
            depth_m > nearest_m_, out);
 }
 

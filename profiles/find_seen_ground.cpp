@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/extent.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "profiles/cut_earth_grid.hpp"
 #include "profiles/cut_grid.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/seen_ground.hpp"
@@ -8,8 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 namespace orograph {
@@ -31,22 +33,6 @@ struct BlockInView {
 };
 constexpr BlockInView kOutside{kInfinity, -kInfinity, -kInfinity, 0};
 
-// Of a row of blocks.
-template <class Height>
-void greatest_heights(const Grid& grid, const Heights<Height>& heights, int block_row,
-                      std::vector<Height>& lanes, double* out) {
-  const int first = block_row * kSide, last = std::min(first + kSide, grid.rows - 1);
-  lanes.assign(static_cast<std::size_t>(grid.columns), -std::numeric_limits<Height>::infinity());
-  for (int row = first; row <= last; ++row) {
-    const Height* const h = &heights[grid.index(0, row)];
-    Height* const lane = lanes.data();
-    for (int c = 0; c < grid.columns; ++c) lane[c] = h[c] > lane[c] ? h[c] : lane[c];
-  }
-  for (int c = 0; c < grid.columns - 1; c += kSide)
-    *out++ = *std::max_element(lanes.begin() + c,
-                               lanes.begin() + std::min(c + kSide, grid.columns - 1) + 1);
-}
-
 // A lower bound of how far a rectangle's ground sinks: a quadratic form is no farther below the
 // line between two places than a quarter of what it is for the way between them.
 double least_drop(const FrameDrop& drop, const std::array<ProfilePoint, 4>& corners) {
@@ -61,11 +47,17 @@ double least_drop(const FrameDrop& drop, const std::array<ProfilePoint, 4>& corn
 
 class Finder {
 public:
-  Finder(const Grid& grid, const std::vector<double>& heights, const View& view,
+  Finder(const Grid& grid, const BlockBounds& bounds, const View& view,
          const SeenGroundRequest& request)
-      : grid_(grid), heights_(heights), view_(view), request_(request),
-        cutter_(grid, view, no_level_), over_blocks_(grid, view), all_(grid),
-        rounding_m_(1e-9 * (reach_m(grid) + length(view.depth_origin_m))) {}
+      : grid_(grid), bounds_(bounds), view_(view), request_(request), all_(grid),
+        rounding_m_(1e-9 * (reach_m(grid) + length(view.depth_origin_m))) {
+    if (grid.is_on_earth()) {
+      earth_cutter_.emplace(grid, view, no_level_, request.border, request.box_m);
+    } else {
+      cutter_.emplace(grid, view, no_level_);
+      over_blocks_.emplace(grid, view);
+    }
+  }
 
   SeenGround find() {
     place_blocks();
@@ -82,12 +74,12 @@ public:
   }
 
 private:
-  struct Columns {
-    int first, end;
-  };
-  Columns columns_in_view(int row) const;
+  void find_blocks();
   void place_blocks();
-  BlockInView place_block(int column, int row, double height) const;
+  BlockInView place(std::size_t i, const BoundsOfBlocks& of, int cells) const;
+  BlockInView place_up_to(double height, const std::array<Vec2, 4>& corners_m) const;
+  void cut(double depth_m, XRange band, const SeenGround& seen, std::vector<URange>& parts,
+           Profile& out) const;
   bool is_in_view(const BlockInView& block) const;
   void plan_planes();
   void sweep_band(std::size_t band, SeenGround& seen) const;
@@ -97,15 +89,16 @@ private:
   }
 
   const Grid& grid_;
-  const std::vector<double>& heights_;
+  const BlockBounds& bounds_;
   const View& view_;
   const SeenGroundRequest& request_;
   TriangleSet no_level_;
-  GridCutter cutter_;
-  PlaneOverBlocks over_blocks_;
+  std::optional<GridCutter> cutter_;           ///< on a map plane
+  std::optional<PlaneOverBlocks> over_blocks_; ///< the same
+  std::optional<EarthGridCutter> earth_cutter_;
   SeenGround all_;
   double rounding_m_;
-  /// Of each row those blocks that may be in view, with their numbers; others are not.
+  /// Those blocks that may be in view, with their numbers; others are not.
   std::vector<BlockInView> in_view_;
   std::vector<std::uint32_t> numbers_;
   double x_begin_ = 0, x_end_ = 0; ///< finite; where there is terrain
@@ -116,14 +109,30 @@ private:
   std::vector<std::uint32_t> by_plane_, plane_end_;
 };
 
-BlockInView Finder::place_block(int column, int row, double height) const {
-  const int c0 = column * kSide, c1 = std::min(c0 + kSide, grid_.columns - 1);
-  const int r0 = row * kSide, r1 = std::min(r0 + kSide, grid_.rows - 1);
-  const auto corner = [&](int c, int r) {
-    return to_profile_frame(view_, grid_.plane().vertex_m(c, r, 0));
-  };
-  const std::array<ProfilePoint, 4> corners{corner(c0, r0), corner(c1, r0), corner(c1, r1),
-                                            corner(c0, r1)};
+// Of number `i` of the blocks, or of groups, of so many cells.
+BlockInView Finder::place(std::size_t i, const BoundsOfBlocks& of, int cells) const {
+  if (earth_cutter_) {
+    const Box3& box = of.boxes_m[i];
+    if (box.empty()) return kOutside;
+    return place_up_to(box.high.z, {Vec2{box.low.x, box.low.y},
+                                    {box.high.x, box.low.y},
+                                    {box.high.x, box.high.y},
+                                    {box.low.x, box.high.y}});
+  }
+  if (!(of.heights[i] > -kInfinity)) return kOutside;
+  const auto across = static_cast<std::size_t>(of.columns);
+  const int c0 = static_cast<int>(i % across) * cells, r0 = static_cast<int>(i / across) * cells,
+            c1 = std::min(c0 + cells, grid_.columns - 1), r1 = std::min(r0 + cells, grid_.rows - 1);
+  const PlaneLattice& plane = grid_.plane();
+  return place_up_to(of.heights[i], {plane.position_m(c0, r0), plane.position_m(c1, r0),
+                                     plane.position_m(c1, r1), plane.position_m(c0, r1)});
+}
+
+// Of all ground up to a height between four corners.
+BlockInView Finder::place_up_to(double height, const std::array<Vec2, 4>& corners_m) const {
+  std::array<ProfilePoint, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i)
+    corners[i] = to_profile_frame(view_, {corners_m[i].x, corners_m[i].y, 0});
   BlockInView block;
   double nearest = kInfinity, farthest = -kInfinity;
   for (const ProfilePoint& p : corners) {
@@ -169,68 +178,31 @@ bool Finder::is_in_view(const BlockInView& block) const {
          block.x_end >= request_.range.begin;
 }
 
-// Between which columns all blocks of a row are that reach into the range, or beside the eye.
-Finder::Columns Finder::columns_in_view(int row) const {
-  const Columns all{0, all_.columns};
-  const XRange& range = request_.range;
-  if (!view_.is_perspective() || std::isinf(range.begin) || std::isinf(range.end)) return all;
-  const auto middle = [&](double column) { // of a block, in cells
-    const PlaneLattice& plane = grid_.plane();
-    const Vec2 at = plane.first_vertex_m + ((column + 0.5) * kSide) * plane.column_step_m +
-                    ((row + 0.5) * kSide) * plane.row_step_m - view_.depth_origin_m;
-    return Vec2{dot(at, view_.right), dot(at, view_.forward)};
-  };
-  const Vec2 first = middle(0), step = middle(1) - first;
-  const double radius_m =
-      rounding_m_ + view_.near_m +
-      kSide * (length(grid_.plane().column_step_m) + length(grid_.plane().row_step_m));
-  // Where first + column * step along (u, v) is at least -radius_m for each direction.
-  const auto within = [&](std::initializer_list<Vec2> inwards) {
-    double low = 0, high = all_.columns;
-    for (const Vec2 way : inwards) {
-      const double there = dot(way, first) / length(way) + radius_m,
-                   per = dot(way, step) / length(way);
-      if (per > 0)
-        low = std::max(low, -there / per);
-      else if (per < 0)
-        high = std::min(high, -there / per);
-      else if (there < 0)
-        return std::pair(kInfinity, -kInfinity);
-    }
-    return low <= high ? std::pair(low, high) : std::pair(kInfinity, -kInfinity);
-  };
-  const auto wedge = within({{1, -range.begin}, {-1, range.end}, {0, 1}}),
-             beside = within({{0, 1}, {0, -1}});
-  const double low = std::min(wedge.first, beside.first),
-               high = std::max(wedge.second, beside.second);
-  if (!(low <= high)) return {0, 0};
-  return {std::max(0, static_cast<int>(std::floor(low)) - 1),
-          std::min(all_.columns, static_cast<int>(std::ceil(high)) + 2)};
+// Those of groups in view.
+void Finder::find_blocks() {
+  constexpr int kGroup = BlockBounds::kGroup;
+  for (std::size_t i = 0; i < bounds_.groups.count(); ++i) {
+    if (!is_in_view(place(i, bounds_.groups, kGroup * kSide))) continue;
+    const int across = bounds_.groups.columns;
+    const int first_column = static_cast<int>(i) % across * kGroup,
+              first_row = static_cast<int>(i) / across * kGroup;
+    for (int row = first_row; row < std::min(first_row + kGroup, all_.rows); ++row)
+      for (int column = first_column; column < std::min(first_column + kGroup, all_.columns);
+           ++column)
+        numbers_.push_back(static_cast<std::uint32_t>(all_.index(column, row)));
+  }
 }
 
 void Finder::place_blocks() {
+  find_blocks();
   std::ranges::fill(all_.seen, std::uint8_t{0});
-  const auto rows = static_cast<std::size_t>(all_.rows);
-  std::vector<Columns> columns(rows);
-  std::vector<std::size_t> firsts(rows);
-  std::size_t count = 0;
-  for (std::size_t row = 0; row < rows; ++row) {
-    columns[row] = columns_in_view(static_cast<int>(row));
-    firsts[row] = count;
-    count += static_cast<std::size_t>(columns[row].end - columns[row].first);
-  }
-  in_view_.assign(count, kOutside);
-  numbers_.resize(count);
-  on_all_cores(rows, [&](std::size_t task) {
-    const int row = static_cast<int>(task);
-    std::size_t at = firsts[task];
-    for (int column = columns[task].first; column < columns[task].end; ++column, ++at) {
-      const std::size_t i = all_.index(column, row);
-      const double height = heights_[i];
-      numbers_[at] = static_cast<std::uint32_t>(i);
-      if (!(height > -kInfinity)) continue;
-      in_view_[at] = place_block(column, row, height);
-      all_.seen[i] = is_in_view(in_view_[at]) ? 1 : 0;
+  in_view_.assign(numbers_.size(), kOutside);
+  constexpr std::size_t kBlocksOfTask = 4096;
+  on_all_cores((numbers_.size() + kBlocksOfTask - 1) / kBlocksOfTask, [&](std::size_t task) {
+    const std::size_t end = std::min(numbers_.size(), (task + 1) * kBlocksOfTask);
+    for (std::size_t at = task * kBlocksOfTask; at < end; ++at) {
+      in_view_[at] = place(numbers_[at], bounds_.blocks, kSide);
+      all_.seen[numbers_[at]] = is_in_view(in_view_[at]) ? 1 : 0;
     }
   });
 }
@@ -332,6 +304,18 @@ private:
   std::vector<double> low_;
 };
 
+// A profile's parts in a band of X. On the ellipsoid all of it, whatever is seen.
+void Finder::cut(double depth_m, XRange band, const SeenGround& seen, std::vector<URange>& parts,
+                 Profile& out) const {
+  const URange within = u_range(view_, depth_m, band);
+  if (earth_cutter_) {
+    earth_cutter_->cut(depth_m, std::span(&within, 1), out);
+  } else {
+    over_blocks_->seen_parts(depth_m, within, seen, parts);
+    cutter_->cut(depth_m, parts, out);
+  }
+}
+
 void Finder::sweep_band(std::size_t band, SeenGround& seen) const {
   const double width = (x_end_ - x_begin_) / static_cast<double>(kBands);
   const double begin = x_begin_ + static_cast<double>(band) * width,
@@ -345,8 +329,7 @@ void Finder::sweep_band(std::size_t band, SeenGround& seen) const {
     throw_if_stopped();
     const double depth_m = depth_of_plane(plane);
     if (!view_.is_perspective() || depth_m > view_.near_m) {
-      over_blocks_.seen_parts(depth_m, u_range(view_, depth_m, {begin, end}), seen, parts);
-      cutter_.cut(depth_m, parts, profile);
+      cut(depth_m, {begin, end}, seen, parts, profile);
       project_profile(profile, 0, view_, projected, uprights);
       for (const VertexRun& run : projected.runs) horizon.raise(projected, run);
     }
@@ -364,25 +347,9 @@ void Finder::sweep_band(std::size_t band, SeenGround& seen) const {
 
 } // namespace
 
-std::vector<double> block_heights(const Grid& grid) {
-  const int columns = SeenGround::blocks_in(grid.columns - 1),
-            rows = SeenGround::blocks_in(grid.rows - 1);
-  std::vector<double> out(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  on_all_cores(static_cast<std::size_t>(rows), [&](std::size_t row) {
-    std::visit(
-        [&]<class Height>(const Heights<Height>& heights) {
-          std::vector<Height> lanes;
-          greatest_heights(grid, heights, static_cast<int>(row), lanes,
-                           &out[row * static_cast<std::size_t>(columns)]);
-        },
-        grid.heights_m);
-  });
-  return out;
-}
-
-SeenGround find_seen_ground(const Grid& grid, const std::vector<double>& block_heights,
-                            const View& view, const SeenGroundRequest& request) {
-  return Finder(grid, block_heights, view, request).find();
+SeenGround find_seen_ground(const Grid& grid, const BlockBounds& bounds, const View& view,
+                            const SeenGroundRequest& request) {
+  return Finder(grid, bounds, view, request).find();
 }
 
 } // namespace orograph

@@ -7,7 +7,6 @@
 // one.
 #pragma once
 
-#include "profiles/cut_mesh.hpp"
 #include "profiles/mesh.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/triangles.hpp"
@@ -19,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -100,12 +100,6 @@ public:
     const MeshVertex from = corner(side, 1), to = corner(side, 2);
     if (is_far(from) && !is_far(to)) go_in(side, from, to);
     return found_from(begin, false);
-  }
-
-  // Whether a side reaches into a part of the profile.
-  bool reaches_into(const Side& side, URange part) const {
-    const double a = corner(side, 1).at.u, b = corner(side, 2).at.u;
-    return std::max(a, b) >= part.low_m && std::min(a, b) <= part.high_m;
   }
 
 private:
@@ -223,6 +217,8 @@ private:
               near.place.row + far.place.row - behind.row};
       ++edges.count;
       if (edges.u[near.number] > high_m_ && edges.u[far.number] > high_m_) break;
+      // Round a spike that leans beyond upright: without end, if nothing stopped it.
+      if (near.index == to.index && far.index == from.index) break;
       if (edges.count < CrossedEdges::kMost) continue;
       if (!take(edges, begin)) return;
       const auto vertex = [&](std::size_t n) {
@@ -291,16 +287,16 @@ private:
   Profile& out_;      ///< of one run after the other
 };
 
-/// The profile of a mesh at a depth.
+/// The profile of a mesh at a depth. `border`: at least those of its sides that the plane meets.
 template <class Mesh>
-void cut_mesh(const Mesh& mesh, const BorderSides<typename Mesh::Side>& border, double depth_m,
+void cut_mesh(const Mesh& mesh, std::span<const typename Mesh::Side> border, double depth_m,
               bool far_at_plane, Profile& out) {
   thread_local Profile found; // kept for its memory, as runs are
   thread_local std::vector<Run> runs;
   found.clear();
   runs.clear();
   MeshWalk<Mesh> walk(mesh, depth_m, URange{}.high_m, far_at_plane, found);
-  for (const auto& side : border.at(depth_m))
+  for (const auto& side : border)
     if (const auto run = walk.from(side)) runs.push_back(*run);
   keep_ground_in_front(runs);
   put_in_order(found, runs, out);

@@ -4,12 +4,15 @@
 #pragma once
 
 #include "dem/grid.hpp"
+#include "geometry/box.hpp"
 #include "geometry/segment.hpp"
+#include "profiles/border_places.hpp"
 #include "profiles/profile.hpp"
 #include "view/view.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -55,13 +58,29 @@ private:
   double u_along_, v_along_, u_across_, v_across_; ///< in a cell
 };
 
-/// The greatest height of each block, its border's vertices too, row by row; -infinity where there
-/// is none. Cost: 1 ns a height, on all cores.
-std::vector<double> block_heights(const Grid& grid);
+/// What holds the ground of each block, or group of blocks, its border's vertices too; row by row.
+struct BoundsOfBlocks {
+  int columns = 0;
+  std::vector<double> heights; ///< on a map plane: the greatest; -infinity where there is none
+  std::vector<Box3> boxes_m;   ///< on the ellipsoid: of all vertices; empty where there are none
+
+  std::size_t count() const { return heights.size() + boxes_m.size(); }
+};
+
+/// The same for all views.
+struct BlockBounds {
+  static constexpr int kGroup = 8; ///< by as many blocks
+  BoundsOfBlocks blocks, groups;
+};
+/// Cost: 1 ns a height, on the ellipsoid 3, on all cores.
+BlockBounds block_bounds(const Grid& grid);
 
 struct SeenGroundRequest {
   XRange range;       ///< what is shown; may be infinite
   double tolerance_y; ///< ground less than this under the horizon is looked at
+  /// Of a grid on the ellipsoid: as `EarthGridCutter` takes them.
+  std::shared_ptr<const BorderPlaces> border = nullptr;
+  const Box3* box_m = nullptr;
 };
 
 /// Blocks of which nothing is in the range, nearer than the view's near plane, or of which all is
@@ -71,9 +90,10 @@ struct SeenGroundRequest {
 ///
 /// The horizon is that of profiles some cells apart, as a lower bound in narrow columns of X: what
 /// the surface hides is more. A block's upper bound is its greatest height.
-/// REQUIRES a grid on a map plane, and its `block_heights`. The same on any number of cores. Cost:
-/// a look at each block, and 1 to 2 ns a height of those in the range.
-SeenGround find_seen_ground(const Grid& grid, const std::vector<double>& block_heights,
-                            const View& view, const SeenGroundRequest& request);
+/// REQUIRES the grid's `block_bounds`, and one that the ellipsoid turns no triangle of over. The
+/// same on any number of cores. Cost: a look at each block, and 1 to 2 ns a height of those in the
+/// range.
+SeenGround find_seen_ground(const Grid& grid, const BlockBounds& bounds, const View& view,
+                            const SeenGroundRequest& request);
 
 } // namespace orograph

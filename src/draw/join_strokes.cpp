@@ -65,12 +65,12 @@ public:
     sort_by_number(ends_, [](const StrokeEnd& end) { return end.cell; });
   }
 
-  std::vector<EndPair> pairs() const {
+  std::vector<EndPair> pairs() {
     std::vector<EndPair> out;
     for (const StrokeEnd& end : ends_) {
       throw_if_stopped(out.size());
-      for (const EndPair& pair : best_of(end))
-        if (pair.a != pair.b) out.push_back(pair);
+      for (const Ranked& best : best_of(end))
+        if (best.pair.a != best.pair.b) out.push_back(best.pair);
     }
     const auto before = [](const EndPair& p, const EndPair& q) {
       if (p.cost_mm != q.cost_mm) return p.cost_mm < q.cost_mm;
@@ -83,6 +83,8 @@ public:
 private:
   static constexpr std::size_t kNeighbours = 4;
   static constexpr std::uint64_t kCellsARow = std::uint64_t{1} << 31U;
+  static constexpr std::size_t kMostScanned = 256; // more is a crowd
+  static constexpr int kRowsAGap = 32;
 
   std::uint64_t cell(double x_mm, double y_mm) const {
     const auto along = [&](double mm, double low) { // from 1 on, so that each has a neighbour
@@ -91,29 +93,101 @@ private:
     return along(y_mm, low_.y) * kCellsARow + along(x_mm, low_.x);
   }
 
-  std::array<EndPair, kNeighbours> best_of(const StrokeEnd& end) const {
-    std::array<EndPair, kNeighbours> best;
-    best.fill({std::numeric_limits<double>::infinity(), end.end, end.end});
-    for (const double row : {-1.0, 0.0, 1.0}) {
-      const std::uint64_t middle = cell(end.at_mm.x, end.at_mm.y) +
-                                   static_cast<std::uint64_t>(row + 1) * kCellsARow - kCellsARow;
+  // Of several that cost the same the one with the lowest number in `ends_` comes first.
+  struct Ranked {
+    EndPair pair;
+    std::size_t number;
+
+    bool operator<(const Ranked& other) const {
+      return pair.cost_mm != other.pair.cost_mm ? pair.cost_mm < other.pair.cost_mm
+                                                : number < other.number;
+    }
+  };
+  using Best = std::array<Ranked, kNeighbours>;
+
+  Best best_of(const StrokeEnd& end) {
+    Best best;
+    best.fill({{std::numeric_limits<double>::infinity(), end.end, end.end}, ends_.size()});
+    std::size_t left = kMostScanned;
+    for (const std::uint64_t row : {std::uint64_t{0}, kCellsARow, 2 * kCellsARow}) {
+      const std::uint64_t middle = end.cell + row - kCellsARow;
       auto other = std::partition_point(ends_.begin(), ends_.end(),
                                         [&](const StrokeEnd& e) { return e.cell + 1 < middle; });
       for (; other != ends_.end() && other->cell <= middle + 1; ++other) {
-        const double apart_mm = plain_length(other->at_mm - end.at_mm);
-        if (other->end == end.end || !(apart_mm <= gap_mm_) || closes_crumb(end, *other)) continue;
-        // Turning back costs as much as the widest gap, going straight on nothing.
-        const double turn = 0.5 * (1 + dot(end.onwards, other->onwards));
-        const EndPair pair{apart_mm + turn * gap_mm_, std::min(end.end, other->end),
-                           std::max(end.end, other->end)};
-        if (pair.cost_mm < best.back().cost_mm) {
-          best.back() = pair;
-          for (std::size_t i = kNeighbours - 1; i > 0 && best[i].cost_mm < best[i - 1].cost_mm; --i)
-            std::swap(best[i], best[i - 1]);
-        }
+        if (left-- == 0) return best_in_crowd(end);
+        take(end, static_cast<std::size_t>(other - ends_.begin()), best);
       }
     }
     return best;
+  }
+
+  void take(const StrokeEnd& end, std::size_t number, Best& best) const {
+    const StrokeEnd& other = ends_[number];
+    const double apart_mm = plain_length(other.at_mm - end.at_mm);
+    if (other.end == end.end || !(apart_mm <= gap_mm_) || closes_crumb(end, other)) return;
+    // Turning back costs as much as the widest gap, going straight on nothing.
+    const double turn = 0.5 * (1 + dot(end.onwards, other.onwards));
+    const Ranked found{
+        {apart_mm + turn * gap_mm_, std::min(end.end, other.end), std::max(end.end, other.end)},
+        number};
+    if (!(found < best.back())) return;
+    best.back() = found;
+    for (std::size_t i = kNeighbours - 1; i > 0 && best[i] < best[i - 1]; --i)
+      std::swap(best[i], best[i - 1]);
+  }
+
+  // The same where thousands are within the gap, as at the horizon of a rough sea: from the nearest
+  // row on, each from its middle outwards, as long as any may cost less than what was found. An end
+  // costs no less than it is away.
+  Best best_in_crowd(const StrokeEnd& end) {
+    if (by_row_.empty()) order_by_row();
+    Best best;
+    best.fill({{std::numeric_limits<double>::infinity(), end.end, end.end}, ends_.size()});
+    const auto is_too_far = [&](double away_mm) {
+      return away_mm > std::min(gap_mm_, best.back().pair.cost_mm);
+    };
+    const auto take_if_beside = [&](std::size_t number) {
+      const std::uint64_t from = end.cell - kCellsARow, cell = ends_[number].cell;
+      for (const std::uint64_t middle : {from, end.cell, end.cell + kCellsARow})
+        if (cell + 1 >= middle && cell <= middle + 1) return take(end, number, best);
+    };
+    const auto take_row = [&](std::int64_t row) {
+      const auto begin = std::partition_point(by_row_.begin(), by_row_.end(), [&](const InRow& e) {
+        return e.row != row ? e.row < row : e.x_mm < end.at_mm.x;
+      });
+      for (auto e = begin; e != by_row_.end() && e->row == row; ++e) {
+        if (is_too_far(e->x_mm - end.at_mm.x)) break;
+        take_if_beside(e->number);
+      }
+      for (auto e = begin; e != by_row_.begin() && (e - 1)->row == row; --e) {
+        if (is_too_far(end.at_mm.x - (e - 1)->x_mm)) break;
+        take_if_beside((e - 1)->number);
+      }
+    };
+    const std::int64_t own = row_of(end.at_mm.y);
+    take_row(own);
+    // Rows are rounded by far less than they are high; what is left out here is at least one off.
+    for (std::int64_t k = 1; k <= kRowsAGap + 1 && (k == 1 || !is_too_far((k - 2) * row_mm()));
+         ++k) {
+      take_row(own - k);
+      take_row(own + k);
+    }
+    return best;
+  }
+
+  // In narrow rows of the page, from left to right.
+  void order_by_row() {
+    by_row_.reserve(ends_.size());
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+      by_row_.push_back({row_of(ends_[i].at_mm.y), ends_[i].at_mm.x, i});
+    std::sort(by_row_.begin(), by_row_.end(), [](const InRow& a, const InRow& b) {
+      if (a.row != b.row) return a.row < b.row;
+      return a.x_mm != b.x_mm ? a.x_mm < b.x_mm : a.number < b.number;
+    });
+  }
+  double row_mm() const { return gap_mm_ / kRowsAGap; }
+  std::int64_t row_of(double y_mm) const {
+    return static_cast<std::int64_t>(std::floor((y_mm - low_.y) / row_mm()));
   }
 
   // Both ends of one stroke that is hardly longer than the gap.
@@ -127,6 +201,12 @@ private:
   double gap_mm_;
   Vec2 low_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   std::vector<StrokeEnd> ends_;
+  struct InRow {
+    std::int64_t row;
+    double x_mm;
+    std::size_t number; ///< in `ends_`
+  };
+  std::vector<InRow> by_row_; ///< made when it is needed
 };
 
 // Appends points and what stands beside them.

@@ -16,7 +16,10 @@ void TimedProfile::add_to(StageSeconds& seconds) const {
 
 ProfileStages::ProfileStages(const SectorInWork& work, const LayOut& lay_out, std::size_t strips)
     : work_(work), lay_out_(lay_out), strips_(strips) {
-  if (work.ground) over_blocks_.emplace(std::get<Grid>(work.terrain.surface), work.sector.view);
+  // On the ellipsoid profiles are cut whole.
+  if (!work.ground) return;
+  const Grid& grid = std::get<Grid>(work.terrain.surface);
+  if (!grid.is_on_earth()) over_blocks_.emplace(grid, work.sector.view);
 }
 
 namespace {

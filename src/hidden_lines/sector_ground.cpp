@@ -10,16 +10,18 @@ namespace orograph {
 std::vector<SeenGround> ground_of_sectors(const TerrainData& terrain, const PlacedView& placed,
                                           const Style& style, const Instruments& instruments) {
   const Grid* grid = std::get_if<Grid>(&terrain.surface);
-  if (!grid || grid->is_on_earth() || style.occluder != Occluder::surface ||
+  if (!grid || placed.extent.turned_over > 0 || style.occluder != Occluder::surface ||
       instruments.looks_everywhere())
     return {};
-  const std::vector<double> heights = block_heights(*grid);
+  const BlockBounds bounds = block_bounds(*grid);
   std::vector<SeenGround> out;
   for (const Sector& sector : placed.sectors) {
     const double tolerance_y = style.visibility_tolerance_mm > 0
                                    ? tie_tolerance(sector, style.visibility_tolerance_mm).greatest_y
                                    : 0;
-    out.push_back(find_seen_ground(*grid, heights, sector.view, {page_range(sector), tolerance_y}));
+    out.push_back(find_seen_ground(
+        *grid, bounds, sector.view,
+        {page_range(sector), tolerance_y, placed.border_places, &placed.extent.box}));
   }
   return out;
 }

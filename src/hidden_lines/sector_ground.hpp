@@ -14,8 +14,8 @@
 namespace orograph {
 
 /// For each sector of a placed view the blocks of the grid that it looks at. Empty where all ground
-/// is looked at: of TINs, of grids on the ellipsoid, where not all of the surface hides, and where
-/// the instruments want it.
+/// is looked at: of TINs, of grids that the ellipsoid turns triangles of over, where not all of the
+/// surface hides, and where the instruments want it.
 std::vector<SeenGround> ground_of_sectors(const TerrainData& terrain, const PlacedView& placed,
                                           const Style& style, const Instruments& instruments);
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace orograph {
 namespace {
@@ -22,9 +23,11 @@ View along_column(const View& view, const EarthDrop& drop, double x) {
 
 GroundAhead ground_in_column(const View& view, const EarthDrop& drop, const CutSurface& of,
                              double x) {
-  const SurfaceCutter cutter(of.surface, along_column(view, drop, x), of.level, of.border);
+  const SurfaceCutter cutter(of.surface, along_column(view, drop, x), of.level, of.border,
+                             of.box_m);
+  const URange ahead{0, std::numeric_limits<double>::infinity()};
   Profile profile;
-  cutter.cut(0, profile);
+  cutter.cut(0, std::span(&ahead, 1), profile);
   GroundAhead out{.x = x, .v_m = {}, .z_m = {}};
   const double depth_share = 1 / std::hypot(1, x);
   for (std::size_t i = 0; i < profile.size(); ++i) {

@@ -4,10 +4,12 @@
 #pragma once
 
 #include "dem/surface.hpp"
+#include "geometry/box.hpp"
+#include "profiles/border_places.hpp"
 #include "profiles/level_ground.hpp"
-#include "profiles/outline.hpp"
 #include "view/view.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace orograph {
@@ -16,7 +18,8 @@ namespace orograph {
 struct CutSurface {
   const Surface& surface;
   const TriangleSet& level;
-  const std::vector<BorderEdge>& border;
+  std::shared_ptr<const BorderPlaces> border; ///< of a grid on the ellipsoid
+  const Box3* box_m = nullptr;                ///< of all vertices, if it is known
 };
 
 /// The ground ahead of the eye in the visibility plane's column X = `x`.

@@ -8,6 +8,7 @@
 #include "dem/levels/summits.hpp"
 #include "placing/land_part.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/places.hpp"
 #include "profiles/level_ground.hpp"
 
 #include <algorithm>
@@ -50,20 +51,38 @@ bool is_on_page(const PlacedView& placed, Vec3 on_page) {
   return at.x >= frame.low.x && at.x <= frame.high.x && at.y >= frame.low.y && at.y <= frame.high.y;
 }
 
+bool stands_over(const std::vector<Box3>& boxes, Vec2 eye_m) {
+  return std::ranges::any_of(boxes, [&](const Box3& box) {
+    return box.low.x <= eye_m.x && eye_m.x <= box.high.x && box.low.y <= eye_m.y &&
+           eye_m.y <= box.high.y;
+  });
+}
+
+// Whether an eye that is given stands over the ground, which is told at once: to place a panorama
+// costs as much as to draw one.
+bool stands_over_ground(const ViewSpec& view, const TerrainData& terrain,
+                        const TerrainFacts& facts) {
+  const bool is_eyes = view.projection == Projection::perspective || is_panorama(view.projection);
+  if (!view.has_eye() || view.file || !is_eyes) return false;
+  ViewRequest request;
+  request.exaggeration = exaggeration_of(view, facts.extent.box);
+  place_eye(request, view, terrain);
+  return request.eye_m &&
+         stands_over(facts.extent.blocks.boxes, {request.eye_m->x, request.eye_m->y});
+}
+
 // How large a cell is on the page where it is largest; infinite at the eye's feet.
 double greatest_cell_mm(const PlacedView& placed, const Grid& grid) {
   const View& view = placed.view;
+  if (view.is_perspective() && stands_over(placed.extent.blocks.boxes, view.depth_origin_m))
+    return std::numeric_limits<double>::infinity();
   const GridSteps steps = steps_of(grid);
   const auto in_frame = [&](Vec2 step) {
     return Vec3{dot(step, view.right), dot(step, view.forward), 0};
   };
   const Vec3 across = in_frame(steps.column_m), down = in_frame(steps.row_m);
   double greatest = 0;
-  for (const Box3& box : placed.extent.blocks.boxes) {
-    if (view.is_perspective() && box.low.x <= view.depth_origin_m.x &&
-        view.depth_origin_m.x <= box.high.x && box.low.y <= view.depth_origin_m.y &&
-        view.depth_origin_m.y <= box.high.y)
-      return std::numeric_limits<double>::infinity();
+  for (const Box3& box : placed.extent.blocks.boxes)
     for (const double x : {box.low.x, box.high.x})
       for (const double y : {box.low.y, box.high.y})
         for (const double z : {box.low.z, box.high.z}) {
@@ -72,7 +91,6 @@ double greatest_cell_mm(const PlacedView& placed, const Grid& grid) {
           greatest =
               std::max({greatest, placed.mm_per_step(at, across), placed.mm_per_step(at, down)});
         }
-  }
   return greatest;
 }
 
@@ -134,24 +152,31 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   const Grid* const whole = std::get_if<Grid>(&file.surface);
   if (!whole || terrain.is_cut()) return std::nullopt;
   TerrainFacts own = of_whole ? TerrainFacts{} : facts_of(file);
+  const TerrainFacts& of_file = of_whole ? *of_whole : own;
+  const auto stay = [&]() -> std::optional<LevelOfDetail> {
+    if (!of_whole) terrain.take_level_facts(std::move(own));
+    return std::nullopt;
+  };
+  // What the eye stands over has cells of any size on the page; it and its skyline are the file's
+  // then, as they are for who asks what is seen from there.
+  if (!detail.cell_mm && stands_over_ground(spec.view, file, of_file)) return stay();
   std::optional<TerrainData> land;
+  std::optional<TerrainFacts> of_land;
   if (!solids)
-    if (const auto part = land_part(*whole, (of_whole ? *of_whole : own).water.triangles, spec)) {
+    if (const auto part = land_part(*whole, of_file.water.triangles, spec)) {
       land = file;
       land->surface = part_of_grid(*whole, *part);
-      own = facts_of(*land);
+      of_land = facts_of(*land);
     }
-  const TerrainFacts& facts = of_whole && !land ? *of_whole : own;
+  const TerrainFacts& facts = of_land ? *of_land : of_file;
   const TerrainData& shown = land ? *land : file;
   const Grid& grid = std::get<Grid>(shown.surface);
   const PlacedView placed = placed_picture(shown, facts, spec, solids);
   const double cell_mm = greatest_cell_mm(placed, grid);
-  // What the eye stands over has cells of any size on the page; it and its skyline are the file's
-  // then, as they are for who asks what is seen from there.
-  if (!(cell_mm > 0) || (std::isinf(cell_mm) && !detail.cell_mm)) return std::nullopt;
+  if (!(cell_mm > 0) || (std::isinf(cell_mm) && !detail.cell_mm)) return stay();
   LevelOfDetail level;
   level.step = chosen_step(grid, asked_size(spec.style), cell_mm);
-  if (level.step == 1 && !land) return std::nullopt;
+  if (level.step == 1 && !land) return stay();
 
   const Grid made = level_of(grid, level.step, facts.water.triangles);
   level.cell_m = cell_size_m(made);

@@ -27,7 +27,7 @@ std::pair<double, double> depths_of(const PlacedView& placed, const Surface& sur
     }
     return {nearest_m, farthest_m};
   }
-  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.border);
+  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.border_places);
   return {cutter.nearest_m(), cutter.farthest_m()};
 }
 

@@ -89,7 +89,7 @@ LookDirection level_look(const ViewRequest& request, const TerrainShape& shape) 
 }
 
 CutSurface cut_surface(const PlacedView& placed, const Surface& surface) {
-  return {surface, placed.level.triangles, placed.border};
+  return {surface, placed.level.triangles, placed.border_places, &placed.extent.box};
 }
 
 std::vector<GroundAhead> ground_ahead_of(const PlacedView& placed, const Surface& surface,
@@ -270,6 +270,7 @@ Picture place_picture(const TerrainData& terrain, TerrainFacts facts, const MapS
   placed.extent = std::move(facts.extent);
   placed.cell_m = facts.cell_m;
   placed.border = std::move(facts.border);
+  placed.border_places = std::move(facts.border_places);
   placed.level = std::move(facts.water);
 
   const bool on_ground = has_ground(surface);

@@ -21,6 +21,7 @@
 #include "view/view.hpp"
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,6 +40,7 @@ struct EarthCurvature {
 struct PlacedView {
   SurfaceExtent extent;
   std::vector<BorderEdge> border;
+  std::shared_ptr<const BorderPlaces> border_places; ///< of a grid on the ellipsoid
   std::vector<StandingSolid> solids;
   LevelGround level;
   View view; ///< of a panorama: that to its middle

@@ -39,6 +39,8 @@ TerrainFacts facts_of(const TerrainData& terrain) {
   facts.extent = extent_of(surface);
   facts.cell_m = cell_size_m(surface);
   facts.border = std::visit([&](const auto& s) { return border_of(s, facts.extent); }, surface);
+  if (const Grid* grid = std::get_if<Grid>(&surface); grid && grid->is_on_earth())
+    facts.border_places = std::make_shared<const BorderPlaces>(border_places(*grid, facts.border));
   facts.outline = std::visit([&](const auto& s) { return outline_of(s, facts.border); }, surface);
   facts.water = std::visit([](const auto& s) { return find_water(s); }, surface);
   return facts;

@@ -6,9 +6,11 @@
 #include "dem/terrain.hpp"
 #include "geometry/box.hpp"
 #include "placing/map_spec.hpp"
+#include "profiles/border_places.hpp"
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace orograph {
@@ -17,8 +19,9 @@ struct TerrainFacts {
   SurfaceExtent extent;
   double cell_m = 0; ///< the terrain's finest ground detail
   std::vector<BorderEdge> border;
-  std::vector<OutlineEdge> outline; ///< the border on the ground
-  LevelGround water;                ///< empty where there is none
+  std::shared_ptr<const BorderPlaces> border_places; ///< of a grid on the ellipsoid
+  std::vector<OutlineEdge> outline;                  ///< the border on the ground
+  LevelGround water;                                 ///< empty where there is none
 };
 
 /// REQUIRES that the terrain outlives the facts, and stays where it is. Cost: two passes over the

@@ -2,6 +2,7 @@
 // Strokes as chains, on lattices with many ties and on scattered ends: what is drawn is what was
 // there and bridges, each between two ends no farther apart than the gap.
 #include "draw/join_strokes.hpp"
+#include "geometry/vec.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 
@@ -78,7 +79,70 @@ std::map<Point, int> loose_ends(const Layer& layer) {
   return out;
 }
 
+// The four that cost least of an end's neighbours, from all of them; then pairs, the cheapest
+// first.
+std::set<Link> bridges_by_definition(const Layer& layer, double gap_mm) {
+  struct End {
+    Vec2 at, onwards;
+  };
+  std::vector<End> ends;
+  for (const Stroke& stroke : layer.strokes) {
+    const auto points = layer.points(stroke);
+    const Vec2 along = points[1] - points[0];
+    const double size = plain_length(along);
+    ends.push_back({points[0], (-1 / size) * along});
+    ends.push_back({points[1], (1 / size) * along});
+  }
+  using Pair = std::pair<double, std::pair<std::size_t, std::size_t>>;
+  std::set<Pair> pairs;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    std::vector<Pair> of_end;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const double apart = plain_length(ends[k].at - ends[i].at);
+      if (i / 2 == k / 2 || apart > gap_mm) continue; // all strokes are shorter than eight gaps
+      const double turn = 0.5 * (1 + dot(ends[i].onwards, ends[k].onwards));
+      of_end.push_back({apart + turn * gap_mm, std::minmax(i, k)});
+    }
+    std::sort(of_end.begin(), of_end.end());
+    pairs.insert(of_end.begin(), of_end.begin() + static_cast<std::ptrdiff_t>(
+                                                      std::min<std::size_t>(4, of_end.size())));
+  }
+  std::vector<bool> taken(ends.size());
+  std::set<Link> out;
+  for (const auto& [cost, pair] : pairs) {
+    const auto [a, b] = pair;
+    if (taken[a] || taken[b]) continue;
+    taken[a] = taken[b] = true;
+    out.insert(link(ends[a].at, ends[b].at));
+  }
+  return out;
+}
+
 } // namespace
+
+TEST_CASE("in a crowd each end has its best neighbours, too") {
+  std::size_t crowd = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Random random(seed);
+    Layer layer;
+    // So many that all ends have hundreds within the gap, or some of them.
+    const double width = random.pick({2.0, 6.0, 40.0});
+    for (int i = 0; i < 700; ++i) {
+      const Vec2 at{random.between(0, width), random.between(0, 1.5)};
+      add_stroke(layer, {at, at + Vec2{random.between(-2, 2), random.between(0.01, 1)}});
+    }
+    double left_out_mm = 0;
+    std::map<Link, int> rest = links_of(joined(layer, {1, 0, 0}, left_out_mm));
+    for (const auto& [ends, times] : links_of(layer)) rest[ends] -= times;
+    std::set<Link> bridges;
+    for (const auto& [ends, times] : rest)
+      if (times > 0) bridges.insert(ends);
+    INFO("seed " << seed << ", width " << width);
+    CHECK(bridges == bridges_by_definition(layer, 1));
+    crowd += bridges.size();
+  }
+  CHECK(crowd > 4000);
+}
 
 TEST_CASE("joined strokes are all that was there, and bridges between their ends") {
   std::size_t joints = 0, bridges = 0;

@@ -3,6 +3,7 @@
 // triangle's section by the plane, on its own, in long double.
 #include "dem/approximate/tin_of_grid.hpp"
 #include "dem/extent.hpp"
+#include "profiles/cut_earth_grid.hpp"
 #include "profiles/cut_mesh.hpp"
 #include "tests/catch.hpp"
 #include "tests/profiles/tin_sections.hpp"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -108,6 +110,10 @@ bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
                     [&](double x, double y) { return bits(x) == bits(y); });
 }
 
+std::shared_ptr<const BorderPlaces> places_of(const Grid& grid) {
+  return std::make_shared<const BorderPlaces>(border_places(grid, border_edges(grid, false)));
+}
+
 struct Compared {
   std::size_t grids = 0, leaning = 0, profiles = 0, vertices = 0, level = 0, gaps = 0, empty = 0;
 };
@@ -116,7 +122,7 @@ void compare(Random& random, const Grid& grid, Compared& sum) {
   const Tin tin = tin_of(grid);
   const View view = random_view(random, grid);
   const LevelTriangles level = some_level(random, grid);
-  const EarthGridCutter of_grid(grid, view, level.of_grid, border_edges(grid, false));
+  const EarthGridCutter of_grid(grid, view, level.of_grid, places_of(grid));
   const TinCutter of_tin(tin, view, level.of_tin);
   const DepthRange range = depths_of(grid, view);
   const bool leans = leaning_triangles(grid) > 0;
@@ -171,7 +177,7 @@ struct Parts {
 void compare_parts(Random& random, const Grid& grid, Parts& sum) {
   const View view = random_view(random, grid);
   const LevelTriangles level = some_level(random, grid);
-  const std::vector<BorderEdge> border = border_edges(grid, false);
+  const auto border = places_of(grid);
   const Box3 box = extent_of(grid).box;
   const EarthGridCutter whole(grid, view, level.of_grid, border),
       cutter(grid, view, level.of_grid, border, &box);
@@ -274,7 +280,7 @@ void check_sections(Random& random, const Grid& grid, Asked& asked) {
   const Tin tin = sections_of(grid);
   const View view = random_view(random, grid);
   const LevelTriangles level = some_level(random, grid);
-  const EarthGridCutter cutter(grid, view, level.of_grid, border_edges(grid, false));
+  const EarthGridCutter cutter(grid, view, level.of_grid, places_of(grid));
   double reach = 1;
   for (const Vec3& v : tin.vertices_m) {
     const ProfilePoint p = to_profile_frame(view, v);
@@ -366,6 +372,38 @@ TEST_CASE("and as its triangles are, one by one") {
   CHECK(asked.in_plane > enough<500>);
 }
 
+// Round the top of a spike that leans beyond upright a plane goes without end.
+TEST_CASE("a part that begins on a spike that leans over ends") {
+  MadeEarth made;
+  made.columns = made.rows = 20;
+  made.lon_step_deg = made.lat_step_deg = 1;
+  made.west_deg = made.origin_lon_deg = 0;
+  made.north_deg = made.origin_lat_deg = 10;
+  made.ellipsoid = {2e4, 0.0};
+  std::vector<float> heights(400, 0);
+  heights[10 * 20 + 15] = 5000;
+  const Grid grid{20, 20, earth_lattice(made), std::move(heights)};
+  REQUIRE(leaning_triangles(grid) > 0);
+  const TriangleSet no_level;
+  const Box3 box = extent_of(grid).box;
+  std::size_t longest = 0;
+  for (const Vec2 forward : {Vec2{0, 1}, Vec2{1, 0}, Vec2{-1, 0}}) {
+    const View view = looking(forward);
+    const EarthGridCutter cutter(grid, view, no_level, places_of(grid), &box);
+    const Vec3 top = grid.vertex_m(15, 10);
+    const ProfilePoint about = to_profile_frame(view, top);
+    Profile profile;
+    for (int i = -20; i <= 20; ++i)
+      for (int k = -20; k <= 20; ++k) {
+        const URange part{about.u + 100 * k, about.u + 1e5};
+        cutter.cut(about.v + 100 * i, std::span(&part, 1), profile);
+        longest = std::max(longest, profile.size());
+      }
+  }
+  CHECK(longest > 20);
+  CHECK(longest < 6 * grid.size());
+}
+
 TEST_CASE("a meridian and the equator lie in planes of one depth, and are there once") {
   MadeEarth made;
   made.columns = made.rows = 9;
@@ -381,7 +419,7 @@ TEST_CASE("a meridian and the equator lie in planes of one depth, and are there 
   for (const bool along_equator : {false, true}) {
     const View view = looking(along_equator ? Vec2{0, 1} : Vec2{1, 0});
     Profile profile;
-    EarthGridCutter(grid, view, no_level, border_edges(grid, true)).cut(0, profile);
+    EarthGridCutter(grid, view, no_level, places_of(grid)).cut(0, profile);
     CAPTURE(along_equator);
     REQUIRE(profile.size() == 9);
     for (int i = 0; i < 9; ++i) {

@@ -14,10 +14,10 @@ namespace orograph {
 namespace {
 
 // Whole 1024ths of degrees, so that terrains can be turned without rounding.
-MadeEarth lattice_of(Random& random) {
+MadeEarth lattice_of(Random& random, int most) {
   MadeEarth made;
-  made.columns = random.whole(10, 30);
-  made.rows = random.whole(10, 30);
+  made.columns = random.whole(10, most);
+  made.rows = random.whole(10, most);
   if (random.chance(0.3)) {
     made.ellipsoid = {random.pick({2e4, 2e5}), random.pick({298.257223563, 0.0, 20.0})};
     made.lon_step_deg = random.whole(50, 300) / 1024.0;
@@ -69,8 +69,8 @@ void roughen(std::vector<float>& heights, const MadeEarth& made, Random& random,
     if (std::isnan(heights[i])) heights[i] = 100;
 }
 
-TerrainData terrain_of(MadeTerrain kind, Random& random, std::string& what) {
-  const MadeEarth made = lattice_of(random);
+TerrainData terrain_of(MadeTerrain kind, int most, Random& random, std::string& what) {
+  const MadeEarth made = lattice_of(random, most);
   TerrainData terrain;
   Grid grid;
   grid.columns = made.columns;
@@ -144,12 +144,12 @@ void look_at_something(MapSpec& spec, const Grid& grid, Random& random) {
 
 } // namespace
 
-RandomScene random_earth_scene(std::uint64_t seed, Stand stand) {
+RandomScene random_earth_scene(std::uint64_t seed, Stand stand, int most) {
   Random random(seed + 1000000 * static_cast<std::uint64_t>(stand));
   RandomScene scene;
   const MadeTerrain kind = all_made_terrains[seed % all_made_terrains.size()];
   scene.what = name_of(kind);
-  scene.terrain = terrain_of(kind, random, scene.what);
+  scene.terrain = terrain_of(kind, most, random, scene.what);
   const Grid& grid = grid_of(scene.terrain);
   MapSpec& spec = scene.spec;
   spec.view.exaggeration = random.pick({1.0, 1.0, 3.0});
@@ -160,12 +160,12 @@ RandomScene random_earth_scene(std::uint64_t seed, Stand stand) {
   const double wide_m = cell_size_m(grid) * std::max(grid.columns, grid.rows);
   const auto [low, high] = std::visit(
       [](const auto& heights) {
-        double least = INFINITY, most = -INFINITY;
+        double least = INFINITY, greatest = -INFINITY;
         for (const double h : heights) { // fmin and fmax leave out a NaN
           least = std::fmin(least, h);
-          most = std::fmax(most, h);
+          greatest = std::fmax(greatest, h);
         }
-        return std::pair(least, most);
+        return std::pair(least, greatest);
       },
       grid.heights_m);
   if (stand == Stand::frames_terrain) {

@@ -17,11 +17,11 @@ enum class Stand {
   looking_down    ///< with a wide field, mostly in two sectors
 };
 
-/// Mountains, plains, islands in a sea; of 10 to 30 vertices a side; in one of three with voids, or
-/// islands without a sea; cells of 30 m to 10 km on the earth, or on a planet so small that it
-/// bends them; at latitudes from -80 to 80, across 180 degrees as elsewhere. Exaggerated up to 3
-/// times, with refraction or none. The ground frame is still in the middle: `stand_on_earth` puts
-/// it in its place.
-RandomScene random_earth_scene(std::uint64_t seed, Stand stand);
+/// Mountains, plains, islands in a sea; of 10 to `most` vertices a side; in one of three with
+/// voids, or islands without a sea; cells of 30 m to 10 km on the earth, or on a planet so small
+/// that it bends them; at latitudes from -80 to 80, across 180 degrees as elsewhere. Exaggerated up
+/// to 3 times, with refraction or none. The ground frame is still in the middle: `stand_on_earth`
+/// puts it in its place.
+RandomScene random_earth_scene(std::uint64_t seed, Stand stand, int most = 30);
 
 } // namespace orograph

@@ -5,9 +5,11 @@
 #include "hidden_lines/sector_ground.hpp"
 #include "hidden_lines/strips.hpp"
 #include "map/draw_map.hpp"
+#include "placing/terrain_of_view.hpp"
 #include "reference/ray_walk.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/put_eye.hpp"
+#include "tests/scenes/random_earth_scene.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
 #include "tests/support/grid_of.hpp"
@@ -26,16 +28,18 @@ struct Tally {
   double left_out = 0;
 };
 
+void add_spikes(TerrainData& terrain, Random& random, std::string& what) {
+  const auto heights = std::get<Heights<float>>(grid_of(terrain).heights_m).own();
+  const double high = random.pick({5.0, 50.0, 2000.0});
+  for (float& h : heights)
+    if (random.chance(0.02)) h += static_cast<float>(random.between(0, high));
+  what += ", spikes";
+}
+
 RandomScene large_scene(std::uint64_t seed, Random& random) {
   RandomScene scene = random_scene(seed, random.pick({36, 100, 200}));
   Grid& grid = grid_of(scene.terrain);
-  if (random.chance(0.3)) { // spikes, which a few profiles pass by
-    const auto heights = std::get<Heights<float>>(grid.heights_m).own();
-    const double high = random.pick({5.0, 50.0, 2000.0});
-    for (float& h : heights)
-      if (random.chance(0.02)) h += static_cast<float>(random.between(0, high));
-    scene.what += ", spikes";
-  }
+  if (random.chance(0.3)) add_spikes(scene.terrain, random, scene.what);
   if (random.chance(0.3)) {
     const double radius = random.pick({2e4, 1e5, 1e6});
     scene.terrain.map.radii = CurvatureRadii{radius, radius * random.between(1, 1.3)};
@@ -54,6 +58,31 @@ RandomScene large_scene(std::uint64_t seed, Random& random) {
   spec.style.layers = {"profiles", "silhouettes", "skyline", "border", "shores"};
   spec.style.simplify_mm = 0;
   spec.style.layers.push_back("voids");
+  return scene;
+}
+
+// In degrees; from eyes on the ground all round as well.
+RandomScene large_earth_scene(std::uint64_t seed, Random& random) {
+  const Stand stand = random.pick({Stand::on_ground, Stand::on_ground, Stand::in_air,
+                                   Stand::frames_terrain, Stand::looking_down});
+  RandomScene scene = random_earth_scene(seed, stand, random.pick({36, 100, 160}));
+  if (random.chance(0.3)) add_spikes(scene.terrain, random, scene.what);
+  MapSpec& spec = scene.spec;
+  if (stand == Stand::frames_terrain)
+    spec.view.from_elevation = Angle::degrees(random.pick({0.0, 2.0, 5.0, 10.0, 20.0, 45.0}));
+  if (stand == Stand::on_ground && random.chance(0.4)) {
+    ViewSpec about;
+    about.projection = random.pick({Projection::cylindrical, Projection::equirectangular});
+    about.eye_map = spec.view.eye_map;
+    about.eye_height_m = random.pick({0.5, 20.0, 200.0});
+    about.exaggeration = spec.view.exaggeration;
+    about.refraction = spec.view.refraction;
+    spec.view = about;
+    scene.what += ", panorama";
+  }
+  spec.style.visibility_tolerance_mm = random.pick({0.0, 0.0, 0.01, 0.5});
+  spec.style.layers = {"profiles", "silhouettes", "skyline", "border", "shores", "voids"};
+  spec.style.simplify_mm = 0;
   return scene;
 }
 
@@ -105,6 +134,29 @@ void ask_left_out(const Grid& grid, const Sector& sector, const SeenGround& grou
 
 } // namespace
 
+void ask(const RandomScene& made, Random& random, Tally& tally) {
+  const PlacedView scene = placed_view(made.terrain, made.spec);
+  if (scene.extent.turned_over > 0) return;
+  const auto ground = ground_of_sectors(made.terrain, scene, made.spec.style, {});
+  REQUIRE(ground.size() == scene.sectors.size());
+  for (std::size_t i = 0; i < ground.size(); ++i)
+    ask_left_out(grid_of(made.terrain), scene.sectors[i], ground[i], random, tally);
+  tally.left_out += 1 - looked_at_by_any(ground)->share();
+  ++tally.scenes;
+  const auto draw = [&](const Instruments& instruments) {
+    return draw_map(
+               made.terrain, scene, made.spec, [](double) {}, instruments)
+        .drawing;
+  };
+  REQUIRE(difference(draw({}), draw({.hidden_ground = true})) == "");
+}
+
+void report(const Tally& tally) {
+  WARN(tally.scenes << " scenes, " << tally.left_out / static_cast<double>(tally.scenes)
+                    << " of the ground left out, " << tally.asked << " points of it asked, "
+                    << tally.beside << " beside the page; " << tally.refused << " refused");
+}
+
 TEST_CASE("what isn't looked at isn't seen", "[slow]") {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
@@ -112,26 +164,30 @@ TEST_CASE("what isn't looked at isn't seen", "[slow]") {
     const RandomScene made = large_scene(seed, random);
     CAPTURE(seed, made.what);
     try {
-      const PlacedView scene = placed_view(made.terrain, made.spec);
-      const auto ground = ground_of_sectors(made.terrain, scene, made.spec.style, {});
-      REQUIRE(ground.size() == scene.sectors.size());
-      for (std::size_t i = 0; i < ground.size(); ++i)
-        ask_left_out(grid_of(made.terrain), scene.sectors[i], ground[i], random, tally);
-      tally.left_out += 1 - looked_at_by_any(ground)->share();
-      ++tally.scenes;
-      const auto draw = [&](const Instruments& instruments) {
-        return draw_map(
-                   made.terrain, scene, made.spec, [](double) {}, instruments)
-            .drawing;
-      };
-      REQUIRE(difference(draw({}), draw({.hidden_ground = true})) == "");
+      ask(made, random, tally);
     } catch (const Error&) {
       ++tally.refused; // the height below the eye rounds to above it
     }
   }
-  WARN(tally.scenes << " scenes, " << tally.left_out / static_cast<double>(tally.scenes)
-                    << " of the ground left out, " << tally.asked << " points of it asked, "
-                    << tally.beside << " beside the page; " << tally.refused << " refused");
+  report(tally);
+  CHECK(tally.refused < kScenes / 10);
+  CHECK(tally.asked > 10 * kScenes);
+}
+
+TEST_CASE("nor in degrees, nor all round", "[slow]") {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    Random random(seed + 41000);
+    RandomScene made = large_earth_scene(seed, random);
+    CAPTURE(seed, made.what);
+    try {
+      stand_on_earth(made.terrain, made.spec.view);
+      ask(made, random, tally);
+    } catch (const Error&) {
+      ++tally.refused;
+    }
+  }
+  report(tally);
   CHECK(tally.refused < kScenes / 10);
   CHECK(tally.asked > 10 * kScenes);
 }
