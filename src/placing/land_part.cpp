@@ -25,10 +25,10 @@ constexpr std::array<std::string_view, 5> kOverAllTerrain{"block", "mesh", "grat
 bool shows_land_alone(const MapSpec& spec) {
   const Style& style = spec.style;
   return style.flat != FlatGround::draw && style.outline == Outline::one &&
-         style.underside == Underside::omit &&
-         !style.draws_waterlines() && !spec.view.has_eye() && !spec.view.file &&
-         std::ranges::none_of(kOverAllTerrain,
-                              [&](std::string_view name) { return style.asks_for(name); });
+         style.underside == Underside::omit && !style.draws_waterlines() && !spec.view.has_eye() &&
+         !spec.view.file && std::ranges::none_of(kOverAllTerrain, [&](std::string_view name) {
+           return style.asks_for(name);
+         });
 }
 
 // Of a row of cells the first and the last with land, or the first greater than the last.
