@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace orograph::heights_along_test {
 namespace {
@@ -106,7 +107,9 @@ TEST_CASE("in degrees heights along a profile are those of its cut a metre aside
     view.forward = {std::sin(azimuth), std::cos(azimuth)};
     view.right = {std::cos(azimuth), -std::sin(azimuth)};
     const TriangleSet level;
-    const SurfaceCutter cutter(surface, view, level, border_edges(grid, true));
+    const auto border =
+        std::make_shared<const BorderPlaces>(border_places(grid, border_edges(grid, true)));
+    const SurfaceCutter cutter(surface, view, level, border);
     for (int k = 0; k < 5; ++k) {
       const double depth_m = random.between(cutter.nearest_m(), cutter.farthest_m());
       Profile profile;
