@@ -82,7 +82,7 @@ double under_mm(const PlacedView& placed, ProfilePoint at, double by_m) {
 // some places of the way hides of it. Most summits of a tile are hidden by far, and this takes a
 // twentieth of the time of a look at each edge in front of them.
 double hidden_at_least_m(const Grid& grid, const View& view, ProfilePoint at) {
-  constexpr int kPlaces = 32; // twice as many find a fiftieth more
+  constexpr int kPlaces = 32; // twice as many take longer than they save
   double hidden_m = 0;
   for (int i = 1; i < kPlaces; ++i) {
     const double share = static_cast<double>(i) / kPlaces;

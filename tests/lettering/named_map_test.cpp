@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <vector>
@@ -149,7 +150,10 @@ TEST_CASE("On random maps no text is on another, on a leader or on a line") {
   const Terrain terrain = Terrain::of(borrowed(rough_heights(kSide), kSide));
   Tally tally;
   int refused = 0;
-  for (std::uint64_t seed = 1; seed <= last_seed(60); ++seed) {
+  // As many as one likes, by hand.
+  const char* const asked = std::getenv("OROGRAPH_TEST_MAPS");
+  const std::uint64_t maps = asked ? std::strtoull(asked, nullptr, 10) : last_seed(40);
+  for (std::uint64_t seed = 1; seed <= maps; ++seed) {
     Random random(seed);
     const Session session(terrain, {}, {},
                           names_of(random_names(random, kSide, random.whole(1, 80)), terrain));
@@ -168,34 +172,11 @@ TEST_CASE("On random maps no text is on another, on a leader or on a line") {
       ++refused;
     }
   }
+  if (asked) WARN(maps << " maps: " << tally.texts << " texts, " << tally.names << " names");
   INFO(tally.texts << " texts, " << tally.names << " names, " << tally.strokes << " strokes");
-  CHECK(tally.texts >= enough<1000>);
-  CHECK(tally.names >= enough<300>);
-  CHECK(refused <= 10);
-}
-
-TEST_CASE("On 500 random maps the same", "[.walk]") {
-  const Terrain terrain = Terrain::of(borrowed(rough_heights(kSide), kSide));
-  Tally tally;
-  int drawn = 0;
-  for (std::uint64_t seed = 1001; drawn < 500; ++seed) {
-    Random random(seed);
-    const Session session(terrain, {}, {},
-                          names_of(random_names(random, kSide, random.whole(1, 150)), terrain));
-    MapSpec spec = random_named_spec(random, kSide);
-    CAPTURE(seed, spec.view.projection);
-    try {
-      const Map map = session.draw(spec);
-      spec.letters.kind = LetterKind::stroke;
-      const Map with_strokes = session.draw(spec);
-      CHECK(fault_of_texts(map, tally) == "");
-      CHECK(fault_of_strokes(with_strokes, tally) == "");
-      ++drawn;
-    } catch (const UsageError&) { // a page that is too small for it
-    }
-  }
-  WARN(drawn << " maps: " << tally.texts << " texts, " << tally.names << " names as "
-             << tally.strokes << " strokes");
+  CHECK(tally.texts >= enough<700>);
+  CHECK(tally.names >= enough<200>);
+  CHECK(refused <= static_cast<int>(maps / 4));
 }
 
 } // namespace orograph::named_map_test
