@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order of any surface's triangles front to back (docs/underside.md).
+// The order of any surface's triangles front to back (docs/decisions/0054-both-sides.md).
 #pragma once
 
 #include "dem/surface.hpp"

@@ -12,6 +12,7 @@
 #include "cli/options/parse_arguments.hpp"
 #include "cli/sweep/fingerprint.hpp"
 #include "geometry/error.hpp"
+#include "map/check_spec.hpp"
 #include "text/text_of_file.hpp"
 #include "write/device.hpp"
 
@@ -257,6 +258,12 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
       render.map.view.look_azimuth = Angle();
   }
   check_picture_settings(render, given);
+  for (const Axis& axis : settings.axes)
+    if (axis.parameter == Parameter::elevation) {
+      MapSpec lowest = render.map;
+      lowest.view.from_elevation = Angle::degrees(std::ranges::min(axis.values));
+      check_underside(lowest, render.solids != nullptr);
+    }
   check_plotting(render, given);
   if (!settings.views_file.empty()) render.map.view.eye_map = GivenPlace(0, 0); // perhaps
   check_lettering(render, given);

@@ -72,7 +72,8 @@ std::optional<std::string> of_plan(const PlacedView& placed, const MapSpec& spec
                          ? ", and only light on them shows relief (--light)"
                          : ": --light shows relief by their widths, --view-from with "
                            "less than 90 by their shapes";
-  return std::string("from straight above profiles are straight lines") + what;
+  return fmt::format("from straight {} profiles are straight lines{}",
+                     placed.view.y_per_v < 0 ? "below" : "above", what);
 }
 
 } // namespace

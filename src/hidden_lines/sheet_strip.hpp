@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pass through one strip of X where the surface is a sheet with two sides (docs/underside.md).
+// The pass through one strip of X where the surface is a sheet with two sides
+// (docs/decisions/0054-both-sides.md).
 #pragma once
 
 #include "hidden_lines/line_pictures.hpp"

@@ -15,8 +15,8 @@ constexpr Colour kRock{0x2b, 0x26, 0x22}, kContour{0x9c, 0x62, 0x33}, kWater{0x2
 
 // Ridges and shores are a little heavier than profiles, border, voids and edges lighter.
 constexpr auto kSeen = std::to_array<LayerRow>({
-    {"underside", LineSource::underside, 0.8, 0.4, {}, kNet},
     {.name = "profiles", .source = LineSource::profiles, .map = kRock},
+    {"underside", LineSource::underside, 0.8, 0.4, {}, kNet},
     {"mesh", LineSource::ground, 0.8, 0, LineKind::mesh, kRock},
     {"hachures", LineSource::ground, 1, 0, LineKind::hachure, kRock},
     {"walls", LineSource::ground, 0.6, 0.45, LineKind::wall, kEdge},

@@ -41,7 +41,8 @@ Vec2 forward_of(const PhigsView& view) {
                                           kLeastAlongDepth * length(into_plate)))
     return into_plate;
   if (!perspective && !is_vertical(direction)) return horizontal(direction);
-  return horizontal(in_world(view, {0, 1, 0}));
+  // Straight down what is farther away is higher in the picture, straight up it is lower.
+  return horizontal(in_world(view, {0, !perspective && direction.z > 0 ? -1.0 : 1.0, 0}));
 }
 
 } // namespace
@@ -76,7 +77,9 @@ Homography homography_of(const PhigsView& view, const ProfileFrame& frame,
   if (view.projection == PhigsProjection::perspective) {
     columns << across, up, forward;
   } else {
-    columns << across, (is_vertical(direction_of_projection(view)) ? forward : up), start;
+    const Vec3 direction = direction_of_projection(view);
+    const double away = direction.z > 0 ? -1 : 1; // of Y, a metre of depth where it is vertical
+    columns << across, (is_vertical(direction) ? Eigen::Vector4d(away * forward) : up), start;
   }
   const Eigen::Matrix<double, 4, 3> image = page * columns;
   Homography homography;

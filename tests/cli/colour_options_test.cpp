@@ -74,7 +74,13 @@ TEST_CASE("layers are grey unless a palette or a colour is asked for") {
 TEST_CASE("the palette of maps has each layer in the colour that maps have") {
   const RenderSettings map = given(all_layers_and({"--palette", "map"}));
   for (const LayerRow& row : layer_table())
-    if (!row.is_hidden() && row.source != LineSource::lettering) CHECK(colour_in(map, row.name));
+    if (!row.is_hidden() && row.source != LineSource::lettering && !is_of_underside(row))
+      CHECK(colour_in(map, row.name));
+  const RenderSettings both = given({"--palette", "map", "--underside", "draw"});
+  for (const char* side : {"underside", "underside-edges"}) CHECK(colour_in(both, side));
+  const RenderSettings told = given({"--underside", "draw", "--colour", "underside=#112233"});
+  for (const char* side : {"underside", "underside-edges"})
+    CHECK(colour_in(told, side) == Colour{0x11, 0x22, 0x33});
   for (const char* water : {"shores", "waterlines"}) CHECK(is_blue(*colour_in(map, water)));
   for (const char* height : {"contours", "index-contours"})
     CHECK(is_brown(*colour_in(map, height)));

@@ -61,7 +61,8 @@ TEST_CASE("points, boxes and directions have their number of parts") {
   CHECK(from->elevation == Angle::degrees(15));
   CHECK(parse_view_from("720/0"));
   CHECK(parse_view_from("0/90"));
-  for (const char* text : {"180", "180/", "/25", "180/91", "180/-1", "180/25/3", "nan/3", "1/nan"})
+  CHECK(parse_view_from("0/-90"));
+  for (const char* text : {"180", "180/", "/25", "180/91", "180/-91", "180/25/3", "nan/3", "1/nan"})
     CHECK_FALSE(parse_view_from(text));
 }
 

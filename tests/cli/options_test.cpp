@@ -196,7 +196,7 @@ TEST_CASE("options of lines and page") {
   check_refused({"--visibility-tolerance", "-1"}, "mm, 0 to 10");
   check_refused({"--flat", "no"}, "shore|draw");
   check_refused({"--layers", "profiles,profiles"},
-                "each once of profiles, mesh, hachures, walls, wall-contours, "
+                "each once of profiles, underside, mesh, hachures, walls, wall-contours, "
                 "wall-index-contours, block, contours, index-contours, graticule, grid, edges, "
                 "waterlines, shores, border, drape, voids");
   check_refused({"--layers", "hatching"}, "each once of");

@@ -36,10 +36,7 @@ TEST_CASE("a PHIGS view's picture is that of the definition, ahead of the eye an
       Random random(seed);
       INFO("seed " << seed << (projection == PhigsProjection::parallel ? " parallel" : ""));
       const PhigsView phigs = random_phigs_view(random, projection);
-      if (looks_up(phigs)) {
-        REQUIRE_THROWS_AS(place_phigs_view(phigs, 1, 10), Error);
-        continue;
-      }
+      if (looks_up(phigs)) REQUIRE(place_phigs_view(phigs, 1, 10).y_per_v < 0);
       const double exaggeration = random.pick({1.0, 2.5});
       const View view = place_phigs_view(phigs, exaggeration, 10);
       REQUIRE(view.window.low == phigs.window_m.low);
