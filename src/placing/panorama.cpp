@@ -89,6 +89,7 @@ struct Altitude {
     return (p.z - view.eye_z_m) / away;
   }
   double bound(const Box3& box) const {
+    if (is_aside(box)) return -kInfinity;
     const Vec2 at = view.depth_origin_m;
     const double nearest = std::hypot(std::max({box.low.x - at.x, at.x - box.high.x, 0.0}),
                                       std::max({box.low.y - at.y, at.y - box.high.y, 0.0}));
@@ -101,6 +102,24 @@ struct Altitude {
     const double above =
         box.high.z * view.exaggeration - least * farthest * farthest - view.eye_z_m;
     return above / (above > 0 ? std::max(nearest, view.near_m) : farthest);
+  }
+
+private:
+  // Whether all of a box is turned farther from the middle than is shown: beyond the same side of a
+  // wedge, or, where that is wider than a half-plane, beyond both.
+  bool is_aside(const Box3& box) const {
+    if (!std::isfinite(most_turn)) return false;
+    bool beyond_left = true, beyond_right = true;
+    for (const double x : {box.low.x, box.high.x})
+      for (const double y : {box.low.y, box.high.y}) {
+        const ProfilePoint p = to_profile_frame(view, {x, y, 0});
+        const double right = p.u * std::cos(most_turn), ahead = p.v * std::sin(most_turn);
+        const double rounding = kRounding_deg * (std::abs(p.u) + std::abs(p.v));
+        beyond_right = beyond_right && right - ahead > rounding;
+        beyond_left = beyond_left && -right - ahead > rounding;
+      }
+    return 2 * most_turn <= std::numbers::pi ? beyond_left || beyond_right
+                                             : beyond_left && beyond_right;
   }
 };
 
