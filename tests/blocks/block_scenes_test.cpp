@@ -154,6 +154,50 @@ private:
   TieTolerance tolerance_;
 };
 
+// An eye beside the terrain, or over a void, no higher than its summit and above its base.
+void put_eye_beside(RandomScene& scene, Random& random) {
+  const Grid& grid = grid_of(scene.terrain);
+  std::vector<Vec3> ground;
+  std::vector<Vec2> voids;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const Vec3 vertex = grid.vertex_m(column, row);
+      if (std::isnan(vertex.z))
+        voids.push_back(grid.plane().position_m(column, row));
+      else
+        ground.push_back(vertex);
+    }
+  const auto any_of = [&](const auto& places) {
+    return places[static_cast<std::size_t>(random.whole(0, static_cast<int>(places.size()) - 1))];
+  };
+  Vec2 at{};
+  if (!voids.empty() && random.chance(0.4)) {
+    at = any_of(voids);
+  } else {
+    double column = random.between(-1, grid.columns), row = random.between(-1, grid.rows);
+    const double beside = random.between(0.1, 6);
+    if (random.chance(0.5))
+      column = random.chance(0.5) ? -beside : grid.columns - 1 + beside;
+    else
+      row = random.chance(0.5) ? -beside : grid.rows - 1 + beside;
+    at = grid.plane().position_m(0, 0) + column * grid.plane().column_step_m +
+         row * grid.plane().row_step_m;
+  }
+  const auto [lowest, highest] = std::ranges::minmax(ground, {}, &Vec3::z);
+  const double top_m = highest.z,
+               base_m = lowest.z - random.between(0.1, 1) * (top_m - lowest.z + 10);
+  scene.spec.style.block.base = base_m;
+  const Vec3 eye{at.x, at.y, std::lerp(base_m, top_m, random.between(0.01, 1))};
+  Vec3 target = any_of(ground);
+  target.z = std::lerp(eye.z, target.z, random.between(0, 1));
+  ViewSpec& view = scene.spec.view;
+  view.projection = Projection::perspective;
+  view.exaggeration = 1;
+  view.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 90.0}));
+  view.eye_map = eye;
+  view.look_at_map = target;
+}
+
 bool is_of_block(const Layer& layer) {
   return layer.name == "block" || layer.name.starts_with("wall");
 }
@@ -196,6 +240,35 @@ TEST_CASE("a block's walls are drawn where they are seen, and nowhere else") {
   CHECK(sum.asked > 25 * kScenes);
   CHECK(sum.visible > 8 * kScenes);
   CHECK(sum.unsure < sum.asked / 20);
+}
+
+TEST_CASE("and from eyes beside a block or over its voids, lower than its summit") {
+  Tally sum;
+  std::uint64_t drawn = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    Random random(seed);
+    RandomScene scene = with_block(4 * seed + 3, random); // whose view isn't varied
+    put_eye_beside(scene, random);
+    INFO("seed " << seed << ": " << scene.what);
+    const std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+    if (!placed) continue;
+    WallCheck check(scene.terrain, *placed, random);
+    Instruments instruments{.order_always = seed % 4 != 0};
+    instruments.observers = {&check};
+    draw_map(
+        scene.terrain, *placed, scene.spec, [](double) {}, instruments);
+    CHECK(check.tally.hidden_but_drawn == 0);
+    CHECK(check.tally.missing == 0);
+    sum.asked += check.tally.asked;
+    sum.unsure += check.tally.unsure;
+    sum.visible += check.tally.visible;
+    ++drawn;
+  }
+  WARN(drawn << " scenes, " << sum.asked << " asked, " << sum.unsure << " unsure, " << sum.visible
+             << " visible");
+  CHECK(drawn > kScenes / 2);
+  CHECK(sum.visible > 3 * drawn);
+  CHECK(sum.unsure < sum.asked / 10);
 }
 
 TEST_CASE("and in degrees, where walls are upright in the view's frame") {
