@@ -33,15 +33,21 @@ def strokes(tmp_path_factory, usages):
     folder = tmp_path_factory.mktemp("strokes")
     out, line = folder / "islands.geojson", folder / "line.geojson"
     line.write_text('{"type": "LineString", "coordinates": [[3.01, 0.91], [3.2, 1.07]]}')
-    layers = [name for name in usages["render"].arguments["layers"].choices if name not in ("pen-up", "solids")]
+    all_layers = usages["render"].arguments["layers"].choices
+    below = [name for name in all_layers if name.startswith("underside")]  # which go with no block
+    layers = [name for name in all_layers if name not in ("pen-up", "solids", *below)]
     hidden = [name for name in usages["render"].arguments["hidden-layers"].choices if name != "solids"]
     subprocess.run([PROGRAM, "render", DATA / "islands.tif", out, "--quiet", "--palette=map", "--contours=auto",
                     "--mesh=20", "--graticule=auto", "--grid=auto", "--flat=waterlines", f"--drape={line}",
                     f"--layers={','.join(layers)}", f"--hidden-layers={','.join(hidden)}", "--exaggeration=4",
                     "--view-from=200/10", "--bbox=503000,104000,511000,110000"], check=True)
+    from_below = folder / "from-below.geojson"
+    subprocess.run([PROGRAM, "render", DATA / "islands.tif", from_below, "--quiet", "--palette=map", "--underside=draw",
+                    f"--layers=profiles,{','.join(below)}", "--exaggeration=4", "--view-from=200/-20"], check=True)
     found = {}
-    for feature in json.loads(out.read_text())["features"]:
-        found[feature["properties"]["layer"]] = feature["properties"]["stroke"]
+    for drawing in (out, from_below):
+        for feature in json.loads(drawing.read_text())["features"]:
+            found[feature["properties"]["layer"]] = feature["properties"]["stroke"]
     return found
 
 
@@ -58,7 +64,7 @@ def test_colours_are_the_palettes(strokes):
             if name in strokes:
                 assert colours[seen] == strokes[name], name
                 compared += 1
-    assert compared >= 18
+    assert compared >= 20
 
 
 def test_the_zip_is_the_same_each_time(tmp_path):
