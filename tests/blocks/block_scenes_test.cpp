@@ -10,6 +10,7 @@
 #include "placing/terrain_of_view.hpp"
 #include "profiles/slab_lines.hpp"
 #include "tests/blocks/block_walk.hpp"
+#include "tests/blocks/scene_with_voids.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_earth_scene.hpp"
 #include "tests/scenes/random_scene.hpp"
@@ -30,22 +31,8 @@ namespace {
 
 constexpr std::uint64_t kScenes = last_seed(500);
 
-// With voids, and islands in them.
 RandomScene with_block(std::uint64_t seed, Random& random) {
-  RandomScene scene = random_scene(seed, 18);
-  Grid& grid = grid_of(scene.terrain);
-  const auto heights = std::get<Heights<float>>(grid.heights_m).own();
-  if (random.chance(0.6)) {
-    const int column = random.whole(1, grid.columns - 6), row = random.whole(1, grid.rows - 6),
-              size = random.whole(2, 5);
-    const bool has_island = size == 5 && random.chance(0.7);
-    for (int r = row; r < std::min(row + size, grid.rows); ++r)
-      for (int c = column; c < std::min(column + size, grid.columns); ++c)
-        if (!has_island || r == row || c == column || r == row + 4 || c == column + 4)
-          heights[grid.index(c, r)] = std::numeric_limits<float>::quiet_NaN();
-    for (const auto& [c, r] : {std::pair{0, 0}, {1, 0}, {1, 1}})
-      if (std::isnan(heights[grid.index(c, r)])) heights[grid.index(c, r)] = 100;
-  }
+  RandomScene scene = scene_with_voids(seed, random);
   Style& style = scene.spec.style;
   style.layers.insert(style.layers.end(), {"block", "contours"});
   style.block.sides = BlockSides::lines;
@@ -198,6 +185,27 @@ void put_eye_beside(RandomScene& scene, Random& random) {
   view.look_at_map = target;
 }
 
+// Draws the scene with its walls asked; false where the view is refused.
+bool check_walls(const RandomScene& scene, Random& random, Instruments instruments, Tally& sum) {
+  const std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+  if (!placed || placed->extent.turned_over > 0) return false;
+  WallCheck check(scene.terrain, *placed, random);
+  instruments.observers = {&check};
+  draw_map(
+      scene.terrain, *placed, scene.spec, [](double) {}, instruments);
+  CHECK(check.tally.hidden_but_drawn == 0);
+  CHECK(check.tally.missing == 0);
+  sum.asked += check.tally.asked;
+  sum.unsure += check.tally.unsure;
+  sum.visible += check.tally.visible;
+  return true;
+}
+
+void tell(std::uint64_t drawn, const Tally& sum) {
+  WARN(drawn << " scenes, " << sum.asked << " asked, " << sum.unsure << " unsure, " << sum.visible
+             << " visible");
+}
+
 bool is_of_block(const Layer& layer) {
   return layer.name == "block" || layer.name.starts_with("wall");
 }
@@ -206,7 +214,7 @@ bool is_of_block(const Layer& layer) {
 
 TEST_CASE("a block's walls are drawn where they are seen, and nowhere else") {
   Tally sum;
-  std::uint64_t refused = 0;
+  std::uint64_t drawn = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     Random random(seed);
     RandomScene scene = with_block(seed, random);
@@ -216,27 +224,10 @@ TEST_CASE("a block's walls are drawn where they are seen, and nowhere else") {
       scene.terrain.surface = tin_of(grid);
     }
     INFO("seed " << seed << ": " << scene.what << (is_tin ? ", a TIN" : ""));
-    const std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
-    if (!placed) {
-      ++refused;
-      continue;
-    }
-    WallCheck check(scene.terrain, *placed, random);
-    Instruments instruments{.hidden_ground = seed % 2 == 0, .order_always = seed % 4 != 0};
-    instruments.observers = {&check};
-    draw_map(
-        scene.terrain, *placed, scene.spec, [](double) {}, instruments);
-    CHECK(check.tally.hidden_but_drawn == 0);
-    CHECK(check.tally.missing == 0);
-    sum.asked += check.tally.asked;
-    sum.unsure += check.tally.unsure;
-    sum.visible += check.tally.visible;
-    sum.hidden_but_drawn += check.tally.hidden_but_drawn;
-    sum.missing += check.tally.missing;
+    drawn += check_walls(scene, random,
+                         {.hidden_ground = seed % 2 == 0, .order_always = seed % 4 != 0}, sum);
   }
-  WARN(sum.asked << " asked, " << sum.unsure << " unsure, " << sum.visible << " visible, "
-                 << sum.hidden_but_drawn << " hidden but drawn, " << sum.missing << " missing, "
-                 << refused << " views refused");
+  tell(drawn, sum);
   CHECK(sum.asked > 25 * kScenes);
   CHECK(sum.visible > 8 * kScenes);
   CHECK(sum.unsure < sum.asked / 20);
@@ -250,22 +241,9 @@ TEST_CASE("and from eyes beside a block or over its voids, lower than its summit
     RandomScene scene = with_block(4 * seed + 3, random); // whose view isn't varied
     put_eye_beside(scene, random);
     INFO("seed " << seed << ": " << scene.what);
-    const std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
-    if (!placed) continue;
-    WallCheck check(scene.terrain, *placed, random);
-    Instruments instruments{.order_always = seed % 4 != 0};
-    instruments.observers = {&check};
-    draw_map(
-        scene.terrain, *placed, scene.spec, [](double) {}, instruments);
-    CHECK(check.tally.hidden_but_drawn == 0);
-    CHECK(check.tally.missing == 0);
-    sum.asked += check.tally.asked;
-    sum.unsure += check.tally.unsure;
-    sum.visible += check.tally.visible;
-    ++drawn;
+    drawn += check_walls(scene, random, {.order_always = seed % 4 != 0}, sum);
   }
-  WARN(drawn << " scenes, " << sum.asked << " asked, " << sum.unsure << " unsure, " << sum.visible
-             << " visible");
+  tell(drawn, sum);
   CHECK(drawn > kScenes / 2);
   CHECK(sum.visible > 3 * drawn);
   CHECK(sum.unsure < sum.asked / 10);
@@ -283,21 +261,9 @@ TEST_CASE("and in degrees, where walls are upright in the view's frame") {
     scene.spec.style.pen_width_mm = 2;
     INFO("seed " << seed << ": " << scene.what);
     stand_on_earth(scene.terrain, scene.spec.view);
-    const std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
-    if (!placed || placed->extent.turned_over > 0) continue;
-    WallCheck check(scene.terrain, *placed, random);
-    Instruments instruments;
-    instruments.observers = {&check};
-    draw_map(
-        scene.terrain, *placed, scene.spec, [](double) {}, instruments);
-    CHECK(check.tally.hidden_but_drawn == 0);
-    CHECK(check.tally.missing == 0);
-    sum.asked += check.tally.asked;
-    sum.unsure += check.tally.unsure;
-    sum.visible += check.tally.visible;
-    ++drawn;
+    drawn += check_walls(scene, random, {}, sum);
   }
-  WARN(sum.asked << " asked, " << sum.unsure << " unsure, " << sum.visible << " visible");
+  tell(drawn, sum);
   CHECK(drawn > kScenes / 10);
   CHECK(sum.visible > 5 * drawn);
   CHECK(sum.unsure < sum.asked / 10);

@@ -3,6 +3,7 @@
 
 #include "dem/approximate/tin_of_grid.hpp"
 #include "placing/vertex_values.hpp"
+#include "tests/blocks/spatial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,19 +14,6 @@ namespace orograph {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Spatial {
-  double u, v, z;
-};
-Spatial of(ProfilePoint p) {
-  return {p.u, p.v, p.z};
-}
-Spatial operator-(Spatial a, Spatial b) {
-  return {a.u - b.u, a.v - b.v, a.z - b.z};
-}
-double plan_cross(Spatial a, Spatial b) {
-  return a.u * b.v - a.v * b.u;
-}
 
 // From the point (0) towards the eye: to it (1) in perspective, without end else.
 struct Way {

@@ -9,6 +9,7 @@
 #include "profiles/slab_lines.hpp"
 #include "profiles/surface_edges.hpp"
 #include "tests/blocks/block_walk.hpp"
+#include "tests/blocks/scene_with_voids.hpp"
 #include "tests/blocks/sheet_walk.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_earth_scene.hpp"
@@ -73,25 +74,6 @@ void look_anywhere(MapSpec& spec, const TerrainData& terrain, Random& random) {
   view.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 90.0, 120.0}));
   view.eye_map = anywhere(6);
   view.look_at_map = anywhere(0);
-}
-
-RandomScene sheet_scene(std::uint64_t seed, Random& random) {
-  RandomScene scene = random_scene(seed, 18);
-  Grid& grid = grid_of(scene.terrain);
-  const auto heights = std::get<Heights<float>>(grid.heights_m).own();
-  if (random.chance(0.6)) {
-    const int column = random.whole(1, grid.columns - 6), row = random.whole(1, grid.rows - 6),
-              size = random.whole(2, 5);
-    const bool has_island = size == 5 && random.chance(0.7);
-    for (int r = row; r < std::min(row + size, grid.rows); ++r)
-      for (int c = column; c < std::min(column + size, grid.columns); ++c)
-        if (!has_island || r == row || c == column || r == row + 4 || c == column + 4)
-          heights[grid.index(c, r)] = std::numeric_limits<float>::quiet_NaN();
-    for (const auto& [c, r] : {std::pair{0, 0}, {1, 0}, {1, 1}})
-      if (std::isnan(heights[grid.index(c, r)])) heights[grid.index(c, r)] = 100;
-  }
-  look_anywhere(scene.spec, scene.terrain, random);
-  return scene;
 }
 
 void draw_both_sides(Style& style) {
@@ -277,7 +259,8 @@ TEST_CASE("both sides of a sheet are drawn where they are seen, and nowhere else
   std::uint64_t drawn = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     Random random(seed);
-    RandomScene scene = sheet_scene(seed, random);
+    RandomScene scene = scene_with_voids(seed, random);
+    look_anywhere(scene.spec, scene.terrain, random);
     draw_both_sides(scene.spec.style);
     const bool is_tin = seed % 4 == 0;
     if (is_tin) {

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/blocks/sheet_walk.hpp"
 
+#include "tests/blocks/spatial.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace orograph {
 namespace {
-
-struct Spatial {
-  double u, v, z;
-};
-Spatial of(ProfilePoint p) {
-  return {p.u, p.v, p.z};
-}
-Spatial operator-(Spatial a, Spatial b) {
-  return {a.u - b.u, a.v - b.v, a.z - b.z};
-}
-double plan_cross(Spatial a, Spatial b) {
-  return a.u * b.v - a.v * b.u;
-}
 
 // What the way to the eye has above it of a triangle: from one place along it to another, by how
 // much the triangle is higher there.
