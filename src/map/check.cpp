@@ -62,7 +62,11 @@ Check::Check(const Surface& surface, const PlacedView& placed, double tolerance_
 void Check::begin(const Sector& sector) {
   if (sector_ == &sector) return;
   sector_ = &sector;
-  judge_.emplace(surface_, sector.view, tie_tolerance(sector, tolerance_mm_));
+  const TieTolerance tolerance = tie_tolerance(sector, tolerance_mm_);
+  if (judge_)
+    judge_->set_view(sector.view, tolerance);
+  else
+    judge_.emplace(surface_, sector.view, tolerance);
   engine_.seed(20240229); // always the same: a check can be run again
 }
 

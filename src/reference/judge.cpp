@@ -8,15 +8,21 @@
 namespace orograph {
 
 Judge::Judge(const Surface& surface, const View& view, const TieTolerance& tolerance)
-    : view_(view), tolerance_(tolerance), walk_(surface, view) {}
+    : view_(&view), tolerance_(tolerance), walk_(surface, view) {}
+
+void Judge::set_view(const View& view, const TieTolerance& tolerance) {
+  view_ = &view;
+  tolerance_ = tolerance;
+  walk_.set_view(view);
+}
 
 double Judge::above(ProfilePoint at, bool on_edge) const {
   const InFront front = walk_.in_front(at);
-  return project(view_, at).y - (on_edge ? front.greatest_y_apart : front.greatest_y);
+  return project(*view_, at).y - (on_edge ? front.greatest_y_apart : front.greatest_y);
 }
 
 Verdict Judge::verdict(ProfilePoint at, bool on_edge) const {
-  const Vec2 plane = project(view_, at);
+  const Vec2 plane = project(*view_, at);
   const InFront front = walk_.in_front(at);
   const double above = plane.y - (on_edge ? front.greatest_y_apart : front.greatest_y);
   if (std::abs(above) <= tolerance_.at(plane.x, plane.y) + front.rounding) return Verdict::tied;
@@ -32,9 +38,9 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
   const bool vertical = line.from.u == line.to.u && line.from.v == line.to.v;
   if (vertical) {
     // A vertical line that is seen from above has no picture.
-    const Vec2 place = project(view_, at);
-    const double rise = std::abs(project(view_, {at.u, at.v, line.to.z}).y -
-                                 project(view_, {at.u, at.v, line.from.z}).y);
+    const Vec2 place = project(*view_, at);
+    const double rise = std::abs(project(*view_, {at.u, at.v, line.to.z}).y -
+                                 project(*view_, {at.u, at.v, line.from.z}).y);
     if (rise <= tolerance_.at(place.x, place.y)) return Verdict::tied;
   }
   const Verdict found = verdict(at, on_edge);
@@ -42,14 +48,14 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
   constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
   const double length =
       std::hypot(line.to.u - line.from.u, line.to.v - line.from.v, line.to.z - line.from.z);
-  const Vec3 ground = to_ground_m(view_, at);
+  const Vec3 ground = to_ground_m(*view_, at);
   const double rounding_m =
-      kRounding * (std::abs(ground.x) + std::abs(ground.y) + std::abs(view_.depth_origin_m.x) +
-                   std::abs(view_.depth_origin_m.y) + length);
+      kRounding * (std::abs(ground.x) + std::abs(ground.y) + std::abs(view_->depth_origin_m.x) +
+                   std::abs(view_->depth_origin_m.y) + length);
   if (length <= rounding_m) return Verdict::tied;
   // Across the ray as far as it takes for it to miss what stands nearer to the eye.
   const InFront front = walk_.in_front(at);
-  const bool perspective = view_.is_perspective();
+  const bool perspective = view_->is_perspective();
   const double farther = perspective && front.at_depth_m > 0 ? at.v / front.at_depth_m : 1;
   const double by_m = farther * std::max(rounding_m, 16 * front.rounding_m);
   const double away_m = std::hypot(at.u, at.v);

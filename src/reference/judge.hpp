@@ -15,6 +15,11 @@ public:
   /// REQUIRES that surface and view outlive the judge.
   Judge(const Surface& surface, const View& view, const TieTolerance& tolerance);
 
+  /// From now on it judges another view of the same surface, such as a panorama's next sector: what
+  /// the walk knows of the surface, of a tile in degrees the index of all triangles, is kept.
+  /// REQUIRES that the view outlives the judge.
+  void set_view(const View& view, const TieTolerance& tolerance);
+
   /// How far the point's Y is above all that stands in front, negative below it. A point of an edge
   /// of the surface (`on_edge`) isn't hidden by that edge.
   double above(ProfilePoint at, bool on_edge) const;
@@ -25,7 +30,7 @@ public:
   Verdict verdict(const ProfileLine& line, double t, bool on_edge, bool drawn) const;
 
 private:
-  const View& view_;
+  const View* view_;
   TieTolerance tolerance_;
   RayWalk walk_;
 };

@@ -300,7 +300,7 @@ private:
 TinRayWalk::TinRayWalk(const Tin& tin, const View& view) : tin_(tin), view_(view), index_(tin) {
   for (const Vec3& vertex : tin.vertices_m) {
     reach_m_ = std::max(reach_m_, std::hypot(vertex.x, vertex.y));
-    highest_m_ = std::max(highest_m_, std::abs(vertex.z) * view.exaggeration);
+    highest_m_ = std::max(highest_m_, std::abs(vertex.z));
   }
 }
 
@@ -317,7 +317,7 @@ InFront TinRayWalk::in_front(ProfilePoint p) const {
   const Vec2 end = view_.is_perspective()
                        ? ground(p.u / p.v * nearest_m(view_), nearest_m(view_))
                        : at - farther_m * (u_along_ray(view_, p) * view_.right + view_.forward);
-  TinWalk walk(view_, p, rounding_m, highest_m_);
+  TinWalk walk(view_, p, rounding_m, highest_m_ * view_.exaggeration);
   index_.along(at, end, 4 * rounding_m, near_);
   for (const std::uint32_t t : near_) {
     std::array<ProfilePoint, 3> corners;

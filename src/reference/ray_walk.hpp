@@ -37,6 +37,7 @@ struct InFront {
 class GridRayWalk {
 public:
   GridRayWalk(const Grid& grid, const View& view);
+  void set_view(const View& view) { view_ = view; }
   InFront in_front(ProfilePoint p) const;
 
 private:
@@ -54,6 +55,7 @@ private:
 class TinRayWalk {
 public:
   TinRayWalk(const Tin& tin, const View& view);
+  void set_view(const View& view) { view_ = view; }
   InFront in_front(ProfilePoint p) const;
 
 private:
@@ -61,7 +63,7 @@ private:
   View view_;
   TinIndex index_;
   double reach_m_ = 0;                      ///< bound on the coordinates in the ground frame
-  double highest_m_ = 0;                    ///< greatest height, or depth below zero, exaggerated
+  double highest_m_ = 0;                    ///< greatest height, or depth below zero
   mutable std::vector<std::uint32_t> near_; ///< triangles, reused from point to point
 };
 
@@ -75,6 +77,11 @@ public:
   RayWalk(const Grid& grid, const View& view);
   RayWalk(const Tin& tin, const View& view);
   RayWalk(const Surface& surface, const View& view);
+
+  /// From now on rays are those of another view of the same surface; what was made of that is kept.
+  void set_view(const View& view) {
+    std::visit([&](auto& walk) { walk.set_view(view); }, walk_);
+  }
 
   /// A point of the surface is hidden if and only if greatest_y is more than its own Y; where the
   /// two differ by no more than `rounding`, double precision can't tell. Triangles hold their
