@@ -101,6 +101,8 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"isolines", "--contours", {}},
     {"levels", "--contours", {}},
     {"hatching", "--hachures", {}},
+    {"underneath", "--underside", {}},
+    {"bottom", "--underside", {}},
     {"facade", "--block", {}},
     {"skirt", "--block", {}},
     {"fishnet", "--mesh", {}},
