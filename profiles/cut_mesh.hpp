@@ -2,9 +2,11 @@
 // The exact cut of TINs by planes of constant depth: a walk from triangle to triangle.
 #pragma once
 
+#include "dem/mesh/tin_index.hpp"
 #include "dem/tin.hpp"
 #include "profiles/mesh.hpp"
 #include "profiles/profile.hpp"
+#include "profiles/tin_places.hpp"
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
@@ -12,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -94,24 +97,30 @@ private:
 class TinCutter {
 public:
   /// REQUIRES that `tin` and `level` (the triangles whose spans are marked level; may be empty)
-  /// outlive the cutter. Cost O(triangles).
-  TinCutter(const Tin& tin, const View& view, const TriangleSet& level);
+  /// outlive the cutter. `places` are the TIN's, and are found if they aren't given; with its
+  /// `index` a part of a profile costs no more than what it holds. Cost: that of the border's sides
+  /// and of the walls.
+  TinCutter(const Tin& tin, const View& view, const TriangleSet& level,
+            std::shared_ptr<const TinPlaces> places = nullptr,
+            std::shared_ptr<const TinIndex> index = nullptr);
 
   void cut(double depth_m, Profile& out) const;
-  /// All of it, whatever the range.
-  void cut(double depth_m, std::span<const URange>, Profile& out) const { cut(depth_m, out); }
+  /// At least the part from the first range's left end to the last one's right end: without an
+  /// index, and of a TIN with walls, all of it.
+  void cut(double depth_m, std::span<const URange> ranges, Profile& out) const;
 
   /// Depths between which the TIN lies.
-  double nearest_m() const { return nearest_m_; }
-  double farthest_m() const { return farthest_m_; }
+  double nearest_m() const { return border_.nearest_m(); }
+  double farthest_m() const { return border_.farthest_m(); }
 
 private:
   const Tin& tin_;
   View view_;
   const TriangleSet& level_;
-  double nearest_m_, farthest_m_;
-  TriangleSet walls_, turned_walls_;
-  BorderSides<TinSide> border_;
+  std::shared_ptr<const TinPlaces> places_;
+  std::shared_ptr<const TinIndex> index_;
+  BorderSides<TinSide> border_; ///< whose ends are the nearest and the farthest of all vertices
+  TriangleSet turned_walls_;
 };
 
 } // namespace orograph

@@ -8,8 +8,8 @@
 #include "profiles/cut_mesh.hpp"
 #include "profiles/heights_along.hpp"
 #include "profiles/profile.hpp"
+#include "profiles/surface_places.hpp"
 
-#include <memory>
 #include <span>
 #include <utility>
 #include <variant>
@@ -19,13 +19,13 @@ namespace orograph {
 /// The cutter of the surface's kind, with the promises of all.
 class SurfaceCutter {
 public:
-  /// Only a grid on the ellipsoid needs its `border_places`, and of one `box`, that of all
-  /// vertices, makes parts of profiles cheap. REQUIRES that `surface` and `level` outlive the
-  /// cutter.
+  /// A grid on the ellipsoid needs its `border_places`, a TIN is spared to find its own; of the
+  /// former `box`, that of all vertices, makes parts of profiles cheap. REQUIRES that `surface` and
+  /// `level` outlive the cutter.
   SurfaceCutter(const Surface& surface, const View& view, const TriangleSet& level,
-                std::shared_ptr<const BorderPlaces> border, const Box3* box = nullptr)
+                SurfacePlaces places, const Box3* box = nullptr)
       : surface_(surface), view_(view), level_(level),
-        cutter_(cutter_of(surface, view, level, std::move(border), box)) {}
+        cutter_(cutter_of(surface, view, level, std::move(places), box)) {}
 
   void cut(double depth_m, Profile& out) const { cut(depth_m, kAllOfProfile, out); }
   /// At least the parts of the profile in `ranges`, as GridCutter has them.
@@ -59,10 +59,12 @@ private:
   using Cutter = std::variant<GridCutter, EarthGridCutter, TinCutter>;
 
   static Cutter cutter_of(const Surface& surface, const View& view, const TriangleSet& level,
-                          std::shared_ptr<const BorderPlaces> border, const Box3* box) {
-    if (const Tin* tin = std::get_if<Tin>(&surface)) return TinCutter(*tin, view, level);
+                          SurfacePlaces places, const Box3* box) {
+    if (const Tin* tin = std::get_if<Tin>(&surface))
+      return TinCutter(*tin, view, level, std::move(places.of_tin), std::move(places.tin_index));
     const Grid& grid = std::get<Grid>(surface);
-    if (grid.is_on_earth()) return EarthGridCutter(grid, view, level, std::move(border), box);
+    if (grid.is_on_earth())
+      return EarthGridCutter(grid, view, level, std::move(places.of_earth_grid), box);
     return GridCutter(grid, view, level);
   }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/box.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "profiles/cut_mesh.hpp"
 #include "profiles/facing.hpp"
@@ -7,9 +8,11 @@
 #include "view/view.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -25,22 +28,35 @@ struct CutTinMesh : TinMesh {
   }
 };
 
-std::vector<TinSide> border_of(const Tin& tin) {
-  std::vector<TinSide> border;
-  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
-    throw_if_stopped(t);
-    for (std::uint8_t k = 0; k < 3; ++k)
-      if (tin.neighbours[t][k] == kNoTriangle) border.push_back({t, k});
+URange u_of(const Tin& tin, const View& view, const TinSide& side) {
+  const auto u = [&](std::size_t n) {
+    return to_profile_frame(view, tin.vertices_m[tin.triangles[side.triangle][(side.k + n) % 3]]).u;
+  };
+  const double a = u(1), b = u(2);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// Whether a place may be in a triangle, seen from above, or is within rounding of it.
+bool may_have(const Tin& tin, std::uint32_t triangle, Vec2 place) {
+  constexpr double kRounding = 0x1p-40;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 from = plan_m(tin, tin.triangles[triangle][k]),
+               to = plan_m(tin, tin.triangles[triangle][(k + 1) % 3]);
+    const double scale =
+        (std::abs(place.x) + std::abs(place.y) + std::abs(from.x) + std::abs(from.y)) *
+        (std::abs(to.x - from.x) + std::abs(to.y - from.y));
+    if (cross(to - from, place - from) < -kRounding * scale) return false;
   }
-  return border;
+  return true;
 }
 
 } // namespace
 
-TinCutter::TinCutter(const Tin& tin, const View& view, const TriangleSet& level)
-    : tin_(tin), view_(view), level_(level), nearest_m_(std::numeric_limits<double>::infinity()),
-      farthest_m_(-nearest_m_), walls_(walls_of(tin)),
-      border_(border_of(tin), [&](const TinSide& side) {
+TinCutter::TinCutter(const Tin& tin, const View& view, const TriangleSet& level,
+                     std::shared_ptr<const TinPlaces> places, std::shared_ptr<const TinIndex> index)
+    : tin_(tin), view_(view), level_(level),
+      places_(places ? std::move(places) : std::make_shared<const TinPlaces>(tin_places(tin))),
+      index_(std::move(index)), border_(places_->border, [&](const TinSide& side) {
         const auto depth = [&](std::size_t n) {
           return to_profile_frame(view,
                                   tin.vertices_m[tin.triangles[side.triangle][(side.k + n) % 3]])
@@ -49,28 +65,59 @@ TinCutter::TinCutter(const Tin& tin, const View& view, const TriangleSet& level)
         const double a = depth(1), b = depth(2);
         return BorderSides<TinSide>::Depths{std::min(a, b), std::max(a, b)};
       }) {
-  std::size_t step = 0;
-  for (const Vec3& vertex : tin.vertices_m) {
-    throw_if_stopped(step++);
-    const double v = to_profile_frame(view, vertex).v;
-    nearest_m_ = std::min(nearest_m_, v);
-    farthest_m_ = std::max(farthest_m_, v);
-  }
-  if (walls_.empty()) return;
+  if (places_->walls.empty()) return;
   turned_walls_ = TriangleSet(tin.triangles.size());
   const std::vector<std::uint8_t> facing = facing_of_triangles(tin, view);
   for (std::size_t t = 0; t < facing.size(); ++t)
-    if (walls_.has(t) && (facing[t] & kMayTurn)) turned_walls_.add(t); // edge-on, too
+    if (places_->walls.has(t) && (facing[t] & kMayTurn)) turned_walls_.add(t); // edge-on, too
 }
+
+// Vertices in the plane count as far, except where the TIN only touches the plane from behind: then
+// nothing would be near.
 
 void TinCutter::cut(double depth_m, Profile& out) const {
   out.clear();
   out.depth_m = depth_m;
-  if (!(depth_m >= nearest_m_ && depth_m <= farthest_m_)) return;
-  // Vertices in the plane count as far, except where the TIN only touches the plane from behind:
-  // then nothing would be near.
-  cut_mesh(CutTinMesh{{tin_, view_}, level_, walls_, turned_walls_}, border_.at(depth_m), depth_m,
-           depth_m > nearest_m_, out);
+  if (!(depth_m >= nearest_m() && depth_m <= farthest_m())) return;
+  cut_mesh(CutTinMesh{{tin_, view_}, level_, places_->walls, turned_walls_}, border_.at(depth_m),
+           depth_m, depth_m > nearest_m(), out);
+}
+
+void TinCutter::cut(double depth_m, std::span<const URange> ranges, Profile& out) const {
+  const URange part{ranges.front().low_m, ranges.back().high_m};
+  if (!index_ || !std::isfinite(part.low_m) || !places_->walls.empty()) {
+    cut(depth_m, out);
+    return;
+  }
+  out.clear();
+  out.depth_m = depth_m;
+  if (!(depth_m >= nearest_m() && depth_m <= farthest_m())) return;
+  const CutTinMesh mesh{{tin_, view_}, level_, places_->walls, turned_walls_};
+  thread_local Profile found; // kept for its memory, as all of these are
+  thread_local std::vector<Run> runs;
+  thread_local std::vector<std::uint32_t> about;
+  found.clear();
+  runs.clear();
+  MeshWalk<CutTinMesh> walk(mesh, depth_m, part.high_m, depth_m > nearest_m(), found);
+  const auto add = [&](const std::optional<Run>& run) {
+    if (run) runs.push_back(*run);
+  };
+  const Vec2 left_end = view_.depth_origin_m + part.low_m * view_.right + depth_m * view_.forward;
+  const double slack = 0x1p-40 * (std::abs(left_end.x) + std::abs(left_end.y));
+  index_->meeting({left_end - Vec2{slack, slack}, left_end + Vec2{slack, slack}}, about);
+  for (const std::uint32_t t : about) {
+    if (!may_have(tin_, t, left_end)) continue;
+    for (std::uint8_t k = 0; k < 3; ++k) {
+      const TinSide side{t, k};
+      add(mesh.across(side) ? walk.over(side) : walk.from(side));
+    }
+  }
+  for (const TinSide& side : border_.at(depth_m)) {
+    const URange u_m = u_of(tin_, view_, side);
+    if (u_m.high_m >= part.low_m && u_m.low_m <= part.high_m) add(walk.from(side));
+  }
+  keep_ground_in_front(runs);
+  put_in_order(found, runs, out);
 }
 
 } // namespace orograph

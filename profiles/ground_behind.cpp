@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -151,29 +152,21 @@ bool meets_on_plane(double upwards, const Grid& grid, const Heights<Height>& hei
 
 } // namespace
 
-GroundBehind::GroundBehind(const Surface& surface, const View& view)
-    : surface_(surface), view_(view) {
+GroundBehind::GroundBehind(const Surface& surface, const View& view,
+                           std::shared_ptr<const TinPlaces> of_tin)
+    : surface_(surface), view_(view), of_tin_(std::move(of_tin)) {
   const Tin* tin = std::get_if<Tin>(&surface);
-  if (!tin) return;
-  begin_.assign(tin->vertices_m.size() + 1, 0);
-  for (const auto& triangle : tin->triangles)
-    for (const std::uint32_t vertex : triangle) ++begin_[vertex + 1];
-  for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-  triangles_.resize(begin_.back());
-  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  for (std::uint32_t t = 0; t < tin->triangles.size(); ++t)
-    for (const std::uint32_t vertex : tin->triangles[t]) triangles_[next[vertex]++] = t;
+  if (tin && !of_tin_) of_tin_ = std::make_shared<const TinPlaces>(tin_places(*tin));
 }
 
 bool GroundBehind::meets(double upwards, SurfaceEdge edge, ProfilePoint from,
                          double reach_m) const {
   if (const Tin* tin = std::get_if<Tin>(&surface_)) {
     const auto beyond = [&](std::uint32_t left, std::uint32_t right) -> std::optional<TinSide> {
-      for (std::uint32_t i = begin_[left]; i < begin_[left + 1]; ++i) {
-        const auto& corners = tin->triangles[triangles_[i]];
+      for (const std::uint32_t t : of_tin_->at_vertex(left)) {
+        const auto& corners = tin->triangles[t];
         for (std::uint8_t k = 0; k < 3; ++k)
-          if (corners[(k + 1U) % 3] == left && corners[(k + 2U) % 3] == right)
-            return TinSide{triangles_[i], k};
+          if (corners[(k + 1U) % 3] == left && corners[(k + 2U) % 3] == right) return TinSide{t, k};
       }
       return std::nullopt;
     };

@@ -4,19 +4,21 @@
 
 #include "dem/surface.hpp"
 #include "geometry/profile_point.hpp"
+#include "profiles/tin_places.hpp"
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
-#include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace orograph {
 
 /// Answers for one surface and one view.
 class GroundBehind {
 public:
-  /// REQUIRES that both outlive this. Of a TIN: one pass over the triangles.
-  GroundBehind(const Surface& surface, const View& view);
+  /// REQUIRES that both outlive this. Of a TIN its `tin_places`, which are found if they aren't
+  /// given.
+  GroundBehind(const Surface& surface, const View& view,
+               std::shared_ptr<const TinPlaces> of_tin = nullptr);
 
   /// Whether, walking on from a point of an edge along its ray, the surface comes up to the ray
   /// again within `reach_m` of depth. Where the terrain ends or has a hole it doesn't. Exact: the
@@ -34,8 +36,7 @@ private:
 
   const Surface& surface_;
   const View& view_;
-  std::vector<std::uint32_t> begin_, triangles_; ///< of a TIN, at vertex i: [begin_[i],
-                                                 ///< begin_[i + 1])
+  std::shared_ptr<const TinPlaces> of_tin_;
 };
 
 } // namespace orograph

@@ -98,8 +98,7 @@ Map draw_exactly(const TerrainData& terrain, const PlacedView& scene,
   Counts& counts = out.facts.counts;
   seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.layout = 0;
   for (const Sector& sector : scene.sectors) {
-    const SurfaceCutter cutter(terrain.surface, sector.view, scene.level.triangles,
-                               scene.border_places);
+    const SurfaceCutter cutter(terrain.surface, sector.view, scene.level.triangles, scene.places);
     std::vector<Profile> profiles(sector.profiles.size());
     std::vector<std::vector<Segment>> segments(sector.profiles.size());
     std::vector<Segment> uprights; // of walls: the exact clip compares what has an extent in X

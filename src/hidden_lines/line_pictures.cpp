@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hidden_lines/line_pictures.hpp"
 
-#include "dem/extent.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "view/sectors.hpp"
 
@@ -17,12 +16,6 @@ constexpr std::uint64_t kLineBit = std::uint64_t{1} << 63U;
 
 double nearness(const View& view, ProfilePoint p) {
   return view.is_perspective() ? 1 / p.v : -p.v;
-}
-
-// Of coordinates in the profile frame: sums of products of lengths up to this.
-double position_rounding_m(const Surface& surface, const View& view) {
-  const double reach = reach_m(surface);
-  return 16 * std::numeric_limits<double>::epsilon() * (reach + length(view.depth_origin_m));
 }
 
 bool lies_between(const ProfileLine& line, const Sector& sector) {
@@ -45,6 +38,10 @@ double margin(const View& view, double x, double from_m, double rounding_m) {
 
 } // namespace
 
+double position_rounding_m(double reach_m, const View& view) {
+  return 16 * std::numeric_limits<double>::epsilon() * (reach_m + length(view.depth_origin_m));
+}
+
 bool is_below_blocks(const BlockedHorizon& horizon, double x_begin, double x_end, double height) {
   const auto& blocks = horizon.blocks();
   for (std::size_t i = horizon.block_at(x_begin); i < blocks.size() && blocks[i].x_begin <= x_end;
@@ -61,12 +58,12 @@ std::uint64_t source_id(std::uint32_t line) {
   return kLineBit | line;
 }
 
-LinePictures::LinePictures(const Surface& surface, std::span<const ProfilePoint> points,
-                           const Sector& sector, const std::vector<EdgeLine>& lines, XRange range,
-                           double from_m)
+LinePictures::LinePictures(const Surface& surface, double reach_m,
+                           std::span<const ProfilePoint> points, const Sector& sector,
+                           const std::vector<EdgeLine>& lines, XRange range, double from_m)
     : ends_(surface, sector.view, {points, sector.to_view.back()}), sector_(sector),
       view_(sector.view), lines_(lines), range_(range), from_m_(from_m),
-      rounding_m_(position_rounding_m(surface, sector.view)) {
+      rounding_m_(position_rounding_m(reach_m, sector.view)) {
   beside_range_ = {range.begin - margin(view_, range.begin, from_m, rounding_m_),
                    range.end + margin(view_, range.end, from_m, rounding_m_)};
 }
@@ -200,12 +197,13 @@ std::vector<LinePart> LinePictures::skyline(const Horizon& horizon) const {
 }
 
 std::vector<std::vector<LineAtDepth>>
-lines_by_range(const Surface& surface, std::span<const ProfilePoint> points, const Sector& sector,
-               const std::vector<EdgeLine>& lines, const std::vector<std::uint32_t>* numbers,
-               std::span<const XRange> ranges, double from_m) {
+lines_by_range(const Surface& surface, double reach_m, std::span<const ProfilePoint> points,
+               const Sector& sector, const std::vector<EdgeLine>& lines,
+               const std::vector<std::uint32_t>* numbers, std::span<const XRange> ranges,
+               double from_m) {
   using Found = std::vector<LineAtDepth>;
   const View& view = sector.view;
-  const double rounding_m = position_rounding_m(surface, view);
+  const double rounding_m = position_rounding_m(reach_m, view);
   const EdgeEnds ends(surface, view, {points, sector.to_view.back()});
   const auto find = [&](std::uint32_t i, std::vector<Found>& found) {
     auto [from, to] = line_in(ends, sector, lines[i].edge);

@@ -74,10 +74,12 @@ struct LinePicture {
 /// outlive it.
 class LinePictures {
 public:
-  /// `points`: of lines on the ground, in the view's profile frame. `from_m`: depth from which on
+  /// `reach_m`: as facts of the terrain have it. `points`: of lines on the ground, in the view's
+  /// profile frame. `from_m`: depth from which on
   /// terrain is looked at.
-  LinePictures(const Surface& surface, std::span<const ProfilePoint> points, const Sector& sector,
-               const std::vector<EdgeLine>& lines, XRange range, double from_m);
+  LinePictures(const Surface& surface, double reach_m, std::span<const ProfilePoint> points,
+               const Sector& sector, const std::vector<EdgeLine>& lines, XRange range,
+               double from_m);
 
   const EdgeLine& line(std::uint32_t i) const {
     return i < lines_.size() ? lines_[i] : found_[i - lines_.size()];
@@ -163,11 +165,16 @@ inline HorizonPiece occluder_of(const SurfaceLine& line) {
   return {line.begin, line.end, line.source, line.drawn};
 }
 
+/// Of coordinates in the profile frame, which are sums of products of lengths; in metres.
+double position_rounding_m(double reach_m, const View& view);
+
 /// For each of the ranges the lines that reach into it, by number. `numbers`, where it is given: of
 /// those that may, rising.
-std::vector<std::vector<LineAtDepth>>
-lines_by_range(const Surface& surface, std::span<const ProfilePoint> points, const Sector& sector,
-               const std::vector<EdgeLine>& lines, const std::vector<std::uint32_t>* numbers,
-               std::span<const XRange> ranges, double from_m);
+std::vector<std::vector<LineAtDepth>> lines_by_range(const Surface& surface, double reach_m,
+                                                     std::span<const ProfilePoint> points,
+                                                     const Sector& sector,
+                                                     const std::vector<EdgeLine>& lines,
+                                                     const std::vector<std::uint32_t>* numbers,
+                                                     std::span<const XRange> ranges, double from_m);
 
 } // namespace orograph

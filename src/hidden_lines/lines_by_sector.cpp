@@ -3,6 +3,7 @@
 
 #include "geometry/on_all_cores.hpp"
 #include "geometry/panorama_page.hpp"
+#include "hidden_lines/line_pictures.hpp"
 #include "placing/sector.hpp"
 #include "profiles/slab_lines.hpp"
 
@@ -53,7 +54,7 @@ std::vector<std::vector<std::uint32_t>> lines_by_sector(const Surface& surface,
                                                         const std::vector<EdgeLine>& lines) {
   using BySector = std::vector<std::vector<std::uint32_t>>;
   const EdgeEnds ends(surface, placed.view, {points, {}});
-  const double rounding_m = position_rounding_m(surface, placed.view);
+  const double rounding_m = position_rounding_m(placed.reach_m, placed.view);
   const std::vector<Azimuths> sectors = azimuths_of(placed.sectors); // rising
   const auto add = [&](std::uint32_t i, BySector& found) {
     const auto [begin, end] = azimuths_of(ends(lines[i].edge), rounding_m, placed.view.near_m);

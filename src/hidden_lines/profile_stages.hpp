@@ -56,8 +56,9 @@ std::vector<std::unique_ptr<MadeStrip>> strips_of(const SectorInWork& work, cons
       plan_strips(work.placed, work.sector, work.range, work.vertices_a_strip);
   std::vector<XRange> ranges;
   for (const Strip& strip : plan) ranges.push_back(strip.range);
-  const auto lines = lines_by_range(work.terrain.surface, work.on_ground.points, work.sector,
-                                    work.lines, work.line_numbers, ranges, work.from_m);
+  const auto lines =
+      lines_by_range(work.terrain.surface, work.placed.reach_m, work.on_ground.points, work.sector,
+                     work.lines, work.line_numbers, ranges, work.from_m);
   const std::vector<Segment> cut = near_cut(work);
   std::vector<std::unique_ptr<MadeStrip>> strips(plan.size());
   on_all_cores(plan.size(), [&](std::size_t i) { strips[i] = make(i, plan[i], lines[i], cut); });

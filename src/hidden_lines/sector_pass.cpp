@@ -46,10 +46,11 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
   Stopwatch watch;
   const Sector& sector = work.sector;
   const View& view = sector.view;
-  const auto which = lines_by_range(work.terrain.surface, work.on_ground.points, sector, work.lines,
-                                    work.line_numbers, std::span(&work.range, 1), work.from_m);
-  const LinePictures pictures(work.terrain.surface, work.on_ground.points, sector, work.lines,
-                              work.range, work.from_m);
+  const auto which =
+      lines_by_range(work.terrain.surface, work.placed.reach_m, work.on_ground.points, sector,
+                     work.lines, work.line_numbers, std::span(&work.range, 1), work.from_m);
+  const LinePictures pictures(work.terrain.surface, work.placed.reach_m, work.on_ground.points,
+                              sector, work.lines, work.range, work.from_m);
   LinePass lines(pictures, which.front(), work.tolerance);
   if (instruments.occluders) lines.record(*instruments.occluders);
   const ClipOptions options{surface ? Role::compared : Role::drawn_occluder, work.tolerance,
@@ -212,7 +213,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   Stopwatch watch;
   const View& view = sector.view;
   const bool surface = style.occluder == Occluder::surface;
-  const SurfaceCutter cutter(terrain.surface, view, placed.level.triangles, placed.border_places,
+  const SurfaceCutter cutter(terrain.surface, view, placed.level.triangles, placed.places,
                              &placed.extent.box);
   const TieTolerance tolerance = tie_tolerance(sector, style.visibility_tolerance_mm);
   const bool in_list = !surface || instruments.needs_list();
@@ -322,8 +323,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
                  : strips_pass(work, lay_out, show, counts, seconds);
 
   watch = {};
-  LinePictures every_line(terrain.surface, lines.on_ground.points, sector, lines.listed, work.range,
-                          work.from_m);
+  LinePictures every_line(terrain.surface, placed.reach_m, lines.on_ground.points, sector,
+                          lines.listed, work.range, work.from_m);
   every_line.set_found(found_parts.found);
   SectorLines out;
   out.found = std::move(found_parts.found);

@@ -28,8 +28,8 @@ SheetInWork::SheetInWork(const SectorInWork& of)
 SheetStrip::SheetStrip(const SheetInWork& sheet, const Strip& strip,
                        std::span<const LineAtDepth> which, std::span<const Segment> near_cut)
     : sheet_(sheet), range_(strip.range),
-      pictures_(sheet.work.terrain.surface, sheet.work.on_ground.points, sheet.work.sector,
-                sheet.work.lines, strip.range, sheet.work.from_m),
+      pictures_(sheet.work.terrain.surface, sheet.work.placed.reach_m, sheet.work.on_ground.points,
+                sheet.work.sector, sheet.work.lines, strip.range, sheet.work.from_m),
       covered_(strip.core, pictures_.looked_at(), strip.blocks) {
   const XRange looked_at = pictures_.looked_at();
   for (const Segment& s : near_cut) {

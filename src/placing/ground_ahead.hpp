@@ -5,11 +5,10 @@
 
 #include "dem/surface.hpp"
 #include "geometry/box.hpp"
-#include "profiles/border_places.hpp"
 #include "profiles/level_ground.hpp"
+#include "profiles/surface_places.hpp"
 #include "view/view.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace orograph {
@@ -18,8 +17,8 @@ namespace orograph {
 struct CutSurface {
   const Surface& surface;
   const TriangleSet& level;
-  std::shared_ptr<const BorderPlaces> border; ///< of a grid on the ellipsoid
-  const Box3* box_m = nullptr;                ///< of all vertices, if it is known
+  const SurfacePlaces& places;
+  const Box3* box_m = nullptr; ///< of all vertices, if it is known
 };
 
 /// The ground ahead of the eye in the visibility plane's column X = `x`.
@@ -37,8 +36,7 @@ struct GroundAhead {
 
 /// For so many columns at even steps over the window, both ends among them, at half its height;
 /// those that run aside or behind the eye are left out. `drop` is the view's, north and east.
-/// REQUIRES a perspective view and a surface with ground. Cost: a cut each, on all cores; of a TIN
-/// a pass over its triangles.
+/// REQUIRES a perspective view and a surface with ground. Cost: a cut each, on all cores.
 std::vector<GroundAhead> ground_ahead(const View& view, const EarthDrop& drop, const CutSurface& of,
                                       int columns);
 

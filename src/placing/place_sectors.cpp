@@ -1,33 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "placing/place_sectors.hpp"
 
-#include "geometry/on_all_cores.hpp"
 #include "profiles/cut_surface.hpp"
 #include "view/sectors.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 #include <utility>
 
 namespace orograph {
 namespace {
 
-// Those between which the terrain lies. A TIN's are its vertices': its cutter has more to make.
+// Those between which the terrain lies.
 std::pair<double, double> depths_of(const PlacedView& placed, const Surface& surface,
                                     const View& view) {
-  if (const Tin* tin = std::get_if<Tin>(&surface)) {
-    double nearest_m = std::numeric_limits<double>::infinity(), farthest_m = -nearest_m;
-    std::size_t step = 0;
-    for (const Vec3& vertex : tin->vertices_m) {
-      throw_if_stopped(step++);
-      const double depth_m = to_profile_frame(view, vertex).v;
-      nearest_m = std::min(nearest_m, depth_m);
-      farthest_m = std::max(farthest_m, depth_m);
-    }
-    return {nearest_m, farthest_m};
-  }
-  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.border_places);
+  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.places);
   return {cutter.nearest_m(), cutter.farthest_m()};
 }
 

@@ -89,7 +89,7 @@ LookDirection level_look(const ViewRequest& request, const TerrainShape& shape) 
 }
 
 CutSurface cut_surface(const PlacedView& placed, const Surface& surface) {
-  return {surface, placed.level.triangles, placed.border_places, &placed.extent.box};
+  return {surface, placed.level.triangles, placed.places, &placed.extent.box};
 }
 
 std::vector<GroundAhead> ground_ahead_of(const PlacedView& placed, const Surface& surface,
@@ -136,6 +136,9 @@ void place_panorama(PlacedView& placed, const TerrainData& terrain, const MapSpe
   Panorama panorama = panorama_asked(spec.view, request);
   View& view = placed.view;
   view = level_view(request, placed.cell_m);
+  // Each of many sectors asks for its own part of each profile.
+  if (const Tin* tin = std::get_if<Tin>(&terrain.surface); tin && has_ground(terrain.surface))
+    placed.places.tin_index = std::make_shared<const TinIndex>(*tin);
   std::vector<GroundAhead> about;
   if (has_ground(terrain.surface))
     about = ground_about(panorama, view, cut_surface(placed, terrain.surface));
@@ -269,8 +272,9 @@ Picture place_picture(const TerrainData& terrain, TerrainFacts facts, const MapS
   PlacedView placed;
   placed.extent = std::move(facts.extent);
   placed.cell_m = facts.cell_m;
+  placed.reach_m = facts.reach_m;
   placed.border = std::move(facts.border);
-  placed.border_places = std::move(facts.border_places);
+  placed.places = std::move(facts.places);
   placed.level = std::move(facts.water);
 
   const bool on_ground = has_ground(surface);

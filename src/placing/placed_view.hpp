@@ -16,6 +16,7 @@
 #include "placing/terrain_of_view.hpp"
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
+#include "profiles/surface_places.hpp"
 #include "solids/scene_file.hpp"
 #include "solids/standing_solid.hpp"
 #include "view/view.hpp"
@@ -40,7 +41,7 @@ struct EarthCurvature {
 struct PlacedView {
   SurfaceExtent extent;
   std::vector<BorderEdge> border;
-  std::shared_ptr<const BorderPlaces> border_places; ///< of a grid on the ellipsoid
+  SurfacePlaces places;
   std::vector<StandingSolid> solids;
   LevelGround level;
   View view; ///< of a panorama: that to its middle
@@ -59,6 +60,7 @@ struct PlacedView {
   double nearest_m = 0, farthest_m = 0; ///< depths between which there is terrain
   std::vector<Sector> sectors;          ///< ahead, then behind, or a panorama's; at least one
   double cell_m = 0;                    ///< the terrain's finest ground detail
+  double reach_m = 0;                   ///< of vertices from the ground frame's origin: a bound
   double exaggeration = 1; ///< of all heights; `view` still has to do it except on the ellipsoid
   bool exaggeration_chosen = false;     ///< by us, not by the user
   std::span<const Overlay> overlays;    ///< to be laid on the ground

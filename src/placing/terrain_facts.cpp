@@ -2,6 +2,7 @@
 #include "placing/terrain_facts.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace orograph {
 namespace {
@@ -38,9 +39,13 @@ TerrainFacts facts_of(const TerrainData& terrain) {
   if (!has_ground(surface)) return facts;
   facts.extent = extent_of(surface);
   facts.cell_m = cell_size_m(surface);
+  facts.reach_m = reach_m(surface);
   facts.border = std::visit([&](const auto& s) { return border_of(s, facts.extent); }, surface);
   if (const Grid* grid = std::get_if<Grid>(&surface); grid && grid->is_on_earth())
-    facts.border_places = std::make_shared<const BorderPlaces>(border_places(*grid, facts.border));
+    facts.places.of_earth_grid =
+        std::make_shared<const BorderPlaces>(border_places(*grid, facts.border));
+  if (const Tin* tin = std::get_if<Tin>(&surface))
+    facts.places.of_tin = std::make_shared<const TinPlaces>(tin_places(*tin));
   facts.outline = std::visit([&](const auto& s) { return outline_of(s, facts.border); }, surface);
   facts.water = std::visit([](const auto& s) { return find_water(s); }, surface);
   return facts;

@@ -6,22 +6,22 @@
 #include "dem/terrain.hpp"
 #include "geometry/box.hpp"
 #include "placing/map_spec.hpp"
-#include "profiles/border_places.hpp"
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
+#include "profiles/surface_places.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace orograph {
 /// Found once, they do for all views of the same terrain. Most of what placing costs.
 struct TerrainFacts {
   SurfaceExtent extent;
-  double cell_m = 0; ///< the terrain's finest ground detail
+  double cell_m = 0;  ///< the terrain's finest ground detail
+  double reach_m = 0; ///< of its vertices from the ground frame's origin: a bound
   std::vector<BorderEdge> border;
-  std::shared_ptr<const BorderPlaces> border_places; ///< of a grid on the ellipsoid
-  std::vector<OutlineEdge> outline;                  ///< the border on the ground
-  LevelGround water;                                 ///< empty where there is none
+  SurfacePlaces places;
+  std::vector<OutlineEdge> outline; ///< the border on the ground
+  LevelGround water;                ///< empty where there is none
 };
 
 /// REQUIRES that the terrain outlives the facts, and stays where it is. Cost: two passes over the

@@ -6,6 +6,7 @@
 #include "profiles/cut_earth_grid.hpp"
 #include "profiles/cut_mesh.hpp"
 #include "tests/catch.hpp"
+#include "tests/profiles/compare_parts.hpp"
 #include "tests/profiles/tin_sections.hpp"
 #include "tests/profiles/triangle_cuts.hpp"
 #include "tests/support/made_earth_grid.hpp"
@@ -160,19 +161,6 @@ void compare(Random& random, const Grid& grid, Compared& sum) {
   }
 }
 
-// Of a part of a profile, with the vertices next to it: where the whole one begins to be in it, and
-// where it ends.
-std::pair<std::size_t, std::size_t> part_of(const Profile& profile, URange part) {
-  const std::vector<double>& u = profile.u_m;
-  const auto begin = std::lower_bound(u.begin(), u.end(), part.low_m),
-             end = std::upper_bound(u.begin(), u.end(), part.high_m);
-  return {static_cast<std::size_t>(begin - u.begin()), static_cast<std::size_t>(end - u.begin())};
-}
-
-struct Parts {
-  std::size_t asked = 0, vertices = 0, gaps = 0, shorter = 0;
-};
-
 // Parts of profiles are those of the whole ones, bit for bit.
 void compare_parts(Random& random, const Grid& grid, Parts& sum) {
   const View view = random_view(random, grid);
@@ -181,45 +169,8 @@ void compare_parts(Random& random, const Grid& grid, Parts& sum) {
   const Box3 box = extent_of(grid).box;
   const EarthGridCutter whole(grid, view, level.of_grid, border),
       cutter(grid, view, level.of_grid, border, &box);
-  Profile all, some;
-  for (const double depth : depths_to_cut(random, grid, view, depths_of(grid, view))) {
-    whole.cut(depth, all);
-    const double low = all.size() > 0 ? all.u_m.front() : -1,
-                 high = all.size() > 0 ? all.u_m.back() : 1, width = high - low + 1e-3;
-    for (int i = 0; i < 4; ++i) {
-      URange part{low + width * random.between(-0.3, 1.1), 0};
-      if (all.size() > 0 && random.chance(0.3))
-        part.low_m =
-            all.u_m[static_cast<std::size_t>(random.whole(0, static_cast<int>(all.size()) - 1))];
-      part.high_m = part.low_m + width * random.between(0, 0.5);
-      cutter.cut(depth, std::span(&part, 1), some);
-      const auto [a, a_end] = part_of(all, part);
-      const auto [b, b_end] = part_of(some, part);
-      CAPTURE(depth, part.low_m, part.high_m, all.size(), some.size());
-      ++sum.asked;
-      sum.vertices += a_end - a;
-      sum.shorter += some.size() < all.size();
-      REQUIRE(a_end - a == b_end - b);
-      for (std::size_t k = 0; k < a_end - a; ++k) {
-        REQUIRE(some.u_m[b + k] == all.u_m[a + k]);
-        REQUIRE(some.z_m[b + k] == all.z_m[a + k]);
-        if (k + 1 < a_end - a) REQUIRE(some.after[b + k] == all.after[a + k]);
-      }
-      // What is before the part's first vertex and behind its last one, unless the part doesn't
-      // reach into it.
-      const Span before = a > 0 ? all.after[a - 1] : Span::gap;
-      if (a < all.size() && part.low_m < all.u_m[a] && part.high_m > part.low_m) {
-        sum.gaps += before == Span::gap;
-        REQUIRE((b > 0 ? some.after[b - 1] : Span::gap) == before);
-        if (before != Span::gap) REQUIRE(some.u_m[b - 1] == all.u_m[a - 1]);
-      }
-      const Span behind = a_end > 0 && a_end < all.size() ? all.after[a_end - 1] : Span::gap;
-      if (a_end > a && all.u_m[a_end - 1] < part.high_m) {
-        REQUIRE(some.after[b_end - 1] == behind);
-        if (behind != Span::gap) REQUIRE(some.u_m[b_end] == all.u_m[a_end]);
-      }
-    }
-  }
+  for (const double depth : depths_to_cut(random, grid, view, depths_of(grid, view)))
+    compare_parts(random, whole, cutter, depth, sum);
 }
 
 // The triangles alone, without their neighbours.

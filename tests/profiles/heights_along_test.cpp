@@ -109,7 +109,7 @@ TEST_CASE("in degrees heights along a profile are those of its cut a metre aside
     const TriangleSet level;
     const auto border =
         std::make_shared<const BorderPlaces>(border_places(grid, border_edges(grid, true)));
-    const SurfaceCutter cutter(surface, view, level, border);
+    const SurfaceCutter cutter(surface, view, level, {border, nullptr, nullptr});
     for (int k = 0; k < 5; ++k) {
       const double depth_m = random.between(cutter.nearest_m(), cutter.farthest_m());
       Profile profile;

@@ -21,7 +21,8 @@ struct SectorFound {
   SectorFound(const TerrainData& terrain, const PlacedView& placed, const Sector& sector,
               const LinesOfView& of_view, const Style& style, const Instruments& instruments)
       : lines(of_view), range(page_range(sector)),
-        pictures(terrain.surface, lines.on_ground.points, sector, lines.listed, range,
+        pictures(terrain.surface, placed.reach_m, lines.on_ground.points, sector, lines.listed,
+                 range,
                  sector.view.is_perspective() ? sector.view.near_m
                                               : -std::numeric_limits<double>::infinity()) {
     Counts counts;
