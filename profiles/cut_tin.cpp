@@ -50,6 +50,27 @@ bool may_have(const Tin& tin, std::uint32_t triangle, Vec2 place) {
   return true;
 }
 
+// Of walks that were begun at several sides about a place, those that are the end of another.
+void leave_out_ends(std::vector<Run>& runs, std::size_t begun_about, const Profile& found) {
+  const auto is_end_of = [&](const Run& run, const Run& other) {
+    const std::size_t count = run.end - run.begin;
+    if (count > other.end - other.begin) return false;
+    const auto is_same = [&](const std::vector<double>& values) {
+      const auto end = values.begin() + static_cast<std::ptrdiff_t>(run.end);
+      const auto other_end = values.begin() + static_cast<std::ptrdiff_t>(other.end);
+      return std::equal(end - static_cast<std::ptrdiff_t>(count), end,
+                        other_end - static_cast<std::ptrdiff_t>(count));
+    };
+    return is_same(found.u_m) && is_same(found.z_m);
+  };
+  for (std::size_t i = begun_about; i-- > 0;)
+    for (std::size_t j = 0; j < runs.size(); ++j)
+      if (i != j && is_end_of(runs[i], runs[j])) {
+        runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(i));
+        break;
+      }
+}
+
 } // namespace
 
 TinCutter::TinCutter(const Tin& tin, const View& view, const TriangleSet& level,
@@ -109,13 +130,18 @@ void TinCutter::cut(double depth_m, std::span<const URange> ranges, Profile& out
     if (!may_have(tin_, t, left_end)) continue;
     for (std::uint8_t k = 0; k < 3; ++k) {
       const TinSide side{t, k};
-      add(mesh.across(side) ? walk.over(side) : walk.from(side));
+      if (mesh.across(side))
+        add(walk.over(side));
+      else if (u_of(tin_, view_, side).high_m < part.low_m) // the others follow
+        add(walk.from(side));
     }
   }
+  const std::size_t begun_about = runs.size();
   for (const TinSide& side : border_.at(depth_m)) {
     const URange u_m = u_of(tin_, view_, side);
     if (u_m.high_m >= part.low_m && u_m.low_m <= part.high_m) add(walk.from(side));
   }
+  leave_out_ends(runs, begun_about, found);
   keep_ground_in_front(runs);
   put_in_order(found, runs, out);
 }
