@@ -65,7 +65,7 @@ Cost draw(const TerrainData& terrain, const PlacedView& scene, const MapSpec& sp
 }
 
 double cut_alone(const TerrainData& terrain, const PlacedView& scene) {
-  const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles, scene.places);
+  const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles, scene.for_cutters);
   Profile profile;
   return seconds_of([&] {
     for (const double depth_m : scene.depths_m) cutter.cut(depth_m, profile);

@@ -125,8 +125,9 @@ std::optional<double> height_at(const Grid& grid, Vec2 ground_m,
 std::optional<double> height_at(const Tin& tin, Vec2 ground_m) {
   std::optional<double> highest;
   for (const auto& [a, b, c] : tin.triangles) {
-    const auto height =
-        height_in({tin.vertices_m[a], tin.vertices_m[b], tin.vertices_m[c]}, ground_m);
+    const Vec3 &p = tin.vertices_m[a], &q = tin.vertices_m[b], &r = tin.vertices_m[c];
+    if (std::max({p.x, q.x, r.x}) < ground_m.x || std::min({p.x, q.x, r.x}) > ground_m.x) continue;
+    const auto height = height_in({p, q, r}, ground_m);
     if (height && (!highest || *height > *highest)) highest = height;
   }
   return highest;

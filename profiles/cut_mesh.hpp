@@ -98,8 +98,8 @@ class TinCutter {
 public:
   /// REQUIRES that `tin` and `level` (the triangles whose spans are marked level; may be empty)
   /// outlive the cutter. `places` are the TIN's, and are found if they aren't given; with its
-  /// `index` a part of a profile costs no more than what it holds. Cost: that of the border's sides
-  /// and of the walls.
+  /// `index` a part of a profile costs no more than what it holds. Cost: a look at each box of the
+  /// border's sides; with walls one pass over the triangles.
   TinCutter(const Tin& tin, const View& view, const TriangleSet& level,
             std::shared_ptr<const TinPlaces> places = nullptr,
             std::shared_ptr<const TinIndex> index = nullptr);
@@ -110,8 +110,8 @@ public:
   void cut(double depth_m, std::span<const URange> ranges, Profile& out) const;
 
   /// Depths between which the TIN lies.
-  double nearest_m() const { return border_.nearest_m(); }
-  double farthest_m() const { return border_.farthest_m(); }
+  double nearest_m() const { return nearest_m_; }
+  double farthest_m() const { return farthest_m_; }
 
 private:
   const Tin& tin_;
@@ -119,7 +119,8 @@ private:
   const TriangleSet& level_;
   std::shared_ptr<const TinPlaces> places_;
   std::shared_ptr<const TinIndex> index_;
-  BorderSides<TinSide> border_; ///< whose ends are the nearest and the farthest of all vertices
+  BorderSides<std::uint32_t> boxes_; ///< of the border
+  double nearest_m_, farthest_m_;    ///< the border's ends are those of all vertices
   TriangleSet turned_walls_;
 };
 

@@ -6,9 +6,9 @@
 #include "profiles/cut_earth_grid.hpp"
 #include "profiles/cut_grid.hpp"
 #include "profiles/cut_mesh.hpp"
+#include "profiles/cutter_facts.hpp"
 #include "profiles/heights_along.hpp"
 #include "profiles/profile.hpp"
-#include "profiles/surface_places.hpp"
 
 #include <span>
 #include <utility>
@@ -23,9 +23,9 @@ public:
   /// former `box`, that of all vertices, makes parts of profiles cheap. REQUIRES that `surface` and
   /// `level` outlive the cutter.
   SurfaceCutter(const Surface& surface, const View& view, const TriangleSet& level,
-                SurfacePlaces places, const Box3* box = nullptr)
+                CutterFacts facts, const Box3* box = nullptr)
       : surface_(surface), view_(view), level_(level),
-        cutter_(cutter_of(surface, view, level, std::move(places), box)) {}
+        cutter_(cutter_of(surface, view, level, std::move(facts), box)) {}
 
   void cut(double depth_m, Profile& out) const { cut(depth_m, kAllOfProfile, out); }
   /// At least the parts of the profile in `ranges`, as GridCutter has them.
@@ -59,12 +59,12 @@ private:
   using Cutter = std::variant<GridCutter, EarthGridCutter, TinCutter>;
 
   static Cutter cutter_of(const Surface& surface, const View& view, const TriangleSet& level,
-                          SurfacePlaces places, const Box3* box) {
+                          CutterFacts facts, const Box3* box) {
     if (const Tin* tin = std::get_if<Tin>(&surface))
-      return TinCutter(*tin, view, level, std::move(places.of_tin), std::move(places.tin_index));
+      return TinCutter(*tin, view, level, std::move(facts.of_tin), std::move(facts.tin_index));
     const Grid& grid = std::get<Grid>(surface);
     if (grid.is_on_earth())
-      return EarthGridCutter(grid, view, level, std::move(places.of_earth_grid), box);
+      return EarthGridCutter(grid, view, level, std::move(facts.of_earth_grid), box);
     return GridCutter(grid, view, level);
   }
 

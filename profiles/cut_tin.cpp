@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,12 +30,32 @@ struct CutTinMesh : TinMesh {
   }
 };
 
-URange u_of(const Tin& tin, const View& view, const TinSide& side) {
-  const auto u = [&](std::size_t n) {
-    return to_profile_frame(view, tin.vertices_m[tin.triangles[side.triangle][(side.k + n) % 3]]).u;
-  };
-  const double a = u(1), b = u(2);
-  return {std::min(a, b), std::max(a, b)};
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+double depth_of(const View& view, Vec2 at_m) {
+  return dot(at_m - view.depth_origin_m, view.forward);
+}
+
+Range depths_of(const View& view, const Box2& box) {
+  Range out;
+  for (const double x : {box.low.x, box.high.x})
+    for (const double y : {box.low.y, box.high.y}) out.include(depth_of(view, {x, y}));
+  return out;
+}
+
+// Beyond rounding.
+bool is_beside(const View& view, const TinPlaces::BorderSide& side, const URange& part) {
+  const double from = dot(side.from_m - view.depth_origin_m, view.right),
+               to = dot(side.to_m - view.depth_origin_m, view.right);
+  const double rounding = 0x1p-40 * (std::abs(from) + std::abs(to) + std::abs(part.low_m));
+  return std::max(from, to) < part.low_m - rounding || std::min(from, to) > part.high_m + rounding;
 }
 
 // Whether a place may be in a triangle, seen from above, or is within rounding of it.
@@ -71,21 +93,38 @@ void leave_out_ends(std::vector<Run>& runs, std::size_t begun_about, const Profi
       }
 }
 
+std::vector<std::uint32_t> numbers(std::size_t count) {
+  std::vector<std::uint32_t> out(count);
+  std::iota(out.begin(), out.end(), 0U);
+  return out;
+}
+
 } // namespace
 
 TinCutter::TinCutter(const Tin& tin, const View& view, const TriangleSet& level,
                      std::shared_ptr<const TinPlaces> places, std::shared_ptr<const TinIndex> index)
     : tin_(tin), view_(view), level_(level),
       places_(places ? std::move(places) : std::make_shared<const TinPlaces>(tin_places(tin))),
-      index_(std::move(index)), border_(places_->border, [&](const TinSide& side) {
-        const auto depth = [&](std::size_t n) {
-          return to_profile_frame(view,
-                                  tin.vertices_m[tin.triangles[side.triangle][(side.k + n) % 3]])
-              .v;
-        };
-        const double a = depth(1), b = depth(2);
-        return BorderSides<TinSide>::Depths{std::min(a, b), std::max(a, b)};
+      index_(std::move(index)), boxes_(numbers(places_->boxes_m.size()), [&](std::uint32_t i) {
+        // With room for rounding, of which a vertex may have another than its box's corner.
+        const Range depths = depths_of(view, places_->boxes_m[i]);
+        const double rounding = 0x1p-40 * (std::abs(depths.low) + std::abs(depths.high));
+        return BorderSides<std::uint32_t>::Depths{depths.low - rounding, depths.high + rounding};
       }) {
+  Range all;
+  for (std::size_t i = 0; i < places_->boxes_m.size(); ++i) {
+    const Range depths = depths_of(view, places_->boxes_m[i]);
+    const double rounding = 0x1p-40 * (std::abs(depths.low) + std::abs(depths.high));
+    if (depths.low - rounding >= all.low && depths.high + rounding <= all.high) continue;
+    for (const TinPlaces::BorderSide& side : places_->sides_of(i))
+      for (const std::size_t n : {1U, 2U})
+        all.include(
+            to_profile_frame(
+                view, tin.vertices_m[tin.triangles[side.side.triangle][(side.side.k + n) % 3]])
+                .v);
+  }
+  nearest_m_ = all.low;
+  farthest_m_ = all.high;
   if (places_->walls.empty()) return;
   turned_walls_ = TriangleSet(tin.triangles.size());
   const std::vector<std::uint8_t> facing = facing_of_triangles(tin, view);
@@ -100,8 +139,12 @@ void TinCutter::cut(double depth_m, Profile& out) const {
   out.clear();
   out.depth_m = depth_m;
   if (!(depth_m >= nearest_m() && depth_m <= farthest_m())) return;
-  cut_mesh(CutTinMesh{{tin_, view_}, level_, places_->walls, turned_walls_}, border_.at(depth_m),
-           depth_m, depth_m > nearest_m(), out);
+  thread_local std::vector<TinSide> sides; // kept for its memory
+  sides.clear();
+  for (const std::uint32_t box : boxes_.at(depth_m))
+    for (const TinPlaces::BorderSide& side : places_->sides_of(box)) sides.push_back(side.side);
+  cut_mesh(CutTinMesh{{tin_, view_}, level_, places_->walls, turned_walls_}, sides, depth_m,
+           depth_m > nearest_m(), out);
 }
 
 void TinCutter::cut(double depth_m, std::span<const URange> ranges, Profile& out) const {
@@ -116,9 +159,10 @@ void TinCutter::cut(double depth_m, std::span<const URange> ranges, Profile& out
   const CutTinMesh mesh{{tin_, view_}, level_, places_->walls, turned_walls_};
   thread_local Profile found; // kept for its memory, as all of these are
   thread_local std::vector<Run> runs;
-  thread_local std::vector<std::uint32_t> about;
+  thread_local std::vector<std::uint32_t> about, begun_in;
   found.clear();
   runs.clear();
+  begun_in.clear();
   MeshWalk<CutTinMesh> walk(mesh, depth_m, part.high_m, depth_m > nearest_m(), found);
   const auto add = [&](const std::optional<Run>& run) {
     if (run) runs.push_back(*run);
@@ -130,17 +174,16 @@ void TinCutter::cut(double depth_m, std::span<const URange> ranges, Profile& out
     if (!may_have(tin_, t, left_end)) continue;
     for (std::uint8_t k = 0; k < 3; ++k) {
       const TinSide side{t, k};
-      if (mesh.across(side))
-        add(walk.over(side));
-      else if (u_of(tin_, view_, side).high_m < part.low_m) // the others follow
-        add(walk.from(side));
+      if (mesh.across(side)) add(walk.over(side));
     }
+    begun_in.push_back(t);
   }
   const std::size_t begun_about = runs.size();
-  for (const TinSide& side : border_.at(depth_m)) {
-    const URange u_m = u_of(tin_, view_, side);
-    if (u_m.high_m >= part.low_m && u_m.low_m <= part.high_m) add(walk.from(side));
-  }
+  for (const std::uint32_t box : boxes_.at(depth_m))
+    for (const TinPlaces::BorderSide& side : places_->sides_of(box))
+      if (!is_beside(view_, side, part) ||
+          std::ranges::find(begun_in, side.side.triangle) != begun_in.end())
+        add(walk.from(side.side));
   leave_out_ends(runs, begun_about, found);
   keep_ground_in_front(runs);
   put_in_order(found, runs, out);

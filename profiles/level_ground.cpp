@@ -208,20 +208,15 @@ namespace {
 // A share of the TIN's ground: 45 mm² of an A4 map.
 constexpr double kSmallestWater = 1e-3;
 
-bool is_level(const Tin& tin, std::size_t t) {
-  const auto& [a, b, c] = tin.triangles[t];
-  return tin.vertices_m[a].z == tin.vertices_m[b].z && tin.vertices_m[b].z == tin.vertices_m[c].z;
-}
-
-} // namespace
-
-LevelGround find_level_ground(const Tin& tin, double smallest_m2) {
+// `is_level(t)`: whether a triangle is.
+template <class IsLevel>
+LevelGround level_regions(const Tin& tin, double smallest_m2, const IsLevel& is_level) {
   LevelGround level;
   TriangleSet seen(tin.triangles.size());
   std::vector<std::uint32_t> region;
   for (std::uint32_t first = 0; first < tin.triangles.size(); ++first) {
     throw_if_stopped(first);
-    if (seen.has(first) || !is_level(tin, first)) continue;
+    if (seen.has(first) || !is_level(first)) continue;
     region.assign(1, first);
     seen.add(first);
     double area_m2 = 0;
@@ -229,7 +224,7 @@ LevelGround find_level_ground(const Tin& tin, double smallest_m2) {
       throw_if_stopped(i);
       area_m2 += plan_area_m2(tin, region[i]);
       for (const std::uint32_t other : tin.neighbours[region[i]])
-        if (other != kNoTriangle && !seen.has(other) && is_level(tin, other)) {
+        if (other != kNoTriangle && !seen.has(other) && is_level(other)) {
           seen.add(other);
           region.push_back(other);
         }
@@ -248,6 +243,23 @@ LevelGround find_level_ground(const Tin& tin, double smallest_m2) {
   std::size_t steps = 0;
   std::sort(level.shores.begin(), level.shores.end(), StoppableLess(steps));
   return level;
+}
+
+} // namespace
+
+LevelGround find_level_ground(const Tin& tin, double smallest_m2) {
+  return level_regions(tin, smallest_m2, [&](std::size_t t) {
+    const auto& [a, b, c] = tin.triangles[t];
+    return tin.vertices_m[a].z == tin.vertices_m[b].z && tin.vertices_m[b].z == tin.vertices_m[c].z;
+  });
+}
+
+LevelGround find_level_ground(const Tin& tin, std::span<const double> heights_m,
+                              double smallest_m2) {
+  return level_regions(tin, smallest_m2, [&](std::size_t t) {
+    const auto& [a, b, c] = tin.triangles[t];
+    return heights_m[a] == heights_m[b] && heights_m[b] == heights_m[c];
+  });
 }
 
 LevelGround find_water(const Tin& tin) {

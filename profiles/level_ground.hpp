@@ -6,6 +6,7 @@
 #include "profiles/outline.hpp"
 #include "profiles/triangles.hpp"
 
+#include <span>
 #include <vector>
 
 namespace orograph {
@@ -22,6 +23,10 @@ struct LevelGround {
 LevelGround find_level_ground(const Grid& grid, std::size_t smallest);
 /// The level regions of at least `smallest_m2`, seen from above. Cost: one pass.
 LevelGround find_level_ground(const Tin& tin, double smallest_m2);
+/// The same by other heights of its vertices than those in the ground frame, as of one that lies on
+/// the ellipsoid.
+LevelGround find_level_ground(const Tin& tin, std::span<const double> heights_m,
+                              double smallest_m2);
 
 /// Level ground of the size from which it reads as water on a page rather than as a step of
 /// whole-metre heights. Of a grid: 500 triangles, and a five-thousandth of it (10 mm² of an A4

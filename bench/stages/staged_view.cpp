@@ -28,7 +28,7 @@ MapSpec without_tone(MapSpec spec) {
 StagedView::StagedView(Surface surface, MapSpec s)
     : terrain(terrain_of(std::move(surface))), spec(without_tone(std::move(s))),
       scene(placed_view(terrain, spec)),
-      cutter(terrain.surface, sector().view, scene.level.triangles, scene.places),
+      cutter(terrain.surface, sector().view, scene.level.triangles, scene.for_cutters),
       tolerance(tie_tolerance(sector(), spec.style.visibility_tolerance_mm)) {
   strokes.to_page = scene.to_page;
   strokes.frame_mm = scene.frame_mm;

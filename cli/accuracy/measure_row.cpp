@@ -98,7 +98,8 @@ Map draw_exactly(const TerrainData& terrain, const PlacedView& scene,
   Counts& counts = out.facts.counts;
   seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.layout = 0;
   for (const Sector& sector : scene.sectors) {
-    const SurfaceCutter cutter(terrain.surface, sector.view, scene.level.triangles, scene.places);
+    const SurfaceCutter cutter(terrain.surface, sector.view, scene.level.triangles,
+                               scene.for_cutters);
     std::vector<Profile> profiles(sector.profiles.size());
     std::vector<std::vector<Segment>> segments(sector.profiles.size());
     std::vector<Segment> uprights; // of walls: the exact clip compares what has an extent in X

@@ -241,6 +241,7 @@ Json json_of(const CheckCounts& check) {
 
 Json json_of(const LevelOfDetail& level) {
   return {{"step", level.step},
+          {"most_step", level.most_step},
           {"cell_m", level.cell_m},
           {"cell_mm", level.cell_mm},
           {"greatest_departure_m", level.greatest_m},

@@ -32,20 +32,35 @@ int vertices_for(int vertices, int step) {
   return std::max(2, static_cast<int>(std::lround((vertices - 1.0) / step)) + 1);
 }
 
-std::vector<Window> windows_of(int vertices, int made) {
+// About each of some places among so many vertices, rising from the first to the last.
+std::vector<Window> windows_about(const std::vector<double>& places, double step, int vertices) {
   std::vector<Window> windows;
-  const double step = (vertices - 1.0) / (made - 1);
   const auto within = [&](double at) {
     return static_cast<int>(std::clamp(at, 0.0, vertices - 1.0));
   };
-  for (int i = 0; i < made; ++i) {
-    const double middle = i == made - 1 ? vertices - 1 : i * step;
+  for (const double middle : places) {
     const double reach = std::min({step, middle + 1, vertices - middle});
     windows.push_back({middle, reach, within(std::floor(middle - reach) + 1),
                        within(std::ceil(middle + reach) - 1), within(std::ceil(middle - reach / 2)),
                        within(std::floor(middle + reach / 2))});
   }
   return windows;
+}
+
+// At even steps from border to border.
+std::vector<Window> windows_of(int vertices, int made) {
+  const double step = (vertices - 1.0) / (made - 1);
+  std::vector<double> places;
+  for (int i = 0; i < made; ++i) places.push_back(i == made - 1 ? vertices - 1 : i * step);
+  return windows_about(places, step, vertices);
+}
+
+// At every `step`th vertex, and at the last one.
+std::vector<Window> nested_windows(int vertices, int step) {
+  std::vector<double> places;
+  for (int at = 0; at < vertices - 1; at += step) places.push_back(at);
+  places.push_back(vertices - 1);
+  return windows_about(places, step, vertices);
 }
 
 double weight(const Window& window, int at) {
@@ -152,30 +167,51 @@ double with_character(const Made& made, int columns, int rows, int column, int r
   return mean + share * ((bend > 0 ? highest : lowest) - mean);
 }
 
+template <class Height, class Is>
+void generalise(const Grid& grid, const Heights<Height>& heights, const std::vector<Window>& across,
+                const std::vector<Window>& down, const Is& is_kept, std::vector<Height>& out) {
+  const Made made = looked_at(grid, heights, across, down);
+  const auto columns = static_cast<int>(across.size()), rows = static_cast<int>(down.size());
+  out.resize(across.size() * down.size());
+  on_all_cores(down.size(), [&](std::size_t j) {
+    const auto nearest_row = static_cast<int>(std::lround(down[j].middle));
+    for (int column = 0; column < columns; ++column) {
+      const auto i = static_cast<std::size_t>(column);
+      const auto nearest = static_cast<int>(std::lround(across[i].middle));
+      out[j * across.size() + i] = is_kept(nearest, nearest_row)
+                                       ? heights[grid.index(nearest, nearest_row)]
+                                       : static_cast<Height>(with_character(
+                                             made, columns, rows, column, static_cast<int>(j)));
+    }
+  });
+}
+
 } // namespace
 
 Grid generalised(const Grid& grid, int step, const std::function<bool(int, int)>& is_kept) {
   const int columns = vertices_for(grid.columns, step), rows = vertices_for(grid.rows, step);
-  const std::vector<Window> across = windows_of(grid.columns, columns),
-                            down = windows_of(grid.rows, rows);
   Grid out{columns, rows, stretched_lattice(grid, columns, rows), {}};
   std::visit(
       [&]<class Height>(const Heights<Height>& heights) {
-        const Made made = looked_at(grid, heights, across, down);
-        std::vector<Height> lower(out.size());
-        on_all_cores(static_cast<std::size_t>(rows), [&](std::size_t j) {
-          const auto row = static_cast<int>(j);
-          const auto nearest_row = static_cast<int>(std::lround(down[j].middle));
-          for (int column = 0; column < columns; ++column) {
-            const auto nearest =
-                static_cast<int>(std::lround(across[static_cast<std::size_t>(column)].middle));
-            lower[out.index(column, row)] =
-                is_kept(nearest, nearest_row)
-                    ? heights[grid.index(nearest, nearest_row)]
-                    : static_cast<Height>(with_character(made, columns, rows, column, row));
-          }
-        });
+        std::vector<Height> lower;
+        generalise(grid, heights, windows_of(grid.columns, columns), windows_of(grid.rows, rows),
+                   is_kept, lower);
         out.heights_m = Heights<Height>(std::move(lower));
+      },
+      grid.heights_m);
+  return out;
+}
+
+NestedHeights nested_heights(const Grid& grid, int step,
+                             const std::function<bool(int, int)>& is_kept) {
+  NestedHeights out;
+  const std::vector<Window> across = nested_windows(grid.columns, step);
+  out.columns = across.size();
+  std::visit(
+      [&]<class Height>(const Heights<Height>& heights) {
+        std::vector<Height> lower;
+        generalise(grid, heights, across, nested_windows(grid.rows, step), is_kept, lower);
+        out.heights_m.assign(lower.begin(), lower.end());
       },
       grid.heights_m);
   return out;

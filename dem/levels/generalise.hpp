@@ -4,7 +4,9 @@
 
 #include "dem/grid.hpp"
 
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace orograph {
 
@@ -18,5 +20,15 @@ namespace orograph {
 /// least. Cost: some 5 ns a height of the given grid.
 Grid generalised(const Grid& grid, int step,
                  const std::function<bool(int column, int row)>& is_kept);
+
+/// Heights at every `step`th column and row of a grid and at its last ones, row-major.
+struct NestedHeights {
+  std::size_t columns = 0;
+  std::vector<double> heights_m; ///< NaN where there is none
+};
+
+/// The same heights as those of `generalised`, but at the grid's own vertices.
+NestedHeights nested_heights(const Grid& grid, int step,
+                             const std::function<bool(int column, int row)>& is_kept);
 
 } // namespace orograph

@@ -49,6 +49,28 @@ bool is_top(const Grid& grid, const Highest& highest) {
   return true;
 }
 
+// Of squares of so many vertices on a side, from the highest on; at most so many.
+std::vector<Highest> tops_of(const Grid& grid, int side, std::size_t most) {
+  std::vector<Highest> squares = highest_of_squares(grid, side);
+  std::sort(squares.begin(), squares.end(), [](const Highest& a, const Highest& b) {
+    return a.height_m != b.height_m ? a.height_m > b.height_m
+           : a.row != b.row         ? a.row < b.row
+                                    : a.column < b.column;
+  });
+  std::vector<Highest> tops, taken;
+  for (const Highest& highest : squares) {
+    if (tops.size() == most || !std::isfinite(highest.height_m)) break;
+    const bool is_apart = std::none_of(taken.begin(), taken.end(), [&](const Highest& other) {
+      return std::abs(other.column - highest.column) < side &&
+             std::abs(other.row - highest.row) < side;
+    });
+    // The highest of its square may stand on a slope that goes on rising in the next one.
+    taken.push_back(highest);
+    if (is_apart && is_top(grid, highest)) tops.push_back(highest);
+  }
+  return tops;
+}
+
 } // namespace
 
 std::vector<Summit> summits_of(const Grid& grid, const Grid& level, std::size_t most) {
@@ -56,23 +78,9 @@ std::vector<Summit> summits_of(const Grid& grid, const Grid& level, std::size_t 
                per_row = (level.rows - 1.0) / (grid.rows - 1);
   const int side =
       std::max(1, static_cast<int>(kApart / std::min(1.0, std::max(per_column, per_row))));
-  std::vector<Highest> squares = highest_of_squares(grid, side);
-  std::sort(squares.begin(), squares.end(), [](const Highest& a, const Highest& b) {
-    return a.height_m != b.height_m ? a.height_m > b.height_m
-           : a.row != b.row         ? a.row < b.row
-                                    : a.column < b.column;
-  });
   std::vector<Summit> summits;
-  std::vector<Highest> taken;
-  for (const Highest& highest : squares) {
-    if (summits.size() == most || !std::isfinite(highest.height_m)) break;
-    const bool is_apart = std::none_of(taken.begin(), taken.end(), [&](const Highest& other) {
-      return std::abs(other.column - highest.column) < side &&
-             std::abs(other.row - highest.row) < side;
-    });
-    // The highest of its square may stand on a slope that goes on rising in the next one.
-    taken.push_back(highest);
-    if (!is_apart || !is_top(grid, highest)) continue;
+  // One of which no height is drawn takes no other's place.
+  for (const Highest& highest : tops_of(grid, side, most)) {
     Summit summit{grid.vertex_m(highest.column, highest.row), {}};
     double drawn_m = -std::numeric_limits<double>::infinity();
     const auto column = static_cast<int>(std::lround(highest.column * per_column)),
@@ -88,6 +96,30 @@ std::vector<Summit> summits_of(const Grid& grid, const Grid& level, std::size_t 
           summit.drawn_m = level.vertex_m(c, r);
         }
     if (std::isfinite(drawn_m)) summits.push_back(summit);
+  }
+  return summits;
+}
+
+std::vector<Summit> summits_of(const Grid& grid, const Patchwork& made, const Patches& patches,
+                               std::size_t most) {
+  std::vector<Summit> summits;
+  for (const Highest& highest : tops_of(grid, kApart, most)) {
+    const std::int64_t file = patches.cell(0);
+    const std::int64_t column = highest.column * file, row = highest.row * file;
+    const std::int64_t reach = patches.cell(patches.coarsest_at(column, row));
+    const auto count = static_cast<std::ptrdiff_t>(made.places.size());
+    std::ptrdiff_t best = -1;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+      const auto& [c, r] = made.places[static_cast<std::size_t>(i)];
+      if (std::abs(c - column) > reach || std::abs(r - row) > reach) continue;
+      const double height_m = made.heights_m[static_cast<std::size_t>(i)];
+      if (best < 0 || height_m > made.heights_m[static_cast<std::size_t>(best)] ||
+          (height_m == made.heights_m[static_cast<std::size_t>(best)] && c == column && r == row))
+        best = i;
+    }
+    if (best >= 0)
+      summits.push_back({grid.vertex_m(highest.column, highest.row),
+                         made.tin.vertices_m[static_cast<std::size_t>(best)]});
   }
   return summits;
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "dem/grid.hpp"
+#include "dem/levels/patches.hpp"
+#include "dem/levels/patchwork.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -17,5 +19,9 @@ struct Summit {
 /// The `most` highest, from the highest on: each the highest ground within 16 of the larger cells.
 /// REQUIRES a level that has the grid's corners. Cost: one look at each height.
 std::vector<Summit> summits_of(const Grid& grid, const Grid& level, std::size_t most);
+/// The same of a patchwork, by the cells that it has there; each the highest ground within 16 of
+/// the grid's.
+std::vector<Summit> summits_of(const Grid& grid, const Patchwork& made, const Patches& patches,
+                               std::size_t most);
 
 } // namespace orograph

@@ -14,7 +14,7 @@ namespace orograph {
 Folds::Folds(const Surface& surface, const PlacedView& placed, const Sector& sector, double share)
     : placed_(placed), sector_(sector), share_(share),
       parallel_depth_m_(sector.farthest_m - sector.nearest_m) {
-  if (share > 0) ground_.emplace(surface, sector.view, placed.places.of_tin);
+  if (share > 0) ground_.emplace(surface, sector.view, placed.for_cutters.of_tin);
 }
 
 bool Folds::is_fold(const EdgeLine& line, const ProfileLine& whole, const LinePart& part) const {

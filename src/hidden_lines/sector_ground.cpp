@@ -21,7 +21,7 @@ std::vector<SeenGround> ground_of_sectors(const TerrainData& terrain, const Plac
                                    : 0;
     out.push_back(find_seen_ground(
         *grid, bounds, sector.view,
-        {page_range(sector), tolerance_y, placed.places.of_earth_grid, &placed.extent.box}));
+        {page_range(sector), tolerance_y, placed.for_cutters.of_earth_grid, &placed.extent.box}));
   }
   return out;
 }

@@ -213,7 +213,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   Stopwatch watch;
   const View& view = sector.view;
   const bool surface = style.occluder == Occluder::surface;
-  const SurfaceCutter cutter(terrain.surface, view, placed.level.triangles, placed.places,
+  const SurfaceCutter cutter(terrain.surface, view, placed.level.triangles, placed.for_cutters,
                              &placed.extent.box);
   const TieTolerance tolerance = tie_tolerance(sector, style.visibility_tolerance_mm);
   const bool in_list = !surface || instruments.needs_list();

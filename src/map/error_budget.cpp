@@ -38,13 +38,13 @@ double longest_edge_m(const Grid& grid) {
 double longest_edge_m(const Surface& surface) {
   if (const Grid* grid = std::get_if<Grid>(&surface)) return longest_edge_m(*grid);
   const Tin& tin = std::get<Tin>(surface);
-  double longest = 0;
+  double squared = 0;
   for (const auto& corners : tin.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 side = tin.vertices_m[corners[i]] - tin.vertices_m[corners[(i + 1) % 3]];
-      longest = std::max(longest, std::hypot(side.x, side.y));
+      squared = std::max(squared, side.x * side.x + side.y * side.y);
     }
-  return longest;
+  return std::sqrt(squared);
 }
 
 // What the drawing leaves out of the earth's shape. Without a CRS there is no earth; with one that

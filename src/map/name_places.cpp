@@ -184,7 +184,9 @@ NamesFacts put_names(const TerrainData& terrain, const PlacedView& placed, const
   facts.unnamed = given.unnamed;
   facts.unnamed += std::erase_if(
       given.places, [](const PlaceName& place) { return on_one_line(place.text).empty(); });
-  SummitsOnPage found = named_summits(terrain, placed, spec, given.places);
+  // Patches far away have hills, not every summit.
+  SummitsOnPage found =
+      named_summits(placed.file ? *placed.file : terrain, placed, spec, given.places);
   facts.elsewhere = found.elsewhere;
   const double longest_mm = longest_name_mm(placed, spec.labels);
   std::vector<NameToPlace> names;

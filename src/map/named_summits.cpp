@@ -55,7 +55,8 @@ std::vector<Found> within_picture(const TerrainData& terrain, const PlacedView& 
                                   const MapSpec& spec, const std::vector<PlaceName>& places) {
   std::vector<Vec2> at;
   for (const PlaceName& place : places) at.push_back(place.map);
-  const double within_m = std::max(kSummitWithin_m, kSummitWithinCells * placed.cell_m);
+  const double cell_m = placed.file ? cell_size_m(terrain.surface) : placed.cell_m;
+  const double within_m = std::max(kSummitWithin_m, kSummitWithinCells * cell_m);
   const auto highest = highest_vertices(terrain, at, within_m);
   const bool has_range = spec.view.has_eye();
   const double range_m = spec.labels.range_m.value_or(kHazesOfRange * spec.labels.haze_m);
@@ -96,7 +97,13 @@ double hidden_at_least_m(const Grid& grid, const View& view, ProfilePoint at) {
 }
 
 void look_around(const TerrainData& terrain, const PlacedView& placed, std::vector<Found>& found) {
-  const LookAround around(terrain, placed.border, observer_of(placed, terrain.map));
+  Observer eye = observer_of(placed, terrain.map);
+  if (placed.file) // whose ground may be higher than what is drawn at the eye's feet
+    if (const auto ground = height_at(terrain.surface, eye.view.depth_origin_m))
+      eye.view.eye_z_m = std::max(eye.view.eye_z_m, *ground * eye.view.exaggeration);
+  const std::vector<BorderEdge> of_file =
+      placed.file ? border_of(terrain.surface) : std::vector<BorderEdge>();
+  const LookAround around(terrain, placed.file ? of_file : placed.border, eye);
   if (const Grid* grid = std::get_if<Grid>(&terrain.surface))
     on_all_cores(found.size(), [&](std::size_t i) {
       Found& one = found[i];

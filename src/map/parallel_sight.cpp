@@ -26,8 +26,8 @@ View across_rays(const View& view, const PlacedView& placed, const MapFrame& map
 
 ParallelSight::ParallelSight(const TerrainData& terrain, const PlacedView& placed)
     : view_(placed.view), along_(across_rays(placed.view, placed, terrain.map)),
-      near_m_(0.01 * placed.cell_m),
-      cutter_(terrain.surface, along_, placed.level.triangles, placed.places, &placed.extent.box) {}
+      near_m_(0.01 * placed.cell_m), cutter_(terrain.surface, along_, placed.level.triangles,
+                                             placed.for_cutters, &placed.extent.box) {}
 
 double ParallelSight::hidden_y(ProfilePoint at) const {
   const auto turned = [](const View& from, const View& to, ProfilePoint p) {

@@ -175,7 +175,7 @@ CoarseGround coarse_ground(const CutSurface& of, const Box3& box, double cell_m,
   const Vec3 centre = box.centre();
   north.depth_origin_m = {centre.x, centre.y};
   north.exaggeration = exaggeration;
-  const SurfaceCutter cutter(of.surface, north, of.level, of.places);
+  const SurfaceCutter cutter(of.surface, north, of.level, of.for_cutters);
   const double first_u_m = -0.5 * (out.columns - 1) * out.step_m,
                first_v_m = -0.5 * (out.rows - 1) * out.step_m;
   on_all_cores(static_cast<std::size_t>(out.rows), [&](std::size_t row) {

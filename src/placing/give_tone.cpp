@@ -68,7 +68,7 @@ XRange u_range(const Sector& sector, const Box3& box) {
 void tone_sector(Sector& sector, const PlacedView& placed, const Surface& surface,
                  const ToneRequest& request) {
   const View& view = sector.view;
-  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.places,
+  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.for_cutters,
                              &placed.extent.box);
   const bool beside = shows_beside(view);
   const TonePage page{view, sector.to_page,
@@ -127,7 +127,7 @@ void tone_panorama(PlacedView& placed, const Surface& surface, const ToneRequest
   for (const Sector& sector : sectors) {
     const PageColumns columns = columns_of(sector, *placed.panorama);
     cutters.push_back(std::make_unique<SurfaceCutter>(surface, sector.view, placed.level.triangles,
-                                                      placed.places, &placed.extent.box));
+                                                      placed.for_cutters, &placed.extent.box));
     sampled.push_back({*cutters.back(), sector.view, sector.to_page, columns});
     firsts.push_back(all.fan.size());
     all.mm = columns.mm;

@@ -23,7 +23,7 @@ View along_column(const View& view, const EarthDrop& drop, double x) {
 
 GroundAhead ground_in_column(const View& view, const EarthDrop& drop, const CutSurface& of,
                              double x) {
-  const SurfaceCutter cutter(of.surface, along_column(view, drop, x), of.level, of.places,
+  const SurfaceCutter cutter(of.surface, along_column(view, drop, x), of.level, of.for_cutters,
                              of.box_m);
   const URange ahead{0, std::numeric_limits<double>::infinity()};
   Profile profile;

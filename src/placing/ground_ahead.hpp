@@ -5,8 +5,8 @@
 
 #include "dem/surface.hpp"
 #include "geometry/box.hpp"
+#include "profiles/cutter_facts.hpp"
 #include "profiles/level_ground.hpp"
-#include "profiles/surface_places.hpp"
 #include "view/view.hpp"
 
 #include <vector>
@@ -17,7 +17,7 @@ namespace orograph {
 struct CutSurface {
   const Surface& surface;
   const TriangleSet& level;
-  const SurfacePlaces& places;
+  const CutterFacts& for_cutters;
   const Box3* box_m = nullptr; ///< of all vertices, if it is known
 };
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "placing/level_of_detail.hpp"
 
+#include "dem/height_at.hpp"
 #include "dem/levels/departure.hpp"
 #include "dem/levels/generalise.hpp"
 #include "dem/levels/part_of_grid.hpp"
+#include "dem/levels/patchwork.hpp"
 #include "dem/levels/refine.hpp"
 #include "dem/levels/summits.hpp"
 #include "placing/land_part.hpp"
+#include "placing/patches_of_view.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/places.hpp"
 #include "profiles/level_ground.hpp"
@@ -31,12 +34,7 @@ constexpr double kMostParts = 8;
 // A terrain of so many vertices takes a fifth of a second, whatever it shows of them.
 constexpr double kMostRefined = 1e6;
 
-// Of cells on the page.
-struct AskedSize {
-  double least_mm, most_mm; ///< smaller ones are made larger, and larger ones smaller
-};
-
-AskedSize asked_size(const Style& style) {
+CellSizes asked_size(const Style& style) {
   if (style.detail.cell_mm) return {*style.detail.cell_mm, *style.detail.cell_mm};
   const double usual_mm = kPenWidthsApart * style.pen_width_mm;
   const auto* plan = style.plan ? std::get_if<PageSpacing>(&*style.plan) : nullptr;
@@ -107,7 +105,7 @@ bool has_vertex(const TriangleSet& triangles, const Grid& grid, int column, int 
 
 // Of the file's cells to one that is drawn, about; less than one where the page shows the file's as
 // facets.
-double chosen_step(const Grid& grid, const AskedSize& asked, double cell_mm) {
+double chosen_step(const Grid& grid, const CellSizes& asked, double cell_mm) {
   const double doublings = std::floor(std::log2(asked.least_mm / cell_mm) + 0.5),
                halvings = std::floor(std::log2(cell_mm / asked.most_mm) + 0.5);
   const int smaller_side = std::min(grid.columns, grid.rows);
@@ -129,9 +127,9 @@ Grid level_of(const Grid& grid, double step, const TriangleSet& water) {
 }
 
 // How far the highest summits of the page move on it.
-void tell_summits(LevelOfDetail& level, const Grid& grid, const Grid& drawn,
+void tell_summits(LevelOfDetail& level, const std::vector<Summit>& summits,
                   const PlacedView& placed) {
-  for (const Summit& summit : summits_of(grid, drawn, kSummits)) {
+  for (const Summit& summit : summits) {
     const auto place = [&](Vec3 at) { return placed.on_page(to_profile_frame(placed.view, at)); };
     const Vec3 from = place(summit.of_file_m), to = place(summit.drawn_m);
     if (!is_on_page(placed, from) || !(to.z > 0)) continue;
@@ -140,6 +138,86 @@ void tell_summits(LevelOfDetail& level, const Grid& grid, const Grid& drawn,
         std::max(level.summit_moved_mm,
                  std::hypot(from.x / from.z - to.x / to.z, from.y / from.z - to.y / to.z));
   }
+}
+
+bool all_face_up(const Tin& tin) {
+  return std::ranges::all_of(tin.triangles, [&](const auto& corners) {
+    const Vec2 a = plan_m(tin, corners[0]);
+    return cross(plan_m(tin, corners[1]) - a, plan_m(tin, corners[2]) - a) > 0;
+  });
+}
+
+// Of what is shown: the rest is as coarse as may be.
+void tell_patches(LevelOfDetail& level, const Grid& grid, const Patches& patches,
+                  const Patchwork& made, const ScaleOnPage& scale, double exaggeration) {
+  const GridSteps steps = steps_of(grid);
+  const double cell_m = std::max(length(steps.column_m), length(steps.row_m));
+  int finest = patches.levels().coarsest, coarsest = patches.levels().finest;
+  double squares = 0, shown = 0;
+  for (std::size_t i = 0; i < made.departures.size(); ++i) {
+    const Patch& patch = patches.patches()[i];
+    const double mm_per_m = scale.mm_per_m(patches.place_of(patch));
+    if (!(mm_per_m > 0)) continue;
+    finest = std::min(finest, patch.level);
+    coarsest = std::max(coarsest, patch.level);
+    const Departure& departure = made.departures[i];
+    level.greatest_m = std::max(level.greatest_m, departure.greatest_m);
+    squares += departure.rms_m * departure.rms_m;
+    ++shown;
+    if (std::isinf(mm_per_m)) continue; // at the eye's feet
+    level.cell_mm = std::max(level.cell_mm, std::ldexp(cell_m, patch.level) * mm_per_m);
+    level.greatest_mm = std::max(level.greatest_mm, departure.greatest_m * exaggeration * mm_per_m);
+  }
+  if (shown > 0) level.rms_m = std::sqrt(squares / shown);
+  level.step = std::ldexp(1.0, std::min(finest, coarsest));
+  level.most_step = std::ldexp(1.0, coarsest);
+  level.cell_m = level.step * cell_m;
+}
+
+// Draped lines are laid by a lattice's degrees.
+bool needs_lattice(const TerrainData& terrain, const Style& style) {
+  return terrain.map.earth && style.asks_for("drape");
+}
+
+// Whether an eye that is given with its height would be under the ground.
+bool buries_eye(const Tin& tin, const View& view) {
+  const auto ground = height_at(tin, view.depth_origin_m);
+  return ground && *ground * view.exaggeration > view.eye_z_m;
+}
+
+// The ground that an eye stands over, in cells as large as the page asks for at each place. None
+// where the file's are right everywhere, where it would bury the eye, and where cliffs far away
+// lean beyond upright.
+std::optional<LevelOfDetail> take_patches(TerrainOfView& terrain, const TerrainFacts& of_file,
+                                          const MapSpec& spec, const PlacedView& placed) {
+  const TerrainData& file = terrain.of_file();
+  const Grid& grid = std::get<Grid>(file.surface);
+  const TriangleSet& water = of_file.water.triangles;
+  const ScaleOnPage scale(grid, placed);
+  const Patches patches = patches_of_view(grid, scale, asked_size(spec.style));
+  if (std::ranges::all_of(patches.patches(), [](const Patch& patch) { return patch.level == 0; }))
+    return std::nullopt;
+  Patchwork made = patchwork(grid, patches, [&](int column, int row) {
+    return !water.empty() && has_vertex(water, grid, column, row);
+  });
+  const bool has_height = spec.view.eye_map ? spec.view.eye_map->z.has_value()
+                                            : spec.view.eye_lonlat && spec.view.eye_lonlat->z;
+  if (made.tin.triangles.empty() || !all_face_up(made.tin) ||
+      (has_height && buries_eye(made.tin, placed.view)))
+    return std::nullopt;
+  LevelOfDetail level;
+  tell_patches(level, grid, patches, made, scale, placed.exaggeration);
+  tell_summits(level, summits_of(grid, made, patches, kSummits), placed);
+  TerrainData drawn = file;
+  drawn.surface = std::move(made.tin);
+  const TerrainData& in_place = terrain.take_level(std::move(drawn));
+  TerrainFacts facts = facts_of(in_place);
+  const GridSteps steps = steps_of(grid);
+  const double least_water_m2 = 0.5 * std::abs(cross(steps.column_m, steps.row_m)) *
+                                static_cast<double>(least_of_water(grid));
+  facts.water = find_level_ground(std::get<Tin>(in_place.surface), made.heights_m, least_water_m2);
+  terrain.take_level_facts(std::move(facts));
+  return level;
 }
 
 } // namespace
@@ -157,9 +235,14 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
     if (!of_whole) terrain.take_level_facts(std::move(own));
     return std::nullopt;
   };
-  // What the eye stands over has cells of any size on the page; it and its skyline are the file's
-  // then, as they are for who asks what is seen from there.
-  if (!detail.cell_mm && stands_over_ground(spec.view, file, of_file)) return stay();
+  if (stands_over_ground(spec.view, file, of_file)) {
+    // Three to five times as long as the file's surface takes; and what is seen from there is found
+    // on that (`LookAround`).
+    if (!detail.cell_mm || needs_lattice(file, spec.style)) return stay();
+    const auto level =
+        take_patches(terrain, of_file, spec, placed_picture(file, of_file, spec, solids));
+    return level ? level : stay();
+  }
   std::optional<TerrainData> land;
   std::optional<TerrainFacts> of_land;
   if (!solids)
@@ -179,12 +262,13 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   if (level.step == 1 && !land) return stay();
 
   const Grid made = level_of(grid, level.step, facts.water.triangles);
+  level.most_step = level.step;
   level.cell_m = cell_size_m(made);
   level.cell_mm = level.step * cell_mm;
   const Departure departure = level.step < 1 ? departure_of(grid, made) : departure_of(made, grid);
   level.greatest_m = departure.greatest_m;
   level.rms_m = departure.rms_m;
-  tell_summits(level, grid, made, placed);
+  tell_summits(level, summits_of(grid, made, kSummits), placed);
   TerrainData drawn = file;
   drawn.surface_error_m += departure.greatest_m;
   drawn.surface = made;

@@ -14,9 +14,9 @@ namespace orograph {
 
 /// Where the page is to show the terrain in cells of `spec.style.detail` and the file's are half or
 /// twice as large, `terrain` becomes a level of itself: generalised, or refined up to a million
-/// vertices. None: it stays as it is; so do TINs, what the view's planes cut, and, unless a size is
-/// asked for, views that show the ground at the eye's feet. `of_whole` as in `placed_view`. Cost:
-/// some 10 ns a height of the file, and 60 ns one of what is refined.
+/// vertices; where an eye stands over it, a TIN of patches of both. None: it stays as it is; so do
+/// TINs and what the view's planes cut. `of_whole` as in `placed_view`. Cost: some 10 ns a height
+/// of the file, 60 ns one of what is refined, and 0.5 us a vertex of patches.
 std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec& spec,
                                           const SceneFile* solids, const TerrainFacts* of_whole);
 

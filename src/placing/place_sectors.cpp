@@ -14,7 +14,7 @@ namespace {
 // Those between which the terrain lies.
 std::pair<double, double> depths_of(const PlacedView& placed, const Surface& surface,
                                     const View& view) {
-  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.places);
+  const SurfaceCutter cutter(surface, view, placed.level.triangles, placed.for_cutters);
   return {cutter.nearest_m(), cutter.farthest_m()};
 }
 

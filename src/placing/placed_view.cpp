@@ -89,7 +89,7 @@ LookDirection level_look(const ViewRequest& request, const TerrainShape& shape) 
 }
 
 CutSurface cut_surface(const PlacedView& placed, const Surface& surface) {
-  return {surface, placed.level.triangles, placed.places, &placed.extent.box};
+  return {surface, placed.level.triangles, placed.for_cutters, &placed.extent.box};
 }
 
 std::vector<GroundAhead> ground_ahead_of(const PlacedView& placed, const Surface& surface,
@@ -137,8 +137,9 @@ void place_panorama(PlacedView& placed, const TerrainData& terrain, const MapSpe
   View& view = placed.view;
   view = level_view(request, placed.cell_m);
   // Each of many sectors asks for its own part of each profile.
-  if (const Tin* tin = std::get_if<Tin>(&terrain.surface); tin && has_ground(terrain.surface))
-    placed.places.tin_index = std::make_shared<const TinIndex>(*tin);
+  if (const Tin* tin = std::get_if<Tin>(&terrain.surface);
+      tin && has_ground(terrain.surface) && !placed.for_cutters.tin_index)
+    placed.for_cutters.tin_index = std::make_shared<const TinIndex>(*tin);
   std::vector<GroundAhead> about;
   if (has_ground(terrain.surface))
     about = ground_about(panorama, view, cut_surface(placed, terrain.surface));
@@ -274,7 +275,7 @@ Picture place_picture(const TerrainData& terrain, TerrainFacts facts, const MapS
   placed.cell_m = facts.cell_m;
   placed.reach_m = facts.reach_m;
   placed.border = std::move(facts.border);
-  placed.places = std::move(facts.places);
+  placed.for_cutters = std::move(facts.for_cutters);
   placed.level = std::move(facts.water);
 
   const bool on_ground = has_ground(surface);
@@ -359,8 +360,13 @@ PlacedView placed_view(const TerrainOfView& terrain, const MapSpec& spec, const 
                        const TerrainFacts* of_whole) {
   if (of_whole && terrain.is_whole())
     return place(*terrain, *of_whole, spec, solids, terrain.uncut());
-  if (terrain.level_facts())
-    return place(*terrain, *terrain.level_facts(), spec, solids, terrain.uncut());
+  if (terrain.level_facts()) {
+    PlacedView out = place(*terrain, *terrain.level_facts(), spec, solids, terrain.uncut());
+    const bool has_patches = std::holds_alternative<Tin>(terrain->surface) &&
+                             std::holds_alternative<Grid>(terrain.of_file().surface);
+    if (has_patches) out.file = &terrain.of_file();
+    return out;
+  }
   return placed_view(*terrain, spec, solids, &terrain.uncut());
 }
 

@@ -14,9 +14,9 @@
 #include "placing/sector.hpp"
 #include "placing/terrain_facts.hpp"
 #include "placing/terrain_of_view.hpp"
+#include "profiles/cutter_facts.hpp"
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
-#include "profiles/surface_places.hpp"
 #include "solids/scene_file.hpp"
 #include "solids/standing_solid.hpp"
 #include "view/view.hpp"
@@ -41,7 +41,7 @@ struct EarthCurvature {
 struct PlacedView {
   SurfaceExtent extent;
   std::vector<BorderEdge> border;
-  SurfacePlaces places;
+  CutterFacts for_cutters;
   std::vector<StandingSolid> solids;
   LevelGround level;
   View view; ///< of a panorama: that to its middle
@@ -66,6 +66,7 @@ struct PlacedView {
   std::span<const Overlay> overlays;    ///< to be laid on the ground
   std::optional<double> block_base_m;   ///< height that the block's walls go down to, if it is one
   const Overlay* names = nullptr;       ///< points with names to be put on the page
+  const TerrainData* file = nullptr;    ///< of a terrain in patches, in its frame: has all summits
   std::optional<LineShade> ridge_shade; ///< none: light doesn't show in lines' widths
 
   /// The page's place of a point of `view`'s profile frame, over its last coordinate; a panorama's

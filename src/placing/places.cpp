@@ -95,6 +95,14 @@ double height_near(const Grid& grid, Vec3 ground_m) {
   return std::isnan(height) ? 0 : height;
 }
 
+double height_near(const Tin& tin, const MapFrame& map, Vec3 ground_m) {
+  const auto away = [&](const Vec3& vertex) {
+    return length(Vec2{vertex.x - ground_m.x, vertex.y - ground_m.y});
+  };
+  const auto nearest = std::ranges::min_element(tin.vertices_m, {}, away);
+  return nearest == tin.vertices_m.end() ? 0 : map.to_map(*nearest).z * map.height_unit_m;
+}
+
 Vec3 ground_m(const NamedPlace& at, Vec2 place, const TerrainData& terrain) {
   if (!has_ground(terrain.surface))
     throw Error(at.text() + ": without a terrain there is no ground to stand on",
@@ -172,7 +180,9 @@ std::optional<Vec3> ground_at(Vec2 place, const TerrainData& terrain) {
     return height ? std::optional(Vec3{at.x, at.y, *height}) : std::nullopt;
   }
   // At about its height, lest it is beyond the terrain's border or a gap's.
-  const double height_m = height_near(std::get<Grid>(terrain.surface), at);
+  const Grid* grid = std::get_if<Grid>(&terrain.surface);
+  const double height_m =
+      grid ? height_near(*grid, at) : height_near(std::get<Tin>(terrain.surface), terrain.map, at);
   at = terrain.map.to_ground_m({place.x, place.y, height_m / terrain.map.height_unit_m});
   constexpr int kSteps = 8; // each is nearer by what the upright leans, a fiftieth 100 km away
   Vec3 ground = at;

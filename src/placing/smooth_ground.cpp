@@ -59,7 +59,7 @@ void SmoothGround::sample(const Surface& surface) {
   };
   Level level{count(bounds_m_.width()), count(bounds_m_.height()), {}};
   level.z_m.resize(level.columns * level.rows);
-  const SurfaceCutter cutter(surface, placed_.view, placed_.level.triangles, placed_.places,
+  const SurfaceCutter cutter(surface, placed_.view, placed_.level.triangles, placed_.for_cutters,
                              &placed_.extent.box);
   on_all_cores(level.rows, [&](std::size_t row) {
     thread_local HeightsAlong ground;

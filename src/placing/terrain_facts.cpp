@@ -42,10 +42,10 @@ TerrainFacts facts_of(const TerrainData& terrain) {
   facts.reach_m = reach_m(surface);
   facts.border = std::visit([&](const auto& s) { return border_of(s, facts.extent); }, surface);
   if (const Grid* grid = std::get_if<Grid>(&surface); grid && grid->is_on_earth())
-    facts.places.of_earth_grid =
+    facts.for_cutters.of_earth_grid =
         std::make_shared<const BorderPlaces>(border_places(*grid, facts.border));
   if (const Tin* tin = std::get_if<Tin>(&surface))
-    facts.places.of_tin = std::make_shared<const TinPlaces>(tin_places(*tin));
+    facts.for_cutters.of_tin = std::make_shared<const TinPlaces>(tin_places(*tin));
   facts.outline = std::visit([&](const auto& s) { return outline_of(s, facts.border); }, surface);
   facts.water = std::visit([](const auto& s) { return find_water(s); }, surface);
   return facts;
@@ -75,10 +75,18 @@ Box2 bounds_of(const Grid& grid, const MapFrame& map) {
 
 Box2 bounds_of(const Tin& tin, const MapFrame& map) {
   Box2 bounds;
-  for (const Vec3& vertex : tin.vertices_m) {
-    const Vec3 at = map.to_map(vertex);
+  const auto include = [&](std::uint32_t vertex) {
+    const Vec3 at = map.to_map(tin.vertices_m[vertex]);
     bounds.include({at.x, at.y});
+  };
+  if (map.earth) { // whose places are a microsecond each: those of the border
+    for (const BorderEdge& edge : border_edges(tin)) {
+      include(edge.edge.from);
+      include(edge.edge.to);
+    }
+    return bounds;
   }
+  for (std::uint32_t i = 0; i < tin.vertices_m.size(); ++i) include(i);
   return bounds;
 }
 

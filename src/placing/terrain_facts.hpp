@@ -6,9 +6,9 @@
 #include "dem/terrain.hpp"
 #include "geometry/box.hpp"
 #include "placing/map_spec.hpp"
+#include "profiles/cutter_facts.hpp"
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
-#include "profiles/surface_places.hpp"
 
 #include <vector>
 
@@ -19,7 +19,7 @@ struct TerrainFacts {
   double cell_m = 0;  ///< the terrain's finest ground detail
   double reach_m = 0; ///< of its vertices from the ground frame's origin: a bound
   std::vector<BorderEdge> border;
-  SurfacePlaces places;
+  CutterFacts for_cutters;
   std::vector<OutlineEdge> outline; ///< the border on the ground
   LevelGround water;                ///< empty where there is none
 };

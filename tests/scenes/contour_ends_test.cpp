@@ -110,7 +110,7 @@ std::vector<PageSegment> cutting_lines(const TerrainData& terrain, const PlacedV
   }
   if (!sector.view.is_perspective()) return out;
   Profile cut;
-  SurfaceCutter(terrain.surface, sector.view, placed.level.triangles, placed.places)
+  SurfaceCutter(terrain.surface, sector.view, placed.level.triangles, placed.for_cutters)
       .cut(sector.view.near_m, cut);
   for (std::uint32_t i = 0; i + 1 < cut.size(); ++i)
     if (cut.after[i] != Span::gap)

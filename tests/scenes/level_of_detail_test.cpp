@@ -147,9 +147,71 @@ TEST_CASE("an eye on the ground sees the file's own surface, unless a size is as
   REQUIRE(smooth.level);
   CHECK(smooth.level->step < 1);
   CHECK(smooth.map.facts.check->hidden + smooth.map.facts.check->missing == 0);
-  CHECK_FALSE(draw(plane_terrain(random, 520, 600), spec).level); // too large
   spec.style.detail = {};
   CHECK_FALSE(draw(whole, spec).level);
+}
+
+TEST_CASE("patches about an eye are drawn rightly by the ray walk") {
+  std::size_t asked = 0;
+  for (std::uint64_t seed = 1; seed <= last_seed(12); ++seed) {
+    Random random(200 + seed);
+    INFO("seed " << seed);
+    const bool on_earth = seed % 3 == 0;
+    const TerrainData whole = on_earth ? degree_terrain() : plane_terrain(random);
+    MapSpec spec = detailed(random.pick({1.0, 2.0, 6.0}));
+    if (on_earth)
+      spec.view.eye_lonlat = GivenPlace{random.between(8.02, 8.08), random.between(45.93, 45.98)};
+    else
+      spec.view.eye_map = GivenPlace{random.between(500, 4000), random.between(-4000, -500)};
+    spec.view.eye_height_m = random.pick({2.0, 60.0, 500.0});
+    if (seed % 2 == 0) spec.view.projection = Projection::cylindrical;
+    spec.view.look_azimuth = Angle::degrees(random.between(0, 360));
+    const Drawn drawn = draw(whole, spec);
+    REQUIRE(drawn.level);
+    CHECK(drawn.level->step < drawn.level->most_step);
+    CHECK(drawn.level->greatest_m >= drawn.level->rms_m);
+    CHECK(drawn.level->greatest_mm > 0);
+    REQUIRE(drawn.map.facts.check);
+    CHECK(drawn.map.facts.check->hidden == 0);
+    CHECK(drawn.map.facts.check->missing == 0);
+    asked += drawn.map.facts.check->asked;
+    // What draws doesn't depend on cores or on what was drawn before.
+    CHECK(difference(drawn.map.drawing, draw(whole, spec).map.drawing).empty());
+  }
+  CHECK(asked > enough<10000>);
+}
+
+TEST_CASE("a lake in patches stays level and has its shore, on the earth too") {
+  for (const bool on_earth : {false, true}) {
+    const auto lake = [](double column, double row) {
+      const double away = std::hypot(column - 120, row - 130);
+      return away < 45 ? 37.25
+                       : 38 + 0.9 * (away - 45) + 3 * std::sin(column * 0.7) * std::sin(row * 0.9);
+    };
+    TerrainData whole;
+    MapSpec spec = detailed(2);
+    spec.view.eye_height_m = 60;
+    spec.view.projection = Projection::cylindrical;
+    if (on_earth) {
+      whole = earth_terrain({8, 0.0005, 240, 46, -0.0004, 240}, [&](double lon, double lat) {
+        return lake((lon - 8) / 0.0005, (46 - lat) / 0.0004);
+      });
+      spec.view.eye_lonlat = GivenPlace{8.04, 45.96};
+    } else {
+      std::vector<float> heights;
+      for (int row = 0; row < 240; ++row)
+        for (int column = 0; column < 240; ++column)
+          heights.push_back(static_cast<float>(lake(column, row)));
+      whole.surface = Grid{240, 240, PlaneLattice{{0, 0}, {30, 0}, {0, -30}},
+                           Heights<float>(std::move(heights))};
+      spec.view.eye_map = GivenPlace{2400, -3000};
+    }
+    TerrainOfView terrain(whole, spec.view);
+    REQUIRE(choose_level(terrain, spec, nullptr, nullptr));
+    const PlacedView placed = placed_view(terrain, spec);
+    CHECK(placed.level.regions == 1);
+    CHECK_FALSE(placed.level.shores.empty());
+  }
 }
 
 TEST_CASE("a lake stays level, with a shore, and the sea where it is") {

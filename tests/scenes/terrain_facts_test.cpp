@@ -31,7 +31,8 @@ void check_views(const TerrainData& terrain, MapSpec spec) {
       const PlacedView scene =
           placed_view(TerrainOfView(terrain, spec.view), spec, nullptr, &facts);
       check_same(scene, placed_view(terrain, spec));
-      const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles, scene.places);
+      const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles,
+                                 scene.for_cutters);
       CHECK(scene.nearest_m == cutter.nearest_m());
       CHECK(scene.farthest_m == cutter.farthest_m());
     } catch (const std::exception& error) {

@@ -16,7 +16,7 @@ namespace orograph::visibility_definition_test {
 namespace {
 
 FlatScene cut_all(const TerrainData& terrain, const PlacedView& scene) {
-  const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles, scene.places);
+  const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles, scene.for_cutters);
   FlatScene flat;
   Profile profile;
   std::vector<Segment> uprights;

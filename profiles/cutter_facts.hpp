@@ -11,7 +11,7 @@
 namespace orograph {
 
 /// Of a surface's kind what its cutters ask for; a grid on a map plane needs nothing.
-struct SurfacePlaces {
+struct CutterFacts {
   std::shared_ptr<const BorderPlaces> of_earth_grid;
   std::shared_ptr<const TinPlaces> of_tin;
   /// Of a TIN, if parts of its profiles are to be cheap: that costs more than a few whole ones.

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/levels/patchwork.hpp"
+
+#include "dem/levels/generalise.hpp"
+#include "dem/levels/part_of_grid.hpp"
+#include "dem/levels/refine.hpp"
+#include "dem/levels/stretched_lattice.hpp"
+#include "dem/mesh/neighbours.hpp"
+#include "geometry/on_all_cores.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+
+namespace orograph {
+namespace {
+
+constexpr std::uint32_t kNoVertex = 0xffffffff;
+constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
+
+using Place = std::array<std::int64_t, 2>; // column and row, in cells of the finest level
+
+// Of one patch: its lattice's columns and rows, and its own heights there.
+struct PatchHeights {
+  std::vector<std::int64_t> columns, rows;
+  std::vector<double> heights_m;
+
+  double at(std::size_t i, std::size_t j) const { return heights_m[j * columns.size() + i]; }
+};
+
+std::vector<std::int64_t> lattice_of(std::int64_t number, std::int64_t cell, std::int64_t end) {
+  std::vector<std::int64_t> places;
+  for (std::int64_t k = 0; k <= kPatchCells; ++k) {
+    const std::int64_t at = std::min((number * kPatchCells + k) * cell, end);
+    if (places.empty() || at > places.back()) places.push_back(at);
+  }
+  return places;
+}
+
+// The heights of all levels.
+class LevelHeights {
+public:
+  LevelHeights(const Grid& grid, const Patches& patches,
+               const std::function<bool(int, int)>& is_kept)
+      : grid_(grid), patches_(patches) {
+    std::vector<bool> has(static_cast<std::size_t>(patches.levels().coarsest) + 1, false);
+    for (const Patch& patch : patches.patches())
+      if (patch.level > 0) has[static_cast<std::size_t>(patch.level)] = true;
+    nested_.resize(has.size());
+    for (std::size_t level = 1; level < has.size(); ++level)
+      if (has[level]) nested_[level] = nested_heights(grid, 1 << level, is_kept);
+  }
+
+  // Of a level from the file's on, at a vertex of its lattice.
+  double at(int level, Place place) const {
+    const std::int64_t file = patches_.cell(0);
+    const int column = static_cast<int>(place[0] / file), row = static_cast<int>(place[1] / file);
+    if (level <= 0) return grid_.height_m(column, row);
+    const NestedHeights& heights = nested_[static_cast<std::size_t>(level)];
+    const auto number = [&](int at) {
+      return static_cast<std::size_t>((at + (1 << level) - 1) >> level);
+    };
+    return heights.heights_m[number(row) * heights.columns + number(column)];
+  }
+
+  PatchHeights of(const Patch& patch) const {
+    const std::int64_t cell = patches_.cell(patch.level);
+    PatchHeights out{lattice_of(patch.column, cell, patches_.columns()),
+                     lattice_of(patch.row, cell, patches_.rows()),
+                     {}};
+    out.heights_m.reserve(out.columns.size() * out.rows.size());
+    if (patch.level >= 0) {
+      for (const std::int64_t row : out.rows)
+        for (const std::int64_t column : out.columns)
+          out.heights_m.push_back(at(patch.level, {column, row}));
+      return out;
+    }
+    // A refined height looks at its cell and at those beside it.
+    const std::int64_t file = patches_.cell(0);
+    const auto first = [&](std::int64_t place) {
+      return static_cast<int>(std::max<std::int64_t>(0, place / file - 1));
+    };
+    const auto end = [&](std::int64_t place, int vertices) {
+      return std::min(vertices, static_cast<int>((place + file - 1) / file) + 2);
+    };
+    GridPart part{first(out.columns.front()), first(out.rows.front()), 0, 0};
+    part.columns = end(out.columns.back(), grid_.columns) - part.first_column;
+    part.rows = end(out.rows.back(), grid_.rows) - part.first_row;
+    const Grid fine = refined(part_of_grid(grid_, part), 1 << -patch.level);
+    for (const std::int64_t row : out.rows)
+      for (const std::int64_t column : out.columns)
+        out.heights_m.push_back(
+            fine.height_m(static_cast<int>((column - part.first_column * file) / cell),
+                          static_cast<int>((row - part.first_row * file) / cell)));
+    return out;
+  }
+
+private:
+  const Grid& grid_;
+  const Patches& patches_;
+  std::vector<NestedHeights> nested_;
+};
+
+struct HashOfPlace {
+  std::size_t operator()(const Place& place) const {
+    return static_cast<std::size_t>(place[0]) * 0x9e3779b97f4a7c15U ^
+           static_cast<std::size_t>(place[1]) * 0xc2b2ae3d27d4eb4fU;
+  }
+};
+
+// Vertices and triangles, patch after patch.
+class Sewing {
+public:
+  Sewing(const Grid& grid, const Patches& patches, const LevelHeights& heights)
+      : patches_(patches), heights_(heights),
+        lattice_(stretched_lattice(grid, static_cast<int>(patches.columns()) + 1,
+                                   static_cast<int>(patches.rows()) + 1)),
+        is_turned_(!grid.is_on_earth() && grid.plane().is_mirrored()) {}
+
+  void add(const Patch& patch, const PatchHeights& own) {
+    const std::size_t across = own.columns.size(), down = own.rows.size();
+    numbers_.assign(across * down, kNoVertex);
+    for (std::size_t j = 0; j < down; ++j)
+      for (std::size_t i = 0; i < across; ++i) {
+        const Place place{own.columns[i], own.rows[j]};
+        const bool is_inside = i > 0 && j > 0 && i + 1 < across && j + 1 < down;
+        numbers_[j * across + i] = is_inside
+                                       ? append(place, in_place(place, own.at(i, j)))
+                                       : shared(
+                                             place, [&] { return own.at(i, j); }, patch.level);
+      }
+    for (std::size_t j = 0; j + 1 < down; ++j)
+      for (std::size_t i = 0; i + 1 < across; ++i) add_cell(patch, own, i, j);
+  }
+
+  /// All but the departures. Vertices without a triangle are left out.
+  Patchwork take() {
+    std::vector<std::uint32_t> number(out_.places.size(), kNoVertex);
+    for (const auto& corners : out_.tin.triangles)
+      for (const std::uint32_t corner : corners) number[corner] = 0;
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < number.size(); ++i) {
+      if (number[i] == kNoVertex) continue;
+      number[i] = count;
+      out_.tin.vertices_m[count] = out_.tin.vertices_m[i];
+      out_.heights_m[count] = out_.heights_m[i];
+      out_.places[count++] = out_.places[i];
+    }
+    out_.tin.vertices_m.resize(count);
+    out_.heights_m.resize(count);
+    out_.places.resize(count);
+    for (auto& corners : out_.tin.triangles)
+      for (std::uint32_t& corner : corners) corner = number[corner];
+    out_.tin.neighbours = find_neighbours(out_.tin.triangles, count).of;
+    return std::move(out_);
+  }
+
+private:
+  struct Vertex {
+    Vec3 at;
+    double height_m;
+  };
+
+  Vertex in_place(Place place, double height_m) const {
+    return {std::visit(
+                [&](const auto& l) {
+                  return l.vertex_m(static_cast<int>(place[0]), static_cast<int>(place[1]),
+                                    height_m);
+                },
+                lattice_),
+            height_m};
+  }
+
+  std::uint32_t append(Place place, const Vertex& vertex) {
+    if (std::isnan(vertex.height_m)) return kNoVertex;
+    out_.tin.vertices_m.push_back(vertex.at);
+    out_.heights_m.push_back(vertex.height_m);
+    out_.places.push_back(place);
+    return static_cast<std::uint32_t>(out_.places.size() - 1);
+  }
+
+  // On a patch's border: as the coarsest patch there has it. `own` is that of a patch that touches
+  // it, of a level.
+  template <class Own>
+  std::uint32_t shared(Place place, const Own& own, int level) {
+    if (const auto known = border_.find(place); known != border_.end()) return known->second;
+    const std::uint32_t number = append(place, on_border(place, own, level));
+    border_.emplace(place, number);
+    return number;
+  }
+
+  template <class Own>
+  Vertex on_border(Place place, const Own& own, int level) {
+    const int coarsest = patches_.coarsest_at(place[0], place[1]);
+    const std::int64_t cell = patches_.cell(coarsest);
+    // Of a cell of that level, the last one perhaps narrower.
+    const auto ends = [&](std::int64_t at, std::int64_t end) {
+      const std::int64_t from = at / cell * cell;
+      return at == end || at == from ? std::pair(at, at)
+                                     : std::pair(from, std::min(from + cell, end));
+    };
+    const auto [west, east] = ends(place[0], patches_.columns());
+    const auto [north, south] = ends(place[1], patches_.rows());
+    if (west == east && north == south)
+      return in_place(place,
+                      coarsest == level || coarsest <= 0 ? own() : heights_.at(coarsest, place));
+    const Vertex from = end_of_edge({west, north}), to = end_of_edge({east, south});
+    const double share =
+        west < east ? static_cast<double>(place[0] - west) / static_cast<double>(east - west)
+                    : static_cast<double>(place[1] - north) / static_cast<double>(south - north);
+    return {from.at + share * (to.at - from.at),
+            from.height_m + share * (to.height_m - from.height_m)};
+  }
+
+  // Of a patch that is coarser than the one that asks.
+  Vertex end_of_edge(Place place) {
+    const int coarsest = patches_.coarsest_at(place[0], place[1]);
+    const std::uint32_t number = shared(
+        place, [&] { return height_of(coarsest, place); }, coarsest);
+    return number == kNoVertex ? Vertex{{}, kNoHeight}
+                               : Vertex{out_.tin.vertices_m[number], out_.heights_m[number]};
+  }
+  double height_of(int level, Place place) {
+    if (level >= 0) return heights_.at(level, place);
+    const std::int64_t side = kPatchCells * patches_.cell(level);
+    const auto number = [&](std::int64_t at, std::int64_t end) {
+      return std::min(at, end - 1) / side;
+    };
+    const PatchHeights own = heights_.of(
+        {level, number(place[0], patches_.columns()), number(place[1], patches_.rows())});
+    const auto at = [](const std::vector<std::int64_t>& places, std::int64_t value) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(places, value) - places.begin());
+    };
+    return own.at(at(own.columns, place[0]), at(own.rows, place[1]));
+  }
+
+  void add_cell(const Patch& patch, const PatchHeights& own, std::size_t i, std::size_t j) {
+    const std::size_t across = own.columns.size();
+    const std::uint32_t nw = numbers_[j * across + i], ne = numbers_[j * across + i + 1],
+                        sw = numbers_[(j + 1) * across + i],
+                        se = numbers_[(j + 1) * across + i + 1];
+    const std::int64_t west = own.columns[i], east = own.columns[i + 1], north = own.rows[j],
+                       south = own.rows[j + 1];
+    const std::int64_t half = patches_.cell(patch.level) / 2;
+    // In the middle of an edge that finer patches lie beyond.
+    const auto middle = [&](bool is_border, std::int64_t column_beyond, std::int64_t row_beyond,
+                            Place from, Place to) {
+      if (!is_border || half == 0 || !patches_.is_parted(patch.level, column_beyond, row_beyond))
+        return kNoVertex;
+      const Place at{from[0] < to[0] ? from[0] + half : from[0],
+                     from[1] < to[1] ? from[1] + half : from[1]};
+      if (at[0] >= to[0] && at[1] >= to[1]) return kNoVertex; // a narrow cell, which isn't parted
+      return shared(
+          at, [] { return kNoHeight; }, patch.level - 1);
+    };
+    const bool is_last_row = j + 2 == own.rows.size(), is_last_column = i + 2 == across;
+    const std::uint32_t at_north = middle(j == 0, west, north - 1, {west, north}, {east, north}),
+                        at_south = middle(is_last_row, west, south, {west, south}, {east, south}),
+                        at_west = middle(i == 0, west - 1, north, {west, north}, {west, south}),
+                        at_east = middle(is_last_column, east, north, {east, north}, {east, south});
+    add_triangle(nw, sw, se, at_west, at_south);
+    add_triangle(se, ne, nw, at_east, at_north);
+  }
+
+  // Of a, b, c, where others may be in the middle of ab and bc.
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t in_ab,
+                    std::uint32_t in_bc) {
+    if (a == kNoVertex || b == kNoVertex || c == kNoVertex) return;
+    if (in_ab == kNoVertex && in_bc == kNoVertex) {
+      put(a, b, c);
+    } else if (in_bc == kNoVertex) {
+      put(a, in_ab, c);
+      put(in_ab, b, c);
+    } else if (in_ab == kNoVertex) {
+      put(a, b, in_bc);
+      put(a, in_bc, c);
+    } else {
+      put(in_ab, b, in_bc);
+      put(a, in_ab, in_bc);
+      put(a, in_bc, c);
+    }
+  }
+  void put(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (is_turned_) std::swap(b, c);
+    out_.tin.triangles.push_back({a, b, c});
+  }
+
+  const Patches& patches_;
+  const LevelHeights& heights_;
+  std::variant<PlaneLattice, EarthLattice> lattice_;
+  bool is_turned_;
+  Patchwork out_;
+  std::unordered_map<Place, std::uint32_t, HashOfPlace> border_;
+  std::vector<std::uint32_t> numbers_; // of a patch's vertices
+};
+
+// Between three corners of a cell split from north-west to south-east; NaN where one that has a
+// share in it is.
+double in_cell(double nw, double ne, double sw, double se, double x, double y) {
+  const auto part = [](double share, double height) { return share == 0 ? 0 : share * height; };
+  return x > y ? part(1 - x, nw) + part(x - y, ne) + part(y, se)
+               : part(1 - y, nw) + part(y - x, sw) + part(x, se);
+}
+
+// Of a patch's own heights, at the vertices of the finer of both lattices.
+Departure departure_in(const Grid& grid, std::int64_t file, const Patch& patch,
+                       const PatchHeights& own) {
+  Departure out;
+  std::size_t count = 0;
+  const auto add = [&](double apart) {
+    if (std::isnan(apart)) return;
+    out.greatest_m = std::max(out.greatest_m, std::abs(apart));
+    out.rms_m += apart * apart;
+    ++count;
+  };
+  if (patch.level < 0)
+    for (std::size_t j = 0; j < own.rows.size(); ++j)
+      for (std::size_t i = 0; i < own.columns.size(); ++i) {
+        const int column = std::min(static_cast<int>(own.columns[i] / file), grid.columns - 2),
+                  row = std::min(static_cast<int>(own.rows[j] / file), grid.rows - 2);
+        const double x = static_cast<double>(own.columns[i] - column * file) /
+                         static_cast<double>(file),
+                     y = static_cast<double>(own.rows[j] - row * file) / static_cast<double>(file);
+        add(own.at(i, j) - in_cell(grid.height_m(column, row), grid.height_m(column + 1, row),
+                                   grid.height_m(column, row + 1),
+                                   grid.height_m(column + 1, row + 1), x, y));
+      }
+  if (patch.level > 0)
+    for (std::size_t j = 0; j + 1 < own.rows.size(); ++j)
+      for (std::size_t i = 0; i + 1 < own.columns.size(); ++i) {
+        const std::int64_t wide = own.columns[i + 1] - own.columns[i],
+                           high = own.rows[j + 1] - own.rows[j];
+        for (std::int64_t row = own.rows[j]; row < own.rows[j + 1]; row += file)
+          for (std::int64_t column = own.columns[i]; column < own.columns[i + 1]; column += file)
+            add(in_cell(own.at(i, j), own.at(i + 1, j), own.at(i, j + 1), own.at(i + 1, j + 1),
+                        static_cast<double>(column - own.columns[i]) / static_cast<double>(wide),
+                        static_cast<double>(row - own.rows[j]) / static_cast<double>(high)) -
+                grid.height_m(static_cast<int>(column / file), static_cast<int>(row / file)));
+      }
+  if (count > 0) out.rms_m = std::sqrt(out.rms_m / static_cast<double>(count));
+  return out;
+}
+
+} // namespace
+
+Patchwork patchwork(const Grid& grid, const Patches& patches,
+                    const std::function<bool(int, int)>& is_kept) {
+  const LevelHeights heights(grid, patches, is_kept);
+  const std::vector<Patch>& all = patches.patches();
+  std::vector<PatchHeights> own(all.size());
+  std::vector<Departure> departures(all.size());
+  on_all_cores(all.size(), [&](std::size_t i) {
+    own[i] = heights.of(all[i]);
+    departures[i] = departure_in(grid, patches.cell(0), all[i], own[i]);
+  });
+  Sewing sewing(grid, patches, heights);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    throw_if_stopped();
+    sewing.add(all[i], own[i]);
+  }
+  Patchwork out = sewing.take();
+  out.departures = std::move(departures);
+  return out;
+}
+
+} // namespace orograph
