@@ -187,8 +187,8 @@ TEST_CASE("coarse ground has the terrain's heights") {
   });
   const TerrainData terrain = terrain_of(fine);
   const TerrainFacts facts = facts_of(terrain);
-  const CoarseGround coarse =
-      coarse_ground({terrain.surface, facts.water.triangles, nullptr}, facts.extent.box, 3, 2);
+  const CoarseGround coarse = coarse_ground(
+      {terrain.surface, facts.water.triangles, facts.for_cutters}, facts.extent.box, 3, 2);
   CHECK(coarse.columns == kCoarseCells);
   CHECK(coarse.rows == 85); // 128 times 597 / 897
   const double east_m = 0.5 * (897 - (coarse.columns - 1) * coarse.step_m),
