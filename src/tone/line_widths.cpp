@@ -2,6 +2,7 @@
 #include "tone/line_widths.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,20 @@ namespace {
 constexpr double kBridge_mm = 1.5, kLeastRun_mm = 2, kLeastWidthRun_mm = 1.5;
 // Steps of width; 1.25 would let the tone swing by 17 %.
 constexpr double kWidthRatio = 1.1;
+
+// kWidthRatio to the power of a step, from a table where the pen's widths don't differ by hundreds.
+double width_of_step(double step) {
+  constexpr double kFirst = -1, kSteps = 64;
+  static const std::array<double, static_cast<std::size_t>(kSteps)> powers = [] {
+    std::array<double, static_cast<std::size_t>(kSteps)> all{};
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] = std::pow(kWidthRatio, kFirst + static_cast<double>(i));
+    return all;
+  }();
+  const double at = step - kFirst;
+  return at >= 0 && at < kSteps ? powers[static_cast<std::size_t>(at)]
+                                : std::pow(kWidthRatio, step);
+}
 
 // Of an octave of distances, the share in which the lines that go get thinner, about its middle.
 constexpr double kFade = 0.7;
@@ -32,9 +47,9 @@ public:
                                                      : spacing_octave_) -
         planned_octave;
     // Lines of level k go in this octave; finer ones have gone, and all others stay.
-    const double k =
-        std::max(std::ceil(lambda - 0.5 - 0.5 * kFade), static_cast<double>(-line_.halvings));
-    if (line_.level < k) return 0;
+    const double least_k = lambda - 0.5 - 0.5 * kFade;
+    if (line_.level < least_k || line_.level < -line_.halvings) return 0;
+    const double k = std::max(std::ceil(least_k), static_cast<double>(-line_.halvings));
     const double into_octave = lambda - k; // 0.5 is where lines go that don't fade
     if (!by_width) return line_.level > k || into_octave <= 0.5 ? request_.pen_width_mm : 0;
     const double full_mm =
@@ -114,7 +129,8 @@ std::vector<ToneRun> runs_of_line(const LinePlace& line, const PageColumns& colu
                                   const ToneRequest& request) {
   const std::size_t count = columns.count;
   const WidthOfLine width_of(line, request);
-  std::vector<double> widths(count, std::numeric_limits<double>::quiet_NaN());
+  thread_local std::vector<double> widths; // asked for once
+  widths.assign(count, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < count; ++i)
     if (!std::isnan(line.planned_octave[i]))
       widths[i] = width_of.at(line.planned_octave[i], line.darkness.empty() ? 0 : line.darkness[i]);
@@ -126,20 +142,21 @@ std::vector<ToneRun> runs_of_line(const LinePlace& line, const PageColumns& colu
   }
   bridge_and_drop(widths, columns);
   // What is seen may begin a column before the first of which that is known, or end one behind.
-  const auto is_drawn = [&](std::size_t i) {
-    const auto is_seen = [&](std::size_t k) {
-      return k < count && !std::isnan(line.planned_octave[k]);
-    };
-    return widths[i] > 0 &&
-           (!request.is_even || is_seen(i) || is_seen(i + 1) || (i > 0 && is_seen(i - 1)));
-  };
+  if (request.is_even) {
+    bool before = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool here = !std::isnan(line.planned_octave[i]);
+      const bool behind = i + 1 < count && !std::isnan(line.planned_octave[i + 1]);
+      if (!(before || here || behind)) widths[i] = 0;
+      before = here;
+    }
+  }
+  const auto is_drawn = [&](std::size_t i) { return widths[i] > 0; };
   const std::size_t least = columns_in(kLeastWidthRun_mm, columns);
   const auto step_of = [&](std::size_t i) {
     return std::log(widths[i] / request.least_width_mm) / std::log(kWidthRatio);
   };
-  const auto width_at = [&](double step) {
-    return request.least_width_mm * std::pow(kWidthRatio, step);
-  };
+  const auto width_at = [&](double step) { return request.least_width_mm * width_of_step(step); };
   for_each_run(count, is_drawn, true, [&](std::size_t begin, std::size_t end) {
     if (!request.is_shown_by(LightShownBy::width)) {
       runs.push_back({columns.edge(begin), columns.edge(end), request.pen_width_mm});
