@@ -59,7 +59,7 @@ void heights_on_plane(const Grid& grid, const Values& heights, const View& view,
                               at.begin_m * view.right),
              step = in_cells(at.step_m * view.right);
   for (std::size_t i = 0; i < at.count; ++i) {
-    const Vec2 place = begin + static_cast<double>(i) * step;
+    const Vec2 place = begin + static_cast<std::int32_t>(i) * step;
     out->z_m[i] =
         height_at(grid, heights, place) * view.exaggeration - view.drop.at(at[i], depth_m);
     out->is_level[i] = is_level_at(grid, level, place) ? 1 : 0;
@@ -113,7 +113,7 @@ public:
     // Vertices lean by an angle that is the distance from the origin over the earth's radius, 0.05
     // at 300 km: each round leaves of the height's error that times the slope.
     constexpr int kRounds = 2;
-    const auto k = static_cast<double>(i - first_);
+    const auto k = static_cast<std::int32_t>(i - first_);
     const double low_z_m = from_.z_m + k * change_.z_m, low_h_m = from_.h_m + k * change_.h_m,
                  z_a_metre = 1 / (from_.h_a_metre + k * change_.h_a_metre);
     const Vec2 low = from_.cell + k * change_.cell,

@@ -14,11 +14,12 @@
 
 namespace orograph {
 
-/// Places at even distances along u, in metres.
+/// Places at even distances along u, in metres; fewer than 2^31.
 struct PlacesAlong {
   double begin_m, step_m;
   std::size_t count;
-  double operator[](std::size_t i) const { return begin_m + static_cast<double>(i) * step_m; }
+  // Processors make numbers of 32 bits floating several at once, those of 64 not even one.
+  double operator[](std::size_t i) const { return begin_m + static_cast<std::int32_t>(i) * step_m; }
 };
 
 /// In the profile frame, one value a place.

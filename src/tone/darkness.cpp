@@ -163,8 +163,9 @@ std::vector<float> darkness_of(const PlanOnPage& plan, const PageColumns& column
     const double far = range_m > 0 ? (plan.profiles[j].depth_m - nearest_m) / range_m : 0;
     const float *const x = normals[j].data(), *const y = x + columns.count,
                        *const z = y + columns.count;
-    thread_local std::vector<double> lit; // NaN where nothing is seen
-    lit.resize(columns.count);
+    thread_local std::vector<double> memory; // asked for once
+    memory.resize(columns.count);
+    double* const lit = memory.data(); // NaN where nothing is seen
     for (std::size_t i = 0; i < columns.count; ++i) {
       const Vec3 n{x[i], y[i], z[i]};
       lit[i] = dot(n, towards[i]) / std::sqrt(dot(n, n));

@@ -31,8 +31,9 @@ using SumsOfProfile = std::vector<float>;
 template <std::size_t N>
 void sum_along(const SeenProfile& seen, std::size_t radius, SumsOfProfile& sums) {
   const std::size_t width = seen.sight.size();
-  thread_local std::vector<float> before; // N times, of all columns up to one
-  before.resize(N * (width + 1));
+  thread_local std::vector<float> memory; // asked for once
+  memory.resize(N * (width + 1));
+  float* const before = memory.data(); // N times, of all columns up to one
   std::array<float, N> sum{};
   for (std::size_t c = 0; c < N; ++c) before[c * (width + 1)] = 0;
   for (std::size_t i = 0; i < width; ++i)
@@ -41,7 +42,7 @@ void sum_along(const SeenProfile& seen, std::size_t radius, SumsOfProfile& sums)
       before[c * (width + 1) + i + 1] = sum[c];
     }
   for (std::size_t c = 0; c < N; ++c) {
-    const float* const up_to = before.data() + c * (width + 1);
+    const float* const up_to = before + c * (width + 1);
     float* const line = sums.data() + c * width;
     const auto take = [&](std::size_t i, std::size_t from, std::size_t to) {
       const float around = up_to[to] - up_to[from];
@@ -77,8 +78,9 @@ std::vector<SumsOfProfile> sums_on_page(std::span<const SeenProfile> seen,
   on_all_cores((width + kColumnsOfStrip - 1) / kColumnsOfStrip, [&](std::size_t task) {
     const std::size_t first = task * kColumnsOfStrip,
                       count = std::min(kColumnsOfStrip, width - first);
-    thread_local std::vector<Strip> strips; // asked for once
-    strips.resize(seen.size());
+    thread_local std::vector<Strip> memory; // asked for once
+    memory.resize(seen.size());
+    Strip* const strips = memory.data();
     StripValues<N> state{};
     for (std::size_t j = 0; j < seen.size(); ++j) {
       Strip& strip = strips[j];
@@ -94,20 +96,22 @@ std::vector<SumsOfProfile> sums_on_page(std::span<const SeenProfile> seen,
         strip.kept[k] = sight[k] == Sight::none ? 1.0F : of_seen;
         strip.is_seen[k] = sight[k] == Sight::none ? 0.0F : 1.0F;
       }
+      float* const sums_of = sums[j].data() + first;
       for (std::size_t c = 0; c < N; ++c)
         for (std::size_t k = 0; k < count; ++k) {
           strip.own[c][k] = strip.is_seen[k] > 0 ? strip.own[c][k] : 0;
           state[c][k] = state[c][k] * strip.kept[k] + strip.own[c][k];
-          sums[j][c * width + first + k] = strip.is_seen[k] * state[c][k];
+          sums_of[c * width + k] = strip.is_seen[k] * state[c][k];
         }
     }
     state = {};
     for (std::size_t j = seen.size(); j-- > 0;) {
       const Strip& strip = strips[j];
       if (strip.is_hidden) continue;
+      float* const sums_of = sums[j].data() + first;
       for (std::size_t c = 0; c < N; ++c)
         for (std::size_t k = 0; k < count; ++k) {
-          sums[j][c * width + first + k] += strip.is_seen[k] * state[c][k];
+          sums_of[c * width + k] += strip.is_seen[k] * state[c][k];
           state[c][k] = (state[c][k] + strip.own[c][k]) * strip.kept[k];
         }
     }

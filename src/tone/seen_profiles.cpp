@@ -23,7 +23,7 @@ struct ColumnHorizon {
   bool before_void = false; ///< behind it there is no ground so far
 };
 
-constexpr std::size_t kColumnsOfTask = 32;
+constexpr std::size_t kColumnsOfTask = 64;
 
 // Of neighbouring columns of a profile, the way on the page from what they show in front.
 struct StepsOnPage {
