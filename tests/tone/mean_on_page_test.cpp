@@ -12,10 +12,10 @@
 namespace orograph::mean_on_page_test {
 
 TEST_CASE("sums on the page are those of all samples by their weights") {
-  const PageColumns columns{0, 1, 10, 0.5};
   const Box2 frame{{-100, -1000}, {100, 1000}};
   for (std::uint64_t seed = 1; seed <= last_seed(500); ++seed) {
     Random random(seed);
+    const PageColumns columns{0, 1, random.chance(0.1) ? 70U : 10U, 0.5}; // one strip, or three
     const std::vector<SampledProfile> profiles = made_profiles(random, columns);
     const auto seen = seen_profiles(profiles, columns, upright_view(), frame);
     std::vector<float> values;
