@@ -4,12 +4,14 @@ if(OROGRAPH_SANITIZE AND NOT OROGRAPH_FUZZ)
   set(OROGRAPH_QUICKLY -O0)
 endif()
 
-# orograph_stage(NAME [TOGETHER] [QUICKLY] SOURCES a.cpp b.cpp [DEPENDS stage…] [PRIVATE library…])
+# orograph_stage(NAME [TOGETHER] [QUICKLY] [IN_LANES] SOURCES a.cpp b.cpp [DEPENDS stage…]
+#   [PRIVATE library…])
 # One library for each folder. Stages link only downhill (DEPENDS); foreign libraries are PRIVATE,
 # behind the one source file that includes them. TOGETHER: several files are compiled at a time,
-# compile_once.cmake. QUICKLY: nothing in it takes time.
+# compile_once.cmake. QUICKLY: nothing in it takes time. IN_LANES: its loops are reckoned several steps
+# at once; for that nobody may ask for an operation's error number or traps, which changes no number.
 function(orograph_stage name)
-  cmake_parse_arguments(STAGE "TOGETHER;QUICKLY" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(STAGE "TOGETHER;QUICKLY;IN_LANES" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   add_library(orograph_${name} STATIC ${STAGE_SOURCES})
   # Into the shared library, which shows nothing but what OROGRAPH_API marks.
   set_target_properties(orograph_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON
@@ -26,6 +28,8 @@ function(orograph_stage name)
   elseif(STAGE_QUICKLY)
     target_compile_options(orograph_${name} PRIVATE ${OROGRAPH_QUICKLY})
     orograph_precompile(orograph_${name} quick)
+  elseif(STAGE_IN_LANES) # alone, so common headers of its own would cost more than they spare
+    target_compile_options(orograph_${name} PRIVATE -fno-math-errno -fno-trapping-math)
   else()
     orograph_precompile(orograph_${name} plain)
   endif()

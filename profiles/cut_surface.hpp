@@ -36,15 +36,22 @@ public:
   /// The ground's heights at places along a profile: a tenth of the cost of cutting it where they
   /// are farther apart than cells, and the surface is a grid that has_heights_along.
   void heights(double depth_m, const PlacesAlong& at, HeightsAlong& out) const {
+    const AskedProfile asked{depth_m, at, &out};
+    heights(std::span(&asked, 1));
+  }
+  /// The same along several at once.
+  void heights(std::span<const AskedProfile> profiles) const {
     const Grid* const grid = std::get_if<Grid>(&surface_);
     if (grid && has_heights_along(*grid)) {
-      heights_along(*grid, view_, level_, depth_m, at, out);
+      heights_along(*grid, view_, level_, profiles);
       return;
     }
     thread_local Profile profile;
-    const URange asked{at[0], at[at.count - 1]};
-    cut(depth_m, std::span(&asked, 1), profile);
-    heights_along(profile, at, out);
+    for (const AskedProfile& asked : profiles) {
+      const URange range{asked.at[0], asked.at[asked.at.count - 1]};
+      cut(asked.depth_m, std::span(&range, 1), profile);
+      heights_along(profile, asked.at, *asked.heights);
+    }
   }
 
   /// Depths between which the surface lies.

@@ -14,34 +14,42 @@ void clear(std::size_t count, HeightsAlong& out) {
   out.is_level.assign(count, 0);
 }
 
-// A place of the lattice, and what lies there.
-struct OnLattice {
-  double height_m; ///< as the grid has it; NaN where no ground is
-  bool is_level;
-};
+bool is_on(const Grid& grid, Vec2 p) {
+  return p.x >= 0 && p.y >= 0 && p.x <= grid.columns - 1 && p.y <= grid.rows - 1;
+}
+// Of the cell that a place of the lattice is in.
+int column_of(const Grid& grid, Vec2 p) {
+  return std::min(static_cast<int>(p.x), grid.columns - 2);
+}
+int row_of(const Grid& grid, Vec2 p) {
+  return std::min(static_cast<int>(p.y), grid.rows - 2);
+}
 
+// As the grid has it; NaN where no ground is. Both halves of a cell are reckoned alike: which one
+// it is changes from place to place, and a branch would be guessed wrong at every second.
 template <class Values>
-OnLattice on_lattice(const Grid& grid, const Values& heights, const TriangleSet& level, Vec2 p) {
-  if (!(p.x >= 0 && p.y >= 0 && p.x <= grid.columns - 1 && p.y <= grid.rows - 1))
-    return {std::numeric_limits<double>::quiet_NaN(), false};
-  const int column = std::min(static_cast<int>(p.x), grid.columns - 2),
-            row = std::min(static_cast<int>(p.y), grid.rows - 2);
+double height_at(const Grid& grid, const Values& heights, Vec2 p) {
+  if (!is_on(grid, p)) return std::numeric_limits<double>::quiet_NaN();
+  const int column = column_of(grid, p), row = row_of(grid, p);
   const double x = p.x - column, y = p.y - row;
-  const std::size_t corner = grid.index(column, row), opposite = grid.index(column + 1, row + 1);
-  const Half half = x > y ? Half::upper : Half::lower;
+  const std::size_t corner = grid.index(column, row), below = grid.index(column, row + 1);
+  const double greater = std::max(x, y), less = std::min(x, y);
   const auto height = [&](std::size_t vertex) { return static_cast<double>(heights[vertex]); };
-  const double height_m =
-      half == Half::upper
-          ? (1 - x) * height(corner) + (x - y) * height(corner + 1) + y * height(opposite)
-          : (1 - y) * height(corner) + (y - x) * height(grid.index(column, row + 1)) +
-                x * height(opposite);
-  return {height_m, !level.empty() && level.has(grid_triangle(grid, column, row, half))};
+  return (1 - greater) * height(corner) + (greater - less) * height(x > y ? corner + 1 : below) +
+         less * height(below + 1);
+}
+
+bool is_level_at(const Grid& grid, const TriangleSet& level, Vec2 p) {
+  if (level.empty() || !is_on(grid, p)) return false;
+  const int column = column_of(grid, p), row = row_of(grid, p);
+  const Half half = p.x - column > p.y - row ? Half::upper : Half::lower;
+  return level.has(grid_triangle(grid, column, row, half));
 }
 
 template <class Values>
 void heights_on_plane(const Grid& grid, const Values& heights, const View& view,
-                      const TriangleSet& level, double depth_m, const PlacesAlong& at,
-                      HeightsAlong& out) {
+                      const TriangleSet& level, const AskedProfile& asked) {
+  const auto& [depth_m, at, out] = asked;
   const auto& [first, column_m, row_m] = grid.plane();
   const double area = cross(column_m, row_m);
   const auto in_cells = [&](Vec2 way) {
@@ -51,10 +59,10 @@ void heights_on_plane(const Grid& grid, const Values& heights, const View& view,
                               at.begin_m * view.right),
              step = in_cells(at.step_m * view.right);
   for (std::size_t i = 0; i < at.count; ++i) {
-    const auto [height_m, is_level] =
-        on_lattice(grid, heights, level, begin + static_cast<double>(i) * step);
-    out.z_m[i] = height_m * view.exaggeration - view.drop.at(at[i], depth_m);
-    out.is_level[i] = is_level ? 1 : 0;
+    const Vec2 place = begin + static_cast<std::int32_t>(i) * step;
+    out->z_m[i] =
+        height_at(grid, heights, place) * view.exaggeration - view.drop.at(at[i], depth_m);
+    out->is_level[i] = is_level_at(grid, level, place) ? 1 : 0;
   }
 }
 
@@ -87,42 +95,82 @@ Upright a_step(const Upright& from, const Upright& to, double steps) {
 // latitude.
 constexpr double kFromNodeToNode_m = 8000;
 
+// A profile of a grid in degrees, place by place.
+template <class Values>
+class WalkOnEarth {
+public:
+  WalkOnEarth(const Grid& grid, const Values& heights, const View& view, const TriangleSet& level,
+              const AskedProfile& asked)
+      : grid_(grid), heights_(heights), view_(view), level_(level), asked_(asked),
+        step_(static_cast<std::size_t>(
+            std::clamp(std::floor(kFromNodeToNode_m / asked.at.step_m), 1.0, 128.0))),
+        next_(upright(0)) {}
+
+  std::size_t count() const { return asked_.at.count; }
+  // REQUIRES each place after the one before it.
+  void take(std::size_t i) {
+    if (i == end_) go_on();
+    // Vertices lean by an angle that is the distance from the origin over the earth's radius, 0.05
+    // at 300 km: each round leaves of the height's error that times the slope.
+    constexpr int kRounds = 2;
+    const auto k = static_cast<std::int32_t>(i - first_);
+    const double low_z_m = from_.z_m + k * change_.z_m, low_h_m = from_.h_m + k * change_.h_m,
+                 z_a_metre = 1 / (from_.h_a_metre + k * change_.h_a_metre);
+    const Vec2 low = from_.cell + k * change_.cell,
+               cell_a_metre = from_.cell_a_metre + k * change_.cell_a_metre;
+    double above_m = std::isnan(z_m_) ? 0 : z_m_ - low_z_m; // as at the place before
+    Vec2 place;
+    for (int round = 0; round < kRounds; ++round) {
+      place = low + above_m * cell_a_metre;
+      above_m =
+          (grid_.earth().exaggeration() * height_at(grid_, heights_, place) - low_h_m) * z_a_metre;
+    }
+    z_m_ = low_z_m + above_m;
+    asked_.heights->z_m[i] = z_m_;
+    asked_.heights->is_level[i] = is_level_at(grid_, level_, place) ? 1 : 0;
+  }
+
+private:
+  Upright upright(std::size_t i) const {
+    return upright_at(grid_.earth(), view_.depth_origin_m + asked_.depth_m * view_.forward +
+                                         asked_.at[i] * view_.right);
+  }
+  void go_on() {
+    first_ = end_;
+    end_ += step_;
+    from_ = next_;
+    next_ = upright(end_);
+    change_ = a_step(from_, next_, static_cast<double>(step_));
+  }
+
+  const Grid& grid_;
+  const Values& heights_;
+  const View& view_;
+  const TriangleSet& level_;
+  AskedProfile asked_;
+  std::size_t step_, first_ = 0, end_ = 0; // from one upright to the next
+  Upright from_, next_, change_;
+  double z_m_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+// Each place of a profile waits for the one before it, so that a processor reckons four profiles in
+// half the time of one after the other.
+constexpr std::size_t kAtOnce = 4;
+
 template <class Values>
 void heights_on_earth(const Grid& grid, const Values& heights, const View& view,
-                      const TriangleSet& level, double depth_m, const PlacesAlong& at,
-                      HeightsAlong& out) {
-  // Vertices lean by an angle that is the distance from the origin over the earth's radius, 0.05
-  // at 300 km: each round leaves of the height's error that times the slope.
-  constexpr int kRounds = 2;
-  const EarthLattice& lattice = grid.earth();
-  const auto upright = [&](std::size_t i) {
-    return upright_at(lattice, view.depth_origin_m + depth_m * view.forward + at[i] * view.right);
-  };
-  const auto step =
-      static_cast<std::size_t>(std::clamp(std::floor(kFromNodeToNode_m / at.step_m), 1.0, 128.0));
-  Upright next = upright(0);
-  double z_m = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t first = 0; first < at.count; first += step) {
-    const std::size_t end = std::min(first + step, at.count);
-    const Upright from = next;
-    next = upright(first + step);
-    const Upright change = a_step(from, next, static_cast<double>(step));
-    for (std::size_t i = first; i < end; ++i) {
-      const auto k = static_cast<double>(i - first);
-      const double low_z_m = from.z_m + k * change.z_m, low_h_m = from.h_m + k * change.h_m,
-                   z_a_metre = 1 / (from.h_a_metre + k * change.h_a_metre);
-      const Vec2 low = from.cell + k * change.cell,
-                 cell_a_metre = from.cell_a_metre + k * change.cell_a_metre;
-      double above_m = std::isnan(z_m) ? 0 : z_m - low_z_m; // as at the place before
-      OnLattice ground{};
-      for (int round = 0; round < kRounds; ++round) {
-        ground = on_lattice(grid, heights, level, low + above_m * cell_a_metre);
-        above_m = (lattice.exaggeration() * ground.height_m - low_h_m) * z_a_metre;
-      }
-      z_m = low_z_m + above_m;
-      out.z_m[i] = z_m;
-      out.is_level[i] = ground.is_level ? 1 : 0;
+                      const TriangleSet& level, std::span<const AskedProfile> profiles) {
+  for (std::size_t first = 0; first < profiles.size(); first += kAtOnce) {
+    std::vector<WalkOnEarth<Values>> walks;
+    std::size_t longest = 0;
+    for (const AskedProfile& asked :
+         profiles.subspan(first).first(std::min(kAtOnce, profiles.size() - first))) {
+      walks.emplace_back(grid, heights, view, level, asked);
+      longest = std::max(longest, asked.at.count);
     }
+    for (std::size_t i = 0; i < longest; ++i)
+      for (auto& walk : walks)
+        if (i < walk.count()) walk.take(i);
   }
 }
 
@@ -141,16 +189,17 @@ bool has_heights_along(const Grid& grid) {
          farthest_deg <= kFarthestNorth_deg;
 }
 
-void heights_along(const Grid& grid, const View& view, const TriangleSet& level, double depth_m,
-                   const PlacesAlong& at, HeightsAlong& out) {
-  clear(at.count, out);
-  if (grid.columns < 2 || grid.rows < 2 || at.count == 0) return;
+void heights_along(const Grid& grid, const View& view, const TriangleSet& level,
+                   std::span<const AskedProfile> profiles) {
+  for (const AskedProfile& asked : profiles) clear(asked.at.count, *asked.heights);
+  if (grid.columns < 2 || grid.rows < 2) return;
   std::visit(
       [&](const auto& heights) {
         if (grid.is_on_earth())
-          heights_on_earth(grid, heights, view, level, depth_m, at, out);
+          heights_on_earth(grid, heights, view, level, profiles);
         else
-          heights_on_plane(grid, heights, view, level, depth_m, at, out);
+          for (const AskedProfile& asked : profiles)
+            heights_on_plane(grid, heights, view, level, asked);
       },
       grid.heights_m);
 }

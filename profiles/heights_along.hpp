@@ -9,15 +9,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace orograph {
 
-/// Places at even distances along u, in metres.
+/// Places at even distances along u, in metres; fewer than 2^31.
 struct PlacesAlong {
   double begin_m, step_m;
   std::size_t count;
-  double operator[](std::size_t i) const { return begin_m + static_cast<double>(i) * step_m; }
+  // Processors make numbers of 32 bits floating several at once, those of 64 not even one.
+  double operator[](std::size_t i) const { return begin_m + static_cast<std::int32_t>(i) * step_m; }
 };
 
 /// In the profile frame, one value a place.
@@ -26,16 +28,24 @@ struct HeightsAlong {
   std::vector<std::uint8_t> is_level; ///< of a triangle of the set
 };
 
+/// One of several profiles that are asked at a time.
+struct AskedProfile {
+  double depth_m;
+  PlacesAlong at;
+  HeightsAlong* heights; ///< what comes back
+};
+
 /// Whether heights_along has those of a grid: on a map plane always, in degrees where cells are
 /// small and the grid isn't a continent.
 bool has_heights_along(const Grid& grid);
 
 /// Of a grid's triangles. On a map plane to rounding those of a profile's cut, less the sag of a
 /// curved frame within a cell, for some 10 ns a place, whatever the size of cells. In degrees
-/// within a metre along the ground of them, for some 30 ns.
+/// within a metre along the ground of them, for some 30 ns, or half of it where four profiles are
+/// asked at a time.
 /// REQUIRES has_heights_along(grid).
-void heights_along(const Grid& grid, const View& view, const TriangleSet& level, double depth_m,
-                   const PlacesAlong& at, HeightsAlong& out);
+void heights_along(const Grid& grid, const View& view, const TriangleSet& level,
+                   std::span<const AskedProfile> profiles);
 
 /// Those of a profile that has been cut.
 void heights_along(const Profile& profile, const PlacesAlong& at, HeightsAlong& out);

@@ -67,11 +67,12 @@ std::string heights_in_words(const PlacedView& placed) {
 std::optional<std::string> of_plan(const PlacedView& placed, const MapSpec& spec) {
   const bool is_plan = !placed.view.is_perspective() && placed.view.y_per_z == 0;
   if (!is_plan || placed.depths_m.empty() || !spec.style.asks_for("profiles")) return std::nullopt;
-  const char* what = spec.ground_points ? ": --view-from with less than 90 shows relief"
-                     : spec.style.light
-                         ? ", and only light on them shows relief (--light)"
-                         : ": --light shows relief by their widths, --view-from with "
-                           "less than 90 by their shapes";
+  const char* what =
+      spec.ground_points ? ": --view-from with less than 90 shows relief, and --contours do"
+      : spec.style.light
+          ? ", and only light on them (--light) and contours (--contours) show relief"
+          : ": --light shows relief by their widths, --view-from with "
+            "less than 90 by their shapes, --contours without them";
   return fmt::format("from straight {} profiles are straight lines{}",
                      placed.view.y_per_v < 0 ? "below" : "above", what);
 }

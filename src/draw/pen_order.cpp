@@ -55,8 +55,9 @@ std::vector<ChainLink> meetings(const Layer& layer, Meeting which) {
   sort_by_number(ends, step_of);
   for (auto begin = ends.begin(); begin != ends.end();) {
     throw_if_stopped(static_cast<std::size_t>(begin - ends.begin()));
-    const auto end = std::find_if(
-        begin, ends.end(), [&](const Met& other) { return step_of(other) != step_of(*begin); });
+    const std::uint64_t step = step_of(*begin);
+    const auto end =
+        std::find_if(begin, ends.end(), [&](const Met& other) { return step_of(other) != step; });
     std::sort(begin, end, [&](const Met& a, const Met& b) {
       const std::partial_ordering order = compared(a, b);
       return order != 0 ? order < 0 : a.end < b.end;

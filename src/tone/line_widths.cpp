@@ -2,10 +2,10 @@
 #include "tone/line_widths.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace orograph {
 namespace {
@@ -13,6 +13,20 @@ namespace {
 constexpr double kBridge_mm = 1.5, kLeastRun_mm = 2, kLeastWidthRun_mm = 1.5;
 // Steps of width; 1.25 would let the tone swing by 17 %.
 constexpr double kWidthRatio = 1.1;
+
+// kWidthRatio to the power of a step, from a table where the pen's widths don't differ by hundreds.
+double width_of_step(double step) {
+  constexpr double kFirst = -1, kSteps = 64;
+  static const std::array<double, static_cast<std::size_t>(kSteps)> powers = [] {
+    std::array<double, static_cast<std::size_t>(kSteps)> all{};
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] = std::pow(kWidthRatio, kFirst + static_cast<double>(i));
+    return all;
+  }();
+  const double at = step - kFirst;
+  return at >= 0 && at < kSteps ? powers[static_cast<std::size_t>(at)]
+                                : std::pow(kWidthRatio, step);
+}
 
 // Of an octave of distances, the share in which the lines that go get thinner, about its middle.
 constexpr double kFade = 0.7;
@@ -32,18 +46,17 @@ public:
                                                      : spacing_octave_) -
         planned_octave;
     // Lines of level k go in this octave; finer ones have gone, and all others stay.
-    const double k =
-        std::max(std::ceil(lambda - 0.5 - 0.5 * kFade), static_cast<double>(-line_.halvings));
-    if (line_.level < k) return 0;
+    const double least_k = lambda - 0.5 - 0.5 * kFade;
+    if (line_.level < least_k || line_.level < -line_.halvings) return 0;
+    const double k = std::max(std::ceil(least_k), static_cast<double>(-line_.halvings));
     const double into_octave = lambda - k; // 0.5 is where lines go that don't fade
     if (!by_width) return line_.level > k || into_octave <= 0.5 ? request_.pen_width_mm : 0;
     const double full_mm =
         darkness * std::exp2(planned_octave + k); // of each line, if all are drawn
     const double share = std::clamp((0.5 + 0.5 * kFade - into_octave) / kFade, 0.0, 1.0);
     // It is drawn until it gets too thin, and at any rate where it wouldn't fade.
-    const double ends_at = std::min(0.5, request_.least_width_mm / full_mm);
-    const double going_mm =
-        share >= ends_at ? std::max(share * full_mm, request_.least_width_mm) : 0;
+    const bool goes_on = share >= 0.5 || share >= request_.least_width_mm / full_mm;
+    const double going_mm = goes_on ? std::max(share * full_mm, request_.least_width_mm) : 0;
     if (line_.level == k) return going_mm > 0 ? within_pen(going_mm) : 0;
     return within_pen(2 * full_mm - going_mm);
   }
@@ -60,23 +73,6 @@ private:
 
 std::size_t columns_in(double mm, const PageColumns& columns) {
   return static_cast<std::size_t>(std::ceil(mm / columns.mm));
-}
-
-// What isn't known is as at the nearest place where it is. False if nothing is known.
-bool fill(std::vector<double>& widths) {
-  const std::size_t count = widths.size();
-  std::size_t last = count; // known
-  for (std::size_t i = 0; i < count; ++i) {
-    if (std::isnan(widths[i])) continue;
-    if (last == count)
-      std::fill(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(i), widths[i]);
-    else
-      for (std::size_t k = last + 1; k < i; ++k) widths[k] = widths[k - last <= i - k ? last : i];
-    last = i;
-  }
-  if (last == count) return false;
-  std::fill(widths.begin() + static_cast<std::ptrdiff_t>(last), widths.end(), widths[last]);
-  return true;
 }
 
 // Calls `take(begin, end)` for each run of columns of which `is` or its contrary is true.
@@ -114,32 +110,50 @@ std::vector<ToneRun> runs_of_line(const LinePlace& line, const PageColumns& colu
                                   const ToneRequest& request) {
   const std::size_t count = columns.count;
   const WidthOfLine width_of(line, request);
-  std::vector<double> widths(count, std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t i = 0; i < count; ++i)
-    if (!std::isnan(line.planned_octave[i]))
-      widths[i] = width_of.at(line.planned_octave[i], line.darkness.empty() ? 0 : line.darkness[i]);
+  thread_local std::vector<double> memory; // asked for once
+  std::vector<double>& widths = memory;
+  widths.resize(count);
+  // What isn't known is as at the nearest place where it is.
+  std::size_t known = count, first = count;
+  bool any = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::isnan(line.planned_octave[i])) continue;
+    const double width =
+        width_of.at(line.planned_octave[i], line.darkness.empty() ? 0 : line.darkness[i]);
+    any |= width > 0;
+    widths[i] = width;
+    if (known == count)
+      first = i;
+    else
+      for (std::size_t k = known + 1; k < i; ++k)
+        widths[k] = k - known <= i - k ? widths[known] : width;
+    known = i;
+  }
   std::vector<ToneRun> runs;
-  if (!fill(widths)) { // what of it shows is narrower than a column
+  if (first == count) { // what of it shows is narrower than a column
     if (!request.is_even)
       runs.push_back({columns.edge(0), columns.edge(count), request.pen_width_mm});
     return runs;
   }
+  if (!any) return runs;
+  std::fill_n(widths.begin(), first, widths[first]);
+  std::fill(widths.begin() + static_cast<std::ptrdiff_t>(known), widths.end(), widths[known]);
   bridge_and_drop(widths, columns);
   // What is seen may begin a column before the first of which that is known, or end one behind.
-  const auto is_drawn = [&](std::size_t i) {
-    const auto is_seen = [&](std::size_t k) {
-      return k < count && !std::isnan(line.planned_octave[k]);
-    };
-    return widths[i] > 0 &&
-           (!request.is_even || is_seen(i) || is_seen(i + 1) || (i > 0 && is_seen(i - 1)));
-  };
+  if (request.is_even) {
+    std::fill_n(widths.begin(), first - std::min<std::size_t>(first, 1), 0);
+    if (known + 2 < count)
+      std::fill(widths.begin() + static_cast<std::ptrdiff_t>(known) + 2, widths.end(), 0);
+    const auto is_hidden = [&](std::size_t i) { return std::isnan(line.planned_octave[i]); };
+    for (std::size_t i = first + 1; i < known; ++i)
+      if (is_hidden(i) && is_hidden(i - 1) && is_hidden(i + 1)) widths[i] = 0;
+  }
+  const auto is_drawn = [&](std::size_t i) { return widths[i] > 0; };
   const std::size_t least = columns_in(kLeastWidthRun_mm, columns);
   const auto step_of = [&](std::size_t i) {
     return std::log(widths[i] / request.least_width_mm) / std::log(kWidthRatio);
   };
-  const auto width_at = [&](double step) {
-    return request.least_width_mm * std::pow(kWidthRatio, step);
-  };
+  const auto width_at = [&](double step) { return request.least_width_mm * width_of_step(step); };
   for_each_run(count, is_drawn, true, [&](std::size_t begin, std::size_t end) {
     if (!request.is_shown_by(LightShownBy::width)) {
       runs.push_back({columns.edge(begin), columns.edge(end), request.pen_width_mm});

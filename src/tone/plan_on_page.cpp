@@ -24,8 +24,11 @@ constexpr std::size_t kMostPerPlanned = 12, kLeastMost = 2000;
 constexpr double kRatioNear = 1.25;
 
 void sample_all(const ProfileSampler& sampler, std::span<SampledProfile*> profiles) {
-  on_all_cores(profiles.size(),
-               [&](std::size_t i) { sampler.sample(profiles[i]->depth_m, *profiles[i]); });
+  constexpr std::size_t kOfTask = ProfileSampler::kAtOnce;
+  on_all_cores((profiles.size() + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+    const std::span from = profiles.subspan(task * kOfTask);
+    sampler.sample(from.first(std::min(kOfTask, from.size())));
+  });
 }
 
 void sample_all(const ProfileSampler& sampler, std::vector<SampledProfile>& profiles) {

@@ -4,6 +4,7 @@
 #include "profiles/heights_along.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,62 +21,71 @@ PageColumns page_columns(XRange range, bool of_u, const Box2& frame_mm, double m
   return columns;
 }
 
-void find_ways_on_page(SampledProfile& profile) {
-  constexpr std::size_t kBeside = 2;
-  const std::size_t count = profile.z_m.size();
-  profile.way.assign(count, {});
-  std::size_t begin = 0; // of the ground that a column is on
-  for (std::size_t i = 0; i < count; ++i) {
-    if (std::isnan(profile.z_m[i])) {
-      begin = i + 1;
-      continue;
-    }
-    std::size_t right = i;
-    while (right < i + kBeside && right + 1 < count && !std::isnan(profile.z_m[right + 1])) ++right;
-    const std::size_t left = std::max(begin, i - std::min(i, kBeside));
-    const float x = profile.x_mm[right] - profile.x_mm[left],
-                y = profile.y_mm[right] - profile.y_mm[left];
-    profile.way[i] = {x, y, std::sqrt(x * x + y * y)};
+namespace {
+
+// All that isn't known, or isn't in front of the picture, is NaN. What is the same of all columns
+// is copied: only so does the compiler see that nothing here changes it.
+void put_on_page(View view, Homography to_page, const AskedProfile& asked, SampledProfile& out,
+                 std::size_t first) {
+  const PlacesAlong at = asked.at;
+  const double depth_m = asked.depth_m;
+  const double* const ground_z_m = asked.heights->z_m.data();
+  constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+  double* const z_m = out.z_m.data() + first;
+  float *const x_mm = out.x_mm.data() + first, *const y_mm = out.y_mm.data() + first;
+  for (std::size_t i = 0; i < at.count; ++i) {
+    const double ground = ground_z_m[i];
+    const Vec2 plane = project(view, {at[i], depth_m, ground});
+    const Vec2 page = to_page(plane);
+    const bool is_shown = to_page.w(plane) > 0;
+    z_m[i] = is_shown ? ground : kMissing;
+    x_mm[i] = static_cast<float>(is_shown ? page.x : kMissing);
+    y_mm[i] = static_cast<float>(is_shown ? page.y : kMissing);
   }
 }
 
-void ProfileSampler::sample(double depth_m, SampledProfile& out) const {
+} // namespace
+
+void ProfileSampler::sample(std::span<SampledProfile* const> profiles) const {
   std::size_t count = 0;
   for (const SampledSector& sector : sectors_) count += sector.columns.count;
-  out.depth_m = depth_m;
-  out.z_m.assign(count, std::numeric_limits<double>::quiet_NaN());
-  out.is_level.assign(count, 0);
-  out.x_mm.assign(count, 0);
-  out.y_mm.assign(count, 0);
+  for (SampledProfile* const out : profiles) {
+    out->z_m.resize(count);
+    out->is_level.resize(count);
+    out->x_mm.resize(count);
+    out->y_mm.resize(count);
+  }
   std::size_t first = 0;
   for (const SampledSector& sector : sectors_) {
-    sample(depth_m, sector, first, out);
+    sample(sector, first, profiles);
     first += sector.columns.count;
   }
-  find_ways_on_page(out);
 }
 
-void ProfileSampler::sample(double depth_m, const SampledSector& sector, std::size_t first,
-                            SampledProfile& out) const {
+void ProfileSampler::sample(const SampledSector& sector, std::size_t first,
+                            std::span<SampledProfile* const> profiles) const {
   const auto& [cutter, view, to_page, columns] = sector;
-  thread_local HeightsAlong ground;
-  const PlacesAlong at{columns.first_u_m(view, depth_m), columns.step_u_m(view, depth_m),
-                       columns.count};
-  cutter.heights(depth_m, at, ground);
-  std::ranges::copy(ground.is_level, out.is_level.begin() + static_cast<std::ptrdiff_t>(first));
-  for (std::size_t i = 0; i < columns.count; ++i) {
-    if (std::isnan(ground.z_m[i])) continue;
-    const ProfilePoint here{at[i], depth_m, ground.z_m[i]};
-    const Vec2 plane = project(view, here);
-    if (!(to_page.w(plane) > 0)) continue;
-    Vec2 page = to_page(plane);
-    if (page_) {
-      const auto& fan = columns.fan[i];
-      page = {page_->x_mm(fan.azimuth), page_->y_mm(page_->tangent(here))};
+  thread_local std::array<HeightsAlong, kAtOnce> grounds; // asked for once
+  std::vector<AskedProfile> asked;
+  for (const SampledProfile* const profile : profiles) {
+    const double depth_m = profile->depth_m;
+    const PlacesAlong at{columns.first_u_m(view, depth_m), columns.step_u_m(view, depth_m),
+                         columns.count};
+    asked.push_back({depth_m, at, &grounds[asked.size()]});
+  }
+  cutter.heights(asked);
+  for (std::size_t k = 0; k < profiles.size(); ++k) {
+    const HeightsAlong& ground = *asked[k].heights;
+    SampledProfile& out = *profiles[k];
+    std::ranges::copy(ground.is_level, out.is_level.begin() + static_cast<std::ptrdiff_t>(first));
+    put_on_page(sector.view, sector.to_page, asked[k], out, first);
+    if (!page_) continue;
+    for (std::size_t i = 0; i < columns.count; ++i) {
+      if (std::isnan(out.z_m[first + i])) continue;
+      const ProfilePoint here{asked[k].at[i], asked[k].depth_m, ground.z_m[i]};
+      out.x_mm[first + i] = static_cast<float>(page_->x_mm(columns.fan[i].azimuth));
+      out.y_mm[first + i] = static_cast<float>(page_->y_mm(page_->tangent(here)));
     }
-    out.z_m[first + i] = ground.z_m[i];
-    out.x_mm[first + i] = static_cast<float>(page.x);
-    out.y_mm[first + i] = static_cast<float>(page.y);
   }
 }
 

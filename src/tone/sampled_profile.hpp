@@ -9,17 +9,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "tone/page_columns.hpp"
 
 namespace orograph {
-
-/// How a line goes on the page about one place: from a column on its left to one on its right.
-struct WayOnPage {
-  float x_mm = 0, y_mm = 0, length_mm = 0;
-};
 
 /// One profile, a value a column.
 struct SampledProfile {
@@ -28,13 +24,8 @@ struct SampledProfile {
   int halvings = 0; ///< of the planned step, of what is between it and the one in front of it
   std::vector<double> z_m; ///< NaN where no ground is
   std::vector<std::uint8_t> is_level;
-  std::vector<float> x_mm, y_mm; ///< on the page
-  std::vector<WayOnPage> way;    ///< as ways_on_page has them
+  std::vector<float> x_mm, y_mm; ///< on the page; likewise
 };
-
-/// The way of each column of which the rest is known: between two columns on either side of it, or
-/// as many as have ground all the way; of no length where there is none on either side.
-void find_ways_on_page(SampledProfile& profile);
 
 /// What columns, one behind the other, see in one visibility plane.
 struct SampledSector {
@@ -55,12 +46,16 @@ public:
   ProfileSampler(std::vector<SampledSector> sectors, const PanoramaPage& page)
       : sectors_(std::move(sectors)), page_(page) {}
 
-  /// Fills all but level and halvings in.
-  void sample(double depth_m, SampledProfile& out) const;
+  /// As many as go well together.
+  static constexpr std::size_t kAtOnce = 4;
+
+  /// Of profiles of which depths, levels and halvings are known fills the rest in. REQUIRES that
+  /// there are no more than kAtOnce.
+  void sample(std::span<SampledProfile* const> profiles) const;
 
 private:
-  void sample(double depth_m, const SampledSector& sector, std::size_t first,
-              SampledProfile& out) const;
+  void sample(const SampledSector& sector, std::size_t first,
+              std::span<SampledProfile* const> profiles) const;
 
   std::vector<SampledSector> sectors_;
   std::optional<PanoramaPage> page_;

@@ -27,19 +27,23 @@ constexpr double kGapReach_mm = 0.5;
 // narrow ones. It is the octaves' mean: that of distances is what the widest are for a millimetre
 // into a slope seen edge-on, which then goes black.
 std::vector<float> planned_octaves(const PlanOnPage& plan, const PageColumns& columns) {
-  const auto sums = sums_on_page<
-      2>(plan.seen, columns, kGapReach_mm, [&](std::size_t j, std::size_t i) -> Sums<2> {
-    const float gap_mm = plan.seen[j].gap_mm[i];
-    if (plan.seen[j].sight[i] != Sight::next || !(gap_mm > 0)) return {0, 0};
-    return {gap_mm * (std::log2(gap_mm) + static_cast<float>(plan.profiles[j].halvings)), gap_mm};
-  });
+  const auto own = [&](std::size_t j, std::size_t first, std::size_t count, StripValues<2>& out) {
+    const float* const gap_mm = plan.seen[j].gap_mm.data() + first;
+    const Sight* const sight = plan.seen[j].sight.data() + first;
+    const auto halvings = static_cast<float>(plan.profiles[j].halvings);
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool counts = sight[k] == Sight::next && gap_mm[k] > 0;
+      out[0][k] = counts ? gap_mm[k] * (std::log2(gap_mm[k]) + halvings) : 0;
+      out[1][k] = counts ? gap_mm[k] : 0;
+    }
+  };
+  const auto sums = sums_on_page<2>(plan.seen, columns, kGapReach_mm, own);
   std::vector<float> octaves(sums.size() * columns.count);
   on_all_cores(sums.size(), [&](std::size_t j) {
-    for (std::size_t i = 0; i < columns.count; ++i) {
-      const auto [weighted, weight] = sums[j][i];
+    const float *const weighted = sums[j].data(), *const weights = weighted + columns.count;
+    for (std::size_t i = 0; i < columns.count; ++i)
       octaves[j * columns.count + i] =
-          weight > 0 ? weighted / weight : std::numeric_limits<float>::quiet_NaN();
-    }
+          weights[i] > 0 ? weighted[i] / weights[i] : std::numeric_limits<float>::quiet_NaN();
   });
   return octaves;
 }

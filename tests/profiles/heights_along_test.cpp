@@ -139,6 +139,23 @@ TEST_CASE("in degrees heights along a profile are those of its cut a metre aside
         CHECK(direct.z_m[i] < high + 2 * kAside_m);
       }
     }
+    // Asked together, profiles of different lengths are what each is alone.
+    std::vector<HeightsAlong> together(6);
+    std::vector<AskedProfile> asked;
+    const double size_m = cutter.farthest_m() - cutter.nearest_m();
+    for (HeightsAlong& heights_m : together)
+      asked.push_back({random.between(cutter.nearest_m(), cutter.farthest_m()),
+                       {-size_m, random.between(0.002, 0.02) * size_m,
+                        static_cast<std::size_t>(random.whole(1, 500))},
+                       &heights_m});
+    cutter.heights(asked);
+    for (const auto& [depth_m, at, of_all] : asked) {
+      HeightsAlong alone;
+      cutter.heights(depth_m, at, alone);
+      CHECK(std::ranges::equal(alone.z_m, of_all->z_m, [](double a, double b) {
+        return a == b || (std::isnan(a) && std::isnan(b));
+      }));
+    }
   }
   CHECK(compared > 500 * last_seed(60));
   CHECK(at_edges < compared / 100);

@@ -4,6 +4,7 @@
 
 #include "tests/support/random.hpp"
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -26,10 +27,10 @@ inline SampledProfile sampled(double depth_m, const std::vector<double>& z_m,
   profile.z_m = z_m;
   profile.is_level.assign(z_m.size(), 0);
   for (std::size_t i = 0; i < z_m.size(); ++i) {
-    profile.x_mm.push_back(static_cast<float>(columns.mm * static_cast<double>(i)));
+    const double x_mm = columns.mm * static_cast<double>(i);
+    profile.x_mm.push_back(static_cast<float>(std::isnan(z_m[i]) ? z_m[i] : x_mm));
     profile.y_mm.push_back(static_cast<float>(-z_m[i]));
   }
-  find_ways_on_page(profile);
   return profile;
 }
 

@@ -4,6 +4,7 @@
 #include "tests/support/random.hpp"
 #include "tests/tone/made_profiles.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tone/mean_on_page.hpp"
@@ -11,18 +12,18 @@
 namespace orograph::mean_on_page_test {
 
 TEST_CASE("sums on the page are those of all samples by their weights") {
-  const PageColumns columns{0, 1, 10, 0.5};
   const Box2 frame{{-100, -1000}, {100, 1000}};
   for (std::uint64_t seed = 1; seed <= last_seed(500); ++seed) {
     Random random(seed);
+    const PageColumns columns{0, 1, random.chance(0.1) ? 70U : 10U, 0.5}; // one strip, or three
     const std::vector<SampledProfile> profiles = made_profiles(random, columns);
     const auto seen = seen_profiles(profiles, columns, upright_view(), frame);
     std::vector<float> values;
     for (std::size_t k = 0; k < profiles.size() * columns.count; ++k)
       values.push_back(static_cast<float>(random.between(0, 1)));
     const double reach_mm = random.pick({0.1, 0.5, 1.0, 2.0});
-    const auto own = [&](std::size_t j, std::size_t i) {
-      return Sums<1>{values[j * columns.count + i]};
+    const auto own = [&](std::size_t j, std::size_t first, std::size_t count, StripValues<1>& out) {
+      std::copy_n(values.data() + j * columns.count + first, count, out[0].data());
     };
     const auto sums = sums_on_page<1>(seen, columns, reach_mm, own);
     // Of what lies between two profiles of a column.
@@ -49,7 +50,7 @@ TEST_CASE("sums on the page are those of all samples by their weights") {
                 expected += weight(j, k, at) * values[k * columns.count + at];
           }
         // Sums of up to 300 floats of up to 1.
-        all_right &= std::abs(sums[j][i][0] - expected) < 1e-3;
+        all_right &= std::abs(sums[j][i] - expected) < 1e-3;
       }
     INFO("seed " << seed << ", reach " << reach_mm);
     CHECK(all_right);

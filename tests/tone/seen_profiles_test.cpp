@@ -11,12 +11,13 @@
 namespace orograph::seen_profiles_test {
 
 TEST_CASE("a sample is seen that is higher than all in front of it, on the page") {
-  const PageColumns columns{0, 1, 12, 0.5};
   const Box2 frame{{1, -40}, {5, 40}};
   const View view = upright_view();
   std::size_t seen_count = 0, hidden_count = 0, gaps = 0;
   for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
     Random random(seed);
+    const bool is_wide = random.chance(0.1); // several tasks
+    const PageColumns columns{0, 1, is_wide ? 150U : 12U, is_wide ? 0.04 : 0.5};
     const std::vector<SampledProfile> profiles = made_profiles(random, columns);
     const std::vector<SeenProfile> seen = seen_profiles(profiles, columns, view, frame);
     REQUIRE(seen.size() == profiles.size());
