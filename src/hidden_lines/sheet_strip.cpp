@@ -2,10 +2,10 @@
 #include "hidden_lines/sheet_strip.hpp"
 
 #include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace orograph {
 
@@ -58,7 +58,7 @@ void SheetStrip::add_ground_line(std::uint32_t number) {
     return;
   }
   events_.push_back({turn_of(sheet_.order.place(triangle), SheetStep::inside), number, kLine,
-                     SheetEnd::turns, true, true, false});
+                     SheetEnd::turns, true, true});
 }
 
 // The side of a triangle that a line runs along from vertex to vertex.
@@ -94,8 +94,7 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
     const bool takes_left =
         right == kNoTriangle || (left != kNoTriangle && place(left) < place(right));
     events_.push_back({turn_of(place(takes_left ? left : right), SheetStep::inside), number, kLine,
-                       SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right),
-                       false});
+                       SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right)});
     return;
   }
   const std::uint32_t front = side > 0 ? left : right, behind = side > 0 ? right : left;
@@ -107,7 +106,7 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
                                                : SheetEnd::turns;
   const SheetTurn turn = front == kNoTriangle ? turn_of(place(behind), SheetStep::rim)
                                               : turn_of(place(front), SheetStep::behind);
-  events_.push_back({turn, number, kLine, end, is_asked, true, line.hides});
+  (line.hides ? hiding_ : events_).push_back({turn, number, kLine, end, is_asked, true});
 }
 
 void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
@@ -119,8 +118,7 @@ void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
       if (left[0] >= range_.end) break;
       const auto span = static_cast<std::uint32_t>(left - x.begin());
       if (profile.spans[span].is_there)
-        events_.push_back(
-            {profile.spans[span].turn, number, span, SheetEnd::turns, true, true, false});
+        events_.push_back({profile.spans[span].turn, number, span, SheetEnd::turns, true, true});
     }
   }
 }
@@ -128,10 +126,10 @@ void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
 void SheetStrip::run(std::span<const SheetProfile> profiles) {
   for (std::uint32_t i = 0; i < profiles.size(); ++i) add_spans(i, profiles[i]);
   throw_if_stopped();
-  std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
-    return std::tie(a.turn, a.hides, a.span, a.number) <
-           std::tie(b.turn, b.hides, b.span, b.number);
-  });
+  // What hides comes behind all else that has its turn.
+  events_.insert(events_.end(), hiding_.begin(), hiding_.end());
+  hiding_ = {};
+  sort_by_number(events_, [](const Event& event) { return event.turn; });
   std::size_t step = 0;
   for (const Event& event : events_) {
     throw_if_stopped(step++);

@@ -232,17 +232,19 @@ void Covered::take_in(Column& column, const CoveredCell& cell, std::uint32_t num
   // Bands below the source, then those that have to be asked closely.
   thread_local std::vector<std::array<Standing, 2>> standings;
   standings.clear();
-  std::uint32_t first = 0;
-  for (std::uint32_t i = 0; i < cell.count; ++i) {
+  // From where the sheet was: most often it is near there still.
+  const auto is_above = [&](std::uint32_t band) {
+    const Segment& top = sources_[column.bands[cell.first + band].top].line;
+    return source.id != top.id && height_above(source, top, begin, end).is_more_than(apart);
+  };
+  std::uint32_t first = std::min(cell.open, cell.count);
+  while (first < cell.count && is_above(first)) ++first;
+  while (first > 0 && !is_above(first - 1)) --first;
+  for (std::uint32_t i = first; i < cell.count; ++i) {
     const Band band = column.bands[cell.first + i];
-    const Standing to_top = standing(band.top);
-    if (standings.empty() && to_top.kind == Standing::Kind::above) {
-      ++first;
-      continue;
-    }
     const Standing to_bottom = standing(band.bottom);
-    if (to_bottom.kind == Standing::Kind::below && to_top.kind == Standing::Kind::below) break;
-    standings.push_back({to_bottom, to_top});
+    if (to_bottom.kind == Standing::Kind::below) break; // and below its top, and the next
+    standings.push_back({to_bottom, standing(band.top)});
   }
   const std::uint32_t beyond = first + static_cast<std::uint32_t>(standings.size());
   std::sort(breaks_.begin(), breaks_.end());
