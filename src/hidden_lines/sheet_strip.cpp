@@ -40,6 +40,13 @@ SheetStrip::SheetStrip(const SheetInWork& sheet, const Strip& strip,
   for (const LineAtDepth& line : which) add_line(line.line);
 }
 
+// Of edges as `pictures_` has it: from vertices that are known.
+ProfileLine SheetStrip::whole(std::uint32_t number) const {
+  if (!pictures_.is_edge(number) || pictures_.sector().keeps_strip) return pictures_.whole(number);
+  const SurfaceEdge edge = pictures_.line(number).edge;
+  return {sheet_.vertices[edge.from], sheet_.vertices[edge.to]};
+}
+
 void SheetStrip::add_line(std::uint32_t number) {
   const EdgeLine& line = pictures_.line(number);
   if (!line.drawn && !line.hides) return;
@@ -84,7 +91,7 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   const auto is_up = [&](std::uint32_t t) {
     return t != kNoTriangle && sheet_.sheet.is_up[t] != 0;
   };
-  const LinePicture picture = pictures_.picture(number, pictures_.whole(number));
+  const LinePicture picture = pictures_.picture(number, whole(number));
   const int side =
       eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[edge.to]);
   const auto place = [&](std::uint32_t t) { return sheet_.order.place(t); };
@@ -142,7 +149,7 @@ void SheetStrip::run(std::span<const SheetProfile> profiles) {
 }
 
 void SheetStrip::take_line(const Event& event) {
-  const LinePicture picture = pictures_.picture(event.number, pictures_.whole(event.number));
+  const LinePicture picture = pictures_.picture(event.number, whole(event.number));
   SurfaceLine line = pictures_.surface_line(event.number, picture);
   if (!pictures_.cut_to_range(line)) return;
   if (event.is_asked) {

@@ -82,6 +82,7 @@ private:
   };
   static constexpr std::uint32_t kLine = 0xffffffff;
 
+  ProfileLine whole(std::uint32_t number) const;
   void add_line(std::uint32_t number);
   void add_ground_line(std::uint32_t number);
   std::optional<SurfaceEdge> edge_under(const ProfileLine& line, std::uint32_t triangle) const;
