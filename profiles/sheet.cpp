@@ -35,12 +35,16 @@ SheetTriangles::SheetTriangles(const Surface& surface)
     there_.resize(count_);
     std::visit(
         [&](const auto& heights) {
-          in_tasks(count_, [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t t = begin; t < end; ++t) {
-              const auto corner = corners(static_cast<std::uint32_t>(t));
-              there_[t] = std::ranges::none_of(corner, [&](std::uint32_t i) {
-                return std::isnan(static_cast<double>(heights[i]));
-              });
+          const auto columns = static_cast<std::size_t>(grid_->columns), cells = columns - 1;
+          const auto is_nan = [&](std::size_t vertex) {
+            return std::isnan(static_cast<double>(heights[vertex]));
+          };
+          in_tasks(count_ / 2, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t cell = begin; cell < end; ++cell) {
+              const std::size_t first = cell + cell / cells, below = first + columns;
+              const bool is_diagonal = !is_nan(first) && !is_nan(below + 1);
+              there_[2 * cell] = is_diagonal && !is_nan(below);
+              there_[2 * cell + 1] = is_diagonal && !is_nan(first + 1);
             }
           });
         },

@@ -57,25 +57,25 @@ void Covered::add_seen(const Segment& line, double x_begin, double x_end,
     if (!(from < to)) continue;
     const Extent extent = extent_of(line, from, to);
     const double slack = tolerance.greatest_y + rounding_of(extent);
-    if (column.is_one_band && extent.low > column.inner_low + slack &&
-        extent.high < column.inner_high - slack)
-      continue;
+    if (extent.low > column.inner_low + slack && extent.high < column.inner_high - slack) continue;
     if (extent.low > column.high + slack || extent.high < column.low - slack) {
       append(seen, {parameter_at(line, from), parameter_at(line, to)});
       continue;
     }
-    for (std::size_t k = column.cell_at(from);
-         k < column.cells.size() && column.cells[k].x_begin < to; ++k) {
+    double begin = from, y_begin = height_at(line, from);
+    for (std::size_t k = column.cell_at(from); begin < to; ++k) {
       const CoveredCell& cell = column.cells[k];
-      const double begin = std::max(from, cell.x_begin), end = std::min(to, cell.x_end);
-      if (!(begin < end)) continue;
-      const Extent here = extent_of(line, begin, end);
-      if (here.low > cell.inner_low + slack && here.high < cell.inner_high - slack) continue;
-      const Shares all{parameter_at(line, begin), parameter_at(line, end)};
-      if (here.low > cell.high + slack || here.high < cell.low - slack)
-        append(seen, all);
-      else
-        add_seen_in(column.bands_of(cell), line, begin, end, all, tolerance, seen);
+      const double end = std::min(to, cell.x_end), y_end = height_at(line, end);
+      const double low = std::min(y_begin, y_end), high = std::max(y_begin, y_end);
+      if (!(low > cell.inner_low + slack && high < cell.inner_high - slack)) {
+        const Shares all{parameter_at(line, begin), parameter_at(line, end)};
+        if (low > cell.high + slack || high < cell.low - slack)
+          append(seen, all);
+        else
+          add_seen_in(column.bands_of(cell), line, begin, end, all, tolerance, seen);
+      }
+      begin = end;
+      y_begin = y_end;
     }
   }
 }
