@@ -2,6 +2,7 @@
 #include "profiles/sheet.hpp"
 
 #include "geometry/error.hpp"
+#include "geometry/large_pages.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "profiles/facing.hpp"
 #include "profiles/mesh.hpp"
@@ -96,7 +97,8 @@ std::vector<ProfilePoint> vertices_in(const Surface& surface, const View& view) 
     return out;
   }
   const Grid& grid = std::get<Grid>(surface);
-  std::vector<ProfilePoint> out(grid.size());
+  std::vector<ProfilePoint> out;
+  fill_on_large_pages(out, grid.size(), {});
   std::visit(
       [&](const auto& lattice, const auto& heights) {
         in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {

@@ -119,6 +119,7 @@ std::vector<SheetProfile> sheet_profiles(const SheetInWork& sheet,
   std::vector<std::vector<Passage>> of_tasks((count + kOfTask - 1) / kOfTask);
   on_all_cores(of_tasks.size(), [&](std::size_t task) {
     const std::size_t end = std::min(count, (task + 1) * kOfTask);
+    of_tasks[task].reserve(kOfTask);
     PassagesOfTriangles passages(sheet, profiles, depths_m);
     for (std::size_t t = task * kOfTask; t < end; ++t)
       if (sheet.sheet.triangles.is_there(static_cast<std::uint32_t>(t)))
@@ -155,7 +156,12 @@ SectorParts sheet_pass(const SectorInWork& work, const LayOut& lay_out, const Sh
   watch.mark(seconds.facing);
   const ProfileStages stages(work, lay_out, strips.size());
   std::vector<TimedProfile> profiles(work.sector.profiles.size());
-  on_all_cores(profiles.size(), [&](std::size_t i) { stages.cut(profiles[i], i); });
+  on_all_cores(profiles.size(), [&](std::size_t i) {
+    thread_local TimedProfile cut; // so that all of them take no more memory than they need
+    stages.cut(cut, i);
+    profiles[i] = cut;
+    cut.cut_s = cut.project_s = 0;
+  });
   {
     const std::vector<SheetProfile> of_sheet = sheet_profiles(sheet, profiles);
     on_all_cores(strips.size(), [&](std::size_t i) { strips[i]->run(of_sheet); });

@@ -131,7 +131,9 @@ void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
 }
 
 void SheetStrip::run(std::span<const SheetProfile> profiles) {
+  const std::size_t lines = events_.size();
   for (std::uint32_t i = 0; i < profiles.size(); ++i) add_spans(i, profiles[i]);
+  spans_.reserve(events_.size() - lines);
   throw_if_stopped();
   // What hides comes behind all else that has its turn.
   events_.insert(events_.end(), hiding_.begin(), hiding_.end());
