@@ -55,7 +55,7 @@ class Walls {
 public:
   Walls(const TerrainData& terrain, const PlacedView& placed, const Style& style,
         const SeenGround* ground, GroundLines& out)
-      : terrain_(terrain), placed_(placed), view_(placed.view),
+      : terrain_(terrain), placed_(placed), view_(placed.view), is_all_looked_at_(!ground),
         first_point_(static_cast<std::uint32_t>(vertex_count(terrain.surface))), out_(out) {
     const std::size_t count = placed.border.size();
     find_ends();
@@ -92,6 +92,7 @@ public:
   // At equal steps of what the page shows to the right.
   void add_hatching(double spacing_mm) {
     const auto feature = add_feature({LineKind::wall, {}});
+    constexpr double kAnywhere = std::numeric_limits<double>::infinity();
     const XRange range = page_range(placed_.sectors.front());
     const bool by_azimuth =
         placed_.panorama || !std::isfinite(range.begin) || !std::isfinite(range.end);
@@ -100,10 +101,14 @@ public:
                         : by_azimuth
                             ? kAroundEye
                             : spacing_mm * (range.end - range.begin) / placed_.frame_mm.width();
+    // A wall near the eye may be many pages wide.
+    const XRange within = is_all_looked_at_ || by_azimuth
+                              ? XRange{-kAnywhere, kAnywhere}
+                              : XRange{range.begin - step, range.end + step};
     for (std::uint32_t i = 0; i < sides_.size(); ++i) {
       if (!sides_[i].has_lines()) continue;
       const ProfilePoint a = ends_[sides_[i].from].top, b = ends_[sides_[i].to].top;
-      for_each_step(a, b, by_azimuth, step, [&](double t) {
+      for_each_step(a, b, by_azimuth, step, within, [&](double t) {
         if (t >= 0 && t < 1) add_upright(i, t, feature);
       });
     }
@@ -160,12 +165,13 @@ private:
     return a.v * b.u - a.u * b.v > kEdgeOn * size * away;
   }
 
-  // Shares of the way from a to b at which the page shows whole steps.
+  // Shares of the way from a to b at which the page shows whole steps, of those that are within.
   template <class Take>
-  void for_each_step(ProfilePoint a, ProfilePoint b, bool by_azimuth, double step,
+  void for_each_step(ProfilePoint a, ProfilePoint b, bool by_azimuth, double step, XRange within,
                      const Take& take) const {
     const auto steps = [&](double from, double to, const auto& share_at) {
-      const auto [low, high] = std::minmax(from, to);
+      const double low = std::max(std::min(from, to), within.begin),
+                   high = std::min(std::max(from, to), within.end);
       constexpr double kMost = 1e5;
       if (!((high - low) / step < kMost)) return;
       for (double k = std::ceil(low / step); k * step < high; ++k) take(share_at(k * step));
@@ -291,6 +297,7 @@ private:
   const TerrainData& terrain_;
   const PlacedView& placed_;
   const View& view_;
+  bool is_all_looked_at_;
   std::uint32_t first_point_;
   GroundLines& out_;
   std::vector<End> ends_;   ///< by vertex
