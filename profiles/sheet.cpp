@@ -2,6 +2,7 @@
 #include "profiles/sheet.hpp"
 
 #include "geometry/error.hpp"
+#include "geometry/large_pages.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "profiles/facing.hpp"
 #include "profiles/mesh.hpp"
@@ -35,12 +36,16 @@ SheetTriangles::SheetTriangles(const Surface& surface)
     there_.resize(count_);
     std::visit(
         [&](const auto& heights) {
-          in_tasks(count_, [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t t = begin; t < end; ++t) {
-              const auto corner = corners(static_cast<std::uint32_t>(t));
-              there_[t] = std::ranges::none_of(corner, [&](std::uint32_t i) {
-                return std::isnan(static_cast<double>(heights[i]));
-              });
+          const auto columns = static_cast<std::size_t>(grid_->columns), cells = columns - 1;
+          const auto is_nan = [&](std::size_t vertex) {
+            return std::isnan(static_cast<double>(heights[vertex]));
+          };
+          in_tasks(count_ / 2, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t cell = begin; cell < end; ++cell) {
+              const std::size_t first = cell + cell / cells, below = first + columns;
+              const bool is_diagonal = !is_nan(first) && !is_nan(below + 1);
+              there_[2 * cell] = is_diagonal && !is_nan(below);
+              there_[2 * cell + 1] = is_diagonal && !is_nan(first + 1);
             }
           });
         },
@@ -84,35 +89,87 @@ SheetTriangles::Sides SheetTriangles::sides_of(SurfaceEdge edge) const {
 }
 
 std::vector<ProfilePoint> vertices_in(const Surface& surface, const View& view) {
-  const Grid* const grid = std::get_if<Grid>(&surface);
-  std::vector<ProfilePoint> out(grid ? grid->size() : std::get<Tin>(surface).vertices_m.size());
-  if (grid && !grid->is_on_earth()) {
-    std::visit(
-        [&](const auto& heights) {
-          const PlaneLattice& lattice = grid->plane();
-          in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            const auto columns = static_cast<std::size_t>(grid->columns);
-            for (std::size_t i = begin, row = begin / columns, at = begin % columns; i < end; ++i) {
-              out[i] = to_profile_frame(
-                  view, lattice.vertex_m(static_cast<int>(at), static_cast<int>(row), heights[i]));
-              if (++at == columns) {
-                at = 0;
-                ++row;
-              }
-            }
-          });
-        },
-        grid->heights_m);
+  if (const Tin* tin = std::get_if<Tin>(&surface)) {
+    std::vector<ProfilePoint> out(tin->vertices_m.size());
+    in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) out[i] = to_profile_frame(view, tin->vertices_m[i]);
+    });
     return out;
   }
-  in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto number = static_cast<std::uint32_t>(i);
-      out[i] = line_of(surface, view, {number, number}).from;
-    }
-  });
+  const Grid& grid = std::get<Grid>(surface);
+  std::vector<ProfilePoint> out;
+  fill_on_large_pages(out, grid.size(), {});
+  std::visit(
+      [&](const auto& lattice, const auto& heights) {
+        in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+          const auto columns = static_cast<std::size_t>(grid.columns);
+          for (std::size_t i = begin, row = begin / columns, at = begin % columns; i < end; ++i) {
+            out[i] = to_profile_frame(
+                view, lattice.vertex_m(static_cast<int>(at), static_cast<int>(row), heights[i]));
+            if (++at == columns) {
+              at = 0;
+              ++row;
+            }
+          }
+        });
+      },
+      grid.lattice, grid.heights_m);
   return out;
 }
+
+namespace {
+
+// Edges at which the side of the sheet that the eye sees changes.
+struct Turns {
+  std::vector<SurfaceEdge> ridges, valleys;
+};
+
+void add_turn(const Sheet& sheet, const View& view, SurfaceEdge edge, Turns& out) {
+  const int side = eye_side(view, sheet.vertices[edge.from], sheet.vertices[edge.to]);
+  if (side == 0) return; // straight away from the eye, or towards it
+  const auto [left, right] = sheet.triangles.sides_of(edge);
+  const bool front_is_up = sheet.is_up[side > 0 ? left : right] != 0;
+  (front_is_up ? out.ridges : out.valleys).push_back(edge);
+}
+
+// By vertex: of its edges to the east, the south and the south-east.
+void add_turns_of_grid(const Sheet& sheet, const Grid& grid, const View& view, std::size_t begin,
+                       std::size_t end, Turns& out) {
+  const auto columns = static_cast<std::size_t>(grid.columns), cells = columns - 1,
+             rows = static_cast<std::size_t>(grid.rows) - 1;
+  const auto differ = [&](std::size_t t, std::size_t other) {
+    return sheet.is_up[t] != sheet.is_up[other] &&
+           sheet.triangles.is_there(static_cast<std::uint32_t>(t)) &&
+           sheet.triangles.is_there(static_cast<std::uint32_t>(other));
+  };
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::size_t column = i % columns, row = i / columns;
+    if (column == cells || row == rows) continue;
+    const std::size_t lower = 2 * (row * cells + column), upper = lower + 1;
+    const auto add = [&](std::size_t to) {
+      add_turn(sheet, view, {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(to)}, out);
+    };
+    if (row > 0 && differ(upper, lower - 2 * cells)) add(i + 1);
+    if (column > 0 && differ(lower, lower - 1)) add(i + columns);
+    if (differ(lower, upper)) add(i + columns + 1);
+  }
+}
+
+void add_turns_of_tin(const Sheet& sheet, const View& view, std::size_t begin, std::size_t end,
+                      Turns& out) {
+  for (std::size_t t = begin; t < end; ++t) {
+    const auto number = static_cast<std::uint32_t>(t);
+    const auto corners = sheet.triangles.corners(number);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = sheet.triangles.across(number, k);
+      if (other == kNoTriangle || other < number || sheet.is_up[other] == sheet.is_up[t]) continue;
+      const auto [from, to] = std::minmax({corners[(k + 1) % 3], corners[(k + 2) % 3]});
+      add_turn(sheet, view, {from, to}, out);
+    }
+  }
+}
+
+} // namespace
 
 Sheet sheet_of(const Surface& surface, const View& view) {
   if (const Tin* tin = std::get_if<Tin>(&surface); tin && !walls_of(*tin).empty())
@@ -136,35 +193,21 @@ Sheet sheet_of(const Surface& surface, const View& view) {
       sheet.is_up[t] = facing_of(view, vertices[a], vertices[b], vertices[c]) == kMayFace ? 1 : 0;
     }
   });
-  struct Found {
-    std::vector<SurfaceEdge> ridges, valleys;
-  };
-  std::vector<Found> of_tasks((triangles.count() + kOfTask - 1) / kOfTask);
-  in_tasks(triangles.count(), [&](std::size_t task, std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto number = static_cast<std::uint32_t>(t);
-      if (!triangles.is_there(number)) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t other = triangles.across(number, k);
-        if (other == kNoTriangle || other < number || sheet.is_up[other] == sheet.is_up[t])
-          continue;
-        const auto corners = triangles.corners(number);
-        const std::uint32_t a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
-        // The triangle itself is on the left of a -> b.
-        const int side =
-            eye_side(view, vertices[std::min(a, b)], vertices[std::max(a, b)]) * (a < b ? 1 : -1);
-        if (side == 0) continue; // straight away from the eye, or towards it
-        const bool front_is_up = sheet.is_up[side > 0 ? t : other] != 0;
-        (front_is_up ? of_tasks[task].ridges : of_tasks[task].valleys)
-            .push_back({std::min(a, b), std::max(a, b)});
-      }
-    }
+  const Grid* const grid = std::get_if<Grid>(&surface);
+  const std::size_t count = grid ? grid->size() : triangles.count();
+  std::vector<Turns> of_tasks((count + kOfTask - 1) / kOfTask);
+  in_tasks(count, [&](std::size_t task, std::size_t begin, std::size_t end) {
+    if (grid)
+      add_turns_of_grid(sheet, *grid, view, begin, end, of_tasks[task]);
+    else
+      add_turns_of_tin(sheet, view, begin, end, of_tasks[task]);
   });
-  for (Found& found : of_tasks) {
+  for (Turns& found : of_tasks) {
     throw_if_stopped();
     sheet.ridges.insert(sheet.ridges.end(), found.ridges.begin(), found.ridges.end());
     sheet.valleys.insert(sheet.valleys.end(), found.valleys.begin(), found.valleys.end());
   }
+  if (grid) return sheet; // in order already
   std::sort(sheet.ridges.begin(), sheet.ridges.end());
   std::sort(sheet.valleys.begin(), sheet.valleys.end());
   return sheet;

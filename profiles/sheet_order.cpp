@@ -6,6 +6,7 @@
 #include "profiles/slab_lines.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -169,24 +170,154 @@ std::vector<std::uint32_t> sorted_places(const SheetTriangles& triangles,
   return places;
 }
 
+// Of cells side by side the one that comes first, the others outwards from it.
+struct FirstCell {
+  std::uint32_t number = 0;
+  bool is_passed = false, is_one = true;
+
+  // Edge k is between cells k - 1 and k. `side`: above 0 where k is the one in front.
+  void take(std::uint32_t edge, int side) {
+    if (side < 0) is_passed = true;
+    if (side > 0) {
+      is_one = is_one && !is_passed;
+      number = edge;
+    }
+  }
+};
+
+// Vertices of a lattice on the earth, row by row. Where one isn't there the ground goes on as high
+// as before it.
+class FilledRows {
+public:
+  FilledRows(const Grid& grid, std::span<const ProfilePoint> vertices, const View& view)
+      : grid_(grid), vertices_(vertices), view_(view) {}
+
+  // Tells whether any was filled.
+  bool read(int row, std::vector<ProfilePoint>& out) {
+    const auto first = vertices_.begin() + static_cast<std::ptrdiff_t>(grid_.index(0, row));
+    out.assign(first, first + grid_.columns);
+    bool is_filled = false, was_there = false;
+    for (int column = 0; column < grid_.columns; ++column) {
+      ProfilePoint& at = out[static_cast<std::size_t>(column)];
+      const bool is_there = !std::isnan(at.z);
+      if (!is_there) {
+        if (was_there) height_m_ = grid_.height_m(column - 1, row);
+        at = to_profile_frame(view_, grid_.earth().vertex_m(column, row, height_m_));
+        is_filled = true;
+      }
+      was_there = is_there;
+    }
+    return is_filled;
+  }
+
+private:
+  const Grid& grid_;
+  std::span<const ProfilePoint> vertices_;
+  const View& view_;
+  double height_m_ = 0;
+};
+
+// Whether the triangles of the cells between two rows lie side by side, none turned over.
+bool are_apart(std::span<const ProfilePoint> above, std::span<const ProfilePoint> below) {
+  const auto turn = [](ProfilePoint a, ProfilePoint b, ProfilePoint c) {
+    return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+  };
+  for (std::size_t i = 0; i + 1 < above.size(); ++i)
+    if (!(turn(above[i], below[i], below[i + 1]) > 0) ||
+        !(turn(above[i], below[i + 1], above[i + 1]) > 0))
+      return false;
+  return true;
+}
+
+// What is on either side of the lines between strips of cells.
+struct SidesOfLines {
+  bool any_in_front = false, any_behind = false; // the strip of the higher number
+  void take(int side) {
+    any_in_front = any_in_front || side > 0;
+    any_behind = any_behind || side < 0;
+  }
+  bool is_one() const { return !any_in_front || !any_behind; }
+};
+
 } // namespace
+
+std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid,
+                                               std::span<const ProfilePoint> vertices,
+                                               const View& view, double from_m) {
+  const auto columns = static_cast<std::size_t>(grid.columns),
+             rows = static_cast<std::size_t>(grid.rows);
+  std::vector<FirstCell> in_row(rows - 1), in_column(columns - 1);
+  SidesOfLines of_rows, of_columns;
+  FilledRows filled(grid, vertices, view);
+  std::vector<ProfilePoint> above, row;
+  bool was_filled = false;
+  for (std::size_t r = 0; r < rows; ++r) {
+    throw_if_stopped();
+    const bool is_filled = filled.read(static_cast<int>(r), row);
+    for (std::size_t c = 0; c < columns; ++c) {
+      if (!(row[c].v > from_m)) return std::nullopt;
+      if (c > 0) { // the eye is north of it where the row before is in front
+        const int side = -eye_side(view, row[c - 1], row[c]);
+        of_rows.take(side);
+        in_column[c - 1].take(static_cast<std::uint32_t>(r), side);
+      }
+      if (r > 0) {
+        const int side = eye_side(view, above[c], row[c]);
+        of_columns.take(side);
+        in_row[r - 1].take(static_cast<std::uint32_t>(c), side);
+      }
+    }
+    if (r > 0 && (is_filled || was_filled) && !are_apart(above, row)) return std::nullopt;
+    was_filled = is_filled;
+    above.swap(row);
+  }
+  const auto made = [&](bool are_rows, const SidesOfLines& lines,
+                        const std::vector<FirstCell>& first,
+                        std::size_t cells) -> std::optional<StripsOfCells> {
+    if (!lines.is_one() || !std::ranges::all_of(first, &FirstCell::is_one)) return std::nullopt;
+    StripsOfCells out{are_rows, !lines.any_in_front, static_cast<std::uint32_t>(cells), {}};
+    for (const FirstCell& of : first)
+      out.first.push_back(std::min(of.number, static_cast<std::uint32_t>(cells) - 1));
+    return out;
+  };
+  auto by_rows = made(true, of_rows, in_row, columns - 1);
+  return by_rows ? std::move(by_rows) : made(false, of_columns, in_column, rows - 1);
+}
+
+std::uint32_t StripsOfCells::place(std::uint32_t column, std::uint32_t row) const {
+  const std::uint32_t strip = are_rows ? row : column, cell = are_rows ? column : row;
+  const auto strips = static_cast<std::uint32_t>(first.size());
+  const std::uint32_t from = first[strip];
+  const std::uint32_t outwards = cell >= from ? cell - from : cells - 1 - cell;
+  return (rises ? strip : strips - 1 - strip) * cells + outwards;
+}
 
 SheetOrder::SheetOrder(const Surface& surface, const SheetTriangles& triangles,
                        std::span<const ProfilePoint> vertices,
-                       const std::vector<BorderEdge>& border, const View& view, double from_m) {
+                       const std::vector<BorderEdge>& border, const View& view, double from_m)
+    : view_(view), triangles_(triangles), vertices_(vertices) {
   const Grid* const grid = std::get_if<Grid>(&surface);
+  if (grid) cells_ = static_cast<std::uint32_t>(grid->columns - 1);
   if (grid && !grid->is_on_earth()) {
     lattice_.emplace(*grid, view);
-    cells_ = static_cast<std::uint32_t>(grid->columns - 1);
     return;
   }
+  if (grid) strips_ = StripsOfCells::of(*grid, vertices, view, from_m);
+  if (strips_) return;
   places_ = sorted_places(triangles, vertices, border, view, from_m);
 }
 
 std::uint64_t SheetOrder::place(std::uint32_t t) const {
-  if (!lattice_) return places_[t];
-  return lattice_->turn(static_cast<int>(t / 2 % cells_), static_cast<int>(t / 2 / cells_),
-                        t % 2 == 0 ? Half::lower : Half::upper);
+  const std::uint32_t column = t / 2 % cells_, row = t / 2 / cells_;
+  if (lattice_)
+    return lattice_->turn(static_cast<int>(column), static_cast<int>(row),
+                          t % 2 == 0 ? Half::lower : Half::upper);
+  if (!strips_) return places_[t];
+  // The upper triangle is on the left of the diagonal.
+  const auto corners = triangles_.corners(t);
+  const auto [from, to] = std::minmax_element(corners.begin(), corners.end());
+  const bool upper_is_near = eye_side(view_, vertices_[*from], vertices_[*to]) > 0;
+  return std::uint64_t{2} * strips_->place(column, row) + (upper_is_near == (t % 2 == 0) ? 1 : 0);
 }
 
 } // namespace orograph

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <gdal_alg.h>
 #include <gdal_priv.h>
-#include <sys/mman.h>
 
 #include <algorithm>
 #include <cmath>
@@ -296,16 +295,6 @@ FilledVoids fill_voids(Grid& grid, double cells) {
   return std::visit(
       [&](auto& heights) { return fill(heights.own(), grid.columns, grid.rows, cells); },
       grid.heights_m);
-}
-
-void use_large_pages(void* begin, std::size_t bytes) noexcept {
-  constexpr std::uintptr_t kPage = 4096; // smaller where there are larger ones: then it is refused
-  constexpr std::size_t kWorthIt = 4 << 20;
-  if (bytes < kWorthIt) return;
-  const auto from = reinterpret_cast<std::uintptr_t>(begin);
-  const std::uintptr_t first = (from + kPage - 1) / kPage * kPage,
-                       end = (from + bytes) / kPage * kPage;
-  ::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
 }
 
 } // namespace orograph

@@ -3,6 +3,7 @@
 
 #include "dem/read/length_units.hpp"
 #include "geometry/error.hpp"
+#include "geometry/large_pages.hpp"
 #include "geometry/on_all_cores.hpp"
 
 #include <gdal_priv.h>

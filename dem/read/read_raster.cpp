@@ -10,6 +10,7 @@
 #include "dem/read/raster_shares.hpp"
 #include "dem/read/raster_source.hpp"
 #include "geometry/error.hpp"
+#include "geometry/large_pages.hpp"
 
 #include <fmt/format.h>
 

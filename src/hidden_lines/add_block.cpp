@@ -8,6 +8,7 @@
 #include "placing/block.hpp"
 #include "placing/contours.hpp"
 #include "placing/vertex_values.hpp"
+#include "profiles/mesh.hpp"
 #include "profiles/outline.hpp"
 
 #include <algorithm>
@@ -27,6 +28,9 @@ namespace {
 struct Side {
   std::uint32_t from, to; ///< numbers of ends
   bool is_towards_eye;
+  bool is_looked_at; ///< its ground is: else nothing of the wall below shows
+
+  bool has_lines() const { return is_towards_eye && is_looked_at; }
 };
 
 // A vertex of the border.
@@ -49,8 +53,9 @@ constexpr std::size_t kOfTask = std::size_t{1} << 12U;
 
 class Walls {
 public:
-  Walls(const TerrainData& terrain, const PlacedView& placed, const Style& style, GroundLines& out)
-      : terrain_(terrain), placed_(placed), view_(placed.view),
+  Walls(const TerrainData& terrain, const PlacedView& placed, const Style& style,
+        const SeenGround* ground, GroundLines& out)
+      : terrain_(terrain), placed_(placed), view_(placed.view), is_all_looked_at_(!ground),
         first_point_(static_cast<std::uint32_t>(vertex_count(terrain.surface))), out_(out) {
     const std::size_t count = placed.border.size();
     find_ends();
@@ -59,7 +64,8 @@ public:
       for (std::size_t i = task * kOfTask; i < std::min(count, (task + 1) * kOfTask); ++i) {
         const auto& [edge, left] = placed.border[i];
         Side& side = sides_[i];
-        side = {end_of(left ? edge.from : edge.to), end_of(left ? edge.to : edge.from), false};
+        side = {end_of(left ? edge.from : edge.to), end_of(left ? edge.to : edge.from), false,
+                !ground || is_looked_at(*ground, edge)};
         side.is_towards_eye = is_towards_eye(ends_[side.from].top, ends_[side.to].top);
       }
     });
@@ -74,9 +80,9 @@ public:
   void add_outline() {
     const auto feature = add_feature({LineKind::block, {}});
     for (std::uint32_t i = 0; i < sides_.size(); ++i) {
-      const auto& [from, to, is_towards_eye] = sides_[i];
-      if (of_void_[i]) add_line(rim(from), rim(to), i, feature);
-      if (!is_towards_eye) continue;
+      const auto& [from, to, is_towards_eye, is_looked_at] = sides_[i];
+      if (of_void_[i] && is_looked_at) add_line(rim(from), rim(to), i, feature);
+      if (!sides_[i].has_lines()) continue;
       add_line(foot(from), foot(to), i, feature);
       if (is_corner(i, false)) add_upright(i, 0, feature);
       if (is_corner(i, true)) add_upright(i, 1, feature);
@@ -86,6 +92,7 @@ public:
   // At equal steps of what the page shows to the right.
   void add_hatching(double spacing_mm) {
     const auto feature = add_feature({LineKind::wall, {}});
+    constexpr double kAnywhere = std::numeric_limits<double>::infinity();
     const XRange range = page_range(placed_.sectors.front());
     const bool by_azimuth =
         placed_.panorama || !std::isfinite(range.begin) || !std::isfinite(range.end);
@@ -94,10 +101,14 @@ public:
                         : by_azimuth
                             ? kAroundEye
                             : spacing_mm * (range.end - range.begin) / placed_.frame_mm.width();
+    // A wall near the eye may be many pages wide.
+    const XRange within = is_all_looked_at_ || by_azimuth
+                              ? XRange{-kAnywhere, kAnywhere}
+                              : XRange{range.begin - step, range.end + step};
     for (std::uint32_t i = 0; i < sides_.size(); ++i) {
-      if (!sides_[i].is_towards_eye) continue;
+      if (!sides_[i].has_lines()) continue;
       const ProfilePoint a = ends_[sides_[i].from].top, b = ends_[sides_[i].to].top;
-      for_each_step(a, b, by_azimuth, step, [&](double t) {
+      for_each_step(a, b, by_azimuth, step, within, [&](double t) {
         if (t >= 0 && t < 1) add_upright(i, t, feature);
       });
     }
@@ -116,8 +127,8 @@ public:
         return at_level[end];
       };
       for (std::uint32_t i = 0; i < sides_.size(); ++i) {
-        const auto& [from, to, is_towards_eye] = sides_[i];
-        if (!is_towards_eye) continue;
+        if (!sides_[i].has_lines()) continue;
+        const std::uint32_t from = sides_[i].from, to = sides_[i].to;
         const double from_m = ends_[from].height_m, to_m = ends_[to].height_m;
         if (std::max(from_m, to_m) <= level_m) continue;
         if (std::min(from_m, to_m) >= level_m) {
@@ -135,6 +146,16 @@ public:
   }
 
 private:
+  // What of a wall is seen has its edge above it, which is seen then.
+  bool is_looked_at(const SeenGround& ground, SurfaceEdge edge) const {
+    const Grid& grid = std::get<Grid>(terrain_.surface);
+    return std::ranges::any_of(std::array{true, false}, [&](bool left) {
+      const auto& [column, row, half] = side_of(grid, edge, left).triangle;
+      return column >= 0 && row >= 0 && column + 1 < grid.columns && row + 1 < grid.rows &&
+             ground.seen[ground.index(column / SeenGround::kSide, row / SeenGround::kSide)] != 0;
+    });
+  }
+
   bool is_towards_eye(ProfilePoint a, ProfilePoint b) const {
     // Of the length: on the page such a wall is less than a step of 0.0001 mm wide.
     constexpr double kEdgeOn = 1e-6;
@@ -144,12 +165,13 @@ private:
     return a.v * b.u - a.u * b.v > kEdgeOn * size * away;
   }
 
-  // Shares of the way from a to b at which the page shows whole steps.
+  // Shares of the way from a to b at which the page shows whole steps, of those that are within.
   template <class Take>
-  void for_each_step(ProfilePoint a, ProfilePoint b, bool by_azimuth, double step,
+  void for_each_step(ProfilePoint a, ProfilePoint b, bool by_azimuth, double step, XRange within,
                      const Take& take) const {
     const auto steps = [&](double from, double to, const auto& share_at) {
-      const auto [low, high] = std::minmax(from, to);
+      const double low = std::max(std::min(from, to), within.begin),
+                   high = std::min(std::max(from, to), within.end);
       constexpr double kMost = 1e5;
       if (!((high - low) / step < kMost)) return;
       for (double k = std::ceil(low / step); k * step < high; ++k) take(share_at(k * step));
@@ -262,7 +284,7 @@ private:
   void add_upright(std::uint32_t side, double share, std::uint32_t feature) {
     constexpr double kWithin = 1e-6;
     const double t = std::clamp(share, kWithin, 1 - kWithin);
-    const auto& [from, to, is_towards_eye] = sides_[side];
+    const std::uint32_t from = sides_[side].from, to = sides_[side].to;
     const ProfilePoint top = point_between(ends_[from].top, ends_[to].top, t);
     const double foot_z = point_between(ends_[from].foot, ends_[to].foot, t).z;
     add_line(add_point({top.u, top.v, foot_z}), add_point(top), side, feature);
@@ -275,6 +297,7 @@ private:
   const TerrainData& terrain_;
   const PlacedView& placed_;
   const View& view_;
+  bool is_all_looked_at_;
   std::uint32_t first_point_;
   GroundLines& out_;
   std::vector<End> ends_;   ///< by vertex
@@ -285,8 +308,8 @@ private:
 } // namespace
 
 void add_block(const TerrainData& terrain, const PlacedView& placed, const Style& style,
-               GroundLines& out) {
-  Walls walls(terrain, placed, style, out);
+               const SeenGround* ground, GroundLines& out) {
+  Walls walls(terrain, placed, style, ground, out);
   walls.add_outline();
   if (style.hatches_block()) walls.add_hatching(kPenWidthsApart * style.pen_width_mm);
   const bool contours = style.asks_for("contours"), index = style.draws_index_contours();

@@ -91,7 +91,7 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
     add_coordinate_lines(terrain, placed, ground, LineKind::grid,
                          map_grid_lines(terrain, style.grid_m), out);
   if (style.asks_for("hachures")) add_hachures(terrain, placed, style, out);
-  if (style.asks_for("block")) add_block(terrain, placed, style, out);
+  if (style.asks_for("block")) add_block(terrain, placed, style, ground, out);
   if (style.asks_for("drape")) add_overlays(terrain, placed, style.overlay_above_m, out);
   return out;
 }

@@ -58,8 +58,9 @@ void add_hachures(const TerrainData& terrain, const PlacedView& placed, const St
 
 /// Adds what is drawn of a block's walls that are turned to the eye: their foot and corners, and
 /// the rims of voids that have no layer; hatching; the contours' heights.
+/// `ground`: what is looked at, where that isn't all; other walls have no lines then.
 void add_block(const TerrainData& terrain, const PlacedView& placed, const Style& style,
-               GroundLines& out);
+               const SeenGround* ground, GroundLines& out);
 
 /// Of what lies on the ground to the right of a point, which has a picture.
 double mm_a_metre_at(const PlacedView& placed, ProfilePoint at);

@@ -35,30 +35,69 @@ std::optional<double> middle_of_cut(const std::array<ProfilePoint, 3>& corners, 
   return 0.5 * (u[0] + u[1]);
 }
 
-// A span along an edge belongs to the triangle in front of it, and is asked before that edge covers
-// anything; where there is none, to the one behind, before the edge itself.
-void add_passages(const SheetInWork& sheet, std::span<const TimedProfile> profiles,
-                  std::span<const double> depths_m, std::uint32_t triangle,
-                  std::vector<Passage>& out) {
-  const auto [a, b, c] = sheet.sheet.triangles.corners(triangle);
-  const std::array corners{sheet.vertices[a], sheet.vertices[b], sheet.vertices[c]};
-  const auto [nearest, farthest] = std::minmax({corners[0].v, corners[1].v, corners[2].v});
-  const auto first = std::lower_bound(depths_m.begin(), depths_m.end(), nearest);
-  for (auto at = first; at != depths_m.end() && *at <= farthest; ++at) {
-    const double depth_m = *at;
-    const auto profile = static_cast<std::size_t>(at - depths_m.begin());
-    const bool on_rim = depth_m == nearest;
-    const auto middle =
-        on_rim ? middle_of_cut(corners, depth_m, [&](ProfilePoint p) { return p.v <= depth_m; })
-               : middle_of_cut(corners, depth_m, [&](ProfilePoint p) { return p.v < depth_m; });
-    if (!middle) continue;
-    const std::vector<double>& u_m = profiles[profile].profile.profile.u_m;
-    const auto right = std::upper_bound(u_m.begin(), u_m.end(), *middle);
-    if (right == u_m.begin() || right == u_m.end()) continue;
-    out.push_back({static_cast<std::uint32_t>(profile),
-                   static_cast<std::uint32_t>(right - u_m.begin()) - 1, triangle, on_rim});
+// A list of rising numbers, in which what comes next is mostly near what was asked last.
+class Rising {
+public:
+  explicit Rising(std::span<const double> numbers) : numbers_(numbers) {}
+  std::size_t count() const { return numbers_.size(); }
+  // The number of the first that is greater.
+  std::size_t behind(double number) {
+    constexpr int kMostSteps = 8;
+    for (int i = 0; i < kMostSteps; ++i) {
+      if (at_ < numbers_.size() && numbers_[at_] <= number)
+        ++at_;
+      else if (at_ > 0 && numbers_[at_ - 1] > number)
+        --at_;
+      else
+        return at_;
+    }
+    at_ = static_cast<std::size_t>(std::upper_bound(numbers_.begin(), numbers_.end(), number) -
+                                   numbers_.begin());
+    return at_;
   }
-}
+
+private:
+  std::span<const double> numbers_;
+  std::size_t at_ = 0;
+};
+
+class PassagesOfTriangles {
+public:
+  PassagesOfTriangles(const SheetInWork& sheet, std::span<const TimedProfile> profiles,
+                      std::span<const double> depths_m)
+      : sheet_(sheet), depths_m_(depths_m), depths_(depths_m) {
+    for (const TimedProfile& of : profiles) spans_.emplace_back(of.profile.profile.u_m);
+  }
+
+  // A span along an edge belongs to the triangle in front of it, and is asked before that edge
+  // covers anything; where there is none, to the one behind, before the edge itself.
+  void add(std::uint32_t triangle, std::vector<Passage>& out) {
+    const auto [a, b, c] = sheet_.sheet.triangles.corners(triangle);
+    const ProfilePoint &p = sheet_.vertices[a], &q = sheet_.vertices[b], &r = sheet_.vertices[c];
+    const double nearest = std::min({p.v, q.v, r.v}), farthest = std::max({p.v, q.v, r.v});
+    std::size_t at = depths_.behind(nearest);
+    while (at > 0 && depths_m_[at - 1] == nearest) --at;
+    for (; at < depths_m_.size() && depths_m_[at] <= farthest; ++at) {
+      const double depth_m = depths_m_[at];
+      const bool on_rim = depth_m == nearest;
+      const std::array corners{p, q, r};
+      const auto middle =
+          on_rim ? middle_of_cut(corners, depth_m, [&](ProfilePoint of) { return of.v <= depth_m; })
+                 : middle_of_cut(corners, depth_m, [&](ProfilePoint of) { return of.v < depth_m; });
+      if (!middle) continue;
+      const std::size_t right = spans_[at].behind(*middle);
+      if (right == 0 || right == spans_[at].count()) continue;
+      out.push_back({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(right) - 1,
+                     triangle, on_rim});
+    }
+  }
+
+private:
+  const SheetInWork& sheet_;
+  std::span<const double> depths_m_;
+  Rising depths_;
+  std::vector<Rising> spans_; ///< by profile: its vertices' u
+};
 
 // Slivers that no triangle has been found for go with the span beside them.
 void fill_slivers(const Profile& profile, std::vector<SheetSpan>& spans) {
@@ -80,9 +119,11 @@ std::vector<SheetProfile> sheet_profiles(const SheetInWork& sheet,
   std::vector<std::vector<Passage>> of_tasks((count + kOfTask - 1) / kOfTask);
   on_all_cores(of_tasks.size(), [&](std::size_t task) {
     const std::size_t end = std::min(count, (task + 1) * kOfTask);
+    of_tasks[task].reserve(kOfTask);
+    PassagesOfTriangles passages(sheet, profiles, depths_m);
     for (std::size_t t = task * kOfTask; t < end; ++t)
       if (sheet.sheet.triangles.is_there(static_cast<std::uint32_t>(t)))
-        add_passages(sheet, profiles, depths_m, static_cast<std::uint32_t>(t), of_tasks[task]);
+        passages.add(static_cast<std::uint32_t>(t), of_tasks[task]);
   });
   std::vector<SheetProfile> out;
   for (const TimedProfile& of : profiles)
@@ -115,7 +156,12 @@ SectorParts sheet_pass(const SectorInWork& work, const LayOut& lay_out, const Sh
   watch.mark(seconds.facing);
   const ProfileStages stages(work, lay_out, strips.size());
   std::vector<TimedProfile> profiles(work.sector.profiles.size());
-  on_all_cores(profiles.size(), [&](std::size_t i) { stages.cut(profiles[i], i); });
+  on_all_cores(profiles.size(), [&](std::size_t i) {
+    thread_local TimedProfile cut; // so that all of them take no more memory than they need
+    stages.cut(cut, i);
+    profiles[i] = cut;
+    cut.cut_s = cut.project_s = 0;
+  });
   {
     const std::vector<SheetProfile> of_sheet = sheet_profiles(sheet, profiles);
     on_all_cores(strips.size(), [&](std::size_t i) { strips[i]->run(of_sheet); });

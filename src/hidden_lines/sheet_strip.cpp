@@ -2,10 +2,10 @@
 #include "hidden_lines/sheet_strip.hpp"
 
 #include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace orograph {
 
@@ -40,6 +40,13 @@ SheetStrip::SheetStrip(const SheetInWork& sheet, const Strip& strip,
   for (const LineAtDepth& line : which) add_line(line.line);
 }
 
+// Of edges as `pictures_` has it: from vertices that are known.
+ProfileLine SheetStrip::whole(std::uint32_t number) const {
+  if (!pictures_.is_edge(number) || pictures_.sector().keeps_strip) return pictures_.whole(number);
+  const SurfaceEdge edge = pictures_.line(number).edge;
+  return {sheet_.vertices[edge.from], sheet_.vertices[edge.to]};
+}
+
 void SheetStrip::add_line(std::uint32_t number) {
   const EdgeLine& line = pictures_.line(number);
   if (!line.drawn && !line.hides) return;
@@ -58,7 +65,7 @@ void SheetStrip::add_ground_line(std::uint32_t number) {
     return;
   }
   events_.push_back({turn_of(sheet_.order.place(triangle), SheetStep::inside), number, kLine,
-                     SheetEnd::turns, true, true, false});
+                     SheetEnd::turns, true, true});
 }
 
 // The side of a triangle that a line runs along from vertex to vertex.
@@ -84,7 +91,7 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   const auto is_up = [&](std::uint32_t t) {
     return t != kNoTriangle && sheet_.sheet.is_up[t] != 0;
   };
-  const LinePicture picture = pictures_.picture(number, pictures_.whole(number));
+  const LinePicture picture = pictures_.picture(number, whole(number));
   const int side =
       eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[edge.to]);
   const auto place = [&](std::uint32_t t) { return sheet_.order.place(t); };
@@ -94,8 +101,7 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
     const bool takes_left =
         right == kNoTriangle || (left != kNoTriangle && place(left) < place(right));
     events_.push_back({turn_of(place(takes_left ? left : right), SheetStep::inside), number, kLine,
-                       SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right),
-                       false});
+                       SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right)});
     return;
   }
   const std::uint32_t front = side > 0 ? left : right, behind = side > 0 ? right : left;
@@ -107,7 +113,7 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
                                                : SheetEnd::turns;
   const SheetTurn turn = front == kNoTriangle ? turn_of(place(behind), SheetStep::rim)
                                               : turn_of(place(front), SheetStep::behind);
-  events_.push_back({turn, number, kLine, end, is_asked, true, line.hides});
+  (line.hides ? hiding_ : events_).push_back({turn, number, kLine, end, is_asked, true});
 }
 
 void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
@@ -119,19 +125,20 @@ void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
       if (left[0] >= range_.end) break;
       const auto span = static_cast<std::uint32_t>(left - x.begin());
       if (profile.spans[span].is_there)
-        events_.push_back(
-            {profile.spans[span].turn, number, span, SheetEnd::turns, true, true, false});
+        events_.push_back({profile.spans[span].turn, number, span, SheetEnd::turns, true, true});
     }
   }
 }
 
 void SheetStrip::run(std::span<const SheetProfile> profiles) {
+  const std::size_t lines = events_.size();
   for (std::uint32_t i = 0; i < profiles.size(); ++i) add_spans(i, profiles[i]);
+  spans_.reserve(events_.size() - lines);
   throw_if_stopped();
-  std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
-    return std::tie(a.turn, a.hides, a.span, a.number) <
-           std::tie(b.turn, b.hides, b.span, b.number);
-  });
+  // What hides comes behind all else that has its turn.
+  events_.insert(events_.end(), hiding_.begin(), hiding_.end());
+  hiding_ = {};
+  sort_by_number(events_, [](const Event& event) { return event.turn; });
   std::size_t step = 0;
   for (const Event& event : events_) {
     throw_if_stopped(step++);
@@ -144,7 +151,7 @@ void SheetStrip::run(std::span<const SheetProfile> profiles) {
 }
 
 void SheetStrip::take_line(const Event& event) {
-  const LinePicture picture = pictures_.picture(event.number, pictures_.whole(event.number));
+  const LinePicture picture = pictures_.picture(event.number, whole(event.number));
   SurfaceLine line = pictures_.surface_line(event.number, picture);
   if (!pictures_.cut_to_range(line)) return;
   if (event.is_asked) {

@@ -79,10 +79,10 @@ private:
     std::uint32_t span;   ///< of a profile, by its left vertex; of lines kLine
     SheetEnd end;         ///< of lines that hide
     bool is_asked, takes_left;
-    bool hides; ///< which it does when all that lies on it has been asked
   };
   static constexpr std::uint32_t kLine = 0xffffffff;
 
+  ProfileLine whole(std::uint32_t number) const;
   void add_line(std::uint32_t number);
   void add_ground_line(std::uint32_t number);
   std::optional<SurfaceEdge> edge_under(const ProfileLine& line, std::uint32_t triangle) const;
@@ -96,6 +96,7 @@ private:
   LinePictures pictures_;
   Covered covered_;
   std::vector<Event> events_;
+  std::vector<Event> hiding_; ///< which they do when all that lies on them has been asked
   std::vector<LinePart> parts_;
   std::vector<SeenSpan> spans_;
   std::vector<Shares> seen_; ///< scratch

@@ -18,16 +18,15 @@ namespace orograph {
 /// down, or ends.
 enum class SheetEnd { opens, turns, closes };
 
-/// From one source up to another, both covered.
+/// From one source up to another, both covered; numbers of sources.
 struct Band {
-  Segment bottom, top;
-  bool bottom_inked, top_inked; ///< a line is drawn along it
+  std::uint32_t bottom, top;
 };
 
 /// Between two abscissae the same bands everywhere, in order of Y and apart from each other.
 struct CoveredCell {
   double x_begin, x_end;
-  std::uint32_t first, count;   ///< of the block's bands
+  std::uint32_t first, count;   ///< of the column's bands
   std::uint32_t open;           ///< of these: the one that the sheet was last seen in
   double low, high;             ///< no band is beyond; falling: there is none
   double inner_low, inner_high; ///< the open band is at least from and to; falling: it isn't known
@@ -65,6 +64,12 @@ public:
   Horizon top() const;
 
 private:
+  struct Source {
+    Segment line;
+    bool inked; ///< a line is drawn along it
+  };
+  // Bands of a cell never change: what does gets new ones behind the others, and now and then those
+  // that are no cell's any more are left out.
   struct Column {
     double x_begin, x_end;
     std::vector<CoveredCell> cells;
@@ -73,20 +78,30 @@ private:
     /// As in a cell, of all cells.
     double low = 0, high = 0, inner_low = 0, inner_high = 0;
     void find_bounds();
+    std::size_t cell_at(double x) const; ///< the first that ends behind x, or their count
+    std::span<const Band> bands_of(const CoveredCell& cell) const {
+      return {bands.data() + cell.first, cell.count};
+    }
   };
   std::size_t column_at(double x) const;
+  std::uint32_t number_of(const Segment& source, bool inked);
+  bool have_same_bands(const Column& column, const CoveredCell& a, const CoveredCell& b) const;
   void take_in(Column& column, const Segment& source, double begin, double end, SheetEnd sheet_end,
                bool inked);
-  void take_in(const Column& column, const CoveredCell& cell, const Segment& source, double begin,
-               double end, SheetEnd sheet_end, bool inked);
-  void add_cell(const CoveredCell& cell, std::span<const Band> bands);
-  void add_cell(double begin, double end, std::span<const Band> bands, std::uint32_t open);
+  void take_in(Column& column, const CoveredCell& cell, std::uint32_t source, double begin,
+               double end, SheetEnd sheet_end);
+  void add_cell(const Column& column, const CoveredCell& cell);
+  static void leave_out_unused(Column& column);
+  void add_seen_in(std::span<const Band> bands, const Segment& line, double begin, double end,
+                   Shares all, const TieTolerance& tolerance, std::vector<Shares>& seen) const;
+  void add_changed(Column& column, double begin, double end, std::uint32_t open);
 
   double x_begin_, columns_per_x_;
   std::vector<Column> columns_;
-  Column next_;                ///< scratch
-  std::vector<double> breaks_; ///< scratch
-  std::vector<Band> bands_;    ///< scratch
+  std::vector<Source> sources_;      ///< of bands, in the order that they were taken
+  std::vector<CoveredCell> changed_; ///< scratch: in the place of some of a column's
+  std::vector<double> breaks_;       ///< scratch
+  std::vector<Band> bands_;          ///< scratch: of a cell
 };
 
 } // namespace orograph
