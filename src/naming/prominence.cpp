@@ -145,20 +145,21 @@ struct GridSlopes {
   std::vector<Meeting> meetings;
 };
 
-// Neighbours' bits of a row's vertices but the first and the last; without a branch, so that
-// compilers do several at once.
+// Neighbours' bits of a row's vertices but the first and the last; without a branch, and without a
+// choice that might be one, so that compilers do several at once.
 template <class T>
 void mark_row(const T* above, const T* here, const T* below, std::size_t columns,
               std::uint8_t* higher) {
   for (std::size_t c = 1; c + 1 < columns; ++c) {
     const T h = here[c], east = here[c + 1], south_east = below[c + 1], south = below[c],
             west = here[c - 1], north_west = above[c - 1], north = above[c];
-    const unsigned bits = (east > h ? 1U : 0U) | (south_east > h ? 2U : 0U) |
-                          (south > h ? 4U : 0U) | (west >= h ? 8U : 0U) |
-                          (north_west >= h ? 16U : 0U) | (north >= h ? 32U : 0U);
     const T sum = east + south_east + south + west + north_west + north;
-    const unsigned border = sum == sum ? 0U : kBorder;
-    higher[c] = static_cast<std::uint8_t>(h == h ? bits | border : kNoGround);
+    const unsigned marks = unsigned{east > h} | unsigned{south_east > h} << 1U |
+                           unsigned{south > h} << 2U | unsigned{west >= h} << 3U |
+                           unsigned{north_west >= h} << 4U | unsigned{north >= h} << 5U |
+                           unsigned{sum != sum} * kBorder;
+    const unsigned is_there = 0U - unsigned{h == h};
+    higher[c] = static_cast<std::uint8_t>((marks & is_there) | (kNoGround & ~is_there));
   }
 }
 
