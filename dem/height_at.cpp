@@ -88,8 +88,9 @@ std::optional<double> height_on_earth(const Grid& grid, Vec2 ground_m,
     if (const auto found = in_cell(column, row)) return found;
     const auto near_m = height_near(grid, column, row);
     const bool is_last = !near_m || *near_m == z_m;
-    // Another guess takes less time than the cells around.
-    if (i > 0 || is_last)
+    // From a place nearby another guess takes less time than the cells around. What lies on an edge
+    // is then found on either of its triangles, by roundings.
+    if (!nearby_m || i > 0 || is_last)
       for (const int reach : {1, 3})
         for (int r = row - reach; r <= row + reach; ++r)
           for (int c = column - reach; c <= column + reach; ++c)
