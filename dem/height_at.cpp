@@ -57,7 +57,8 @@ std::optional<double> height_near(const Grid& grid, int column, int row) {
 
 // On the ellipsoid vertices lean: what is above a point lies in another cell than the point itself,
 // by a height over the earth's radius for each metre from the origin.
-std::optional<double> height_on_earth(const Grid& grid, Vec2 ground_m) {
+std::optional<double> height_on_earth(const Grid& grid, Vec2 ground_m,
+                                      std::optional<Vec3> nearby_m = std::nullopt) {
   const EarthLattice& earth = grid.earth();
   constexpr double kRounding_m = 1e-8; // of a place that LocalFrame tells, and some
   const auto in_cell = [&](int column, int row) -> std::optional<double> {
@@ -70,20 +71,31 @@ std::optional<double> height_on_earth(const Grid& grid, Vec2 ground_m) {
                  : height_in({corner, opposite, grid.vertex_m(column + 1, row)}, ground_m,
                              kRounding_m);
   };
-  // Where the ellipsoid is there, to a parabola; then where the terrain was found.
-  double z_m = -dot(ground_m, ground_m) / (2 * earth.frame().ellipsoid().semi_major_axis_m);
+  // Where the ellipsoid is there, to a parabola, or what is as far above it as the place nearby;
+  // then where the terrain was found.
+  const double twice_axis_m = 2 * earth.frame().ellipsoid().semi_major_axis_m;
+  double z_m = -dot(ground_m, ground_m) / twice_axis_m;
+  if (nearby_m) {
+    const Vec2 there{nearby_m->x, nearby_m->y};
+    z_m += nearby_m->z + dot(there, there) / twice_axis_m;
+  }
   constexpr int kTries = 5; // each is some thirty times nearer, or more
   for (int i = 0; i < kTries; ++i) {
     const Vec2 at = earth.column_row_at({ground_m.x, ground_m.y, z_m});
     if (!(std::isfinite(at.x) && std::isfinite(at.y))) return std::nullopt;
     const int column = static_cast<int>(std::floor(std::clamp(at.x, -9.0, grid.columns + 9.0))),
               row = static_cast<int>(std::floor(std::clamp(at.y, -9.0, grid.rows + 9.0)));
-    for (const int reach : {0, 1, 3})
-      for (int r = row - reach; r <= row + reach; ++r)
-        for (int c = column - reach; c <= column + reach; ++c)
-          if (const auto found = in_cell(c, r)) return found;
+    if (const auto found = in_cell(column, row)) return found;
     const auto near_m = height_near(grid, column, row);
-    if (!near_m || *near_m == z_m) break;
+    const bool is_last = !near_m || *near_m == z_m;
+    // From a place nearby another guess takes less time than the cells around. What lies on an edge
+    // is then found on either of its triangles, by roundings.
+    if (!nearby_m || i > 0 || is_last)
+      for (const int reach : {1, 3})
+        for (int r = row - reach; r <= row + reach; ++r)
+          for (int c = column - reach; c <= column + reach; ++c)
+            if (const auto found = in_cell(c, r)) return found;
+    if (is_last) break;
     z_m = *near_m;
   }
   return std::nullopt;
@@ -94,6 +106,10 @@ std::optional<double> height_on_earth(const Grid& grid, Vec2 ground_m) {
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m) {
   if (grid.is_on_earth()) return height_on_earth(grid, ground_m);
   return height_at(grid, ground_m, [&](int column, int row) { return grid.height_m(column, row); });
+}
+
+std::optional<double> height_at(const Grid& grid, Vec2 ground_m, Vec3 nearby_m) {
+  return grid.is_on_earth() ? height_on_earth(grid, ground_m, nearby_m) : height_at(grid, ground_m);
 }
 
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m,

@@ -14,6 +14,8 @@ namespace orograph {
 /// 1e-9 of a cell of a column or row line counts as on it. On the ellipsoid the height is the
 /// ground frame's z, exaggerated; where cliffs lean over each other, that of one of the triangles.
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m);
+/// The same to a rounding, found sooner on the ellipsoid with a place of the ground nearby.
+std::optional<double> height_at(const Grid& grid, Vec2 ground_m, Vec3 nearby_m);
 /// The same of other heights over the grid's places, by column and row; NaN where there is none.
 /// REQUIRES a grid on a map plane.
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m,

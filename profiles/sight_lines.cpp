@@ -6,6 +6,7 @@
 #include "profiles/sight_lines.hpp"
 
 #include "dem/extent.hpp"
+#include "profiles/sight_crossings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,63 +16,6 @@ namespace orograph {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-// A vertex by its distance along a direction and to the left of it.
-struct Post {
-  double along, aside, z;
-};
-
-// The eye's frame, turned into a direction.
-View turned_to(const View& view, Vec2 direction) {
-  View out = view;
-  out.forward = direction.x * view.right + direction.y * view.forward;
-  out.right = {out.forward.y, 0 - out.forward.x};
-  const auto& [uu, uv, vv] = view.drop;
-  const double c = direction.y, s = direction.x; // u = c u' + s v', v = c v' - s u'
-  out.drop = {uu * c * c - uv * s * c + vv * s * s, 2 * (uu - vv) * s * c + uv * (c * c - s * s),
-              uu * s * s + uv * s * c + vv * c * c};
-  return out;
-}
-
-// A grid's vertices in a direction. On a map plane distances grow evenly with columns and rows.
-template <class Lattice>
-class Posts {
-public:
-  Posts(const Lattice& lattice, const View& view) : lattice_(lattice), view_(view) {}
-  Post at(int column, int row, double height_m) const {
-    const Vec3 vertex = lattice_.vertex_m(column, row, height_m);
-    const Vec2 from_eye = Vec2{vertex.x, vertex.y} - view_.depth_origin_m;
-    const double along = dot(from_eye, view_.forward), right = dot(from_eye, view_.right);
-    return {along, 0 - right, vertex.z * view_.exaggeration - view_.drop.at(right, along)};
-  }
-
-private:
-  const Lattice& lattice_;
-  View view_;
-};
-
-template <>
-class Posts<PlaneLattice> {
-public:
-  Posts(const PlaneLattice& lattice, const View& view)
-      : first_(in_direction(lattice.first_vertex_m - view.depth_origin_m, view)),
-        column_(in_direction(lattice.column_step_m, view)),
-        row_(in_direction(lattice.row_step_m, view)), exaggeration_(view.exaggeration),
-        drop_(view.drop) {}
-  Post at(int column, int row, double height_m) const {
-    const double along = first_.x + column * column_.x + row * row_.x,
-                 aside = first_.y + column * column_.y + row * row_.y;
-    return {along, aside, height_m * exaggeration_ - drop_.at(0 - aside, along)};
-  }
-
-private:
-  static Vec2 in_direction(Vec2 v, const View& view) {
-    return {dot(v, view.forward), 0 - dot(v, view.right)};
-  }
-  Vec2 first_, column_, row_;
-  double exaggeration_;
-  FrameDrop drop_;
-};
 
 // The way through a mesh in a direction: from a side, by its left and its right end, over the
 // triangle ahead to the next side.
@@ -180,8 +124,8 @@ public:
 
   Look(const Mesh& mesh, Way way, const SightStarts<Side>& starts, double distance_m,
        double rounding_m, double eye_z_m)
-      : mesh_(mesh), way_(std::move(way)), starts_(starts), distance_m_(distance_m),
-        rounding_m_(rounding_m), nearest_m_(4 * rounding_m), eye_z_m_(eye_z_m) {}
+      : mesh_(mesh), way_(std::move(way)), starts_(starts), rounding_m_(rounding_m),
+        met_(distance_m, rounding_m, eye_z_m) {}
 
   /// Whether a vertex is in the plane: then the other side is to be looked at as well.
   bool along(std::span<const Side> border, bool plane_is_left) {
@@ -200,24 +144,9 @@ public:
     return touches_;
   }
 
-  SightLine found() const {
-    SightLine out;
-    out.ground = ground_;
-    if (!highest_) return out;
-    out.highest = place_of(*highest_);
-    out.slope = slope_;
-    out.rounding = (out.highest->rounding_m + rounding_m_ * std::abs(slope_)) / highest_->along;
-    out.at_border = at_border_;
-    return out;
-  }
+  SightLine found() const { return met_.found(at_border_); }
 
 private:
-  // Where the plane crosses an edge.
-  struct Crossing {
-    Post left, right;
-    double along, z;
-  };
-
   bool is_left(const Post& post) {
     touches_ = touches_ || std::abs(post.aside) <= rounding_m_;
     return post.aside >= limit_m_;
@@ -235,8 +164,8 @@ private:
     if (meet(left, right, took)) return;
     while (way_.ahead(ahead)) {
       const bool as_left = is_left(ahead);
-      if (reaches(left) || reaches(right) || reaches(ahead)) {
-        if (!before_) before_ = crossing(left, right);
+      if (met_.reaches(left) || met_.reaches(right) || met_.reaches(ahead)) {
+        if (!before_) before_ = SightCrossing::of(left, right);
       }
       (as_left ? left : right) = ahead;
       way_.go_on(as_left);
@@ -246,94 +175,34 @@ private:
     at_border_ = at_border_ || took;
   }
 
-  // Whether a vertex is as far away as the distance asked for.
-  bool reaches(const Post& post) const { return post.along >= distance_m_ - rounding_m_; }
-
-  static Crossing crossing(const Post& left, const Post& right) {
-    const double share = std::clamp(left.aside / (left.aside - right.aside), 0.0, 1.0);
-    return {left, right, left.along + share * (right.along - left.along),
-            left.z + share * (right.z - left.z)};
-  }
-  // By which share of its edge, at most, rounding may have moved it.
-  double off_share(const Crossing& at) const {
-    return std::min(rounding_m_ / (at.left.aside - at.right.aside), 1.0);
-  }
-  double off_m(const Crossing& at) const {
-    return rounding_m_ + off_share(at) * std::abs(at.right.along - at.left.along);
-  }
-  SightPlace place_of(const Crossing& at) const {
-    const double slope = std::abs(at.z - eye_z_m_) / std::max(std::abs(at.along), nearest_m_);
-    const double moved =
-        std::abs(at.right.z - at.left.z) + slope * std::abs(at.right.along - at.left.along);
-    return {at.along, at.z,
-            off_share(at) * moved +
-                8 * kEpsilon * (std::abs(at.left.z) + std::abs(at.right.z) + std::abs(eye_z_m_))};
-  }
-
-  bool is_below(const Post& post) const {
-    return post.along > nearest_m_ && post.z - eye_z_m_ < slope_ * post.along;
-  }
-
   // Takes what an edge that is crossed adds. Whether the distance is passed.
   bool meet(const Post& left, const Post& right, bool& took) {
-    const bool reaching = reaches(left) || reaches(right);
+    const bool reaching = met_.reaches(left) || met_.reaches(right);
     if (!reaching) {
       before_.reset();
-      // On an edge slopes are between those of its ends: most edges need no more.
-      if (is_below(left) && is_below(right)) return false;
-      if (left.along <= nearest_m_ && right.along <= nearest_m_) return false;
+      if (met_.adds_nothing(left, right)) return false;
     }
-    const Crossing at = crossing(left, right);
-    if (at.along > nearest_m_ && at.along < distance_m_) took = take(at) || is_highest(at);
+    const SightCrossing at = SightCrossing::of(left, right);
+    if (met_.is_between(at)) {
+      const bool is_new = met_.take(at);
+      if (is_new) at_border_ = false;
+      took = is_new || met_.is_highest(at);
+    }
     if (!reaching) return false;
-    if (before_) take_ground(*before_, at);
+    if (before_) met_.take_ground(*before_, at);
     before_ = at;
-    return at.along > distance_m_ + off_m(at);
-  }
-
-  bool take(const Crossing& at) {
-    const double slope = (at.z - eye_z_m_) / at.along;
-    if (!(slope > slope_) && !(slope == slope_ && highest_ && at.along > highest_->along))
-      return false;
-    // Rounding may as well have it under the eye.
-    const double across = at.left.aside - at.right.aside,
-                 along = std::abs(at.right.along - at.left.along);
-    if (!(at.along * across > 4 * rounding_m_ * (across + along))) return false;
-    highest_ = at;
-    slope_ = slope;
-    at_border_ = false;
-    return true;
-  }
-
-  // About a vertex in the plane all edges are crossed at that vertex.
-  bool is_highest(const Crossing& at) const {
-    return highest_ && std::abs(at.along - highest_->along) <= off_m(at) + off_m(*highest_);
-  }
-
-  // Of the section from one crossing to the next.
-  void take_ground(const Crossing& from, const Crossing& to) {
-    if (from.along > distance_m_ + off_m(from) || to.along < distance_m_ - off_m(to)) return;
-    const double on = to.along - from.along, rise = to.z - from.z;
-    double z = std::max(from.z, to.z); // a wall
-    if (on > 2 * rounding_m_)
-      z = from.z + std::clamp((distance_m_ - from.along) / on, 0.0, 1.0) * rise;
-    if (ground_ && ground_->z_m >= z) return;
-    const double steep = std::abs(rise) * std::min(1.0, rounding_m_ / std::max(on, rounding_m_));
-    ground_ = SightPlace{distance_m_, z,
-                         std::max(place_of(from).rounding_m, place_of(to).rounding_m) + steep};
+    return met_.is_past(at);
   }
 
   const Mesh& mesh_;
   Way way_;
   const SightStarts<Side>& starts_;
-  double distance_m_, rounding_m_, nearest_m_, eye_z_m_;
+  double rounding_m_;
   double limit_m_ = 0; ///< vertices as far to the left as this are left
   bool touches_ = false;
-  std::optional<Crossing> before_; ///< the one before, where it is needed
-  std::optional<Crossing> highest_;
-  double slope_ = -std::numeric_limits<double>::infinity();
+  std::optional<SightCrossing> before_; ///< the one before, where it is needed
+  SightCrossings met_;
   bool at_border_ = false;
-  std::optional<SightPlace> ground_;
 };
 
 } // namespace

@@ -76,6 +76,12 @@ LookAround::LookAround(const TerrainData& terrain, std::span<const BorderEdge> b
   eye_lonlat_ = lonlat_of_map(terrain.map.crs_wkt, {eye_map_.x, eye_map_.y});
 }
 
+LookAround::LookAround(const TerrainData& terrain, std::span<const BorderEdge> border,
+                       const Observer& observer, const BlockBounds& bounds)
+    : LookAround(terrain, border, observer) {
+  over_blocks_.emplace(std::get<Grid>(terrain.surface), bounds, view_, lines_.rounding_m());
+}
+
 // Of a terrain in degrees on its own ellipsoid, as it is drawn.
 std::optional<Bearing> LookAround::geodesic_to(Vec2 map) const {
   GeoPoint from, to;
@@ -116,6 +122,20 @@ Vec3 LookAround::to_map(Vec2 direction, double distance_m, double z_m) const {
       to_ground_m(view_, {distance_m * direction.x, distance_m * direction.y, z_m}));
 }
 
+// Of a place on the ground, whose height is known but for a rounding, what is below it needn't be
+// met. If the ground should turn out lower, it must.
+SightLine LookAround::sight_line(Vec2 towards, double distance_m,
+                                 std::optional<double> ground_z_m) const {
+  constexpr double kRounding_m = 1e-3; // a thousand times and more that of a height
+  if (over_blocks_ && ground_z_m && distance_m > 0) {
+    const double least_z_m = *ground_z_m - kRounding_m;
+    const auto sight =
+        over_blocks_->up_to(towards, distance_m, (least_z_m - view_.eye_z_m) / distance_m);
+    if (sight && sight->ground && sight->ground->z_m >= least_z_m) return *sight;
+  }
+  return lines_.up_to(towards, distance_m);
+}
+
 PlaceSight LookAround::sight_of(Vec2 place, double above_m) const {
   const MapFrame& map = terrain_.map;
   if (map.earth) {
@@ -135,7 +155,14 @@ PlaceSight LookAround::sight_of(Vec2 place, double above_m) const {
   const Vec2 towards = distance_m > 0 ? Vec2{at.u / distance_m, at.v / distance_m} : Vec2{0, 1};
   out.bearing = geodesic_to(place).value_or(Bearing{azimuth_deg(towards), 0, distance_m});
   if (map.earth && !on_earth) return out;
-  const SightLine sight = lines_.up_to(towards, distance_m);
+  const Grid* const grid = std::get_if<Grid>(&terrain_.surface);
+  const auto height_m =
+      grid && !map.earth ? height_at(*grid, {ground.x, ground.y}) : std::optional<double>();
+  std::optional<double> ground_z_m;
+  if (over_blocks_ && above_m == 0 && map.earth) ground_z_m = at.z;
+  if (over_blocks_ && above_m == 0 && height_m)
+    ground_z_m = to_profile_frame(view_, {ground.x, ground.y, *height_m}).z;
+  const SightLine sight = sight_line(towards, distance_m, ground_z_m);
   if (!sight.ground && !map.earth) return out;
   // By a rounding beside the border there is no section to tell the height.
   const SightPlace own = sight.ground.value_or(SightPlace{distance_m, at.z, lines_.rounding_m()});
@@ -148,8 +175,7 @@ PlaceSight LookAround::sight_of(Vec2 place, double above_m) const {
                     map.to_ground_m({place.x, place.y, on_map.z});
     const double along = up.x * towards.x + up.y * towards.y, size = std::hypot(along, up.z);
     upright = {along / size, up.z / size};
-  } else if (const Grid* grid = std::get_if<Grid>(&terrain_.surface)) {
-    const auto height_m = height_at(*grid, {ground.x, ground.y});
+  } else if (grid) {
     out.height = height_m.value_or(to_ground_m(view_, {at.u, at.v, own.z_m}).z) / map.height_unit_m;
   } else {
     out.height = to_ground_m(view_, {at.u, at.v, own.z_m}).z / map.height_unit_m;

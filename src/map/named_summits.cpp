@@ -8,6 +8,7 @@
 #include "map/parallel_sight.hpp"
 #include "placing/highest_vertex.hpp"
 #include "placing/observer.hpp"
+#include "profiles/seen_ground.hpp"
 #include "profiles/slab_lines.hpp"
 #include "solids/solids_in_view.hpp"
 
@@ -85,11 +86,13 @@ double under_mm(const PlacedView& placed, ProfilePoint at, double by_m) {
 double hidden_at_least_m(const Grid& grid, const View& view, ProfilePoint at) {
   constexpr int kPlaces = 32; // twice as many take longer than they save
   double hidden_m = 0;
-  for (int i = 1; i < kPlaces; ++i) {
+  Vec3 nearby_m = to_ground_m(view, at);
+  for (int i = kPlaces - 1; i > 0; --i) {
     const double share = static_cast<double>(i) / kPlaces;
     const Vec3 there = to_ground_m(view, {share * at.u, share * at.v, 0});
-    const auto z_m = height_at(grid, {there.x, there.y});
+    const auto z_m = height_at(grid, {there.x, there.y}, nearby_m);
     if (!z_m) continue;
+    nearby_m = {there.x, there.y, *z_m};
     const double rise_m = to_profile_frame(view, {there.x, there.y, *z_m}).z - view.eye_z_m;
     hidden_m = std::max(hidden_m, rise_m / share - (at.z - view.eye_z_m));
   }
@@ -97,14 +100,22 @@ double hidden_at_least_m(const Grid& grid, const View& view, ProfilePoint at) {
 }
 
 void look_around(const TerrainData& terrain, const PlacedView& placed, std::vector<Found>& found) {
-  Observer eye = observer_of(placed, terrain.map);
-  if (placed.file) // whose ground may be higher than what is drawn at the eye's feet
-    if (const auto ground = height_at(terrain.surface, eye.view.depth_origin_m))
-      eye.view.eye_z_m = std::max(eye.view.eye_z_m, *ground * eye.view.exaggeration);
-  const std::vector<BorderEdge> of_file =
-      placed.file ? border_of(terrain.surface) : std::vector<BorderEdge>();
-  const LookAround around(terrain, placed.file ? of_file : placed.border, eye);
-  if (const Grid* grid = std::get_if<Grid>(&terrain.surface))
+  constexpr std::size_t kManyPlaces = 100; // take longer than bounds of blocks save
+  const Grid* const grid = std::get_if<Grid>(&terrain.surface);
+  Observer observer = observer_of(placed, terrain.map);
+  std::vector<BorderEdge> of_file;
+  if (placed.file) { // whose ground may be higher than what is drawn at the eye's feet
+    of_file = border_of(terrain.surface);
+    if (const auto ground = height_at(terrain.surface, observer.view.depth_origin_m))
+      observer.view.eye_z_m = std::max(observer.view.eye_z_m, *ground * observer.view.exaggeration);
+  }
+  const std::vector<BorderEdge>& border = placed.file ? of_file : placed.border;
+  std::optional<BlockBounds> bounds;
+  if (grid && found.size() >= kManyPlaces && !placed.file && placed.extent.turned_over == 0)
+    bounds = block_bounds(*grid);
+  const LookAround around = bounds ? LookAround(terrain, border, observer, *bounds)
+                                   : LookAround(terrain, border, observer);
+  if (grid)
     on_all_cores(found.size(), [&](std::size_t i) {
       Found& one = found[i];
       one.hidden_mm = under_mm(placed, one.at, hidden_at_least_m(*grid, placed.view, one.at));

@@ -78,10 +78,6 @@ public:
     const auto found = std::ranges::lower_bound(islands_, vertex, {}, &Island::summit);
     return found != islands_.end() && found->summit == vertex ? found->prominence : Prominence{};
   }
-  std::uint32_t number(std::uint32_t summit) const {
-    return static_cast<std::uint32_t>(
-        std::ranges::lower_bound(islands_, summit, {}, &Island::summit) - islands_.begin());
-  }
 
 private:
   static void know(Island& island, double height_m, bool is_at_least) {
@@ -120,13 +116,26 @@ std::uint32_t beside(const Grid& grid, std::uint32_t vertex, unsigned step) {
   return static_cast<std::uint32_t>(vertex + by);
 }
 
-// How many arcs neighbours make, by their bits.
-constexpr auto kArcs = [] {
-  std::array<std::uint8_t, 64> arcs{};
-  for (unsigned bits = 0; bits < 64; ++bits)
-    for (unsigned i = 0; i < 6; ++i)
-      if ((bits >> i & 1U) != 0 && (bits >> (i + 5) % 6 & 1U) == 0) ++arcs[bits];
-  return arcs;
+// Neighbours make arcs, by their bits.
+constexpr bool begins_arc(unsigned bits, unsigned i) {
+  return (bits >> i & 1U) != 0 && (bits >> (i + 5) % 6 & 1U) == 0;
+}
+// Where that begins which holds a neighbour; if all of them are higher, or none, nowhere.
+unsigned arc_of(unsigned bits, unsigned i) {
+  for (unsigned back = 0; back < 6; ++back)
+    if (begins_arc(bits, (i + 6 - back) % 6)) return (i + 6 - back) % 6;
+  return 6;
+}
+// Marks of vertices that neither part nor join anything: one arc, and no border; and of none.
+constexpr auto kIsPlain = [] {
+  std::array<bool, 256> plain{};
+  for (unsigned bits = 0; bits < 64; ++bits) {
+    unsigned arcs = 0;
+    for (unsigned i = 0; i < 6; ++i) arcs += begins_arc(bits, i) ? 1 : 0;
+    plain[bits] = arcs == 1;
+  }
+  plain[kNoGround] = true;
+  return plain;
 }();
 
 // What a pass over a grid finds.
@@ -136,20 +145,21 @@ struct GridSlopes {
   std::vector<Meeting> meetings;
 };
 
-// Neighbours' bits of a row's vertices but the first and the last; without a branch, so that
-// compilers do several at once.
+// Neighbours' bits of a row's vertices but the first and the last; without a branch, and without a
+// choice that might be one, so that compilers do several at once.
 template <class T>
 void mark_row(const T* above, const T* here, const T* below, std::size_t columns,
               std::uint8_t* higher) {
   for (std::size_t c = 1; c + 1 < columns; ++c) {
     const T h = here[c], east = here[c + 1], south_east = below[c + 1], south = below[c],
             west = here[c - 1], north_west = above[c - 1], north = above[c];
-    const unsigned bits = (east > h ? 1U : 0U) | (south_east > h ? 2U : 0U) |
-                          (south > h ? 4U : 0U) | (west >= h ? 8U : 0U) |
-                          (north_west >= h ? 16U : 0U) | (north >= h ? 32U : 0U);
     const T sum = east + south_east + south + west + north_west + north;
-    const unsigned border = sum == sum ? 0U : kBorder;
-    higher[c] = static_cast<std::uint8_t>(h == h ? bits | border : kNoGround);
+    const unsigned marks = unsigned{east > h} | unsigned{south_east > h} << 1U |
+                           unsigned{south > h} << 2U | unsigned{west >= h} << 3U |
+                           unsigned{north_west >= h} << 4U | unsigned{north >= h} << 5U |
+                           unsigned{sum != sum} * kBorder;
+    const unsigned is_there = 0U - unsigned{h == h};
+    higher[c] = static_cast<std::uint8_t>((marks & is_there) | (kNoGround & ~is_there));
   }
 }
 
@@ -198,17 +208,17 @@ GridSlopes slopes_of(const Grid& grid, const Heights<T>& heights_m) {
           higher[column] = marks_of(grid, heights_m, column, row);
       for (std::size_t column = 0; column < columns; ++column) {
         const std::uint8_t marks = higher[column];
-        if (marks == kNoGround) continue;
+        if (kIsPlain[marks]) continue; // nearly all
         const std::uint8_t bits = marks % kNoGround;
         higher[column] = bits;
-        if (kArcs[bits] == 1 && marks == bits) continue; // nearly all
         const auto number = static_cast<std::uint32_t>(begin + column);
         const double height_m = heights_m[number];
         if (bits == 0) summits.push_back(number);
-        if (kArcs[bits] > 1)
-          for (unsigned i = 0; i < 6; ++i)
-            if ((bits >> i & 1U) != 0 && (bits >> (i + 5) % 6 & 1U) == 0)
-              meetings.push_back({height_m, number, beside(grid, number, i)});
+        // The way up goes through the arc of the first that is higher: others meet that.
+        const unsigned own = arc_of(bits, static_cast<unsigned>(std::countr_zero(bits)));
+        for (unsigned i = 0; i < 6; ++i)
+          if (begins_arc(bits, i) && i != own)
+            meetings.push_back({height_m, number, beside(grid, number, i)});
         if (marks != bits) meetings.push_back({height_m, number, kBeyond});
       }
     }
@@ -227,11 +237,19 @@ std::vector<Prominence> of_grid(const Grid& grid, std::span<const std::uint32_t>
     return std::visit([&](const auto& h) { return static_cast<double>(h[vertex]); },
                       grid.heights_m);
   });
+  // Where the summits of each row begin.
+  std::vector<std::uint32_t> rows(static_cast<std::size_t>(grid.rows) + 1);
+  const auto columns = static_cast<std::uint32_t>(grid.columns);
+  for (const std::uint32_t summit : slopes.summits) ++rows[summit / columns + 1];
+  std::partial_sum(rows.begin(), rows.end(), rows.begin());
   // Whichever way is up, it leads to a summit of the same island.
   const auto island_of = [&](std::uint32_t vertex) {
     while (slopes.higher[vertex] != 0)
       vertex = beside(grid, vertex, static_cast<unsigned>(std::countr_zero(slopes.higher[vertex])));
-    return islands.number(vertex);
+    const std::uint32_t* const row = &rows[vertex / columns];
+    const auto first = slopes.summits.begin();
+    return static_cast<std::uint32_t>(std::lower_bound(first + row[0], first + row[1], vertex) -
+                                      first);
   };
   std::size_t step = 0;
   for (const Meeting& meeting : slopes.meetings) {

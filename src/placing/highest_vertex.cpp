@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <unordered_map>
 #include <variant>
 
@@ -51,18 +52,34 @@ Numbers numbers_about(double middle, double reach, int count) {
 template <class At, class Away>
 Best search(const Grid& grid, Vec2 middle, Vec2 reach, double within_m, const At& at,
             const Away& away_m) {
-  Best best;
   const auto [left, right] = numbers_about(middle.x, reach.x, grid.columns);
   const auto [top, bottom] = numbers_about(middle.y, reach.y, grid.rows);
+  // The highest first, so that distances, which take long on the ellipsoid, are asked for a few.
+  struct Vertex {
+    double height_m;
+    int column, row;
+  };
+  std::vector<Vertex> vertices;
   for (int r = top; r <= bottom; ++r)
     for (int c = left; c <= right; ++c) {
       throw_if_stopped(static_cast<std::size_t>(c));
       const double height_m = grid.height_m(c, r);
-      if (std::isnan(height_m) || (best && height_m < best->height_m)) continue;
-      const double distance_m = away_m(c, r);
-      if (distance_m <= within_m && has_triangle(grid, c, r))
-        take(best, {static_cast<std::uint32_t>(grid.index(c, r)), at(c, r), height_m, distance_m});
+      if (!std::isnan(height_m)) vertices.push_back({height_m, c, r});
     }
+  const auto is_later = [](const Vertex& a, const Vertex& b) {
+    return std::tuple(-a.height_m, a.row, a.column) > std::tuple(-b.height_m, b.row, b.column);
+  };
+  std::ranges::make_heap(vertices, is_later);
+  Best best;
+  while (!vertices.empty()) {
+    std::ranges::pop_heap(vertices, is_later);
+    const auto [height_m, c, r] = vertices.back();
+    vertices.pop_back();
+    if (best && height_m < best->height_m) break;
+    const double distance_m = away_m(c, r);
+    if (distance_m <= within_m && has_triangle(grid, c, r))
+      take(best, {static_cast<std::uint32_t>(grid.index(c, r)), at(c, r), height_m, distance_m});
+  }
   return best;
 }
 
@@ -88,14 +105,16 @@ Best search_earth(const Grid& grid, const EarthFrame& earth, Vec2 place, double 
   const DegreeLattice& lattice = grid.earth().degrees();
   const Ellipsoid& ellipsoid = earth.local.ellipsoid();
   const GeoPoint here{place.x * earth.unit_deg, place.y * earth.unit_deg, 0};
-  // No degree is shorter than that of a sphere a hundredth smaller; near a pole all longitudes are
-  // near.
-  const double reach_deg =
-      within_m / (0.99 * ellipsoid.semi_major_axis_m * Angle::degrees(1).in_radians());
+  // No degree is shorter than that of a sphere a hundredth smaller than the ellipsoid is curved
+  // anywhere; near a pole all longitudes are near.
+  const double narrow = 1 - ellipsoid.flattening(),
+               smaller_m = 0.99 * ellipsoid.semi_major_axis_m * narrow * narrow;
+  const double reach_deg = within_m / (smaller_m * Angle::degrees(1).in_radians());
   const double narrowest = cos(Angle::degrees(std::min(std::abs(here.lat_deg) + reach_deg, 90.0)));
   const double lon_reach_deg = std::min(reach_deg / std::max(narrowest, 1e-9), 360.0);
   const Vec2 middle{(here.lon_deg - lattice.first_lon_deg) / lattice.lon_step_deg,
                     (here.lat_deg - lattice.first_lat_deg) / lattice.lat_step_deg};
+  const double here_cos = cos(Angle::degrees(here.lat_deg));
   const Vec2 reach{lon_reach_deg / std::abs(lattice.lon_step_deg),
                    reach_deg / std::abs(lattice.lat_step_deg)};
   return search(
@@ -104,8 +123,15 @@ Best search_earth(const Grid& grid, const EarthFrame& earth, Vec2 place, double 
         return Vec2{lattice.lon_deg(c) / earth.unit_deg, lattice.lat_deg(r) / earth.unit_deg};
       },
       [&](int c, int r) {
-        return distance_and_azimuth(here, {lattice.lon_deg(c), lattice.lat_deg(r), 0}, ellipsoid)
-            .distance_m;
+        // So is each way, and a chord of that sphere yet more: it tells what is too far.
+        const double lat_deg = lattice.lat_deg(r), lon_deg = lattice.lon_deg(c);
+        const double across = sin(Angle::degrees(0.5 * (lat_deg - here.lat_deg))),
+                     along = sin(Angle::degrees(0.5 * (lon_deg - here.lon_deg)));
+        const double chord_m =
+            2 * smaller_m *
+            std::sqrt(across * across + here_cos * cos(Angle::degrees(lat_deg)) * along * along);
+        if (chord_m > within_m) return chord_m;
+        return distance_and_azimuth(here, {lon_deg, lat_deg, 0}, ellipsoid).distance_m;
       });
 }
 

@@ -80,6 +80,7 @@ TEST_CASE("Places are seen and hidden as the ray walk has them, on all kinds of 
           compare_with_ray_walk(terrain, view, 400, random.pick({0.0, 10.0}), random);
       INFO(file << ", seed " << seed);
       CHECK(one.wrong == 0);
+      CHECK(one.unlike == 0);
       CHECK(one.greatest_off_m < 1e-6); // of heights of 1e3 m, by slopes right to 1e-13
       sums.asked += one.asked;
       sums.seen += one.seen;

@@ -9,6 +9,7 @@
 #include "placing/places.hpp"
 #include "placing/terrain_facts.hpp"
 #include "placing/terrain_of_view.hpp"
+#include "profiles/seen_ground.hpp"
 #include "reference/ray_walk.hpp"
 #include "tests/support/random.hpp"
 
@@ -25,6 +26,7 @@ namespace orograph {
 struct SightCounts {
   std::uint64_t asked = 0, seen = 0, hidden = 0, ties = 0, beside = 0;
   std::uint64_t wrong = 0;   ///< seen and hidden, or the other way round
+  std::uint64_t unlike = 0;  ///< with bounds of blocks and without
   double greatest_off_m = 0; ///< of the height that a hidden place lacks
 };
 
@@ -71,6 +73,14 @@ inline SightCounts compare_with_ray_walk(const TerrainData& whole, const ViewSpe
   const std::vector<PlaceSight> sights = around.sights(places, above_m);
 
   SightCounts counts;
+  if (const Grid* grid = std::get_if<Grid>(&terrain->surface)) {
+    const BlockBounds blocks = block_bounds(*grid);
+    const LookAround by_blocks(*terrain, border, observer, blocks);
+    const std::vector<PlaceSight> others = by_blocks.sights(places, above_m);
+    for (std::size_t i = 0; i < count; ++i)
+      counts.unlike += sights[i].state != others[i].state ||
+                       std::abs(sights[i].hidden_m - others[i].hidden_m) > 1e-9;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     ++counts.asked;
     const PlaceSight& sight = sights[i];
