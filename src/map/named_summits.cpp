@@ -67,7 +67,8 @@ std::vector<Found> within_picture(const TerrainData& terrain, const PlacedView& 
     const std::uint32_t vertex = highest[i]->vertex;
     const ProfilePoint where = line_of(terrain.surface, placed.view, {vertex, vertex}).from;
     const double distance_m = std::hypot(where.u, where.v);
-    if (has_range && distance_m > range_m) continue;
+    // One that the eye stands on is under its feet.
+    if (has_range && (distance_m > range_m || distance_m <= within_m)) continue;
     if (const auto mm = on_page(placed, where))
       out.push_back({i, *highest[i], where, *mm, distance_m});
   }
