@@ -34,8 +34,8 @@ struct NameFacts {
 
 struct NamesFacts {
   std::vector<NameFacts> names; ///< chosen, crowded out and hidden ones, each the first first
-  std::size_t elsewhere = 0;    ///< beyond the picture, the range or the terrain, or where the eye is
-  std::size_t unnamed = 0;      ///< places of the file without a name
+  std::size_t elsewhere = 0; ///< beyond the picture, the range or the terrain, or where the eye is
+  std::size_t unnamed = 0;   ///< places of the file without a name
 
   std::size_t count(NameState state) const;
   std::string chosen() const; ///< their texts, with "; " between
