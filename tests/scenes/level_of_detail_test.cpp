@@ -163,7 +163,7 @@ TEST_CASE("patches about an eye are drawn rightly by the ray walk") {
                                                     return height_m(40 * lon_deg, 50 * lat_deg);
                                                   })
                                   : plane_terrain(random, 70, 100);
-    MapSpec spec = detailed(random.pick({1.5, 3.0, 4.0}));
+    MapSpec spec = detailed(random.pick({3.0, 4.0, 6.0}));
     spec.check = 1500;
     if (on_earth)
       spec.view.eye_lonlat = GivenPlace{random.between(8.01, 8.035), random.between(45.972, 45.99)};
