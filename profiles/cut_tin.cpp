@@ -39,15 +39,14 @@ struct Range {
   }
 };
 
-double depth_of(const View& view, Vec2 at_m) {
-  return dot(at_m - view.depth_origin_m, view.forward);
-}
-
-Range depths_of(const View& view, const Box2& box) {
-  Range out;
+// With room for rounding, of which a vertex may have another than its box's corner.
+BorderSides<std::uint32_t>::Depths depths_of(const View& view, const Box2& box) {
+  Range corners;
   for (const double x : {box.low.x, box.high.x})
-    for (const double y : {box.low.y, box.high.y}) out.include(depth_of(view, {x, y}));
-  return out;
+    for (const double y : {box.low.y, box.high.y})
+      corners.include(dot(Vec2{x, y} - view.depth_origin_m, view.forward));
+  const double rounding = 0x1p-40 * (std::abs(corners.low) + std::abs(corners.high));
+  return {corners.low - rounding, corners.high + rounding};
 }
 
 // Beyond rounding.
@@ -106,16 +105,12 @@ TinCutter::TinCutter(const Tin& tin, const View& view, const TriangleSet& level,
     : tin_(tin), view_(view), level_(level),
       places_(places ? std::move(places) : std::make_shared<const TinPlaces>(tin_places(tin))),
       index_(std::move(index)), boxes_(numbers(places_->boxes_m.size()), [&](std::uint32_t i) {
-        // With room for rounding, of which a vertex may have another than its box's corner.
-        const Range depths = depths_of(view, places_->boxes_m[i]);
-        const double rounding = 0x1p-40 * (std::abs(depths.low) + std::abs(depths.high));
-        return BorderSides<std::uint32_t>::Depths{depths.low - rounding, depths.high + rounding};
+        return depths_of(view, places_->boxes_m[i]);
       }) {
   Range all;
   for (std::size_t i = 0; i < places_->boxes_m.size(); ++i) {
-    const Range depths = depths_of(view, places_->boxes_m[i]);
-    const double rounding = 0x1p-40 * (std::abs(depths.low) + std::abs(depths.high));
-    if (depths.low - rounding >= all.low && depths.high + rounding <= all.high) continue;
+    const auto [nearest_m, farthest_m] = depths_of(view, places_->boxes_m[i]);
+    if (nearest_m >= all.low && farthest_m <= all.high) continue;
     for (const TinPlaces::BorderSide& side : places_->sides_of(i))
       for (const std::size_t n : {1U, 2U})
         all.include(

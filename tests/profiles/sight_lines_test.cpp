@@ -3,6 +3,7 @@
 // direction, in long double, and the highest of all that is nearer counts.
 #include "profiles/sight_lines.hpp"
 #include "tests/catch.hpp"
+#include "tests/profiles/asked_of_seeds.hpp"
 #include "tests/support/made_earth_grid.hpp"
 #include "tests/support/made_grid.hpp"
 #include "tests/support/made_tin.hpp"
@@ -184,22 +185,10 @@ void check(const Surface& surface, const View& view, Random& random, double size
   }
 }
 
-// `ask(random, sums)` makes a scene for each seed and checks it.
-template <class Ask>
-Sums asked_of_seeds(std::uint64_t count, const Ask& ask) {
-  Sums sums;
-  for (std::uint64_t seed = 1; seed <= last_seed(count); ++seed) {
-    Random random(seed);
-    sums.seed = seed;
-    ask(random, sums);
-  }
-  return sums;
-}
-
 } // namespace
 
 TEST_CASE("Over grids on a map plane the highest in front is that of all triangles") {
-  const Sums all = asked_of_seeds(2000, [](Random& random, Sums& sums) {
+  const Sums all = asked_of_seeds<Sums>(2000, [](Random& random, Sums& sums) {
     const int columns = random.whole(2, 9), rows = random.whole(2, 9);
     GridLattice lattice{columns, rows};
     if (random.chance(0.5))
@@ -230,7 +219,7 @@ TEST_CASE("Over grids on a map plane the highest in front is that of all triangl
 }
 
 TEST_CASE("Over TINs with walls and holes the highest in front is that of all triangles") {
-  const Sums all = asked_of_seeds(1000, [](Random& random, Sums& sums) {
+  const Sums all = asked_of_seeds<Sums>(1000, [](Random& random, Sums& sums) {
     MadeTin wanted;
     wanted.columns = random.whole(2, 8);
     wanted.rows = random.whole(2, 8);
@@ -258,7 +247,7 @@ TEST_CASE("Over TINs with walls and holes the highest in front is that of all tr
 }
 
 TEST_CASE("Over grids in degrees the highest in front is that of all triangles") {
-  const Sums all = asked_of_seeds(600, [](Random& random, Sums& sums) {
+  const Sums all = asked_of_seeds<Sums>(600, [](Random& random, Sums& sums) {
     MadeEarth made = random_earth(random, 9);
     // The eye is above the frame's origin, which is about the grid.
     made.origin_lon_deg =

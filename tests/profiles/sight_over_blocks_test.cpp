@@ -4,6 +4,7 @@
 #include "profiles/outline.hpp"
 #include "profiles/sight_over_blocks.hpp"
 #include "tests/catch.hpp"
+#include "tests/profiles/asked_of_seeds.hpp"
 #include "tests/support/made_earth_grid.hpp"
 #include "tests/support/made_grid.hpp"
 #include "tests/support/random.hpp"
@@ -95,21 +96,10 @@ View looking_north(Vec2 from_m, double eye_z_m) {
   return view;
 }
 
-template <class Ask>
-Sums asked_of_seeds(std::uint64_t count, const Ask& ask) {
-  Sums sums;
-  for (std::uint64_t seed = 1; seed <= last_seed(count); ++seed) {
-    Random random(seed);
-    sums.seed = seed;
-    ask(random, sums);
-  }
-  return sums;
-}
-
 } // namespace
 
 TEST_CASE("Blocks on a map plane tell of high ground what a walk over all of it tells") {
-  const Sums all = asked_of_seeds(150, [](Random& random, Sums& sums) {
+  const Sums all = asked_of_seeds<Sums>(150, [](Random& random, Sums& sums) {
     const int columns = random.whole(2, 160), rows = random.whole(2, 160);
     GridLattice lattice{columns, rows};
     if (random.chance(0.7))
@@ -132,7 +122,7 @@ TEST_CASE("Blocks on a map plane tell of high ground what a walk over all of it 
 }
 
 TEST_CASE("Blocks of a grid in degrees tell of high ground what a walk over all of it tells") {
-  const Sums all = asked_of_seeds(100, [](Random& random, Sums& sums) {
+  const Sums all = asked_of_seeds<Sums>(100, [](Random& random, Sums& sums) {
     MadeEarth made = random_earth(random, 140);
     made.lon_step_deg = random.pick({1.0 / 3600, 1.0 / 1200});
     made.lat_step_deg = made.lon_step_deg;
