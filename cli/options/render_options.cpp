@@ -28,6 +28,7 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
   if (option == "distance") return is_perspective;
   if (option == "refraction" || option == "curvature-coefficient")
     return is_perspective || is_round;
+  if (option == "elevation-above") return is_perspective && !view.has_eye();
   if (option == "strips") return is_round;
   if (option == "roll") return !is_round;
   if (option == "eye-height" || option == "eye-summit") return view.has_eye();

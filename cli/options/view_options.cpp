@@ -130,6 +130,16 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                        s.map.view.from_elevation = from->elevation;
                        return true;
                      }});
+  options.push_back(with_choice<Horizontal>(
+      {.group = kGroup,
+       .name = "--elevation-above",
+       .help =
+           "Whose horizontal the elevation of --view-from is above, where the earth's curvature "
+           "is drawn in perspective: the target's slopes towards the eye, by 0.4 degrees on a "
+           "map of 12 km and 16 on one of New Zealand",
+       .by_default = "target"},
+      {{"target", Horizontal::of_target}, {"eye", Horizontal::of_eye}},
+      s.map.view.elevation_above));
   Option projection = with_choice<Projection>({.group = kGroup,
                                                .name = "--projection",
                                                .help = "Kind of picture; the last two are "

@@ -36,6 +36,7 @@ class RenderOptions(TypedDict, total=False):
     """Those of `orograph render` that draw one."""
 
     view_from: Several | None
+    elevation_above: Literal["target", "eye"] | None
     projection: (
         Literal["perspective", "orthographic", "oblique", "cylindrical", "equirectangular"] | None
     )

@@ -48,16 +48,60 @@ bool draws_silhouettes(const Style& style) {
 
 namespace {
 
-// Of the border whether it is that of water whose shores are drawn, where nothing in the landscape
-// ends: it isn't drawn. But to an eye in the landscape water that ends within 2 degrees below its
-// horizontal, and nearly level, ends at the sea's horizon, for all that a picture tells. Water
-// without shores is all that there is, and has its border.
+// Of open border the stretches that hang together, each as the places of its edges in the list.
+std::vector<std::vector<std::size_t>> open_stretches(const std::vector<BorderEdge>& border,
+                                                     const std::vector<bool>& open) {
+  struct End {
+    std::uint32_t vertex;
+    std::size_t edge;
+    auto operator<=>(const End&) const = default;
+  };
+  std::vector<End> ends;
+  for (std::size_t i = 0; i < border.size(); ++i)
+    if (open[i]) ends.insert(ends.end(), {{border[i].edge.from, i}, {border[i].edge.to, i}});
+  std::size_t steps = 0;
+  std::sort(ends.begin(), ends.end(), StoppableLess(steps));
+  std::vector<bool> taken(border.size());
+  std::vector<std::vector<std::size_t>> stretches;
+  for (const End& first : ends) {
+    if (taken[first.edge]) continue;
+    std::vector<std::size_t> stretch{first.edge};
+    taken[first.edge] = true;
+    for (std::size_t at = 0; at < stretch.size(); ++at) {
+      throw_if_stopped(at);
+      const SurfaceEdge edge = border[stretch[at]].edge;
+      for (const std::uint32_t vertex : {edge.from, edge.to})
+        for (auto next = std::lower_bound(ends.begin(), ends.end(), End{vertex, 0});
+             next != ends.end() && next->vertex == vertex; ++next)
+          if (!taken[next->edge]) {
+            taken[next->edge] = true;
+            stretch.push_back(next->edge);
+          }
+    }
+    stretches.push_back(std::move(stretch));
+  }
+  return stretches;
+}
+
+// Water that takes less of the border is a lake or a river, which the data cuts as it does the land
+// beside it. So much is 20 mm along a page of A4; the outlines that looked torn were open for less
+// than 4 mm, but for 1.2 % of the border, about a corner.
+constexpr double kLeastOfOpen = 0.02;
+
+// Of the border whether it is that of open water whose shores are drawn, where nothing in the
+// landscape ends: it isn't drawn. But to an eye in the landscape water that ends within 2 degrees
+// below its horizontal, and nearly level, ends at the sea's horizon, for all that a picture tells.
+// Water without shores is all that there is, and has its border.
 std::vector<bool> open_water(const TerrainData& terrain, const PlacedView& placed,
                              const Style& style) {
   if (style.flat == FlatGround::draw || style.outline != Outline::one ||
       placed.level.shores.empty())
     return std::vector<bool>(placed.border.size());
   std::vector<bool> open = borders_of(terrain.surface, placed.border, placed.level.triangles);
+  const auto least = kLeastOfOpen * static_cast<double>(placed.border.size());
+  for (const auto& stretch : open_stretches(placed.border, open))
+    if (static_cast<double>(stretch.size()) < least)
+      for (const std::size_t edge : stretch) open[edge] = false;
   const View& view = placed.view;
   if (!view.is_perspective() || view.frames_terrain) return open;
   constexpr double kLowestOfHorizon = 0.035, kRiseOfHorizon = 0.1;

@@ -58,6 +58,7 @@ struct ViewSpec {
   /// Where the viewer stands, seen from the target: azimuth clockwise from north, elevation above
   /// the horizontal, 0 to 90 degrees. Without an eye.
   Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);
+  Horizontal elevation_above = Horizontal::of_target; ///< perspective only
   bool from_auto = false; ///< both chosen, to show most ground with most relief
   /// Horizontal; in perspective, or a panorama's: up to 360 degrees, which it has where nothing is
   /// given.

@@ -42,6 +42,7 @@ ViewRequest view_request(const MapSpec& spec, const TerrainData& terrain, double
   request.field_of_view = spec.view.field_of_view;
   request.distance_m = spec.view.distance_m;
   request.roll = spec.view.roll;
+  request.elevation_above = spec.view.elevation_above;
   request.exaggeration = exaggeration;
   request.both_sides = spec.style.underside == Underside::draw;
   place_eye(request, spec.view, terrain);

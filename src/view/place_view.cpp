@@ -207,15 +207,16 @@ bool put_eye_to_frame(View& view, const ViewRequest& request, const TerrainShape
 // `put_eye` puts the eye where the view's elevation says, and tells whether it could. Where it
 // couldn't after a step, on a planet hardly larger than the terrain, the place before it stays.
 template <class PutEye>
-bool look_from_above_target(View& view, Angle elevation, const PutEye& put_eye) {
+bool look_from_above(View& view, const ViewRequest& request, const PutEye& put_eye) {
   constexpr int kMostSteps = 30; // each is nearer by the slope's share: on the earth three do
   constexpr double kSame_deg = 1e-5;
   if (!put_eye()) return false;
-  double change_deg = view.drop.any() ? 1 : 0;
+  const bool is_sloping = view.drop.any() && request.elevation_above == Horizontal::of_target;
+  double change_deg = is_sloping ? 1 : 0;
   for (int i = 0; i < kMostSteps && change_deg > kSame_deg; ++i) {
     const View before = view;
     const double away_m = view.distance_m * cos(view.elevation);
-    set_elevation(view, elevation + atan2_angle(2 * view.drop.per_vv * away_m, 1));
+    set_elevation(view, request.from_elevation + atan2_angle(2 * view.drop.per_vv * away_m, 1));
     change_deg = std::abs((view.elevation + -before.elevation).in_degrees());
     if (!put_eye()) {
       view = before;
@@ -312,7 +313,7 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
   view.frames_terrain = !by_field;
   if (by_field) {
     if (!request.eye_m)
-      look_from_above_target(view, request.from_elevation, [&] {
+      look_from_above(view, request, [&] {
         put_eye_at_distance(view, *request.distance_m);
         return true;
       });
@@ -325,7 +326,7 @@ View place_view(const ViewRequest& request, const TerrainShape& terrain, double 
       throw Error("all of the terrain is behind the eye", "turn the view towards it");
   } else {
     PictureEnds ends;
-    if (view.is_perspective() && !look_from_above_target(view, request.from_elevation, [&] {
+    if (view.is_perspective() && !look_from_above(view, request, [&] {
           return put_eye_to_frame(view, request, terrain, ends);
         }))
       throw Error(

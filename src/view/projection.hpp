@@ -6,6 +6,10 @@
 
 namespace orograph {
 
+/// Where the ground is level that a framed view's elevation is above. On ground that sinks with the
+/// earth the target's horizontal slopes towards the eye.
+enum class Horizontal { of_target, of_eye };
+
 /// The last two are panoramas: no plane pictures, but of all that is about an eye.
 enum class Projection { perspective, orthographic, oblique, cylindrical, equirectangular };
 

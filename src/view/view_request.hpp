@@ -31,6 +31,7 @@ struct ViewRequest {
   /// the horizontal, 0 to 90 degrees, and from -90 where both sides are looked at. Not looked at
   /// where `eye_m` is given; the elevation not in an oblique view.
   Angle from_azimuth = Angle::degrees(180), from_elevation = Angle::degrees(25);
+  Horizontal elevation_above = Horizontal::of_target; ///< without an eye; perspective only
   /// Horizontal field, perspective only. Without an eye or a distance, the eye goes where the
   /// terrain fills this field (30 degrees by default). With a distance and a field, or with an eye
   /// (again 30 degrees by default), the page shows just this field. With a distance alone, the

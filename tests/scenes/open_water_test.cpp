@@ -134,6 +134,27 @@ TEST_CASE("water that runs out of a framed picture has no border, and land has")
   }
 }
 
+TEST_CASE("a lake that the data cuts has the land's border") {
+  constexpr int kFine = 201;
+  const auto sea_m = [&](int lake_cells) {
+    std::vector<float> heights;
+    for (int r = 0; r < kFine; ++r)
+      for (int c = 0; c < kFine; ++c) {
+        const bool is_lake = r >= 60 && r <= 60 + lake_cells && c < 60; // large enough for water
+        heights.push_back(is_lake ? 0.0F : static_cast<float>(20 + (7 * r + 5 * c) % 11));
+      }
+    constexpr double kFine_m = kEnd_m / (kFine - 1);
+    TerrainData terrain;
+    terrain.surface = Grid{kFine, kFine, PlaneLattice{{0, kEnd_m}, {kFine_m, 0}, {0, -kFine_m}},
+                           std::move(heights)};
+    MapSpec spec = on_the_ground();
+    spec.view.from_azimuth = Angle::degrees(270); // the lake's border is the nearest
+    return border_of(drawn(terrain, spec)).sea_m;
+  };
+  CHECK(sea_m(15) == Approx(150)); // of 800 edges
+  CHECK(sea_m(17) == 0);
+}
+
 TEST_CASE("to an eye in the landscape water ends at its horizon, or nowhere") {
   double horizon_m = 0;
   std::size_t none = 0;

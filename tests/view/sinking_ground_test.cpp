@@ -41,6 +41,11 @@ TEST_CASE("elevations are above the horizontal of what is looked at") {
     const double rises = std::atan2(view.eye_z_m - target.z, target.v);
     const double elevation_deg = 180 / std::numbers::pi * (rises - std::atan(slope));
     sloping += slope > 0.01;
+
+    request.elevation_above = Horizontal::of_eye;
+    CHECK(place_view(request, terrain.shape(), 0.7).elevation == request.from_elevation);
+    request.elevation_above = Horizontal::of_target;
+
     // The last step that moves it does so by less than a hundredth of that.
     CHECK(std::abs(elevation_deg - request.from_elevation.in_degrees()) < 1e-3);
     CHECK(std::abs(elevation_deg + 180 / std::numbers::pi * std::atan(slope) -
