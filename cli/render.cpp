@@ -12,7 +12,7 @@
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
 #include "map/describe_map.hpp"
-#include "map/draw_map.hpp"
+#include "map/draw_level.hpp"
 #include "map/look_around.hpp"
 #include "map/name_places.hpp"
 #include "placing/level_of_detail.hpp"
@@ -49,6 +49,13 @@ void tell_check(const std::optional<CheckCounts>& check) {
     say("check: {} points asked, {} tied, {} drawn but hidden, {} visible but not "
         "drawn",
         check->asked, check->ties, check->hidden, check->missing);
+}
+
+void tell_check(const std::optional<CheckOfFile>& check) {
+  if (check)
+    say("check: {} points drawn asked of the file's surface, {} tied with it within {:.2g} mm, {} "
+        "hidden by more",
+        check->counts.asked, check->counts.ties, 2 * check->within_mm, check->counts.hidden);
 }
 
 } // namespace
@@ -104,8 +111,7 @@ void render(const RenderSettings& settings) {
   if (!settings.quiet) tell_placing(placed, settings.map.view);
 
   ProgressBar bar(shows_progress(settings.quiet, settings.progress));
-  Map map = draw_map(*terrain, placed, spec, [&](double fraction) { bar.show(fraction); });
-  map.facts.level = level;
+  Map map = draw_level(terrain, placed, spec, level, [&](double fraction) { bar.show(fraction); });
   check_not_empty(map, settings);
   finish_drawing(map, settings);
 
@@ -120,6 +126,7 @@ void render(const RenderSettings& settings) {
   seconds.write = seconds_since(write_start);
   bar.finish(); // before anything is told: lines behind marks are read by nobody
   tell_check(map.facts.check);
+  tell_check(map.facts.check_of_file);
   if (!settings.quiet)
     for (const std::string& line : map.facts.lettering) say_line(line);
   if (!settings.quiet && named) {

@@ -6,7 +6,7 @@
 #include "geometry/on_all_cores.hpp"
 #include "map/check_spec.hpp"
 #include "map/describe_map.hpp"
-#include "map/draw_map.hpp"
+#include "map/draw_level.hpp"
 #include "map/look_around.hpp"
 #include "map/name_places.hpp"
 #include "placing/level_of_detail.hpp"
@@ -187,8 +187,7 @@ Map Session::draw(const MapSpec& asked, const Control& control) const {
       PlacedView placed = placed_view(terrain, spec, solids, facts);
       if (kept_->overlays.overlays_) placed.overlays = *kept_->overlays.overlays_;
       placed.names = named;
-      map = draw_map(*terrain, placed, spec, control.progress);
-      map.facts.level = level;
+      map = draw_level(terrain, placed, spec, level, control.progress);
       describe_map(map, terrain, placed, spec);
     });
   });

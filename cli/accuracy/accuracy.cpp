@@ -10,7 +10,6 @@
 #include "dem/read/read_raster.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
-#include "placing/terrain_of_view.hpp"
 #include "write/output_file.hpp"
 
 #include <fmt/format.h>
@@ -45,6 +44,7 @@ std::string name_of(const AccuracyRow& row) {
   if (s.simplify_mm != RowSettings{}.simplify_mm)
     name += fmt::format(", simplify {} mm", s.simplify_mm);
   if (s.overview) name += fmt::format(", overview {}", *s.overview);
+  if (s.level_error_mm) name += fmt::format(", level error {} mm", *s.level_error_mm);
   if (!s.collapse) name += ", no collapse";
   if (s.arithmetic == Arithmetic::float32) name += ", float";
   if (s.arithmetic == Arithmetic::float64 && row.group == "arithmetic") name += ", double";
@@ -69,6 +69,8 @@ std::vector<AccuracyRow> accuracy_rows(const AccuracySettings& settings) {
   const int overviews = overview_count(settings.render);
   for (int level = 0; level < overviews; ++level)
     add("overview", {.profiles = number, .overview = level});
+  for (const double mm : {0.05, 0.2, 0.8})
+    add("level error", {.profiles = number, .level_error_mm = mm});
   // The surface's horizon rises by silhouettes alone; these two are about profiles that hide.
   add("collapse", {.occluder = Occluder::profiles, .profiles = number, .collapse = false});
   for (const Arithmetic arithmetic : {Arithmetic::float32, Arithmetic::float64, Arithmetic::exact})
@@ -86,6 +88,9 @@ std::string broken_promise(const AccuracyRow& row) {
   if (promise.displacement_mm && row.displacement_mm() > *promise.displacement_mm)
     return fmt::format("its displacement is {:.3g} mm, promised {:.3g} mm", row.displacement_mm(),
                        *promise.displacement_mm);
+  if (promise.detail_mm && row.detail_mm && *row.detail_mm > *promise.detail_mm)
+    return fmt::format("its larger cells moved a point by {:.3g} mm, promised {:.3g} mm",
+                       *row.detail_mm, *promise.detail_mm);
   if (promise.simplified_mm && row.simplified &&
       row.simplified->largest_mm > *promise.simplified_mm)
     return fmt::format("its simplification moved a point by {:.3g} mm, promised {:.3g} mm",
@@ -111,13 +116,11 @@ void accuracy(const AccuracySettings& settings) {
 
   const TerrainData whole = read_terrain(render.inputs, render.reading);
   if (!render.quiet) tell_doubts(whole);
-  const TerrainOfView of_view(whole, render.map.view);
-  const TerrainData& terrain = *of_view;
   std::vector<AccuracyRow> rows = accuracy_rows(settings);
   ProgressBar bar(shows_progress(render.quiet, render.progress));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     bar.show(static_cast<double>(i) / static_cast<double>(rows.size()));
-    measure_row(rows[i], settings, terrain);
+    measure_row(rows[i], settings, whole);
   }
   bar.finish();
 
@@ -125,11 +128,11 @@ void accuracy(const AccuracySettings& settings) {
   std::fwrite(table.data(), 1, table.size(), stdout);
   if (!settings.prefix.empty()) {
     write_text(accuracy_csv(rows), csv, render.write.overwrite);
-    write_text(accuracy_json(rows, terrain.source), json, render.write.overwrite);
+    write_text(accuracy_json(rows, whole.source), json, render.write.overwrite);
     OutputFile curve(svg, render.write.overwrite);
     const std::string name = !render.map.title.empty()
                                  ? render.map.title
-                                 : std::filesystem::path(terrain.source).filename().string();
+                                 : std::filesystem::path(whole.source).filename().string();
     plot_accuracy(rows, name, curve.temporary_path());
     curve.commit();
   }

@@ -39,6 +39,7 @@ struct RowSettings {
   double simplify_mm = 0.02;
   bool collapse = true;
   std::optional<int> overview = {};
+  std::optional<double> level_error_mm = {}; ///< cells as large as that lets them be
   Arithmetic arithmetic = Arithmetic::float64;
 };
 
@@ -47,6 +48,7 @@ struct RowPromise {
   std::optional<double> ink_error;       ///< share of the visible length
   std::optional<double> displacement_mm; ///< of ends and, by simplification, of all points
   std::optional<double> simplified_mm;   ///< of points by simplification alone
+  std::optional<double> detail_mm = {};  ///< of points by larger cells
 };
 
 struct AccuracyRow {
@@ -63,7 +65,8 @@ struct AccuracyRow {
   /// The longest stretch of a profile that is visible here and hidden by exact arithmetic, or the
   /// other way round; where arithmetic is varied, but for exact arithmetic itself.
   std::optional<double> arithmetic_mm;
-  std::optional<double> detail_mm; ///< by level of detail, from full heights; overviews only
+  /// By level of detail, from the file's heights; of overviews and of larger cells.
+  std::optional<double> detail_mm;
 
   /// The largest that was found, by all causes together.
   double displacement_mm() const {
@@ -75,13 +78,13 @@ struct AccuracyRow {
 std::string name_of(const AccuracyRow& row);
 
 /// The settings to measure: each number of profiles with either occluder; then, with one of the
-/// numbers, simplification, overviews (those that the file has), collapse and arithmetic varied one
-/// at a time.
+/// numbers, simplification, overviews (those that the file has), the error of larger cells,
+/// collapse and arithmetic varied one at a time.
 std::vector<AccuracyRow> accuracy_rows(const AccuracySettings& settings);
 
-/// The row's measures into it. REQUIRES that `full` was read from the file at full heights.
+/// The row's measures into it. REQUIRES that `whole` was read from the file at full heights.
 /// Throws Error as `read_raster` and `placed_view` do.
-void measure_row(AccuracyRow& row, const AccuracySettings& settings, const TerrainData& full);
+void measure_row(AccuracyRow& row, const AccuracySettings& settings, const TerrainData& whole);
 
 /// What a row measured beyond its promise, a sentence; empty where the promise was kept.
 std::string broken_promise(const AccuracyRow& row);

@@ -69,6 +69,7 @@ Record record_of(const AccuracyRow& row) {
           {"simplify_mm", s.simplify_mm},
           {"collapse", s.collapse},
           {"overview", whole(s.overview)},
+          {"level_error_mm", s.level_error_mm ? Value(*s.level_error_mm) : Value()},
           {"arithmetic", kArithmetics[static_cast<std::size_t>(s.arithmetic)]},
           {"facing_s", row.seconds.facing},
           {"cut_s", row.seconds.cut},
@@ -160,7 +161,8 @@ std::string accuracy_json(const std::vector<AccuracyRow>& rows, const std::strin
 
 std::string accuracy_plot_script(const std::vector<AccuracyRow>& rows, const std::string& title,
                                  const std::string& path) {
-  Points surface{"surface", ""}, profiles{"profiles", ""}, overview{"overview", ""};
+  Points surface{"surface", ""}, profiles{"profiles", ""}, overview{"overview", ""},
+      level{"level", ""};
   Points measured{"measured", ""}, promised{"promised", ""};
   double fastest = 1e9, slowest = 0, smallest_percent = 100, smallest_mm = 1;
   bool found_on_surface = false;
@@ -177,11 +179,14 @@ std::string accuracy_plot_script(const std::vector<AccuracyRow>& rows, const std
       (of_surface ? surface : profiles).add(seconds, shown_percent(ink), count);
     else if (row.group == "overview")
       overview.add(seconds, shown_percent(ink), fmt::format("overview {}", *row.settings.overview));
-    if (row.group == "profiles" || row.group == "overview" || row.group == "simplify") {
+    else if (row.group == "level error")
+      level.add(seconds, shown_percent(ink), fmt::format("{} mm", *row.settings.level_error_mm));
+    if (row.group == "profiles" || row.group == "overview" || row.group == "level error" ||
+        row.group == "simplify") {
       fastest = std::min(fastest, seconds);
       slowest = std::max(slowest, seconds);
     }
-    if (row.group == "profiles" || row.group == "overview")
+    if (row.group == "profiles" || row.group == "overview" || row.group == "level error")
       smallest_percent = std::min(smallest_percent, shown_percent(ink));
     if (of_surface && row.profile_count == varied && row.promise.displacement_mm) {
       const double mm = std::max(row.displacement_mm(), kLeastShown_mm);
@@ -195,7 +200,7 @@ std::string accuracy_plot_script(const std::vector<AccuracyRow>& rows, const std
   script +=
       "set terminal svg size 1000,460 dynamic background rgb '#ffffff' font 'sans-serif,13'\n";
   script += fmt::format("set output {}\n", quoted_for_gnuplot(path));
-  for (const Points* points : {&surface, &profiles, &overview, &measured, &promised})
+  for (const Points* points : {&surface, &profiles, &overview, &level, &measured, &promised})
     script += points->block();
   script += kCurveStyle;
   script += fmt::format("set xrange [{:.4g}:{:.4g}]\n", 600 * fastest, 1600 * slowest);
@@ -217,6 +222,9 @@ std::string accuracy_plot_script(const std::vector<AccuracyRow>& rows, const std
     script += ", \\\n $overview using 1:2 with points pt 5 ps 0.8 lc rgb '#6a9a3b' title "
               "'overviews', \\\n $overview " +
               labels;
+  script += ", \\\n $level using 1:2 with points pt 9 ps 0.9 lc rgb '#8a5fb0' title "
+            "'larger cells, by --level-error', \\\n $level " +
+            labels;
   script += fmt::format("\nset title 'Displacement, surface, {} profiles'\n", varied);
   script += "set ylabel 'mm on paper'\n"
             "set format y '10^{%T}'\n";

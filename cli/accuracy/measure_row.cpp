@@ -11,6 +11,7 @@
 #include "map/draw_map.hpp"
 #include "map/error_budget.hpp"
 #include "map/line_on_page.hpp"
+#include "placing/level_of_detail.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/terrain_of_view.hpp"
 #include "profiles/cut_surface.hpp"
@@ -54,6 +55,8 @@ RenderSettings settings_of(const AccuracyRow& row, const RenderSettings& render,
   out.map.style.join_mm = 0;
   out.map.style.min_stroke_mm = 0;
   out.reading.overview = row.settings.overview;
+  out.map.style.detail = {.of_file = !row.settings.level_error_mm,
+                          .error_mm = row.settings.level_error_mm};
   if (row.settings.arithmetic == Arithmetic::exact) out.map.style.layers = {"profiles"};
   return out;
 }
@@ -62,7 +65,8 @@ RenderSettings settings_of(const AccuracyRow& row, const RenderSettings& render,
 RowPromise promise_of(const RowSettings& settings, const ErrorBudget& budget) {
   RowPromise out;
   out.simplified_mm = budget.simplification_mm + budget.rounding_mm;
-  if (settings.occluder != Occluder::surface || settings.overview ||
+  if (settings.level_error_mm) out.detail_mm = budget.level_of_detail_mm;
+  if (settings.occluder != Occluder::surface || settings.overview || settings.level_error_mm ||
       settings.arithmetic != Arithmetic::float64)
     return out;
   out.ink_error = 0;
@@ -249,7 +253,9 @@ SimplifiedDistance simplified_distance(const Drawing& simplified, const Drawing&
 
 } // namespace
 
-void measure_row(AccuracyRow& row, const AccuracySettings& settings, const TerrainData& full) {
+void measure_row(AccuracyRow& row, const AccuracySettings& settings, const TerrainData& whole) {
+  TerrainOfView of_view(whole, settings.render.map.view);
+  const TerrainData& full = of_view.without_level();
   const RenderSettings render = settings_of(row, settings.render, full);
   std::optional<TerrainData> overview;
   if (row.settings.overview) {
@@ -259,11 +265,13 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
               earth->exaggeration);
     if (auto cut = cut_by_view(*overview, render.map.view)) overview = std::move(cut);
   }
-  const TerrainData& terrain = overview ? *overview : full;
-  const Surface* full_heights = overview ? &full.surface : nullptr;
-  const PlacedView scene = placed_view(terrain, render.map);
+  const std::optional<LevelOfDetail> level = choose_level(of_view, render.map, nullptr, nullptr);
+  const TerrainData& terrain = overview ? *overview : *of_view;
+  const Surface* full_heights = overview || level ? &full.surface : nullptr;
+  const PlacedView scene =
+      overview ? placed_view(terrain, render.map) : placed_view(of_view, render.map);
   row.profile_count = scene.depths_m.size();
-  row.promise = promise_of(row.settings, error_budget(terrain, scene, render.map));
+  row.promise = promise_of(row.settings, error_budget(terrain, scene, render.map, level));
 
   const bool exact = row.settings.arithmetic == Arithmetic::exact;
   const auto run = [&](const std::vector<LineObserver*>& observers) {
@@ -281,9 +289,9 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
   MapSpec unsimplified = render.map;
   unsimplified.style.simplify_mm = 0;
   InkMeter lengths(terrain.surface, scene, render.map, kNever, full_heights);
-  const Map whole = draw_map(terrain, scene, unsimplified, [](double) {},
-                             {.observers = {&lengths}, .beyond_page = true});
-  check_not_empty(whole, render);
+  const Map unthinned = draw_map(terrain, scene, unsimplified, [](double) {},
+                                 {.observers = {&lengths}, .beyond_page = true});
+  check_not_empty(unthinned, render);
 
   // Profiles get the points that were asked for, whether other lines are drawn too or not: rows
   // with the same profiles are asked of the same points.
@@ -294,7 +302,7 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
                      {ends / 2 / scene.depths_m.size() + 1, ends / 2 + 1});
   VisibleRecord visible(scene);
   std::vector<LineObserver*> observers{&ink};
-  if (!overview) observers.push_back(&end_meter);
+  if (!full_heights) observers.push_back(&end_meter);
   if (row.group == "arithmetic") observers.push_back(&visible);
   const Map probed = run(observers);
 
@@ -302,11 +310,11 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
   row.profiles = ink.profiles();
   row.lines = ink.lines();
   row.ends = end_meter.ends();
-  if (overview) row.detail_mm = ink.farthest_mm();
+  if (full_heights) row.detail_mm = ink.farthest_mm();
   if (exact) {
     row.seconds = probed.facts.seconds; // too slow to be repeated
   } else {
-    row.simplified = simplified_distance(probed.drawing, whole.drawing);
+    row.simplified = simplified_distance(probed.drawing, unthinned.drawing);
     for (int i = 0; i < settings.repeats; ++i) keep_least(row.seconds, run({}).facts.seconds);
     if (row.group == "arithmetic") {
       VisibleRecord exactly(scene);

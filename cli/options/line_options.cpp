@@ -116,6 +116,14 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                        detail.cell_mm = parse_number(number);
                        return detail.cell_mm && *detail.cell_mm >= 0.01 && *detail.cell_mm <= 100;
                      }});
+  options.push_back(with_number(
+      {.group = kGroup,
+       .name = "--level-error",
+       .value = "MM",
+       .help = "Instead of --detail: cells as large as may be while no point of the ground is, on "
+               "the page, off by more than this"},
+      {.unit = "millimetres", .low = 0.001, .high = 1},
+      [&s](double mm) { s.map.style.detail = {.error_mm = mm}; }));
   options.push_back({.group = kGroup,
                      .name = "--light",
                      .value = "AZ/ALT|off",

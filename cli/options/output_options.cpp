@@ -160,14 +160,29 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
        .allowed = "a file name",
        .extensions = {"json", "toml"},
        .take = stored_name(s.report)});
-  options.push_back(with_integer({.group = kOutput,
-                                  .name = "--check",
-                                  .value = "N",
-                                  .help = "Ask N random points of the drawing of a ray walk over "
-                                          "the terrain, and tell how many are drawn wrongly",
-                                  .by_default = "0"},
-                                 0, 100000000,
-                                 [&s](int n) { s.map.check = static_cast<unsigned>(n); }));
+  options.push_back(
+      {.group = kOutput,
+       .name = "--check",
+       .value = "N[,file]|file",
+       .help =
+           "Ask N random points of the drawing, 100000 without N, of a ray walk over the terrain "
+           "as it is drawn, and tell how many are drawn wrongly; with file ask points that are "
+           "drawn of the file's own surface too",
+       .allowed = "a whole number from 0 to 100000000, and file behind a comma or alone",
+       .by_default = "0",
+       .words = {"file"},
+       .take = [&s](const std::string& text) {
+         constexpr std::string_view kFile = "file", kBehind = ",file";
+         std::string_view number = text;
+         const bool of_file = text == kFile || text.ends_with(kBehind);
+         if (of_file) number.remove_suffix(text == kFile ? kFile.size() : kBehind.size());
+         const auto points =
+             number.empty() && of_file ? std::optional(100000) : parse_integer(number);
+         if (!points || *points < 0 || *points > 100000000) return false;
+         s.map.check = static_cast<unsigned>(*points);
+         s.map.check_of_file = of_file ? s.map.check : 0;
+         return true;
+       }});
 }
 
 void add_pen_time_options(std::vector<Option>& options, RenderSettings& s) {

@@ -158,6 +158,7 @@ std::vector<Conflict> picture_conflicts() {
       {"--azimuth-range", "--look-at", "the range is its own direction"},
       {"--azimuth-range", "--look-at-lonlat", "the range is its own direction"},
       {"--portrait", "--landscape", "give one of the two"},
+      {"--detail", "--level-error", "cells are so large, or as large as the error lets them be"},
       {"--view-from", "--axonometric", "give one of the two"},
       {"--projection", "--axonometric", "leave --projection out"},
       {"--oblique", "--axonometric", "give one of the two"},

@@ -239,6 +239,13 @@ Json json_of(const CheckCounts& check) {
           {"visible_but_not_drawn", check.missing}};
 }
 
+Json json_of(const CheckOfFile& check) {
+  return {{"within_mm", check.within_mm},
+          {"asked", check.counts.asked},
+          {"ties", check.counts.ties},
+          {"drawn_but_hidden", check.counts.hidden}};
+}
+
 Json json_of(const LevelOfDetail& level) {
   return {{"step", level.step},
           {"most_step", level.most_step},
@@ -246,6 +253,7 @@ Json json_of(const LevelOfDetail& level) {
           {"cell_mm", level.cell_mm},
           {"greatest_departure_m", level.greatest_m},
           {"rms_departure_m", level.rms_m},
+          {"greatest_departure_mm", level.greatest_mm},
           {"summits", level.summits},
           {"summit_moved_mm", level.summit_moved_mm}};
 }
@@ -360,6 +368,7 @@ std::string report_text(const RunReport& report) {
               {"min_stroke", report.left_out.min_stroke_mm}}},
             {"skyline", report.skyline ? json_of(*report.skyline) : Json()},
             {"check", report.check ? json_of(*report.check) : Json()},
+            {"check_of_file", report.check_of_file ? json_of(*report.check_of_file) : Json()},
             {"seconds", json_of(report.seconds)},
             {"peak_memory_bytes", report.peak_memory_bytes},
             // Last, since it is long.

@@ -247,6 +247,12 @@ Columns::Columns(const SweepSettings& settings, const ViewList& views)
     checked("check_hidden", "of these, drawn but hidden", &CheckCounts::hidden);
     checked("check_missing", "of these, visible but not drawn", &CheckCounts::missing);
   }
+  if (settings.render.map.check_of_file > 0)
+    add({"check_of_file_hidden", "",
+         "points drawn that the file's surface hides by more than twice the level's error"},
+        [](const DrawnView& f) {
+          return f.report.check_of_file ? cell(f.report.check_of_file->counts.hidden) : Cell();
+        });
   add({"error_bound_mm", "mm", "the farthest that a line may be from its place on paper"},
       [](const DrawnView& f) { return cell(f.report.error_budget.total_mm()); });
   if (settings.seconds)

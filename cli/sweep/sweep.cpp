@@ -14,7 +14,7 @@
 #include "dem/terrain.hpp"
 #include "geometry/error.hpp"
 #include "map/describe_map.hpp"
-#include "map/draw_map.hpp"
+#include "map/draw_level.hpp"
 #include "map/name_places.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/placed_view.hpp"
@@ -100,8 +100,8 @@ void draw_view(const SweepRun& run, std::size_t view) {
     placed.names = run.names;
     GroundMeter ground(placed);
     Map map = drawn_or_why([&] {
-      Map out = draw_map(**terrain, placed, settings.map, [](double) {}, {.observers = {&ground}});
-      out.facts.level = level;
+      Map out = draw_level(*terrain, placed, settings.map, level, [](double) {},
+                           {.observers = {&ground}});
       check_not_empty(out, settings);
       finish_drawing(out, settings);
       return out;

@@ -16,9 +16,7 @@ std::int64_t half(std::int64_t number) {
 
 } // namespace
 
-Patches::Patches(const Grid& grid, PatchLevels levels,
-                 const std::function<int(const PatchPlace&)>& wanted)
-    : levels_(levels) {
+Patches::Patches(const Grid& grid, PatchLevels levels, const IsRight& is_right) : levels_(levels) {
   columns_ = static_cast<std::int64_t>(grid.columns - 1) * cell(0);
   rows_ = static_cast<std::int64_t>(grid.rows - 1) * cell(0);
   for (int level = levels.finest; level <= levels.coarsest; ++level) {
@@ -30,7 +28,7 @@ Patches::Patches(const Grid& grid, PatchLevels levels,
   const Level& top = of(levels.coarsest);
   for (std::int64_t row = 0; row < top.down; ++row)
     for (std::int64_t column = 0; column < top.across; ++column)
-      ask({levels.coarsest, column, row}, wanted);
+      ask({levels.coarsest, column, row}, is_right);
   balance();
   for (std::int64_t row = 0; row < top.down; ++row)
     for (std::int64_t column = 0; column < top.across; ++column)
@@ -46,16 +44,16 @@ PatchPlace Patches::place_of(const Patch& patch) const {
           at(patch.row + 1, rows_)};
 }
 
-void Patches::ask(const Patch& patch, const std::function<int(const PatchPlace&)>& wanted) {
+void Patches::ask(const Patch& patch, const IsRight& is_right) {
   if (patch.level == levels_.finest) return;
   throw_if_stopped();
-  if (wanted(place_of(patch)) >= patch.level) return;
+  if (is_right(patch.level, place_of(patch))) return;
   Level& level = of(patch.level);
   level.parted[static_cast<std::size_t>(patch.row * level.across + patch.column)] = true;
   const Level& finer = of(patch.level - 1);
   for (const std::int64_t row : {2 * patch.row, 2 * patch.row + 1})
     for (const std::int64_t column : {2 * patch.column, 2 * patch.column + 1})
-      if (column < finer.across && row < finer.down) ask({patch.level - 1, column, row}, wanted);
+      if (column < finer.across && row < finer.down) ask({patch.level - 1, column, row}, is_right);
 }
 
 // What is beside a parted patch is a patch of its level, or parted as well: the next coarser one

@@ -18,6 +18,8 @@ struct PatchLevels {
 
 /// Cells that a patch has along a side, of its own.
 constexpr int kPatchCells = 16;
+/// A side of the coarsest, for a terrain of any size: far ground isn't drawn in larger cells.
+constexpr int kCoarsestLevel = 6;
 
 /// Of a grid's rows and columns, whole at vertices.
 struct PatchPlace {
@@ -37,11 +39,11 @@ struct Patch {
 /// by one level at most.
 class Patches {
 public:
-  /// Patches are as coarse as `wanted` has it of their place, or finer where those beside them ask
-  /// for it. REQUIRES finest <= 0 <= coarsest. Cost: that of `wanted` for each patch, four thirds
-  /// of it.
-  Patches(const Grid& grid, PatchLevels levels,
-          const std::function<int(const PatchPlace&)>& wanted);
+  /// Patches are the coarsest that `is_right` lets be of a level at their place, or finer where
+  /// those beside them ask for it; the finest are right anywhere. REQUIRES finest <= 0 <= coarsest.
+  /// Cost: that of `is_right` for each patch, four thirds of it.
+  using IsRight = std::function<bool(int level, const PatchPlace&)>;
+  Patches(const Grid& grid, PatchLevels levels, const IsRight& is_right);
 
   PatchLevels levels() const { return levels_; }
   /// Each beside the one before it, as far as may be.
@@ -70,7 +72,7 @@ private:
   const Level& of(int level) const {
     return parted_[static_cast<std::size_t>(level - levels_.finest)];
   }
-  void ask(const Patch& patch, const std::function<int(const PatchPlace&)>& wanted);
+  void ask(const Patch& patch, const IsRight& is_right);
   void balance();
   void list(const Patch& patch);
   int level_of_cell(std::int64_t column, std::int64_t row) const;

@@ -53,7 +53,7 @@ public:
       if (patch.level > 0) has[static_cast<std::size_t>(patch.level)] = true;
     nested_.resize(has.size());
     for (std::size_t level = 1; level < has.size(); ++level)
-      if (has[level]) nested_[level] = nested_heights(grid, 1 << level, is_kept);
+      if (has[level] && is_kept) nested_[level] = nested_heights(grid, 1 << level, is_kept);
   }
 
   // Of a level from the file's on, at a vertex of its lattice.
@@ -62,6 +62,7 @@ public:
     const int column = static_cast<int>(place[0] / file), row = static_cast<int>(place[1] / file);
     if (level <= 0) return grid_.height_m(column, row);
     const NestedHeights& heights = nested_[static_cast<std::size_t>(level)];
+    if (heights.heights_m.empty()) return grid_.height_m(column, row);
     const auto number = [&](int at) {
       return static_cast<std::size_t>((at + (1 << level) - 1) >> level);
     };

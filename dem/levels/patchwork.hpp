@@ -26,8 +26,9 @@ struct Patchwork {
 /// refined heights. A vertex that several patches have is as the coarsest of them has it; one that
 /// lies on an edge of a coarser patch is on the straight line between that edge's ends, in the
 /// ground frame, and parts the coarse triangle too. So each edge has its triangles on both sides.
-/// A triangle that misses a height isn't there. `is_kept` as of `generalised`. Cost: some 0.5 us a
-/// vertex, and 5 ns a height of the grid for each level that is coarser than the file's.
+/// A triangle that misses a height isn't there. `is_kept` as of `generalised`; where it is empty,
+/// larger cells aren't generalised but have the file's heights at their vertices. Cost: some 0.5 us
+/// a vertex, and 5 ns a height of the grid for each level that is coarser than the file's.
 Patchwork patchwork(const Grid& grid, const Patches& patches,
                     const std::function<bool(int column, int row)>& is_kept);
 

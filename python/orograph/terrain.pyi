@@ -64,6 +64,7 @@ class RenderOptions(TypedDict, total=False):
     profiles: int | str | None
     spacing: Several | None
     detail: float | str | None
+    level_error: float | str | None
     spread: Literal["even", "planes"] | None
     light: Several | None
     light_contrast: float | str | None

@@ -88,6 +88,7 @@ double Check::near_end(double begin, double end) {
 }
 
 void Check::judge(const ProfileLine& line, double t, bool on_edge, bool drawn) {
+  if (drawn_alone_ && !drawn) return;
   throw_if_stopped(); // a ray may go over thousands of triangles
   ++counts_.asked;
   const Verdict verdict = judge_->verdict(line, t, on_edge, drawn);

@@ -21,6 +21,8 @@ public:
   /// outlive the check.
   Check(const Surface& surface, const PlacedView& placed, double tolerance_mm,
         std::uint64_t points);
+  /// From now on it asks what is drawn alone.
+  void ask_drawn_alone() { drawn_alone_ = true; }
 
   void see(const SeenProfile& profile) override;
   void see(const SeenLines& lines) override;
@@ -38,6 +40,7 @@ private:
 
   const Surface& surface_;
   double tolerance_mm_;
+  bool drawn_alone_ = false;
   std::uint64_t a_profile_, a_sector_; ///< points asked of each profile, and of a sector's lines
   std::uint64_t owed_ = 0;             ///< points that profiles haven't been asked yet
   const Sector* sector_ = nullptr;     ///< the one that is seen

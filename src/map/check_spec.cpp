@@ -224,7 +224,7 @@ void check_underside(const MapSpec& spec, bool has_solids) {
                      "leave out `solids`, or `underside`");
   if (style.occluder == Occluder::profiles)
     throw UsageError("profiles that hide have no underside", "leave out `underside`");
-  if (spec.check > 0)
+  if (spec.check > 0 || spec.check_of_file > 0)
     throw UsageError("`check` asks of ground that has no underside",
                      "leave out `check`, or `underside`");
 }

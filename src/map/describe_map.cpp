@@ -222,9 +222,7 @@ void describe_map(Map& map, const TerrainOfView& of_view, const PlacedView& plac
   facts.view = describe_view(placed, terrain, spec);
   facts.view.curvature = describe_curvature(placed, spec.view.curvature);
   facts.profiles = {spacing_text(placed.plan), placed.depths_m};
-  facts.error_budget = error_budget(terrain, placed, spec);
-  if (facts.level && facts.error_budget.level_of_detail_mm)
-    *facts.error_budget.level_of_detail_mm += facts.level->greatest_mm;
+  facts.error_budget = error_budget(terrain, placed, spec, facts.level);
   const std::vector<PenTravel> by_layer = pen_travel_by_layer(map.drawing);
   facts.layers.clear();
   for (std::size_t i = 0; i < by_layer.size(); ++i) {

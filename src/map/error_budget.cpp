@@ -65,10 +65,12 @@ std::optional<double> geodesy_mm(const TerrainData& terrain, const PlacedView& p
   return round_mm + *plane_mm;
 }
 
-// How far points of the surface are from where those that it stands for would be drawn. (Where two
-// ridges nearly coincide in the picture, what one hides of the other may change by more.)
-double level_of_detail_mm(const TerrainData& terrain, const PlacedView& placed) {
-  if (terrain.surface_error_m == 0) return 0;
+} // namespace
+
+double level_of_detail_mm(const TerrainData& terrain, const PlacedView& placed,
+                          const std::optional<LevelOfDetail>& level) {
+  const double of_level_mm = level ? level->greatest_mm : 0;
+  if (terrain.surface_error_m == 0) return of_level_mm;
   const View& view = placed.view;
   const double height_m = terrain.surface_error_m * view.exaggeration;
   const double nearest_m = view.is_perspective() ? least_distance_m(placed) : 1;
@@ -77,15 +79,13 @@ double level_of_detail_mm(const TerrainData& terrain, const PlacedView& placed) 
     const double nearer = view.is_perspective() ? length(ray) / nearest_m : 1;
     greatest = std::max(greatest, mm_per_height(placed, ray) * height_m * nearer);
   }
-  return greatest;
+  return greatest + of_level_mm;
 }
 
-} // namespace
-
-ErrorBudget error_budget(const TerrainData& terrain, const PlacedView& placed,
-                         const MapSpec& spec) {
+ErrorBudget error_budget(const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec,
+                         const std::optional<LevelOfDetail>& level) {
   ErrorBudget budget;
-  budget.level_of_detail_mm = level_of_detail_mm(terrain, placed);
+  budget.level_of_detail_mm = level_of_detail_mm(terrain, placed, level);
   if (terrain.is_overview) budget.level_of_detail_mm.reset();
   budget.simplification_mm = spec.style.simplify_mm;
   budget.joining_mm = spec.ground_points ? 0 : 0.5 * spec.style.join_mm; // no gap is bridged there

@@ -30,6 +30,14 @@ inline CheckCounts operator+(const CheckCounts& a, const CheckCounts& b) {
   return {a.asked + b.asked, a.ties + b.ties, a.hidden + b.hidden, a.missing + b.missing};
 }
 
+/// What is drawn of a level of the file's surface, asked of that surface
+/// (`MapSpec::check_of_file`). A level that is off by no more than `within_mm` hides, or shows, no
+/// more than twice that.
+struct CheckOfFile {
+  double within_mm = 0; ///< on the page, as the error budget has it
+  CheckCounts counts;   ///< `hidden` is what lies behind the file's surface by more than twice that
+};
+
 /// Where a terrain comes from, as its readers know it.
 struct InputFacts {
   std::vector<std::string> paths;                   ///< as given
@@ -154,6 +162,7 @@ struct MapFacts {
   ErrorBudget error_budget; ///< of the drawing in memory; a file's format may add its rounding
   InkLeftOut left_out;
   std::optional<CheckCounts> check; ///< where one was asked for
+  std::optional<CheckOfFile> check_of_file;
   double pen_down_mm = kNotMeasured, pen_up_mm = kNotMeasured;
   std::uint64_t pen_lifts = 0;
   std::optional<NamesFacts> names; ///< none: none were given

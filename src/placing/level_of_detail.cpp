@@ -8,6 +8,7 @@
 #include "dem/levels/patchwork.hpp"
 #include "dem/levels/refine.hpp"
 #include "dem/levels/summits.hpp"
+#include "placing/certified_patches.hpp"
 #include "placing/land_part.hpp"
 #include "placing/patches_of_view.hpp"
 #include "placing/placed_view.hpp"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -149,14 +151,16 @@ bool all_face_up(const Tin& tin) {
 
 // Of what is shown: the rest is as coarse as may be.
 void tell_patches(LevelOfDetail& level, const Grid& grid, const Patches& patches,
-                  const Patchwork& made, const ScaleOnPage& scale, double exaggeration) {
+                  const Patchwork& made,
+                  const std::function<double(const PatchPlace&)>& mm_per_m_of,
+                  double exaggeration) {
   const GridSteps steps = steps_of(grid);
   const double cell_m = std::max(length(steps.column_m), length(steps.row_m));
   int finest = patches.levels().coarsest, coarsest = patches.levels().finest;
   double squares = 0, shown = 0;
   for (std::size_t i = 0; i < made.departures.size(); ++i) {
     const Patch& patch = patches.patches()[i];
-    const double mm_per_m = scale.mm_per_m(patches.place_of(patch));
+    const double mm_per_m = mm_per_m_of(patches.place_of(patch));
     if (!(mm_per_m > 0)) continue;
     finest = std::min(finest, patch.level);
     coarsest = std::max(coarsest, patch.level);
@@ -185,6 +189,21 @@ bool buries_eye(const Tin& tin, const View& view) {
   return ground && *ground * view.exaggeration > view.eye_z_m;
 }
 
+// From now on the terrain is made of these patches.
+void take_patchwork(TerrainOfView& terrain, Patchwork made) {
+  const TerrainData& file = terrain.of_file();
+  const Grid& grid = std::get<Grid>(file.surface);
+  TerrainData drawn = file;
+  drawn.surface = std::move(made.tin);
+  const TerrainData& in_place = terrain.take_level(std::move(drawn));
+  TerrainFacts facts = facts_of(in_place);
+  const GridSteps steps = steps_of(grid);
+  const double least_water_m2 = 0.5 * std::abs(cross(steps.column_m, steps.row_m)) *
+                                static_cast<double>(least_of_water(grid));
+  facts.water = find_level_ground(std::get<Tin>(in_place.surface), made.heights_m, least_water_m2);
+  terrain.take_level_facts(std::move(facts));
+}
+
 // The ground that an eye stands over, in cells as large as the page asks for at each place. None
 // where the file's are right everywhere, where it would bury the eye, and where cliffs far away
 // lean beyond upright.
@@ -206,17 +225,36 @@ std::optional<LevelOfDetail> take_patches(TerrainOfView& terrain, const TerrainF
       (has_height && buries_eye(made.tin, placed.view)))
     return std::nullopt;
   LevelOfDetail level;
-  tell_patches(level, grid, patches, made, scale, placed.exaggeration);
+  tell_patches(
+      level, grid, patches, made, [&](const PatchPlace& part) { return scale.mm_per_m(part); },
+      placed.exaggeration);
   tell_summits(level, summits_of(grid, made, patches, kSummits), placed);
-  TerrainData drawn = file;
-  drawn.surface = std::move(made.tin);
-  const TerrainData& in_place = terrain.take_level(std::move(drawn));
-  TerrainFacts facts = facts_of(in_place);
-  const GridSteps steps = steps_of(grid);
-  const double least_water_m2 = 0.5 * std::abs(cross(steps.column_m, steps.row_m)) *
-                                static_cast<double>(least_of_water(grid));
-  facts.water = find_level_ground(std::get<Tin>(in_place.surface), made.heights_m, least_water_m2);
-  terrain.take_level_facts(std::move(facts));
+  take_patchwork(terrain, std::move(made));
+  return level;
+}
+
+// The ground in cells as large as may be while no point of it moves on the page by more than is
+// asked, from wherever it is seen. None where that would spare little: a triangle takes some four
+// times as long as one of a grid.
+std::optional<LevelOfDetail> take_certified(TerrainOfView& terrain, const PlacedView& placed,
+                                            double most_mm) {
+  // The picture of the level is framed anew, and may be larger by so much.
+  constexpr double kFramedAnew = 0.97;
+  constexpr std::size_t kTimesFewer = 4;
+  const Grid& grid = std::get<Grid>(terrain.of_file().surface);
+  const HeightOnPage heights(grid, placed);
+  const Patches patches = certified_patches(grid, heights, kFramedAnew * most_mm);
+  if (patches.patches().size() * kPatchCells * kPatchCells > grid.size() / kTimesFewer)
+    return std::nullopt;
+  Patchwork made = patchwork(grid, patches, {});
+  if (made.tin.triangles.empty() || !all_face_up(made.tin)) return std::nullopt;
+  LevelOfDetail level;
+  tell_patches(
+      level, grid, patches, made, [&](const PatchPlace& part) { return heights.moves_mm(part, 1); },
+      1);
+  level.greatest_mm = greatest_error_mm(patches, made.departures, heights) / kFramedAnew;
+  tell_summits(level, summits_of(grid, made, patches, kSummits), placed);
+  take_patchwork(terrain, std::move(made));
   return level;
 }
 
@@ -225,7 +263,8 @@ std::optional<LevelOfDetail> take_patches(TerrainOfView& terrain, const TerrainF
 std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec& spec,
                                           const SceneFile* solids, const TerrainFacts* of_whole) {
   const DetailSpec& detail = spec.style.detail;
-  if (detail.of_file || (spec.ground_points && !detail.cell_mm)) return std::nullopt;
+  if (detail.of_file || (spec.ground_points && !detail.cell_mm && !detail.error_mm))
+    return std::nullopt;
   const TerrainData& file = terrain.of_file();
   const Grid* const whole = std::get_if<Grid>(&file.surface);
   if (!whole || terrain.is_cut()) return std::nullopt;
@@ -235,6 +274,12 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
     if (!of_whole) terrain.take_level_facts(std::move(own));
     return std::nullopt;
   };
+  if (detail.error_mm) {
+    if (needs_lattice(file, spec.style)) return stay();
+    const auto level =
+        take_certified(terrain, placed_picture(file, of_file, spec, solids), *detail.error_mm);
+    return level ? level : stay();
+  }
   if (stands_over_ground(spec.view, file, of_file)) {
     // Three to five times as long as the file's surface takes; and what is seen from there is found
     // on that (`LookAround`).

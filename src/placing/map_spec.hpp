@@ -179,6 +179,9 @@ struct DetailSpec {
   bool of_file = false; ///< as large as the file's: its own surface
   std::optional<double> cell_mm =
       {}; ///< about so large on the page; none: as the lines' spacing asks
+  /// Instead: as large as may be with every point within this, on the page, of where the file's
+  /// surface has it (docs/decisions/0062-certified-levels.md).
+  std::optional<double> error_mm = {};
 };
 
 /// Which lines are drawn, and how exactly.
@@ -251,6 +254,8 @@ struct MapSpec {
   /// Of each layer's strokes. Where lines keep their places on the ground it is the drawing's.
   PenOrder pen_order = PenOrder::drawing;
   std::uint64_t check = 0; ///< points to ask of the ray walk
+  /// The same of what is drawn, asked of the file's own surface, where that isn't drawn.
+  std::uint64_t check_of_file = 0;
 
   double min_stroke_mm() const {
     return style.min_stroke_mm.value_or(ground_points ? 0 : kCrumb_mm);

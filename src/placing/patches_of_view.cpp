@@ -15,8 +15,6 @@ namespace {
 
 // As finer ones of whole levels: they show no more.
 constexpr int kFinest = -3;
-// A side of the coarsest, for a terrain of any size; far ground isn't drawn in larger cells.
-constexpr int kCoarsest = 6;
 // Of 289 vertices each: a million and a half take a second.
 constexpr std::size_t kMostPatches = 6000;
 // Ground so little under the horizon, as a slope, may come up when it is smoothed.
@@ -57,36 +55,10 @@ std::optional<SeenGround> seen_ground(const Grid& grid, const PlacedView& placed
 
 } // namespace
 
-void ScaleOnPage::Range::include(const Range& other) {
-  low_m = std::min(low_m, other.low_m);
-  high_m = std::max(high_m, other.high_m);
-}
-
 ScaleOnPage::ScaleOnPage(const Grid& grid, const PlacedView& placed)
-    : grid_(grid), placed_(placed), seen_(seen_ground(grid, placed)),
-      tiles_across_((grid.columns - 2) / kPatchCells + 1),
-      tiles_(static_cast<std::size_t>(tiles_across_ * ((grid.rows - 2) / kPatchCells + 1))),
+    : grid_(grid), placed_(placed), seen_(seen_ground(grid, placed)), heights_(grid),
       mm_per_radian_(placed.panorama ? placed.panorama->page.radius_mm
                                      : placed.mm_per_step({0, 1, placed.view.eye_z_m}, {1, 0, 0})) {
-  std::visit(
-      [&](const auto& heights) {
-        on_all_cores(tiles_.size() / static_cast<std::size_t>(tiles_across_), [&](std::size_t of) {
-          const int first = static_cast<int>(of) * kPatchCells;
-          for (int row = first; row <= std::min(first + kPatchCells, grid.rows - 1); ++row)
-            for (int column = 0; column < grid.columns; ++column) {
-              const double height = heights[grid.index(column, row)];
-              const auto take = [&](int tile) {
-                Range& range = tiles_[of * static_cast<std::size_t>(tiles_across_) +
-                                      static_cast<std::size_t>(tile)];
-                range.low_m = height < range.low_m ? height : range.low_m; // false for NaN
-                range.high_m = height > range.high_m ? height : range.high_m;
-              };
-              take(std::min(column / kPatchCells, tiles_across_ - 1));
-              if (column > 0 && column % kPatchCells == 0) take(column / kPatchCells - 1);
-            }
-        });
-      },
-      grid.heights_m);
 }
 
 double ScaleOnPage::mm_per_m(const PatchPlace& part) const {
@@ -97,13 +69,8 @@ double ScaleOnPage::mm_per_m(const PatchPlace& part) const {
   for (const double column : {part.first_column, part.last_column})
     for (const double row : {part.first_row, part.last_row})
       ground.include(ground_m(grid_, column, row));
-  Range heights;
-  const auto tile = [](double vertex) { return static_cast<int>(vertex) / kPatchCells; };
-  for (int row = tile(part.first_row); row < std::ceil(part.last_row / kPatchCells); ++row)
-    for (int column = tile(part.first_column); column < std::ceil(part.last_column / kPatchCells);
-         ++column)
-      heights.include(tiles_[static_cast<std::size_t>(row * tiles_across_ + column)]);
-  if (!(heights.low_m <= heights.high_m)) return 0;
+  const PartHeights heights = heights_.of(part);
+  if (heights.empty()) return 0;
   return mm_per_radian_ / length(Vec3{outside(eye.x, ground.low.x, ground.high.x),
                                       outside(eye.y, ground.low.y, ground.high.y),
                                       outside(view.eye_z_m, heights.low_m * view.exaggeration,
@@ -127,7 +94,7 @@ Patches patches_of_view(const Grid& grid, const ScaleOnPage& scale, const CellSi
   const GridSteps steps = steps_of(grid);
   const double cell_m = std::max(length(steps.column_m), length(steps.row_m));
   int coarsest = 0;
-  while (coarsest < kCoarsest && std::min(grid.columns, grid.rows) > (kPatchCells << coarsest))
+  while (coarsest < kCoarsestLevel && std::min(grid.columns, grid.rows) > (kPatchCells << coarsest))
     ++coarsest;
   const auto wanted = [&](const PatchPlace& part) {
     const double cell_mm = cell_m * scale.mm_per_m(part);
@@ -142,8 +109,9 @@ Patches patches_of_view(const Grid& grid, const ScaleOnPage& scale, const CellSi
     return 0;
   };
   for (int finest = kFinest;; ++finest) {
-    Patches patches(grid, {finest, coarsest},
-                    [&](const PatchPlace& part) { return std::max(finest, wanted(part)); });
+    Patches patches(grid, {finest, coarsest}, [&](int level, const PatchPlace& part) {
+      return std::max(finest, wanted(part)) >= level;
+    });
     if (finest == 0 || patches.patches().size() <= kMostPatches) return patches;
   }
 }

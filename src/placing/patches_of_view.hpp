@@ -3,13 +3,12 @@
 #pragma once
 
 #include "dem/grid.hpp"
+#include "dem/levels/height_ranges.hpp"
 #include "dem/levels/patches.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/seen_ground.hpp"
 
-#include <limits>
 #include <optional>
-#include <vector>
 
 namespace orograph {
 
@@ -29,20 +28,13 @@ public:
   double mm_per_m(const PatchPlace& part) const;
 
 private:
-  struct Range {
-    double low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
-
-    void include(const Range& other);
-  };
-
   bool is_shown(const PatchPlace& part) const;
 
   const Grid& grid_;
   const PlacedView& placed_;
   std::optional<SeenGround> seen_; ///< none: all may be seen
-  int tiles_across_;               ///< of kPatchCells cells
-  std::vector<Range> tiles_;       ///< of heights; row-major
-  double mm_per_radian_;           ///< in the picture's middle
+  HeightRanges heights_;
+  double mm_per_radian_; ///< in the picture's middle
 };
 
 /// Patches whose cells have such sizes on the page, halved three times at most, and less often

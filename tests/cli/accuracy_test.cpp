@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 using namespace orograph;
@@ -117,6 +118,28 @@ TEST_CASE("without collapse the horizon grows, and hides the same") {
   CHECK(without.profiles.missing == with.profiles.missing);
 }
 
+TEST_CASE("larger cells move lines within what is promised") {
+  std::vector<float> heights;
+  constexpr int kSide = 257;
+  for (int row = 0; row < kSide; ++row)
+    for (int column = 0; column < kSide; ++column)
+      heights.push_back(static_cast<float>(200 * std::sin(0.02 * column) * std::cos(0.017 * row)));
+  TerrainData terrain;
+  terrain.surface = Grid{kSide, kSide, PlaneLattice{{0, 0}, {30, 0}, {0, -30}},
+                         Heights<float>(std::move(heights))};
+  AccuracyRow row;
+  row.group = "level error";
+  row.settings = {.profiles = 25, .level_error_mm = 0.2};
+  measure_row(row, small_settings(), terrain);
+  REQUIRE(row.detail_mm);
+  REQUIRE(row.promise.detail_mm);
+  CHECK(*row.promise.detail_mm <= 0.2);
+  CHECK(*row.detail_mm > 0.01);
+  CHECK(broken_promise(row).empty());
+  CHECK(ink_error(row) < 0.1);
+  CHECK(name_of(row) == "surface, 25 profiles, level error 0.2 mm");
+}
+
 TEST_CASE("a row that breaks its promise fails the run") {
   CHECK_NOTHROW(check_promises(volcano_rows()));
   std::vector<AccuracyRow> rows = volcano_rows();
@@ -137,6 +160,11 @@ TEST_CASE("a row that breaks its promise fails the run") {
   CHECK(broken_promise(profiles).find("displacement") != std::string::npos);
   profiles.promise = {.ink_error = {}, .displacement_mm = {}, .simplified_mm = 0.001};
   CHECK(broken_promise(profiles).find("simplification") != std::string::npos);
+  profiles.promise = {
+      .ink_error = {}, .displacement_mm = {}, .simplified_mm = {}, .detail_mm = 0.1};
+  CHECK(broken_promise(profiles).empty());
+  profiles.detail_mm = 0.11;
+  CHECK(broken_promise(profiles).find("larger cells") != std::string::npos);
 }
 
 TEST_CASE("table, CSV and JSON hold the same rows") {

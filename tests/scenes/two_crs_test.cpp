@@ -162,7 +162,7 @@ Picture picture_of(TerrainData& terrain, const MapSpec& spec) {
   Picture picture;
   picture.scene = placed_view(terrain, spec);
   REQUIRE(picture.scene.curvature.applied);
-  picture.budget = error_budget(terrain, picture.scene, spec);
+  picture.budget = error_budget(terrain, picture.scene, spec, std::nullopt);
   const Map drawn = draw_map(terrain, picture.scene, spec, [](double) {});
   picture.top_mm = top_of_ink(drawn.drawing);
   return picture;

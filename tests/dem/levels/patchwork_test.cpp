@@ -43,12 +43,12 @@ Patches made_patches(Random& random, const Grid& grid, PatchLevels levels) {
   const double column = random.between(0, grid.columns), row = random.between(0, grid.rows),
                steepness = random.pick({0.02, 0.1, 0.5});
   const bool is_wild = random.chance(0.3);
-  return Patches(grid, levels, [&](const PatchPlace& part) {
-    if (is_wild) return random.whole(levels.finest, levels.coarsest);
+  return Patches(grid, levels, [&](int level, const PatchPlace& part) {
+    if (is_wild) return random.whole(levels.finest, levels.coarsest) >= level;
     const double away =
         std::hypot(std::max({part.first_column - column, column - part.last_column, 0.0}),
                    std::max({part.first_row - row, row - part.last_row, 0.0}));
-    return std::min(levels.coarsest, levels.finest + static_cast<int>(steepness * away));
+    return levels.finest + static_cast<int>(steepness * away) >= level;
   });
 }
 
@@ -226,7 +226,7 @@ TEST_CASE("a patchwork of the file's cells is the grid's triangles, voids and al
     INFO("seed " << seed);
     const Grid grid = made_grid(random, random.pick({0.0, 0.1, 0.5}));
     const Patches patches(grid, {-random.whole(0, 2), random.whole(0, 2)},
-                          [](const PatchPlace&) { return 0; });
+                          [](int level, const PatchPlace&) { return level <= 0; });
     const Patchwork made = patchwork(grid, patches, [](int, int) { return false; });
     std::size_t triangles = 0;
     for (int row = 0; row + 1 < grid.rows; ++row)
