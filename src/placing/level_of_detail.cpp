@@ -234,13 +234,14 @@ std::optional<LevelOfDetail> take_patches(TerrainOfView& terrain, const TerrainF
 }
 
 // The ground in cells as large as may be while no point of it moves on the page by more than is
-// asked, from wherever it is seen. None where that would spare little: a triangle takes some four
-// times as long as one of a grid.
+// asked, from wherever it is seen. None where that would spare nothing: patches are sewn, and drawn
+// as a TIN.
 std::optional<LevelOfDetail> take_certified(TerrainOfView& terrain, const PlacedView& placed,
                                             double most_mm) {
   // The picture of the level is framed anew, and may be larger by so much.
   constexpr double kFramedAnew = 0.97;
-  constexpr std::size_t kTimesFewer = 4;
+  // Of 4000 x 4000 cells a quarter took 1.9 s, in patches, and all of them 0.9 s.
+  constexpr std::size_t kTimesFewer = 10;
   const Grid& grid = std::get<Grid>(terrain.of_file().surface);
   const HeightOnPage heights(grid, placed);
   const Patches patches = certified_patches(grid, heights, kFramedAnew * most_mm);

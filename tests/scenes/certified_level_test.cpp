@@ -18,13 +18,13 @@ namespace {
 // Hills, rough in one corner, and a void.
 double height_m(double x, double y) {
   if (std::hypot(x - 2.2, y - 2.2) < 0.1) return std::numeric_limits<double>::quiet_NaN();
-  const double rough = x + y < 0.8 ? 12 * std::sin(90 * x) * std::sin(101 * y) : 0;
-  return 250 * std::sin(x * 0.9) * std::cos(y * 0.8) + 30 * std::sin(2 * x + y) + rough;
+  const double rough = x + y < 0.6 ? 12 * std::sin(90 * x) * std::sin(101 * y) : 0;
+  return 400 * std::sin(x * 0.5) * std::cos(y * 0.4) + 30 * std::sin(x + 0.7 * y) + rough;
 }
 
 TerrainData made_terrain(Random& random, bool on_earth) {
   // Sizes that 16 cells of a level part evenly, and others.
-  const int columns = random.pick({257, 321, 300}), rows = random.pick({257, 321, 290});
+  const int columns = random.pick({513, 577, 536}), rows = random.pick({513, 545, 537});
   if (on_earth)
     return earth_terrain({8, 0.0005, columns, 46, -0.0004, rows}, [](double lon, double lat) {
       return height_m(40 * (lon - 8), 50 * (46 - lat));
