@@ -103,7 +103,7 @@ TEST_CASE("no point of a certified level is off by more than is told, or asked f
     const auto level = choose_level(terrain, spec, nullptr, nullptr);
     if (!level) continue;
     ++levels;
-    CHECK(level->most_step > 1);
+    CHECK(level->most_step >= level->step); // larger cells may all be behind the eye
     CHECK(level->greatest_mm <= *spec.style.detail.error_mm);
     const PlacedView placed = placed_view(terrain, spec);
     const double measured =
