@@ -78,6 +78,10 @@ constexpr auto kWords = std::to_array<OtherWord>({
     {"vertical-scale", "--exaggeration", {}},
     {"vertical-ratio", "--exaggeration", {}},
     {"height-scale", "--exaggeration", {}},
+    {"raise", "--exaggeration", {}},
+    {"max-error", "--level-error", {}},
+    {"error", "--level-error", {}},
+    {"lod", "--detail", "--level-error bounds what it changes"},
     // Lines
     {"lines", "--profiles", {}},
     {"num-lines", "--profiles", {}},
