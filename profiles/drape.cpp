@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -135,12 +136,8 @@ void Draper::find_on_tin(const Tin& tin, Vec2 from, Vec2 to) {
   });
 }
 
-ProfilePoint Draper::vertex(std::uint32_t number) const {
-  return ends_({number, number}).from;
-}
-
 // As a weighted mean of the corners as the view has them, since the triangle is flat there.
-ProfilePoint Draper::at(std::uint32_t triangle, Vec2 place) const {
+ProfilePoint Draper::at(std::uint32_t triangle, Vec2 place) {
   std::array<std::uint32_t, 3> corners;
   double of_second = 0, of_third = 0;
   if (const Grid* grid = std::get_if<Grid>(&surface_)) {
@@ -162,7 +159,16 @@ ProfilePoint Draper::at(std::uint32_t triangle, Vec2 place) const {
     of_second = cross(place - a, ac) / cross(ab, ac);
     of_third = cross(ab, place - a) / cross(ab, ac);
   }
-  const ProfilePoint a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
+  if (corners != corners_) { // mostly those of the point before, and else two of them
+    const std::array<std::uint32_t, 3> last = std::exchange(corners_, corners);
+    const std::array<ProfilePoint, 3> at_last = at_corners_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto same =
+          static_cast<std::size_t>(std::ranges::find(last, corners[k]) - last.begin());
+      at_corners_[k] = same < 3 ? at_last[same] : ends_.vertex(corners[k]);
+    }
+  }
+  const auto& [a, b, c] = at_corners_;
   const auto mean = [&](double at_a, double at_b, double at_c) {
     return at_a + of_second * (at_b - at_a) + of_third * (at_c - at_a);
   };

@@ -8,7 +8,9 @@
 #include "profiles/slab_lines.hpp"
 #include "view/view.hpp"
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,6 +42,7 @@ public:
   void drape(std::span<const Vec2> places, double above_m, DrapedLine& out);
 
 private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   struct InTriangle {
     double from, to; ///< shares of the way
     std::uint32_t triangle;
@@ -47,8 +50,7 @@ private:
   void find(Vec2 from, Vec2 to);
   void find_on_grid(const Grid& grid, Vec2 from, Vec2 to);
   void find_on_tin(const Tin& tin, Vec2 from, Vec2 to);
-  ProfilePoint at(std::uint32_t triangle, Vec2 place) const;
-  ProfilePoint vertex(std::uint32_t number) const;
+  ProfilePoint at(std::uint32_t triangle, Vec2 place);
 
   const Surface& surface_;
   EdgeEnds ends_;
@@ -56,6 +58,8 @@ private:
   std::vector<InTriangle> found_; ///< along one straight line, in order
   std::vector<double> shares_;
   std::vector<std::uint32_t> triangles_;
+  std::array<std::uint32_t, 3> corners_{kNone, kNone, kNone}; ///< of the last point's triangle
+  std::array<ProfilePoint, 3> at_corners_;
 };
 
 } // namespace orograph

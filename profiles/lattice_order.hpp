@@ -42,6 +42,11 @@ public:
     return turn_at(strips_.place_of_cell(strip), cells_.place_of_cell(cell), Step::near);
   }
 
+  /// Of the farther one, from that.
+  static Turn turn_of_farther(Turn nearer) {
+    return nearer + static_cast<Turn>(Step::far) - static_cast<Turn>(Step::near);
+  }
+
   bool rows_are_strips() const { return rows_are_strips_; }
   /// Whether the lower triangle of a cell is in front of its diagonal.
   bool is_lower_near(int column, int row) const {

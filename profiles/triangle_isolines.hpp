@@ -38,14 +38,16 @@ public:
     if (levels.empty()) return;
     first_ = levels.front();
     if (levels.size() > 1) per_value_ = (count_ - 1) / (levels.back() - first_);
+    rounding_ = 0;
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      rounding_ = std::max(rounding_, std::abs(place_of(levels[i]) - static_cast<double>(i + 1)));
   }
 
   double operator[](std::int32_t i) const { return bounds_[static_cast<std::size_t>(i) + 1]; }
   /// How many aren't above a value; kNowhere of NaN. They are nearly always equally far apart: a
   /// guess is right.
   std::int32_t count_up_to(double value) const {
-    const auto guess = static_cast<std::size_t>(
-        std::max(0.0, std::min(count_, (value - first_) * per_value_ + 1)));
+    const auto guess = static_cast<std::size_t>(std::max(0.0, std::min(count_, place_of(value))));
     return bounds_[guess] <= value && value < bounds_[guess + 1] ? static_cast<std::int32_t>(guess)
                                                                  : search(value);
   }
@@ -56,8 +58,37 @@ public:
     const std::int32_t count = count_up_to(value);
     return {value, count, is_level(count, value)};
   }
+  /// The counts of many values; `near` gets the numbers of those that may be on a level, or aren't
+  /// there, whose counts may be wrong.
+  void count_most(std::span<const double> values, std::span<std::int32_t> counts,
+                  std::vector<std::uint32_t>& near) const {
+    near.clear();
+    const double first = first_, per_value = per_value_, most = count_ + 0.5;
+    // Nearly all are farther from the place of any level than levels are from theirs. A loop that
+    // the compiler turns into vector instructions, and one that it doesn't.
+    constexpr std::size_t kAtOnce = 256;
+    std::array<double, kAtOnce> shares;
+    for (std::size_t begin = 0; begin < values.size(); begin += kAtOnce) {
+      const double* const of = values.data() + begin;
+      std::int32_t* const to = counts.data() + begin;
+      const int some = static_cast<int>(std::min(kAtOnce, values.size() - begin));
+      for (int i = 0; i < some; ++i) {
+        const double place = (of[i] - first) * per_value + 1;
+        const double within = place > 0.5 ? (place < most ? place : most) : 0.5;
+        to[i] = static_cast<std::int32_t>(within);
+        shares[static_cast<std::size_t>(i)] = std::isnan(place) ? 0.0 : within - to[i];
+      }
+      for (int i = 0; i < some; ++i) {
+        const double share = shares[static_cast<std::size_t>(i)];
+        if (!(share > rounding_ && share < 1 - rounding_))
+          near.push_back(static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(i));
+      }
+    }
+  }
 
 private:
+  // Whole numbers at the levels, to rounding, where those are equally far apart. It never falls.
+  double place_of(double value) const { return (value - first_) * per_value_ + 1; }
   std::int32_t search(double value) const {
     if (std::isnan(value)) return LevelStanding::kNowhere;
     return static_cast<std::int32_t>(
@@ -66,6 +97,7 @@ private:
 
   std::vector<double> bounds_; ///< the levels, between infinities
   double count_, first_ = 0, per_value_ = 0;
+  double rounding_ = std::numeric_limits<double>::infinity(); ///< of a level's place
 };
 
 /// An end of an edge, with its number.

@@ -14,7 +14,7 @@ namespace orograph {
 
 /// Sorts by `number_of(thing)`, things of one number in the order that they came in: by 11 bits at
 /// a time, from the lowest on. Cost: two passes for each 11 bits of the greatest number; a copy of
-/// the things. REQUIRES fewer than 2^32 of them.
+/// the things. What is in order costs a look at it. REQUIRES fewer than 2^32 of them.
 template <class Thing, class NumberOf>
 void sort_by_number(std::vector<Thing>& things, const NumberOf& number_of) {
   constexpr unsigned kBits = 11;
@@ -29,8 +29,13 @@ void sort_by_number(std::vector<Thing>& things, const NumberOf& number_of) {
     }
   };
   std::uint64_t greatest = 0;
-  for_each_thing(
-      [&](const Thing& thing) { greatest = std::max<std::uint64_t>(greatest, number_of(thing)); });
+  bool is_in_order = true;
+  for_each_thing([&](const Thing& thing) {
+    const auto number = static_cast<std::uint64_t>(number_of(thing));
+    is_in_order = is_in_order && number >= greatest;
+    greatest = std::max(greatest, number);
+  });
+  if (is_in_order) return;
   std::vector<Thing> sorted;
   sorted.reserve(things.size());
   while (sorted.size() < things.size()) { // what takes longest is the system's first look at it

@@ -34,7 +34,7 @@ ContourRuns runs_of(std::vector<ContourPart> parts) {
     out.points.push_back(
         {t_begin <= 0 ? from.node : loose, point_between(from.at, to.at, t_begin)});
     out.points.push_back({t_end >= 1 ? to.node : loose, point_between(from.at, to.at, t_end)});
-    out.ends.push_back(static_cast<std::uint32_t>(out.points.size()));
+    out.end_run();
   }
   return out;
 }
@@ -46,12 +46,12 @@ void ContourChains::walk(std::uint32_t first, std::vector<bool>& taken, ContourR
   std::uint32_t last = kNone, here = first;
   do {
     taken[here] = true;
-    out.points.push_back(points_[here].point);
-    const auto& beside = points_[here].beside;
+    out.points.push_back(points_[here]);
+    const Beside& beside = beside_[here];
     last = std::exchange(here, beside[beside[0] == last ? 1 : 0]);
   } while (here != kNone && here != first);
-  if (here == first) out.points.push_back(points_[first].point);
-  out.ends.push_back(static_cast<std::uint32_t>(out.points.size()));
+  if (here == first) out.points.push_back(points_[first]);
+  out.end_run();
 }
 
 void ContourChains::end_runs() {
@@ -61,11 +61,12 @@ void ContourChains::end_runs() {
   out.points.reserve(points_.size());
   std::vector<bool> taken(points_.size());
   for (std::uint32_t i = 0; i < points_.size(); ++i)
-    if (!taken[i] && points_[i].beside[1] == kNone) walk(i, taken, out);
+    if (!taken[i] && beside_[i][1] == kNone) walk(i, taken, out);
   for (std::uint32_t i = 0; i < points_.size(); ++i)
     if (!taken[i]) walk(i, taken, out); // what is left are rings
   first_ += static_cast<std::uint32_t>(points_.size());
   points_.clear();
+  beside_.clear();
 }
 
 SeenContours seen_contours(std::vector<ContourRuns> runs, std::vector<ContourPart> parts) {
@@ -75,10 +76,10 @@ SeenContours seen_contours(std::vector<ContourRuns> runs, std::vector<ContourPar
   for (std::uint32_t i = 0; i < out.runs.size(); ++i) {
     throw_if_stopped();
     std::uint32_t begin = 0;
-    for (const std::uint32_t end : out.runs[i].ends)
-      out.by_level.push_back({i, std::exchange(begin, end), end});
+    for (const auto& [end, level] : out.runs[i].runs)
+      out.by_level.push_back({i, std::exchange(begin, end), end, level});
   }
-  sort_by_number(out.by_level, [&](const SeenContours::Run& run) { return out.level(run); });
+  sort_by_number(out.by_level, [](const SeenContours::Run& run) { return run.level; });
   return out;
 }
 

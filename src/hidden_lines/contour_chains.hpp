@@ -48,8 +48,17 @@ struct ContourPart {
 
 /// Stretches of contours, each of one level and at least two points.
 struct ContourRuns {
+  struct Run {
+    std::uint32_t end; ///< among the points
+    std::uint32_t level;
+  };
   std::vector<ContourPoint> points;
-  std::vector<std::uint32_t> ends; ///< of each run, among the points
+  std::vector<Run> runs;
+
+  /// What was added to the points since the last one.
+  void end_run() {
+    runs.push_back({static_cast<std::uint32_t>(points.size()), points.back().node.level()});
+  }
 };
 
 /// Chains pieces while they are found; what was added lately alone, so that it is in the cache.
@@ -62,13 +71,14 @@ public:
   bool has(std::uint32_t number) const { return number != kNone && number >= first_; }
   /// Adds a point, and tells its number.
   std::uint32_t add(const ContourPoint& point) {
-    points_.push_back({point, {kNone, kNone}});
+    points_.push_back(point);
+    beside_.push_back({kNone, kNone});
     return first_ + static_cast<std::uint32_t>(points_.size() - 1);
   }
   /// A visible piece from point to point. REQUIRES that each has less than two.
   void link(std::uint32_t a, std::uint32_t b) {
     for (const auto& [of, to] : {std::array{a, b}, {b, a}}) {
-      auto& beside = points_[of - first_].beside;
+      auto& beside = beside_[of - first_];
       beside[beside[0] == kNone ? 0 : 1] = to - first_;
     }
   }
@@ -82,13 +92,12 @@ public:
 private:
   // Half a megabyte.
   static constexpr std::size_t kMost = std::size_t{1} << 14U;
-  struct Chained {
-    ContourPoint point;
-    std::array<std::uint32_t, 2> beside;
-  };
+  using Beside = std::array<std::uint32_t, 2>;
   void walk(std::uint32_t first, std::vector<bool>& taken, ContourRuns& out) const;
 
-  std::vector<Chained> points_;
+  std::vector<ContourPoint> points_;
+  // What points are linked to. Apart from them it stays in the cache while it is followed.
+  std::vector<Beside> beside_;
   std::uint32_t first_ = 0; // number
   std::vector<ContourRuns> runs_;
 };
@@ -98,6 +107,7 @@ struct SeenContours {
   struct Run {
     std::uint32_t runs; ///< number
     std::uint32_t begin, end;
+    std::uint32_t level;
   };
   std::vector<ContourRuns> runs;
   std::vector<Run> by_level;
@@ -105,7 +115,6 @@ struct SeenContours {
   std::span<const ContourPoint> points(const Run& run) const {
     return std::span(runs[run.runs].points).subspan(run.begin, run.end - run.begin);
   }
-  std::uint32_t level(const Run& run) const { return points(run).front().node.level(); }
 };
 
 /// `parts`: what isn't visible from node to node in one strip; those of a piece that overlap or

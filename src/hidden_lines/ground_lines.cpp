@@ -53,6 +53,15 @@ void add_coordinate_lines(const TerrainData& terrain, const PlacedView& placed,
   }
 }
 
+// On a map plane what places the view has seen the heights already.
+ContourLevels levels_of(const TerrainData& terrain, const PlacedView& placed,
+                        const ContourSpec& spec) {
+  const Grid* grid = std::get_if<Grid>(&terrain.surface);
+  if (!grid || grid->is_on_earth()) return contour_levels(terrain, spec);
+  const Box3& box = placed.extent.box;
+  return contour_levels(box.low.z, box.high.z, terrain.map.height_unit_m, spec);
+}
+
 } // namespace
 
 GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed,
@@ -67,7 +76,7 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
     for (GroundLine& line : out.lines) line.feature = 0;
   }
   if (style.asks_for("contours") || style.draws_index_contours()) {
-    const ContourLevels levels = contour_levels(terrain, style.contours);
+    const ContourLevels levels = levels_of(terrain, placed, style.contours);
     const std::size_t first = out.features.size();
     for (std::size_t i = 0; i < levels.heights.size(); ++i)
       out.features.push_back({levels.is_index[i] ? LineKind::index_contour : LineKind::contour,

@@ -18,15 +18,17 @@ void LatticeContours::take(const PlaceContours::Piece& piece) {
   // In this strip alone, and not straight away from the eye.
   const bool is_plain = nearest >= lattice_.view.drawn_from_m && x_begin > inner_range_.begin &&
                         x_end < inner_range_.end &&
-                        x_end - x_begin > pictures_.rounding(std::max(-x_begin, x_end), nearest);
+                        pictures_.is_wider(x_end - x_begin, std::max(-x_begin, x_end), nearest);
   if (!is_plain) return take_exactly(piece);
   // What is tied is nearer than this, and rounding far less.
   const double slack =
       lattice_.work.tolerance.greatest_y + 1e-12 * (std::abs(y_low) + std::abs(y_high));
   bool is_above = true, is_below = true;
   const auto& blocks = horizon_.blocks();
-  for (std::size_t i = horizon_.block_at(x_begin); i < blocks.size() && blocks[i].x_begin <= x_end;
-       ++i) {
+  // Mostly that of the piece before it.
+  if (!(blocks[block_].x_begin <= x_begin && x_begin < blocks[block_].x_end))
+    block_ = horizon_.block_at(x_begin);
+  for (std::size_t i = block_; i < blocks.size() && blocks[i].x_begin <= x_end; ++i) {
     is_above = is_above && y_low > blocks[i].high + slack;
     is_below = is_below && y_high < blocks[i].low;
   }

@@ -59,6 +59,7 @@ private:
   UprightHeights& uprights_;
   PlaceContours place_;
   std::span<const PlaceContours::Piece> left_;
+  std::size_t block_ = 0; ///< of the horizon: that of the last piece's left end
   ContourChains chains_;
   std::vector<ContourPart> parts_;
   std::vector<VisibleLinePart> visible_; ///< of a piece

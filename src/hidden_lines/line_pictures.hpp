@@ -103,6 +103,11 @@ public:
   bool is_edge(std::uint32_t i) const { return ends_.is_edge(line(i).edge); }
   /// Whether a line lies between the sectors, so that it was moved ahead of the near plane.
   bool is_moved(SurfaceEdge edge) const;
+  /// Have a line brought into the cache, and then its points.
+  [[gnu::always_inline]] void fetch(std::uint32_t i) const {
+    if (i < lines_.size()) __builtin_prefetch(&lines_[i]);
+  }
+  [[gnu::always_inline]] void fetch_points(std::uint32_t i) const { ends_.fetch(line(i).edge); }
   /// The point at a place along a line.
   ProfilePoint point(std::uint32_t line, double t) const;
 
@@ -136,6 +141,11 @@ public:
   /// The same of X, up to a distance from the middle and from a depth on.
   double rounding(double x, double from_m) const {
     return rounding_m_ * (view_.is_perspective() ? (1 + x) / from_m : 1 + std::abs(view_.x_per_v));
+  }
+  /// Whether a width is more than that, which nearly all is by far: that is told without dividing.
+  bool is_wider(double width, double x, double from_m) const {
+    return (view_.is_perspective() && width * from_m > 2 * rounding_m_ * (1 + x)) ||
+           width > rounding(x, from_m);
   }
 
 private:

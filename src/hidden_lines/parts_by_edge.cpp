@@ -69,6 +69,9 @@ SectorParts parts_by_edge(const std::vector<std::unique_ptr<LatticeStrip>>& stri
       if (part.line != kNone) to.push_back(part);
     }
   };
+  std::size_t visible = 0;
+  for (const auto& strip : strips) visible += strip->lines().visible_parts().size();
+  out.visible.reserve(visible);
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const LatticeStrip& strip = *strips[i];
     add(strip.lines().visible_parts(), i, out.visible);

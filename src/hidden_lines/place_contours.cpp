@@ -4,6 +4,7 @@
 // to its last.
 #include "hidden_lines/place_contours.hpp"
 
+#include "geometry/for_each_marked.hpp"
 #include "view/view.hpp"
 
 #include <algorithm>
@@ -34,19 +35,24 @@ void PlaceContours::find(const LatticeOrder::Place& place, const ShownOfPlace& s
                          const BlockedHorizon& horizon) {
   for (auto& found : found_) found.clear();
   if (shown.empty()) return;
-  points_.swap(points_before_);
-  points_.clear();
+  // They stay where they are for some places, and in the cache.
+  constexpr std::size_t kMostPoints = 2048;
+  const bool moves_points = points_.size() > kMostPoints;
+  if (moves_points) {
+    points_.swap(points_before_);
+    points_.clear();
+  }
   constexpr int kNowhere = LatticeOrder::Place::kNone;
   if (place.strip == kNowhere) {
-    take_line(near_, place.line, shown);
+    take_line(near_, place.line, shown, moves_points);
     far_.number = -1;
     cells_.clear();
     add_edges_along(near_, shown);
     return;
   }
   if (far_.number == place.strip || near_.number == place.strip + 1) std::swap(near_, far_);
-  take_line(near_, place.strip, shown);
-  take_line(far_, place.strip + 1, shown);
+  take_line(near_, place.strip, shown, moves_points);
+  take_line(far_, place.strip + 1, shown, moves_points);
   if (place.line != kNowhere) add_edges_along(place.line == place.strip ? near_ : far_, shown);
   find_cells(shown, horizon);
   add_points_of_cells();
@@ -55,12 +61,14 @@ void PlaceContours::find(const LatticeOrder::Place& place, const ShownOfPlace& s
     if (cell.number >= own) add_pieces(PlacePart::outwards, cell);
   for (const Cell& cell : std::views::reverse(cells_))
     if (cell.number < own) add_pieces(PlacePart::backwards, cell);
-  if (near_.has_level && far_.has_level) add_edges_within();
+  if (!near_.on_level.empty() && !far_.on_level.empty()) add_edges_within();
 }
 
 // Which holds the vertices of all cells that are shown: it is the one that it was, or is read.
-void PlaceContours::take_line(Line& line, int number, const ShownOfPlace& shown) {
+void PlaceContours::take_line(Line& line, int number, const ShownOfPlace& shown,
+                              bool moves_points) {
   if (line.number == number && line.holds(shown.first_cell, shown.end_cell)) {
+    if (!moves_points) return;
     for (const Cell& cell : cells_) { // of the place before
       std::uint32_t& first = line.points[line.index(cell.number)];
       const auto begin = points_before_.begin() + static_cast<std::ptrdiff_t>(first);
@@ -79,10 +87,24 @@ void PlaceContours::take_line(Line& line, int number, const ShownOfPlace& shown)
   read(line, static_cast<std::size_t>(std::min(shown.end_cell + kBeside, last) - line.first) + 1);
 }
 
-void PlaceContours::read(Line& line, std::size_t count) const {
+void PlaceContours::find_levels(Line& line) {
+  levels_.count_most(line.heights_m, line.levels, near_level_);
+  std::ranges::fill(line.is_level, 0);
+  line.on_level.clear();
+  for (const std::uint32_t i : near_level_) {
+    const LevelStanding standing = levels_.standing_of(line.heights_m[i]);
+    line.levels[i] = standing.levels;
+    if (!standing.on_level) continue;
+    line.is_level[i] = 1;
+    line.on_level.push_back(line.first + static_cast<int>(i));
+  }
+}
+
+void PlaceContours::read(Line& line, std::size_t count) {
   for (std::vector<double>* of : {&line.heights_m, &line.u, &line.v, &line.z, &line.x, &line.y})
     of->resize(count);
   line.levels.resize(count);
+  line.is_level.resize(count);
   line.points.assign(count, kNone);
   std::visit(
       [&](const auto& heights) {
@@ -92,11 +114,7 @@ void PlaceContours::read(Line& line, std::size_t count) const {
           line.heights_m[i] = static_cast<double>(from[i * step]);
       },
       lattice_.grid.heights_m);
-  line.has_level = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    line.levels[i] = levels_.count_up_to(line.heights_m[i]);
-    line.has_level = line.has_level || levels_.is_level(line.levels[i], line.heights_m[i]);
-  }
+  find_levels(line);
   // Loops that the compiler turns into vector instructions.
   const View view = lattice_.view;
   const PlaneLattice plane = lattice_.grid.plane();
@@ -124,14 +142,21 @@ void PlaceContours::read(Line& line, std::size_t count) const {
 
 void PlaceContours::find_cells(const ShownOfPlace& shown, const BlockedHorizon& horizon) {
   cells_.clear();
+  const int count = shown.end_cell - shown.first_cell;
+  is_crossed_.resize(static_cast<std::size_t>(count));
+  // A loop that the compiler turns into vector instructions.
   const std::int32_t *const near = &near_.levels[near_.index(shown.first_cell)],
                             *const far = &far_.levels[far_.index(shown.first_cell)];
-  for (int i = 0; i < shown.end_cell - shown.first_cell; ++i) {
-    if (near[i] == near[i + 1] && near[i] == far[i] && near[i] == far[i + 1]) continue;
-    const int cell = shown.first_cell + i;
-    if (!is_looked_at(near_.number, cell)) continue;
-    if (!is_ahead(cell) || !is_hidden(cell, horizon)) cells_.push_back({cell, kNone, kNone, kNone});
+  std::uint8_t* const is_crossed = is_crossed_.data();
+  for (int i = 0; i < count; ++i) {
+    const std::int32_t level = near[i];
+    is_crossed[i] = ((level ^ near[i + 1]) | (level ^ far[i]) | (level ^ far[i + 1])) != 0 ? 1 : 0;
   }
+  for_each_marked(is_crossed_, 0, count, 1, [&](int i) {
+    const int cell = shown.first_cell + i;
+    if (!is_looked_at(near_.number, cell)) return;
+    if (!is_ahead(cell) || !is_hidden(cell, horizon)) cells_.push_back({cell, kNone, kNone, kNone});
+  });
 }
 
 bool PlaceContours::is_ahead(int cell) const {
@@ -168,27 +193,23 @@ void PlaceContours::add_point(std::uint64_t number, ProfilePoint at) {
 }
 
 // Tells the number of the first.
-std::uint32_t PlaceContours::add_points(const Line& line_from, int from, const Line& line_to,
-                                        int to) {
+std::uint32_t PlaceContours::add_points(EdgeOfCell edge, const Line& line_from, int from,
+                                        const Line& line_to, int to) {
   const auto first = static_cast<std::uint32_t>(points_.size());
-  if (line_from.levels[line_from.index(from)] == line_to.levels[line_to.index(to)]) return first;
+  const std::size_t i = line_from.index(from), k = line_to.index(to);
+  if (line_from.levels[i] == line_to.levels[k]) return first;
   const LevelStanding a = standing(line_from, from), b = standing(line_to, to);
   const CrossedLevels crossed = crossed_within(a, b);
   if (crossed.first >= crossed.last) return first;
-  const auto place = [](const Line& line, int cell) {
-    const std::size_t i = line.index(cell);
-    return ProfilePoint{line.u[i], line.v[i], line.z[i]};
-  };
-  const ProfilePoint at_a = place(line_from, from), at_b = place(line_to, to);
+  const ProfilePoint at_a{line_from.u[i], line_from.v[i], line_from.z[i]},
+      at_b{line_to.u[k], line_to.v[k], line_to.z[k]};
   // Row by row, those along a row before those between it and the next.
-  const bool is_along_line = from != to && &line_from == &line_to,
-             is_across = from == to && &line_from != &line_to;
   const auto column = static_cast<std::uint64_t>(this->column(line_from.number, from)),
              row = static_cast<std::uint64_t>(this->row(line_from.number, from));
-  const std::uint64_t number = vertices_ + 3 * row * columns_ +
-                               ((rows_ ? is_along_line : is_across)   ? column
-                                : (rows_ ? is_across : is_along_line) ? columns_ + 2 * column
-                                                                      : columns_ + 2 * column + 1);
+  const bool is_along_row = edge == (rows_ ? EdgeOfCell::along : EdgeOfCell::upright);
+  const std::uint64_t number =
+      vertices_ + 3 * row * columns_ +
+      (is_along_row ? column : columns_ + 2 * column + (edge == EdgeOfCell::diagonal ? 1 : 0));
   for (std::int32_t level = crossed.first; level < crossed.last; ++level)
     add_point(number, point_between(at_a, at_b, (levels_[level] - a.value) / (b.value - a.value)));
   return first;
@@ -199,9 +220,10 @@ void PlaceContours::add_points_of_cells() {
   for (Cell& cell : cells_) {
     const int at = cell.number;
     const bool follows = last && last->number + 1 == at;
-    cell.upright = follows ? last->upright_behind : add_points(near_, at, far_, at);
-    cell.diagonal = add_points(near_, at, far_, at + 1);
-    cell.upright_behind = add_points(near_, at + 1, far_, at + 1);
+    cell.upright =
+        follows ? last->upright_behind : add_points(EdgeOfCell::upright, near_, at, far_, at);
+    cell.diagonal = add_points(EdgeOfCell::diagonal, near_, at, far_, at + 1);
+    cell.upright_behind = add_points(EdgeOfCell::upright, near_, at + 1, far_, at + 1);
     add_points_along(near_, at);
     add_points_along(far_, at);
     last = &cell;
@@ -210,7 +232,7 @@ void PlaceContours::add_points_of_cells() {
 
 void PlaceContours::add_points_along(Line& line, int cell) {
   std::uint32_t& first = line.points[line.index(cell)];
-  if (first == kNone) first = add_points(line, cell, line, cell + 1);
+  if (first == kNone) first = add_points(EdgeOfCell::along, line, cell, line, cell + 1);
 }
 
 // The nearer triangle's first.
@@ -220,10 +242,43 @@ void PlaceContours::add_pieces(PlacePart part, const Cell& cell) {
   const bool far_first = lattice_.order.is_lower_near(column, row) == rows_;
   const std::size_t near = near_.index(cell.number), far = far_.index(cell.number);
   const std::int32_t first = near_.levels[near], last = far_.levels[far + 1];
-  for (const bool with_far : {far_first, !far_first})
-    if (first != last || first != (with_far ? far_.levels[far] : near_.levels[near + 1]))
-      add_pieces(part, cell, with_far,
-                 lattice_.order.turn(column, row, with_far == rows_ ? Half::lower : Half::upper));
+  const bool is_plain = (near_.is_level[near] | near_.is_level[near + 1] | far_.is_level[far] |
+                         far_.is_level[far + 1]) == 0;
+  LatticeOrder::Turn turn = lattice_.order.turn_of_nearer(near_.number, cell.number);
+  for (const bool with_far : {far_first, !far_first}) {
+    if (first != last || first != (with_far ? far_.levels[far] : near_.levels[near + 1])) {
+      if (is_plain)
+        add_plain_pieces(found_[static_cast<std::size_t>(part)], cell, with_far, turn);
+      else
+        add_pieces(part, cell, with_far, turn);
+    }
+    turn = LatticeOrder::turn_of_farther(turn);
+  }
+}
+
+// The same where no corner is on a level, as in nearly all triangles: two sides are crossed.
+void PlaceContours::add_plain_pieces(std::vector<Piece>& found, const Cell& cell, bool with_far,
+                                     LatticeOrder::Turn turn) const {
+  const std::size_t near = near_.index(cell.number), far = far_.index(cell.number);
+  const std::int32_t a = near_.levels[near],
+                     b = with_far ? far_.levels[far] : near_.levels[near + 1],
+                     c = far_.levels[far + 1];
+  const auto [low, high] = std::minmax({a, b, c});
+  if (low == LevelStanding::kNowhere) return;
+  const auto node = [](std::uint32_t first_point, std::int32_t lower, std::int32_t level) {
+    return first_point + static_cast<std::uint32_t>(level - lower);
+  };
+  const std::uint32_t on_ab = with_far ? cell.upright : near_.points[near],
+                      on_bc = with_far ? far_.points[far] : cell.upright_behind;
+  for (std::int32_t level = low; level < high; ++level) {
+    const bool above_a = a > level, above_b = b > level, above_c = c > level;
+    const std::uint32_t one = above_a != above_b ? node(on_ab, std::min(a, b), level)
+                                                 : node(on_bc, std::min(b, c), level),
+                        other = above_a != above_c ? node(cell.diagonal, std::min(a, c), level)
+                                                   : node(on_bc, std::min(b, c), level);
+    found.push_back(
+        {turn, std::min(one, other), std::max(one, other), static_cast<std::uint32_t>(level)});
+  }
 }
 
 void PlaceContours::add_pieces(PlacePart part, const Cell& cell, bool with_far,
@@ -282,9 +337,9 @@ void PlaceContours::add_edges_within() {
 }
 
 void PlaceContours::add_edges_along(const Line& line, const ShownOfPlace& shown) {
-  if (!line.has_level) return;
   const int number = line.number;
-  for (int cell = shown.first_cell; cell < shown.end_cell; ++cell) {
+  for (const int cell : line.on_level) {
+    if (cell < shown.first_cell || cell >= shown.end_cell) continue;
     const std::size_t i = line.index(cell);
     if (is_level(line, i, line, i + 1) &&
         (cell_falls(line.levels[i], number, cell, number + 1, cell + 1) ||
@@ -297,8 +352,7 @@ void PlaceContours::add_edges_along(const Line& line, const ShownOfPlace& shown)
 // Whether both ends of an edge are on one level.
 bool PlaceContours::is_level(const Line& line_a, std::size_t a, const Line& line_b,
                              std::size_t b) const {
-  return line_a.heights_m[a] == line_b.heights_m[b] &&
-         levels_.is_level(line_a.levels[a], line_a.heights_m[a]);
+  return line_a.is_level[a] != 0 && line_a.heights_m[a] == line_b.heights_m[b];
 }
 
 // Whether a cell is there, and its triangle with a vertex falls to that from a level.

@@ -50,10 +50,11 @@ private:
   struct Line {
     int number = -1;
     int first = 0;
-    bool has_level = false; // at a vertex
     std::vector<double> heights_m, u, v, z, x, y;
     std::vector<std::int32_t> levels;
-    std::vector<std::uint32_t> points; // the first behind each; kNone if they aren't known
+    std::vector<std::uint8_t> is_level; // that the last of those is its height
+    std::vector<int> on_level;          // cells at whose first vertex it is
+    std::vector<std::uint32_t> points;  // the first behind each; kNone if they aren't known
 
     std::size_t index(int cell) const { return static_cast<std::size_t>(cell - first); }
     bool holds(int from, int to) const {
@@ -66,18 +67,23 @@ private:
     std::uint32_t upright, diagonal, upright_behind;
   };
 
-  void take_line(Line& line, int number, const ShownOfPlace& shown);
-  void read(Line& line, std::size_t count) const;
+  void take_line(Line& line, int number, const ShownOfPlace& shown, bool moves_points);
+  void read(Line& line, std::size_t count);
+  void find_levels(Line& line);
   void find_cells(const ShownOfPlace& shown, const BlockedHorizon& horizon);
   bool is_ahead(int cell) const;
   bool is_hidden(int cell, const BlockedHorizon& horizon) const;
   void add_points_of_cells();
   void add_points_along(Line& line, int cell);
-  std::uint32_t add_points(const Line& line_from, int from, const Line& line_to, int to);
+  enum class EdgeOfCell { along, upright, diagonal };
+  std::uint32_t add_points(EdgeOfCell edge, const Line& line_from, int from, const Line& line_to,
+                           int to);
   void add_point(std::uint64_t number, ProfilePoint at);
   std::uint32_t add_vertex(std::uint32_t vertex);
   void add_pieces(PlacePart part, const Cell& cell);
   void add_pieces(PlacePart part, const Cell& cell, bool with_far, LatticeOrder::Turn turn);
+  void add_plain_pieces(std::vector<Piece>& found, const Cell& cell, bool with_far,
+                        LatticeOrder::Turn turn) const;
   void add_edges_within();
   void add_edges_along(const Line& line, const ShownOfPlace& shown);
   void add_edge(std::uint32_t from, std::uint32_t to, std::int32_t level);
@@ -86,7 +92,7 @@ private:
 
   LevelStanding standing(const Line& line, int cell) const {
     const std::size_t i = line.index(cell);
-    return {line.heights_m[i], line.levels[i], levels_.is_level(line.levels[i], line.heights_m[i])};
+    return {line.heights_m[i], line.levels[i], line.is_level[i] != 0};
   }
   bool is_looked_at(int strip, int cell) const;
   int column(int line, int cell) const { return rows_ ? cell : line; }
@@ -101,8 +107,10 @@ private:
   bool rows_; // are strips
   std::uint64_t columns_, vertices_;
   Line near_, far_; // beside the present strip, near_ that of lower number
-  std::vector<Point> points_, points_before_;
-  std::vector<Cell> cells_; // by number
+  std::vector<Point> points_, points_before_; // those of a few places
+  std::vector<std::uint8_t> is_crossed_;      // cells, from the first that is shown
+  std::vector<std::uint32_t> near_level_;     // vertices of a line
+  std::vector<Cell> cells_;                   // by number
   std::array<std::vector<Piece>, 3> found_;
 };
 

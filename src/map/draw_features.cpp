@@ -24,23 +24,22 @@ struct Drawn {
 
 double draw_features(const Surface& surface, const View& view, const std::vector<EdgeLine>& lines,
                      const GroundLines& on_ground, std::size_t first_line,
-                     const std::vector<LinePart>& parts, const StrokeSettings& settings,
+                     std::vector<LinePart> parts, const StrokeSettings& settings,
                      const StrokeSettings& of_ticks, Layer& layer) {
   const auto feature_of = [&](const LinePart& part) {
     return on_ground.lines[part.line - first_line].feature;
   };
-  std::vector<LinePart> by_feature = parts;
-  sort_by_number(by_feature, feature_of);
+  sort_by_number(parts, feature_of);
   const auto end_of_feature = [&](std::size_t at) {
-    const std::uint32_t feature = feature_of(by_feature[at]);
-    while (at < by_feature.size() && feature_of(by_feature[at]) == feature) ++at;
+    const std::uint32_t feature = feature_of(parts[at]);
+    while (at < parts.size() && feature_of(parts[at]) == feature) ++at;
     return at;
   };
   std::vector<std::size_t> bounds{0}; // of tasks
-  for (std::size_t at = 0; at < by_feature.size();) {
+  for (std::size_t at = 0; at < parts.size();) {
     throw_if_stopped();
     at = end_of_feature(at);
-    if (at - bounds.back() >= kPartsOfTask || at == by_feature.size()) bounds.push_back(at);
+    if (at - bounds.back() >= kPartsOfTask || at == parts.size()) bounds.push_back(at);
   }
   std::vector<Drawn> drawn(bounds.size() - 1);
   on_all_cores(drawn.size(), [&](std::size_t task) {
@@ -50,8 +49,8 @@ double draw_features(const Surface& surface, const View& view, const std::vector
     for (std::size_t first = bounds[task]; first < bounds[task + 1];) {
       const std::size_t end = end_of_feature(first);
       const auto& [kind, attributes, is_tick, width_mm] =
-          on_ground.features[feature_of(by_feature[first])];
-      const std::span<const LinePart> these = std::span(by_feature).subspan(first, end - first);
+          on_ground.features[feature_of(parts[first])];
+      const std::span<const LinePart> these = std::span(parts).subspan(first, end - first);
       of_feature.assign(these.begin(), these.end());
       first = end;
       const std::size_t before = own.strokes.size();

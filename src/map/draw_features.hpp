@@ -17,7 +17,7 @@ namespace orograph {
 /// length of what was too short, in mm. On all cores, with the same strokes on any number of them.
 double draw_features(const Surface& surface, const View& view, const std::vector<EdgeLine>& lines,
                      const GroundLines& on_ground, std::size_t first_line,
-                     const std::vector<LinePart>& parts, const StrokeSettings& settings,
+                     std::vector<LinePart> parts, const StrokeSettings& settings,
                      const StrokeSettings& of_ticks, Layer& layer);
 
 } // namespace orograph

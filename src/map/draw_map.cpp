@@ -74,12 +74,18 @@ bool has_labels(const LineLayer& layer, const LabelSpec& labels) {
 
 std::vector<LinePart> of_kind(const std::vector<EdgeLine>& lines,
                               const std::vector<LinePart>& parts, LineKind kind) {
+  const auto for_each = [&](const auto& take) {
+    std::size_t step = 0;
+    for (const LinePart& part : parts) {
+      throw_if_stopped(step++);
+      if (lines[part.line].kind == kind) take(part);
+    }
+  };
+  std::size_t count = 0;
+  for_each([&](const LinePart&) { ++count; });
   std::vector<LinePart> out;
-  std::size_t step = 0;
-  for (const LinePart& part : parts) {
-    throw_if_stopped(step++);
-    if (lines[part.line].kind == kind) out.push_back(part);
-  }
+  out.reserve(count);
+  for_each([&](const LinePart& part) { out.push_back(part); });
   return out;
 }
 
@@ -304,8 +310,8 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
                                       task.kind, settings, to);
         }
         return left_out_mm + draw_features(terrain.surface, placed.view, found.lines(),
-                                           lines.on_ground, first_on_ground, parts, settings,
-                                           of_ticks, to);
+                                           lines.on_ground, first_on_ground, std::move(parts),
+                                           settings, of_ticks, to);
       };
       if (!spec.ground_points && has_labels(task, spec.labels)) {
         StrokeSettings with_places = own;

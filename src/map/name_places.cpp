@@ -277,7 +277,8 @@ void label_lines(const TerrainData& terrain, const PlacedView& placed, const Map
                  TakenRoom& taken) {
   const double size_mm = spec.labels.size_mm;
   const SetText set = [&](PageText text) { return lettering.set(std::move(text)); };
-  if (Layer* contours = layer_named(drawing, "index-contours"))
+  Layer* const contours = layer_named(drawing, "index-contours");
+  if (contours && !lines.contours.strokes.empty())
     contours->texts = contour_labels(
         lines.contours, 0.8 * size_mm, placed.frame_mm, InkMap(drawing.page, drawing.layers), set,
         [&](Vec3 at) { return uphill_on_page(terrain, placed, as_profile_point(at)); }, taken);

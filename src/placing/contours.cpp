@@ -37,8 +37,13 @@ double round_step(double value) {
 
 ContourLevels contour_levels(const TerrainData& terrain, const ContourSpec& spec,
                              std::optional<double> base_m) {
-  const double unit_m = spec.unit_m.value_or(terrain.map.height_unit_m);
-  const auto [lowest_m, high_m] = height_range_of(terrain);
+  const auto [low_m, high_m] = height_range_of(terrain);
+  return contour_levels(low_m, high_m, terrain.map.height_unit_m, spec, base_m);
+}
+
+ContourLevels contour_levels(double lowest_m, double high_m, double height_unit_m,
+                             const ContourSpec& spec, std::optional<double> base_m) {
+  const double unit_m = spec.unit_m.value_or(height_unit_m);
   const double low_m = base_m.value_or(lowest_m);
   ContourLevels out;
   const auto add = [&](double height, bool is_index) {

@@ -21,6 +21,10 @@ struct ContourLevels {
 ContourLevels contour_levels(const TerrainData& terrain, const ContourSpec& spec,
                              std::optional<double> base_m = {});
 
+/// The same of ground between two heights, and heights in a unit.
+ContourLevels contour_levels(double low_m, double high_m, double height_unit_m,
+                             const ContourSpec& spec, std::optional<double> base_m = {});
+
 /// The one of 1, 2 and 5 times powers of ten that is nearest, by ratio. REQUIRES a value above 0.
 double round_step(double value);
 
