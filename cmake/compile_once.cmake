@@ -6,15 +6,22 @@ option(OROGRAPH_PRECOMPILED "Compile the headers of std, fmt and Catch2 once" ON
 option(OROGRAPH_UNITY "Compile the files of a folder several at a time" ON)
 option(OROGRAPH_CCACHE "Compile by ccache where it is installed" ON)
 
-# ccache is told what its manual asks for with precompiled headers.
+# ccache is told what its manual asks for with precompiled headers, and by CCACHE_DEPEND to look what
+# is new from the files themselves, instead of letting the preprocessor go through them beforehand.
 if(OROGRAPH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   find_program(OROGRAPH_CCACHE_PROGRAM ccache)
   mark_as_advanced(OROGRAPH_CCACHE_PROGRAM)
   if(OROGRAPH_CCACHE_PROGRAM)
-    set(CMAKE_CXX_COMPILER_LAUNCHER env
+    set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_DEPEND=1
       CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
       ${OROGRAPH_CCACHE_PROGRAM})
   endif()
+endif()
+
+# GCC stops again and again to look which of its memory it may use anew, from 256 MB on; here it does
+# not below 1 GB, which hardly a file needs. It writes the same code.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(--param=ggc-min-heapsize=524288)
 endif()
 
 set(OROGRAPH_COMMON_HEADERS <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem>

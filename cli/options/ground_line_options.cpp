@@ -13,8 +13,6 @@
 namespace orograph {
 namespace {
 
-constexpr auto kGroup = "Lines on the ground";
-
 // A value of its own, or "auto", which leaves it to the library; the layer is drawn with either.
 Option adding_layer(Option option, RenderSettings& s, const char* layer,
                     const std::function<bool(const std::string&)>& take) {
@@ -55,6 +53,7 @@ bool take_mesh(const std::string& text, MeshSpec& mesh) {
 } // namespace
 
 void add_ground_line_options(std::vector<Option>& options, RenderSettings& s) {
+  constexpr auto kGroup = "Lines on the ground";
   Style& style = s.map.style;
   options.push_back(adding_layer(
       {.group = kGroup,

@@ -14,7 +14,7 @@
 namespace orograph {
 namespace {
 
-constexpr auto kGroup = "Names and labels";
+constexpr auto kLabels = "Names and labels";
 
 // "120", or "120km".
 std::optional<double> parse_km(const std::string& text) {
@@ -32,7 +32,7 @@ std::optional<Angle> parse_name_angle(const std::string& text) {
 
 void add_which(std::vector<Option>& options, RenderSettings& s) {
   LabelSpec& labels = s.map.labels;
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLabels,
                      .name = "--labels",
                      .value = "FILE[:LAYER]",
                      .help = "Print the names of points: summits that are seen, the best of those "
@@ -44,41 +44,41 @@ void add_which(std::vector<Option>& options, RenderSettings& s) {
                        s.labels = parse_overlay(text);
                        return true;
                      }});
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLabels,
                      .name = "--label-field",
                      .value = "FIELD",
                      .help = "Which field of the points is their name",
                      .allowed = "a field's name, in any letter case",
                      .by_default = "name",
                      .take = stored_name(labels.field)});
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLabels,
                      .name = "--label-weight",
                      .value = "FIELD",
                      .help = "A field with numbers that say how much a point counts; else it is "
                              "how far its summit stands out",
                      .allowed = "a field's name, in any letter case",
                      .take = stored_name(labels.weight_field)});
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLabels,
                      .name = "--label-where",
                      .value = "CONDITION",
                      .help = "Only points that meet it, as SQL has it behind WHERE",
                      .allowed = "as in \"ele > 3000\"",
                      .take = stored_name(s.labels_where)});
-  options.push_back(with_integer({.group = kGroup,
+  options.push_back(with_integer({.group = kLabels,
                                   .name = "--label-max",
                                   .value = "N",
                                   .help = "At most so many names",
                                   .by_default = "as many as have room; on maps those that cover "
                                                 "a sixteenth of the picture"},
                                  0, 100000, [&labels](int most) { labels.most = most; }));
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLabels,
                      .name = "--label-range",
                      .value = "KM",
                      .help = "From an eye, no names farther than this",
                      .allowed = "kilometres, above 0, as in 80 or 80km",
                      .by_default = "three times --label-haze",
                      .take = stored(parse_km, labels.range_m)});
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLabels,
                      .name = "--label-haze",
                      .value = "KM",
                      .help = "From an eye, the distance over which a summit comes to count e times "
@@ -90,7 +90,7 @@ void add_which(std::vector<Option>& options, RenderSettings& s) {
 
 void add_looks(std::vector<Option>& options, RenderSettings& s) {
   LabelSpec& labels = s.map.labels;
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLabels,
                      .name = "--label-angle",
                      .value = "DEG",
                      .help = "Of a panorama, how steeply names climb above it; 0: they are level, "
@@ -98,20 +98,20 @@ void add_looks(std::vector<Option>& options, RenderSettings& s) {
                      .allowed = "degrees, 0 or 15 to 90",
                      .by_default = fmt::format("{}", labels.angle.in_degrees()),
                      .take = stored(parse_name_angle, labels.angle)});
-  options.push_back(with_integer({.group = kGroup,
+  options.push_back(with_integer({.group = kLabels,
                                   .name = "--label-rows",
                                   .value = "N",
                                   .help = "Of level names above a panorama, how many rows",
                                   .by_default = fmt::format("{}", labels.rows)},
                                  1, 20, [&labels](int rows) { labels.rows = rows; }));
   options.push_back(with_choice<LabelElevation>(
-      {.group = kGroup,
+      {.group = kLabels,
        .name = "--label-elevation",
        .help = "Print heights behind names: the file's, or else the terrain's",
        .by_default = "none"},
       {{"m", LabelElevation::metres}, {"ft", LabelElevation::feet}, {"none", LabelElevation::none}},
       labels.elevation));
-  options.push_back(with_number({.group = kGroup,
+  options.push_back(with_number({.group = kLabels,
                                  .name = "--label-size",
                                  .value = "MM",
                                  .help = "How large letters are: their em, of which capitals are "
@@ -119,7 +119,7 @@ void add_looks(std::vector<Option>& options, RenderSettings& s) {
                                  .by_default = fmt::format("{}", labels.size_mm)},
                                 {.unit = "millimetres", .low = 0.5, .high = 50},
                                 [&labels](double mm) { labels.size_mm = mm; }));
-  options.push_back(with_number({.group = kGroup,
+  options.push_back(with_number({.group = kLabels,
                                  .name = "--label-halo",
                                  .value = "MM",
                                  .help = "Lines of the terrain end so far from letters that stand "
@@ -127,11 +127,11 @@ void add_looks(std::vector<Option>& options, RenderSettings& s) {
                                  .by_default = fmt::format("{}", labels.halo_mm)},
                                 {.unit = "millimetres", .low = 0, .high = 20},
                                 [&labels](double mm) { labels.halo_mm = mm; }));
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLabels,
                      .name = "--contour-labels",
                      .help = "Heights on index contours, which end beside them",
                      .take = set_to(labels.contours, true)});
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLabels,
                      .name = "--coordinate-labels",
                      .help = "Numbers at the ends of the lines of --graticule and --grid",
                      .take = set_to(labels.coordinates, true)});

@@ -17,12 +17,12 @@
 namespace orograph {
 namespace {
 
-constexpr auto kGroup = "Letters and furniture";
+constexpr auto kLettering = "Letters and furniture";
 
 void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
   std::vector<std::string> words{"none", "map", "panorama"};
   words.insert(words.end(), furniture_names().begin(), furniture_names().end());
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLettering,
                      .name = "--furniture",
                      .value = "LIST",
                      .help = "What stands around the picture, which leaves it room. The title is "
@@ -36,7 +36,7 @@ void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
                        return true;
                      }});
   const auto text = [&](const char* name, const char* help, std::string& into) {
-    options.push_back({.group = kGroup,
+    options.push_back({.group = kLettering,
                        .name = name,
                        .value = "TEXT",
                        .help = help,
@@ -48,7 +48,7 @@ void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
   text("--subtitle", "Second line of the title", s.map.furniture.subtitle);
   text("--source", "Where the data are from, as furniture prints it", s.map.furniture.source);
   text("--date", "Date that furniture prints behind the source", s.map.furniture.date);
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLettering,
                      .name = "--template",
                      .value = "FILE",
                      .help =
@@ -103,7 +103,7 @@ void check_printed(RenderSettings& s, const GivenOptions& given) {
 void add_lettering_options(std::vector<Option>& options, RenderSettings& s) {
   LetterSpec& letters = s.map.letters;
   options.push_back(
-      with_choice({.group = kGroup,
+      with_choice({.group = kLettering,
                    .name = "--text",
                    .help = "Letters of a font, or single strokes, as a pen draws them",
                    .by_default = "font; stroke in formats for devices and CAD, with "
@@ -111,7 +111,7 @@ void add_lettering_options(std::vector<Option>& options, RenderSettings& s) {
                   std::vector<std::pair<std::string, std::optional<LetterKind>>>{
                       {"font", LetterKind::font}, {"stroke", LetterKind::stroke}},
                   s.text));
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLettering,
                      .name = "--font",
                      .value = "FAMILY",
                      .help = "Font of texts, and of what stroke letters lack; what isn't there is "
@@ -122,7 +122,7 @@ void add_lettering_options(std::vector<Option>& options, RenderSettings& s) {
                        letters.family = text;
                        return !text.empty();
                      }});
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kLettering,
                      .name = "--stroke-letters",
                      .value = "FOLDER",
                      .help = "Where stroke letters are, Hershey's .jhf files",

@@ -20,8 +20,6 @@
 namespace orograph {
 namespace {
 
-constexpr auto kGroup = "Profiles and lines";
-
 // Of all layers but those of hidden lines and of texts, which have options of their own.
 std::vector<std::string> layer_names() {
   std::vector<std::string> names;
@@ -76,6 +74,7 @@ bool take_colours(const std::string& text, std::vector<std::pair<std::string, Co
 } // namespace
 
 void add_line_options(std::vector<Option>& options, RenderSettings& s) {
+  constexpr auto kGroup = "Profiles and lines";
   options.push_back(with_integer({.group = kGroup,
                                   .name = "--profiles",
                                   .value = "N",

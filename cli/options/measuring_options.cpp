@@ -17,7 +17,7 @@
 namespace orograph {
 namespace {
 
-constexpr auto kGroup = "Measures", kOutput = "Output";
+constexpr auto kMeasures = "Measures";
 constexpr int kMostProfiles = 100000, kLargestWorstCase = 10000;
 
 // "60,150,rows"
@@ -39,7 +39,7 @@ std::optional<std::vector<std::optional<int>>> parse_counts(const std::string& t
 }
 
 void add_accuracy_options(std::vector<Option>& options, AccuracySettings& s) {
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kMeasures,
                      .name = "--profiles",
                      .value = "LIST",
                      .help = "Numbers of profiles to compare; all else is varied at the middle one",
@@ -48,14 +48,14 @@ void add_accuracy_options(std::vector<Option>& options, AccuracySettings& s) {
                                             kMostProfiles),
                      .by_default = "60,150,300,rows",
                      .take = stored(parse_counts, s.profiles)});
-  options.push_back(with_integer({.group = kGroup,
+  options.push_back(with_integer({.group = kMeasures,
                                   .name = "--probes",
                                   .value = "N",
                                   .help = "Random points of each row's profiles to ask of the ray "
                                           "walk, and as many to each mm of its other lines",
                                   .by_default = std::to_string(s.probes)},
                                  100, 100000000, [&s](int n) { s.probes = n; }));
-  options.push_back(with_integer({.group = kGroup,
+  options.push_back(with_integer({.group = kMeasures,
                                   .name = "--repeats",
                                   .value = "N",
                                   .help = "Runs to time for each row; the fastest counts",
@@ -90,7 +90,7 @@ auto list_of(Parse parse, Allows allows) {
 
 void add_fragmentation_options(std::vector<Option>& options, FragmentationSettings& s) {
   options.push_back(
-      {.group = kGroup,
+      {.group = kMeasures,
        .name = "--profiles",
        .value = "LIST",
        .help = "Numbers of profiles",
@@ -100,7 +100,7 @@ void add_fragmentation_options(std::vector<Option>& options, FragmentationSettin
            stored(list_of<int>(parse_integer, [](int n) { return n >= 1 && n <= kMostProfiles; }),
                   s.profiles)});
   options.push_back(
-      {.group = kGroup,
+      {.group = kMeasures,
        .name = "--elevations",
        .value = "LIST",
        .help = "Where the viewer stands above the horizontal",
@@ -110,7 +110,7 @@ void add_fragmentation_options(std::vector<Option>& options, FragmentationSettin
            stored(list_of<double>(parse_number, [](double deg) { return deg >= 0 && deg <= 90; }),
                   s.elevations_deg)});
   options.push_back(
-      {.group = kGroup,
+      {.group = kMeasures,
        .name = "--azimuths",
        .value = "LIST",
        .help = "Where the viewer stands, clockwise from north; profiles run across: along the rows "
@@ -122,7 +122,7 @@ void add_fragmentation_options(std::vector<Option>& options, FragmentationSettin
            s.azimuths_deg)});
   const int most = std::numeric_limits<int>::max();
   options.push_back(with_integer(
-      {.group = kGroup,
+      {.group = kMeasures,
        .name = "--exact-segments",
        .value = "N",
        .help = "Find the least horizon, in exact arithmetic, where no more segments than this "
@@ -130,21 +130,21 @@ void add_fragmentation_options(std::vector<Option>& options, FragmentationSettin
        .by_default = std::to_string(s.exact_segments)},
       0, most, [&s](int n) { s.exact_segments = n; }));
   options.push_back(with_integer(
-      {.group = kGroup,
+      {.group = kMeasures,
        .name = "--fragmented-segments",
        .value = "N",
        .help = "Run without collapse where no more segments than this make the horizon; it has "
                "about as many pieces in the end, of 72 bytes",
        .by_default = std::to_string(s.fragmented_segments)},
       0, most, [&s](int n) { s.fragmented_segments = n; }));
-  options.push_back(with_integer({.group = kGroup,
+  options.push_back(with_integer({.group = kMeasures,
                                   .name = "--worst-case",
                                   .value = "N",
                                   .help = "Measure terrains made to be the worst case as well, in "
                                           "sizes N/16 to N; 0 leaves them out",
                                   .by_default = std::to_string(s.worst_case)},
                                  0, kLargestWorstCase, [&s](int n) { s.worst_case = n; }));
-  options.push_back(with_integer({.group = kGroup,
+  options.push_back(with_integer({.group = kMeasures,
                                   .name = "--repeats",
                                   .value = "N",
                                   .help = "Runs to time for each row; the fastest counts",

@@ -12,7 +12,7 @@
 namespace orograph {
 namespace {
 
-constexpr auto kGroup = "General";
+constexpr auto kGeneral = "General";
 
 bool is_word(std::string_view text) {
   return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == text.npos;
@@ -88,7 +88,7 @@ std::function<bool(const std::string&)> stored_name(std::string& into) {
 }
 
 Option help_option() {
-  return {.group = kGroup,
+  return {.group = kGeneral,
           .name = "--help",
           .letter = 'h',
           .help = "Show this and do nothing else",
@@ -96,14 +96,14 @@ Option help_option() {
 }
 
 Option full_help_option() {
-  return {.group = kGroup,
+  return {.group = kGeneral,
           .name = "--help-all",
           .help = "Show all options",
           .take = [](const std::string&) { return true; }};
 }
 
 Option quiet_option(bool& quiet) {
-  return {.group = kGroup,
+  return {.group = kGeneral,
           .name = "--quiet",
           .letter = 'q',
           .help = "Only errors on stderr",
@@ -111,7 +111,7 @@ Option quiet_option(bool& quiet) {
 }
 
 Option jobs_option(int& jobs) {
-  return with_integer({.group = kGroup,
+  return with_integer({.group = kGeneral,
                        .name = "--jobs",
                        .letter = 'j',
                        .value = "N",
@@ -122,7 +122,7 @@ Option jobs_option(int& jobs) {
 
 void add_general_options(std::vector<Option>& options, std::string& settings_file, bool& quiet,
                          std::optional<bool>& progress) {
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kGeneral,
                      .name = "--settings",
                      .value = "FILE",
                      .help = "Take what else is to be set from a file with lines such as fov = 40 "
@@ -132,11 +132,11 @@ void add_general_options(std::vector<Option>& options, std::string& settings_fil
                      .extensions = {"toml", "json"},
                      .take = stored_name(settings_file)});
   options.push_back(quiet_option(quiet));
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kGeneral,
                      .name = "--progress",
                      .help = "Show the progress on stderr, the default on a terminal",
                      .take = set_to(progress, true)});
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kGeneral,
                      .name = "--no-progress",
                      .help = "Don't show it",
                      .take = set_to(progress, false)});

@@ -10,6 +10,9 @@
 
 namespace orograph {
 
+/// The group of what a command writes, to which several add.
+inline constexpr auto kOutput = "Output";
+
 /// Of the options for the terrain.
 std::vector<Conflict> terrain_conflicts();
 

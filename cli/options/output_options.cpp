@@ -14,7 +14,6 @@ namespace orograph {
 namespace {
 
 constexpr auto kPage = "Page";
-constexpr auto kOutput = "Output";
 
 } // namespace
 

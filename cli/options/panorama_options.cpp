@@ -13,7 +13,6 @@
 namespace orograph {
 namespace {
 
-constexpr auto kGroup = "Panorama";
 constexpr double kMostAltitude_deg = 80;
 constexpr int kMostStrips = 20;
 
@@ -50,6 +49,7 @@ std::optional<AltitudeRange> altitude_range(const std::string& text) {
 } // namespace
 
 void add_panorama_options(std::vector<Option>& options, RenderSettings& s) {
+  constexpr auto kGroup = "Panorama";
   options.push_back({.group = kGroup,
                      .name = "--azimuth-range",
                      .value = "A:B",

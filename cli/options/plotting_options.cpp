@@ -6,13 +6,8 @@
 #include <fmt/format.h>
 
 namespace orograph {
-namespace {
-
-constexpr auto kGroup = "Plotting";
-
-} // namespace
-
 void add_plotting_options(std::vector<Option>& options, RenderSettings& s) {
+  constexpr auto kGroup = "Plotting";
   options.push_back(
       {.group = kGroup,
        .name = "--pens",

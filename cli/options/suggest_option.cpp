@@ -224,7 +224,7 @@ std::string without_dashes(std::string_view name) {
   return std::string(name);
 }
 
-const Option* find_option(const Command& command, std::string_view name) {
+const Option* option_named(const Command& command, std::string_view name) {
   for (const Option& option : command.options)
     if (option.name == name) return &option;
   return nullptr;
@@ -232,7 +232,7 @@ const Option* find_option(const Command& command, std::string_view name) {
 
 // A word is of use where it has no option, or one of the command's.
 bool is_of_use(const OtherWord& word, const Command& command) {
-  return word.option.empty() || find_option(command, word.option) != nullptr;
+  return word.option.empty() || option_named(command, word.option) != nullptr;
 }
 
 const OtherWord* short_word(const Command& command, std::string_view given) {
@@ -249,7 +249,7 @@ const OtherWord* short_word(const Command& command, std::string_view given) {
 
 std::string told(const Command& command, const OtherWord& word) {
   if (word.option.empty()) return std::string(word.says);
-  const Option& option = *find_option(command, word.option);
+  const Option& option = *option_named(command, word.option);
   const std::string says = word.says.empty() ? "" : fmt::format(" ({})", word.says);
   return fmt::format("did you mean {}{}{}{}?", option.name, option.value.empty() ? "" : " ",
                      option.value, says);

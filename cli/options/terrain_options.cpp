@@ -17,9 +17,6 @@
 namespace orograph {
 namespace {
 
-constexpr auto kGroup = "Terrain";
-constexpr auto kOutput = "Output";
-
 void add_tin_options(std::vector<Option>& options, TinSettings& settings) {
   options.push_back({.group = kOutput,
                      .name = "--max-error",
@@ -61,6 +58,7 @@ std::vector<Conflict> terrain_conflicts() {
 
 void add_terrain_options(std::vector<Option>& options, std::vector<std::string>& inputs,
                          ReadOptions& reading) {
+  constexpr auto kGroup = "Terrain";
   options.push_back({.name = "INPUT",
                      .help = "the terrain: any raster of heights that GDAL opens (/vsizip/ and "
                              "other /vsi paths too), in any CRS or none; triangles in OFF, "

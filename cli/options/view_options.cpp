@@ -14,7 +14,7 @@
 namespace orograph {
 namespace {
 
-constexpr auto kGroup = "View";
+constexpr auto kView = "View";
 const Angle kDefaultElevation = ViewSpec().from_elevation;
 constexpr auto kMapPlace = "coordinates of the terrain's CRS; Z, above the datum of the file's "
                            "heights in their unit, may be left out";
@@ -23,7 +23,7 @@ constexpr auto kLonLatPlace =
     "datum of the file's heights in their unit and not converted, may be left out";
 
 Option with_lonlat(Option option, std::optional<GivenPlace>& into) {
-  option.group = kGroup;
+  option.group = kView;
   option.value = "LON,LAT[,H]";
   option.allowed = kLonLatPlace;
   option.take = [name = option.name, &into](const std::string& text) {
@@ -43,7 +43,7 @@ Option with_lonlat(Option option, std::optional<GivenPlace>& into) {
 }
 
 void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kView,
                      .name = "--eye",
                      .value = "X,Y[,Z]",
                      .help = "Stand at this point, without Z on the ground there; in perspective "
@@ -55,7 +55,7 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
                    .help = "The same by longitude and latitude, without H on the ground there"},
                   s.map.view.eye_lonlat));
   options.push_back(
-      with_number({.group = kGroup,
+      with_number({.group = kView,
                    .name = "--eye-height",
                    .value = "M",
                    .help = "Of an eye without Z or H: how high above the ground it is",
@@ -63,7 +63,7 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
                   {.unit = "metres", .low = 0, .low_excluded = true},
                   [&s](double m) { s.map.view.eye_height_m = m; }));
   options.push_back(with_number(
-      {.group = kGroup,
+      {.group = kView,
        .name = "--eye-summit",
        .value = "[M]",
        .if_alone = "50",
@@ -71,7 +71,7 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
                "high above it as it was, and say where that is"},
       {.unit = "metres", .low = 0, .high = 100000, .low_excluded = true},
       [&s](double m) { s.map.view.eye_summit_m = m; }));
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kView,
                      .name = "--look-at",
                      .value = "X,Y[,Z]",
                      .help = "Look at this point, without Z at the ground there",
@@ -84,7 +84,7 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
                    .help = "The same by longitude and latitude, without H at the ground there"},
                   s.map.view.look_at_lonlat));
   options.push_back(with_number(
-      {.group = kGroup,
+      {.group = kView,
        .name = "--look-azimuth",
        .value = "DEG",
        .help = "With an eye, look in this direction instead of at a point: clockwise "
@@ -93,7 +93,7 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
                "the terrain has no CRS, or a local one)"},
       {.unit = "degrees"}, [&s](double deg) { s.map.view.look_azimuth = Angle::degrees(deg); }));
   options.push_back(
-      with_number({.group = kGroup,
+      with_number({.group = kView,
                    .name = "--pitch",
                    .value = "DEG",
                    .help = "With --look-azimuth, look up by this, or down where it is "
@@ -107,7 +107,7 @@ void add_eye_options(std::vector<Option>& options, RenderSettings& s) {
 } // namespace
 
 void add_view_options(std::vector<Option>& options, RenderSettings& s) {
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kView,
                      .name = "--view-from",
                      .value = "AZ/EL|NAME|auto",
                      .help = "Where the viewer stands, seen from the terrain: azimuth clockwise "
@@ -131,7 +131,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                        return true;
                      }});
   options.push_back(with_choice<Horizontal>(
-      {.group = kGroup,
+      {.group = kView,
        .name = "--elevation-above",
        .help =
            "Whose horizontal the elevation of --view-from is above, where the earth's curvature "
@@ -140,7 +140,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
        .by_default = "target"},
       {{"target", Horizontal::of_target}, {"eye", Horizontal::of_eye}},
       s.map.view.elevation_above));
-  Option projection = with_choice<Projection>({.group = kGroup,
+  Option projection = with_choice<Projection>({.group = kView,
                                                .name = "--projection",
                                                .help = "Kind of picture; the last two are "
                                                        "panoramas from an eye, with azimuths to "
@@ -160,7 +160,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
     return take(text);
   };
   options.push_back(std::move(projection));
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kView,
                      .name = "--oblique",
                      .value = "cavalier|cabinet|military|L,ALPHA",
                      .help = "Oblique picture: what lies across the view is true, and lines away "
@@ -169,7 +169,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                      .allowed = "a name, or L above 0 and ALPHA from 0 to 180 (90 is straight up)",
                      .by_default = "cavalier (1,45) with --projection oblique",
                      .take = stored(parse_oblique, s.map.view.oblique)});
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kView,
                      .name = "--axonometric",
                      .value = "isometric|dimetric|trimetric",
                      .help = "Orthographic picture from where the three axes of the map are "
@@ -183,7 +183,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                        s.map.view.projection = Projection::orthographic;
                        return true;
                      }});
-  options.push_back({.group = kGroup,
+  options.push_back({.group = kView,
                      .name = "--view",
                      .value = "FILE",
                      .help = "Picture by all the parameters of PHIGS: view plane, projection "
@@ -192,7 +192,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                      .extensions = {"toml", "json"},
                      .take = stored_name(s.map.view.file_name)});
   options.push_back(
-      with_number({.group = kGroup,
+      with_number({.group = kView,
                    .name = "--distance",
                    .value = "M",
                    .help = "From the eye to the point looked at, in space; perspective only",
@@ -200,7 +200,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                   {.unit = "metres", .low = 0, .low_excluded = true},
                   [&s](double m) { s.map.view.distance_m = m; }));
   options.push_back(with_number(
-      {.group = kGroup,
+      {.group = kView,
        .name = "--fov",
        .value = "DEG",
        .help = "Horizontal field of view, less than 180 in perspective, and of a panorama up to "
@@ -209,7 +209,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
       {.unit = "degrees", .low = 0, .high = 360, .low_excluded = true},
       [&s](double deg) { s.map.view.field_of_view = Angle::degrees(deg); }));
   add_eye_options(options, s);
-  options.push_back(with_number({.group = kGroup,
+  options.push_back(with_number({.group = kView,
                                  .name = "--roll",
                                  .value = "DEG",
                                  .help = "Turn the picture clockwise",
@@ -217,7 +217,7 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
                                 {.unit = "degrees"},
                                 [&s](double deg) { s.map.view.roll = Angle::degrees(deg); }));
   options.push_back(with_choice<Curvature>(
-      {.group = kGroup,
+      {.group = kView,
        .name = "--curvature",
        .help =
            "Draw the earth's curvature: auto does so in perspective where it would show, and the "
@@ -226,20 +226,20 @@ void add_view_options(std::vector<Option>& options, RenderSettings& s) {
       {{"auto", Curvature::automatic}, {"on", Curvature::on}, {"off", Curvature::off}},
       s.map.view.curvature));
   options.push_back(with_number(
-      {.group = kGroup,
+      {.group = kView,
        .name = "--refraction",
        .value = "K",
        .help = "Share of the earth's curvature that rays of light follow; perspective only",
        .by_default = fmt::format("{}", s.map.view.refraction)},
       {.low = -1, .high = 1}, [&s](double k) { s.map.view.refraction = k; }));
   options.push_back(with_number(
-      {.group = kGroup,
+      {.group = kView,
        .name = "--curvature-coefficient",
        .value = "C",
        .help = "The same as gdal_viewshed has it: 1 less --refraction, as 0.85714 for 1/7"},
       {.low = 0, .high = 2}, [&s](double c) { s.map.view.refraction = 1 - c; }));
   Option exaggeration = with_number(
-      {.group = kGroup,
+      {.group = kView,
        .name = "--exaggeration",
        .value = "K|auto",
        .help =

@@ -16,7 +16,6 @@
 namespace orograph {
 namespace {
 
-constexpr auto kOutput = "Output";
 // Of those of a picture.
 constexpr std::array<std::string_view, 8> kOfView{"--eye",
                                                   "--eye-lonlat",
