@@ -16,6 +16,7 @@
 #include "cli/visible.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "reference/exact_memory.hpp"
 #include "write/output_file.hpp"
 
 #include <fcntl.h>
@@ -176,6 +177,7 @@ int run_command_line(int argc, char** argv) {
     keep_stderr_from_libraries();
     remove_output_files_on_signals();
     set_gdal_for_this_program();
+    set_exact_numbers_for_this_program();
     run({argv + std::min(argc, 1), argv + argc});
     return 0;
   } catch (const StoppedElsewhere&) {
