@@ -63,8 +63,8 @@ bool may_follow(const Option& option, std::string_view argument) {
 bool may_be_among(const Option& option, const std::vector<std::string>& arguments) {
   return std::ranges::any_of(arguments, [&](std::string_view argument) {
     const bool may_hold_letters = argument.starts_with('-') && !argument.starts_with("--");
-    return argument.starts_with(option.name) ||
-           (may_hold_letters && option.letter != 0 && argument.find(option.letter) != argument.npos);
+    return argument.starts_with(option.name) || (may_hold_letters && option.letter != 0 &&
+                                                 argument.find(option.letter) != argument.npos);
   });
 }
 

@@ -294,8 +294,8 @@ bool is_raster_file(const std::string& path, const ReadOptions& options) {
   GdalMessages messages;
   CPLStringList open_options;
   for (const std::string& option : options.open_options) open_options.AddString(option.c_str());
-  const Dataset raster(GDALDataset::Open(
-      path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, open_options.List(), nullptr));
+  const Dataset raster(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr,
+                                         open_options.List(), nullptr));
   return raster && raster->GetRasterCount() > 0;
 }
 

@@ -127,8 +127,7 @@ TEST_CASE("what GDAL warns of is told once, and nothing is written beside GML") 
              "<c xmlns:gml=\"http://www.opengis.net/gml\">" + ring + ring + "</c>");
   MapFrame map = utm();
   map.crs_wkt.clear();
-  const Overlay found =
-      read_overlay({.path = folder.file("a.gml")}, map, kTerrain, kCell_m);
+  const Overlay found = read_overlay({.path = folder.file("a.gml")}, map, kTerrain, kCell_m);
   CHECK(found.features.size() == 2);
   REQUIRE(found.notes.size() == 1);
   check_message(found.notes[0], {"GDAL warns of", "a.gml", "Non closed ring"});
