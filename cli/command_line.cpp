@@ -16,6 +16,7 @@
 #include "cli/visible.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "reference/exact_memory.hpp"
 #include "write/output_file.hpp"
 
 #include <fcntl.h>
@@ -47,14 +48,31 @@ void keep_standard_streams() {
       return; // the numbers above are taken no sooner
 }
 
+int fail_without_memory() {
+  say_without_memory("error: not enough memory: use --overview, --bbox or fewer --profiles");
+  return 1;
+}
+
 extern "C" void remove_all_and_exit(int signal_number) {
   remove_temporary_files();
   _exit(128 + signal_number);
 }
 
+// GDAL and json-c call abort() where a call of theirs has no memory. What else aborts is a fault,
+// and ends as it would without this.
+extern "C" void tell_of_memory_and_exit(int signal_number) {
+  if (errno == ENOMEM) {
+    remove_temporary_files();
+    fail_without_memory();
+    _exit(1);
+  }
+  signal(signal_number, SIG_DFL);
+  ::raise(signal_number);
+}
+
 // From now on SIGHUP, SIGINT and SIGTERM remove temporary files and exit with 129, 130 and 143,
 // unless they are ignored, as by nohup; SIGXFSZ and SIGPIPE are ignored, so that a file-size limit
-// or a closed pipe shows as a write error.
+// or a closed pipe shows as a write error; and SIGABRT for want of memory is told.
 void remove_output_files_on_signals() {
   constexpr std::array<int, 3> kInterrupting{SIGHUP, SIGINT, SIGTERM};
   struct sigaction action {};
@@ -67,6 +85,8 @@ void remove_output_files_on_signals() {
     if (before.sa_handler != SIG_IGN) sigaction(interrupting, &action, nullptr);
   }
   for (const int of_writing : {SIGXFSZ, SIGPIPE}) signal(of_writing, SIG_IGN);
+  action.sa_handler = tell_of_memory_and_exit;
+  sigaction(SIGABRT, &action, nullptr);
 }
 
 void print(const std::string& text) {
@@ -154,11 +174,6 @@ void run(std::vector<std::string> rest) {
     throw Error("can't write to standard output", "make room on the device, or keep it open");
 }
 
-int fail_without_memory() {
-  say_without_memory("error: not enough memory: use --overview, --bbox or fewer --profiles");
-  return 1;
-}
-
 int fail(const std::string& told, int exit_code) {
   try {
     say("error: {}", with_options(told));
@@ -176,6 +191,7 @@ int run_command_line(int argc, char** argv) {
     keep_stderr_from_libraries();
     remove_output_files_on_signals();
     set_gdal_for_this_program();
+    set_exact_numbers_for_this_program();
     run({argv + std::min(argc, 1), argv + argc});
     return 0;
   } catch (const StoppedElsewhere&) {

@@ -6,6 +6,7 @@
 #include "dem/read/read_terrain.hpp"
 #include "placing/terrain_facts.hpp"
 #include "profiles/surface_edges.hpp"
+#include "text/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -17,8 +18,9 @@
 namespace orograph {
 namespace {
 
+// Names of files and of a CRS are others' words.
 void add_line(std::string& text, std::string_view word, const std::string& value) {
-  text += fmt::format("{:<11}{}\n", word, value);
+  text += fmt::format("{:<11}{}\n", word, shortened(printable(value), 1000));
 }
 
 /// Enough digits for a millimetre in a map's coordinates, and none that aren't needed.

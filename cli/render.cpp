@@ -130,7 +130,7 @@ void render(const RenderSettings& settings) {
   if (!settings.quiet)
     for (const std::string& line : map.facts.lettering) say_line(line);
   if (!settings.quiet && named) {
-    for (const std::string& note : named->notes) say_line(note);
+    tell_notes(names);
     if (map.facts.names) say_line(names_in_words(*map.facts.names));
   }
   if (!settings.quiet) tell_overlays(overlays, map.facts.counts);

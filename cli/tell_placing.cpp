@@ -33,9 +33,13 @@ void tell_near_skyline(const NearSkyline& near, const ViewSpec& view) {
 
 } // namespace
 
-void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts) {
+void tell_notes(const std::vector<Overlay>& overlays) {
   for (const Overlay& overlay : overlays)
     for (const std::string& note : overlay.notes) say_line(note);
+}
+
+void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts) {
+  tell_notes(overlays);
   if (counts.not_draped + counts.draped_in_part > 0)
     say("of {} features to drape {} aren't on the terrain, and {} only in part",
         counts.draped + counts.not_draped, counts.not_draped, counts.draped_in_part);

@@ -18,7 +18,10 @@ void tell_placing(const PlacedView& placed, const ViewSpec& view);
 /// Says to where the eye went, if it is to stand on a summit.
 void tell_eye_move(const ViewSpec& view, const TerrainData& terrain);
 
-/// What a reader of overlays assumed, and what of them isn't on the terrain.
+/// What their reader assumed, and what GDAL warned of.
+void tell_notes(const std::vector<Overlay>& overlays);
+
+/// That, and what of what is to be draped isn't on the terrain.
 void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts);
 
 /// Says what leaves the terrain's place, CRS or heights in doubt.

@@ -131,7 +131,7 @@ void visible(const VisibleSettings& settings) {
   const std::vector<Overlay> overlays = read_overlays({&settings.points, 1}, whole);
   const OverlayPoints points = points_of(overlays.front());
   if (!render.quiet) {
-    for (const std::string& note : overlays.front().notes) say_line(note);
+    tell_notes(overlays);
     tell_eye_move(view, whole);
   }
   const TerrainOfView terrain(whole, view);

@@ -204,7 +204,11 @@ void sweep(const SweepSettings& settings) {
   const std::vector<std::size_t> waiting = ranks.together(
       [&] { return first ? open_folder(settings, prepared->plan) : std::vector<std::size_t>(); });
 
-  if (first && !settings.render.quiet) tell_doubts(prepared->terrain);
+  if (first && !settings.render.quiet) {
+    tell_doubts(prepared->terrain);
+    tell_notes(prepared->overlays);
+    tell_notes(prepared->names);
+  }
   const SweepRun run{settings,
                      prepared->terrain,
                      prepared->views,

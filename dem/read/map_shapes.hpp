@@ -28,6 +28,7 @@ struct MapShapes {
 
   double surface_error_m = 0;
   std::vector<std::string> notes;
+  std::vector<std::string> doubts; ///< as a terrain's: they are among the notes too
 };
 
 enum class MeshFormat { off, ply, obj, stl };

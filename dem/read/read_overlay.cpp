@@ -59,16 +59,11 @@ bool has_geometries(GDALDataset& dataset) {
 }
 
 OpenedOverlay open_overlay(const std::string& path) {
-  const auto open = [&](const char* const* options) {
-    return Dataset(GDALDataset::Open(
-        path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, options));
-  };
-  if (extension_of(path) != ".csv") return {open(nullptr)};
+  if (extension_of(path) != ".csv") return {open_vector(path, {})};
   for (const auto& [x, y, are_degrees] : kCoordinateColumns) {
     // In the terrain's CRS columns would only say again where a point is.
     const char* const keep = are_degrees ? "KEEP_GEOM_COLUMNS=YES" : "KEEP_GEOM_COLUMNS=NO";
-    const char* const options[] = {x, y, keep, "AUTODETECT_TYPE=YES", nullptr};
-    Dataset dataset = open(options);
+    Dataset dataset = open_vector(path, {x, y, keep, "AUTODETECT_TYPE=YES"});
     if (!dataset || has_geometries(*dataset)) return {std::move(dataset), are_degrees};
   }
   throw Error(path + " has no columns of coordinates",
@@ -324,6 +319,7 @@ Overlay read_overlay(const OverlayInput& input, const MapFrame& map, const Box2&
     throw Error(
         fmt::format("{} can't be read to its end ({})", input.path, messages.last_failure()),
         "check it with 'ogrinfo -al'");
+  add_doubts(messages, input.path, out.notes);
   if (reader.is_over_terrain()) return out;
   layer.SetSpatialFilter(nullptr);
   if (layer.GetFeatureCount() == 0)

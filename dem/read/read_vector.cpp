@@ -188,13 +188,6 @@ void add_geometry(const OGRGeometry& geometry, VectorUse use, std::optional<doub
   add(geometry, {use, height, id, shapes});
 }
 
-Dataset open(const std::string& path, unsigned kind, const ReadOptions& options) {
-  CPLStringList open_options;
-  for (const std::string& option : options.open_options) open_options.AddString(option.c_str());
-  return Dataset(GDALDataset::Open(path.c_str(), kind | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                                   nullptr, open_options.List(), nullptr));
-}
-
 // GeoJSON's own rule is degrees when it names no CRS, and GDAL follows it; surveys in it often have
 // metres or feet all the same.
 bool is_local_geojson(GDALDataset& dataset, const OGRSpatialReference* crs, const Box2& extent) {
@@ -293,19 +286,22 @@ void check_content(const MapShapes& shapes, const std::string& layer) {
 
 bool is_vector_file(const std::string& path, const ReadOptions& options) {
   GdalMessages messages;
-  const Dataset vector = open(path, GDAL_OF_VECTOR, options);
+  const Dataset vector = open_vector(path, options.open_options);
   return vector && vector->GetLayerCount() > 0 && !is_raster_file(path, options);
 }
 
 bool is_raster_file(const std::string& path, const ReadOptions& options) {
   GdalMessages messages;
-  const Dataset raster = open(path, GDAL_OF_RASTER, options);
+  CPLStringList open_options;
+  for (const std::string& option : options.open_options) open_options.AddString(option.c_str());
+  const Dataset raster(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr,
+                                         open_options.List(), nullptr));
   return raster && raster->GetRasterCount() > 0;
 }
 
 MapShapes read_vector(const std::string& path, VectorUse use, const ReadOptions& options) {
   GdalMessages messages;
-  const Dataset dataset = open(path, GDAL_OF_VECTOR, options);
+  const Dataset dataset = open_vector(path, options.open_options);
   if (!dataset)
     throw Error(
         fmt::format("{} can't be opened as a vector file ({})", path, messages.last_failure()),
@@ -317,12 +313,11 @@ MapShapes read_vector(const std::string& path, VectorUse use, const ReadOptions&
                    " LAYER");
   MapShapes shapes;
   shapes.path = path;
-  for (const std::string& warning : messages.warnings())
-    shapes.notes.push_back(fmt::format("GDAL warns: {}.", warning));
   if (layer.GetFeatureCount() == 0) refuse_empty(path, layer.GetName());
   const bool height_unit_assumed = !set_frame(*dataset, layer, shapes);
   const int field = height_field(layer, path, is_terrain ? options.height_field : "");
-  messages.forget();
+  add_doubts(messages, path, shapes.doubts);
+  messages.forget(); // drivers that were asked before may have failed
 
   bool height_unit_told = !height_unit_assumed;
   std::uint64_t without = 0;
@@ -345,6 +340,8 @@ MapShapes read_vector(const std::string& path, VectorUse use, const ReadOptions&
     throw Error(fmt::format("{} can't be read to its end ({})", path, failure),
                 "check it with 'ogrinfo -al'");
   check_content(shapes, layer.GetName());
+  add_doubts(messages, path, shapes.doubts);
+  shapes.notes.insert(shapes.notes.begin(), shapes.doubts.begin(), shapes.doubts.end());
   if (!height_unit_told)
     shapes.notes.push_back(fmt::format("{} names no unit of height: that of its CRS is taken, {}.",
                                        path, shapes.map.unit_name));

@@ -132,9 +132,10 @@ void bring_together(MapShapes& points, MapShapes& other, const char* role) {
     points.map = other.map;
     points.units_known = other.units_known;
   }
-  for (const std::string& note : other.notes)
-    if (std::find(points.notes.begin(), points.notes.end(), note) == points.notes.end())
-      points.notes.push_back(note);
+  for (auto told : {&MapShapes::notes, &MapShapes::doubts})
+    for (const std::string& note : other.*told)
+      if (std::ranges::find(points.*told, note) == (points.*told).end())
+        (points.*told).push_back(note);
   const double ratio = there ? other.map.height_unit_m / points.map.height_unit_m : 1;
   if (ratio == 1) return;
   for (auto* lines : {&other.breaklines, &other.rings})
@@ -199,6 +200,7 @@ TerrainData terrain_from_triangles(MapShapes shapes, const ReadOptions& options)
   terrain.map = shapes.map;
   terrain.source = shapes.path;
   terrain.notes = std::move(shapes.notes);
+  terrain.doubts = std::move(shapes.doubts);
   terrain.surface_error_m = shapes.surface_error_m;
   note_units(terrain.map, shapes.units_known, terrain.notes);
   finish_frame(terrain.map, box_of(shapes.points));
@@ -227,6 +229,7 @@ TerrainData terrain_from_points(MapShapes shapes, std::optional<MapShapes> lines
   terrain.map = shapes.map;
   terrain.source = shapes.path;
   terrain.notes = std::move(shapes.notes);
+  terrain.doubts = std::move(shapes.doubts);
   note_units(terrain.map, shapes.units_known, terrain.notes);
   finish_frame(terrain.map, box_of_survey(shapes));
   try {

@@ -3,14 +3,44 @@
 
 #include "geometry/error.hpp"
 
+#include <cpl_string.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace orograph {
+
+Dataset open_vector(const std::string& path, const std::vector<std::string>& options) {
+  CPLStringList open_options;
+  for (const std::string& option : options) open_options.AddString(option.c_str());
+  open_options.AddString("@WRITE_GFS=NO"); // @: drivers that don't know it aren't to warn
+  return Dataset(GDALDataset::Open(path.c_str(),
+                                   GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                                   nullptr, open_options.List(), nullptr));
+}
+
+void add_doubts(const GdalMessages& messages, const std::string& path,
+                std::vector<std::string>& doubts) {
+  constexpr std::size_t kMostTold = 5;
+  std::size_t told = 0, left_out = 0;
+  for (const auto* const said : {&messages.failures(), &messages.warnings()})
+    for (const std::string& message : *said) {
+      std::string doubt = fmt::format("GDAL warns of {}: {}.", path, message);
+      if (std::find(doubts.begin(), doubts.end(), doubt) != doubts.end()) continue;
+      if (told == kMostTold) {
+        ++left_out;
+        continue;
+      }
+      doubts.push_back(std::move(doubt));
+      ++told;
+    }
+  if (left_out > 0)
+    doubts.push_back(fmt::format("GDAL warns of {} {} times more.", path, left_out));
+}
 
 OGRLayer& layer_of(GDALDataset& dataset, const std::string& path, const std::string& wanted,
                    const std::string& right) {

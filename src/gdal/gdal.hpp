@@ -35,13 +35,13 @@ private:
 };
 
 /// As long as one lives, GDAL's messages in this thread are collected here and go nowhere else, and
-/// GDAL reads and writes nothing beside the files that this thread opens (.aux.xml). Then GDAL's
-/// last error in this thread is again the one that the program may still want to ask for.
-/// Everything that calls GDAL does so while one lives; several may, one inside the other, and the
-/// innermost one collects. The first one in a process registers GDAL's drivers. Threads that GDAL
-/// starts by itself (an open option NUM_THREADS) don't know of it: what they say goes to the
-/// program's own handler. Where GDAL has no memory, which it takes for a reason to end the process,
-/// std::bad_alloc is thrown instead.
+/// GDAL reads and writes nothing beside the files that this thread opens (.aux.xml), nor changes
+/// the locale. Then GDAL's last error in this thread is again the one that the program may still
+/// want to ask for. Everything that calls GDAL does so while one lives; several may, one inside the
+/// other, and the innermost one collects. The first one in a process registers GDAL's drivers.
+/// Threads that GDAL starts by itself (an open option NUM_THREADS) don't know of it: what they say
+/// goes to the program's own handler. Where GDAL has no memory, which it takes for a reason to end
+/// the process, std::bad_alloc is thrown instead.
 class GdalMessages {
 public:
   GdalMessages();
@@ -64,6 +64,8 @@ private:
   std::string last_text_;
   std::vector<std::string> failures_, warnings_;
   GdalThreadOption nothing_beside_{"GDAL_PAM_ENABLED", "NO"};
+  /// Which sets the numbers of the process's locale wherever a database is opened.
+  GdalThreadOption no_spatialite_{"SPATIALITE_LOAD", "NO"};
 };
 
 /// For a program that uses GDAL through us alone, to be called at its beginning: GDAL's cache has

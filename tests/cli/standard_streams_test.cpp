@@ -90,6 +90,19 @@ TEST_CASE("messages show no controls and aren't longer than a few lines") {
   check({"\x1b]0;title\x07"}, 2, "unknown command ?]0;title?");
 }
 
+TEST_CASE("what `info` prints shows no controls of names and files") {
+  MadeFolder folder;
+  with_hill(folder);
+  std::string crs(kUtm32);
+  folder.write("\x1b[2J.asc", ascii_grid(4, 4, [](int, int) { return 1.0; }));
+  folder.write("\x1b[2J.prj", crs.replace(crs.find('"') + 1, 1, "\x1b[31m"));
+  const ProgramRun ended = run_orograph({"info", "\x1b[2J.asc"}, {.folder = folder.path()});
+  CHECK(ended.exit_code == 0);
+  CHECK(ended.out.find("?[2J.asc") != std::string::npos);
+  CHECK(ended.out.find("?[31m") != std::string::npos);
+  CHECK(ended.out.find('\x1b') == std::string::npos);
+}
+
 TEST_CASE("a link that leads to itself is told of as the system does") {
   MadeFolder folder;
   with_hill(folder);
@@ -118,6 +131,7 @@ TEST_CASE("a drawing that replaces another has its rights") {
 
 TEST_CASE("no cell of a table is a formula") {
   for (const std::string plain : {"", "view 1", "a=b", "3-4"}) CHECK(csv_text(plain) == plain);
+  CHECK(csv_text("a\x1b[31m\n\xC2\x9Bz") == "\"a?[31m\n?z\"");
   CHECK(csv_text("a,\"b\"") == "\"a,\"\"b\"\"\"");
   for (const char first : {'=', '+', '-', '@', '\t', '\r'})
     CHECK(csv_text(first + std::string("cmd|x")) == "\"'" + (first + std::string("cmd|x\"")));

@@ -46,7 +46,7 @@ std::atomic<Kind> asked = Kind::none; ///< none before `main` and after it
 std::atomic<unsigned long> calls = 0;
 unsigned long nth = 0;
 bool all_from_nth = false, tells = false;
-int count_to = -1;
+int count_to = -1, trace_to = -1;
 
 bool fails(Kind kind) {
   if (asked.load(std::memory_order_relaxed) != kind) return false;
@@ -56,7 +56,7 @@ bool fails(Kind kind) {
     tells = false;
     asked = Kind::none; // what tells may call as well
     void* frames[40];
-    backtrace_symbols_fd(frames, backtrace(frames, 40), 2);
+    backtrace_symbols_fd(frames, backtrace(frames, 40), trace_to);
     asked = kind;
   }
   return failing;
@@ -88,9 +88,10 @@ void begin() {
   const char* const colon = strchr(fault, ':');
   const char* const count = getenv("OROGRAPH_FAULT_COUNT");
   tells = getenv("OROGRAPH_FAULT_TRACE") != nullptr;
-  if (tells) { // loads what it needs
+  if (tells) {
+    trace_to = fcntl(2, F_DUPFD_CLOEXEC, 100); // the program keeps 2 from libraries
     void* frames[2];
-    backtrace(frames, 2);
+    backtrace(frames, 2); // loads what it needs
   }
   Kind kind = Kind::none;
   for (const auto& [name, one] : kKinds)

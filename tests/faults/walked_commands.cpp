@@ -111,6 +111,10 @@ public:
   Outcome outcome(const std::string& fault) {
     const MadeFolder folder;
     make_inputs(folder);
+    for (std::vector<std::string> before : command_.before) {
+      before.insert(before.begin(), OROGRAPH_PROGRAM);
+      RunningProgram(before, {.folder = folder.path()}).wait();
+    }
     const Files inputs = files_in(folder, {});
     for (const auto& [name, content] : command_.older) {
       fs::create_directories(fs::path(folder.path(name)).parent_path());
@@ -193,10 +197,24 @@ std::vector<WalkedCommand> made_commands() {
                       true});
   commands.push_back({"tin, PLY", {"tin", "points.csv", "a.ply"}});
   commands.push_back({"tin, GeoPackage", {"tin", "hill.asc", "a.gpkg", "--max-error", "5m"}});
+  commands.push_back({"merge", {"merge", "out"}, {}, true});
+  for (const char* shard : {"1/2", "2/2"})
+    commands.back().before.push_back({"sweep", "hill.asc", "out", "--azimuth", "0,90", "--profiles",
+                                      "8", "--no-seconds", "--shard", shard});
   commands.push_back({"info", {"info", "hill.asc"}});
+  commands.push_back({"visible",
+                      {"visible", "hill.asc", "points.csv", "--eye", "80,80", "--output",
+                       "seen.geojson", "--horizon-table", "skyline.csv", "--horizon-step", "10"},
+                      {},
+                      true});
   commands.push_back({"accuracy",
                       {"accuracy", "hill.asc", "--profiles", "4,8", "--repeats", "1", "--probes",
                        "100", "--output", "measured"},
+                      {},
+                      true});
+  commands.push_back({"fragmentation",
+                      {"fragmentation", "hill.asc", "--profiles", "4", "--worst-case", "0",
+                       "--output", "measured"},
                       {},
                       true});
   return commands;

@@ -17,10 +17,11 @@ struct WalkedCommand {
   std::vector<std::pair<std::string, std::string>> older = {}; ///< files that are there already
   /// What it does one after another may be done in part: then each file is right or whole.
   bool in_parts = false;
+  std::vector<std::vector<std::string>> before = {}; ///< commands that make more of its inputs
 };
 
 /// Every command, render to every format, and every kind of input; they read the files of
-/// `make_inputs`. Not `fragmentation`, which takes 20 s at the least.
+/// `make_inputs`.
 const std::vector<WalkedCommand>& walked_commands();
 void make_inputs(const MadeFolder& folder);
 

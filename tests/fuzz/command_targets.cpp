@@ -22,8 +22,8 @@ std::string text_of(FuzzBytes bytes) {
 }
 
 void add_from(const std::string& path) {
-  RenderSettings settings;
-  const Command command = render_command(settings);
+  static RenderSettings settings; // nothing is stored into it
+  static const Command command = render_command(settings);
   read_or_refuse([&] {
     GivenOptions given;
     add_settings(command, path, given);
@@ -101,6 +101,8 @@ void fuzz_options(FuzzBytes bytes) {
       parse_info(arguments);
     else if (command == "tin")
       parse_tin(arguments);
+    else if (command == "visible")
+      parse_visible(arguments);
     else
       parse_render(arguments);
   });
@@ -118,7 +120,7 @@ void fuzz_values(FuzzBytes bytes) {
            "a box that isn't on the earth");
   static_cast<void>(parse_azimuth_deg(text));
   if (const auto from = parse_view_from(text))
-    expect(std::isfinite(from->azimuth.in_degrees()) && from->elevation.in_degrees() >= 0 &&
+    expect(std::isfinite(from->azimuth.in_degrees()) && from->elevation.in_degrees() >= -90 &&
                from->elevation.in_degrees() <= 90,
            "a view from nowhere");
   static_cast<void>(parse_light(text));

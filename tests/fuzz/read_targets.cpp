@@ -65,6 +65,20 @@ void read_as(const char* name, FuzzBytes bytes) {
   });
 }
 
+void lay_over(const std::string& path) {
+  read_or_refuse([&] {
+    const Overlay overlay =
+        read_overlay({.path = path, .layer = {}, .where = {}}, MapFrame{}, {{0, 0}, {100, 100}}, 1);
+    for (const Vec2 place : overlay.places)
+      expect(std::isfinite(place.x) && std::isfinite(place.y), "a place that isn't finite");
+    for (const Overlay::Line& line : overlay.lines)
+      expect(line.first_place + line.place_count <= overlay.places.size(), "a line of no places");
+    for (const Overlay::Feature& feature : overlay.features)
+      expect(feature.first_line + feature.line_count <= overlay.lines.size(),
+             "a feature of no lines");
+  });
+}
+
 } // namespace
 
 void fuzz_raster(FuzzBytes bytes) {
@@ -100,18 +114,11 @@ void fuzz_vector(FuzzBytes bytes) { // what GDAL takes for a raster is one whate
 }
 
 void fuzz_overlay(FuzzBytes bytes) {
-  const std::string path = scratch_file("overlay.geojson", bytes);
-  read_or_refuse([&] {
-    const Overlay overlay =
-        read_overlay({.path = path, .layer = {}, .where = {}}, MapFrame{}, {{0, 0}, {100, 100}}, 1);
-    for (const Vec2 place : overlay.places)
-      expect(std::isfinite(place.x) && std::isfinite(place.y), "a place that isn't finite");
-    for (const Overlay::Line& line : overlay.lines)
-      expect(line.first_place + line.place_count <= overlay.places.size(), "a line of no places");
-    for (const Overlay::Feature& feature : overlay.features)
-      expect(feature.first_line + feature.line_count <= overlay.lines.size(),
-             "a feature of no lines");
-  });
+  lay_over(scratch_file("overlay.geojson", bytes));
+}
+
+void fuzz_places(FuzzBytes bytes) {
+  lay_over(scratch_file("places.csv", bytes));
 }
 
 void fuzz_view(FuzzBytes bytes) {

@@ -189,6 +189,8 @@ TEST_CASE("signals, locale, rounding, folder and file mode stay as they are; not
   sigset_t unblocked{};
   ::pthread_sigmask(SIG_BLOCK, &blocked, &unblocked);
   const std::array<struct sigaction, 32> actions = signal_actions();
+  std::setlocale(LC_ALL,
+                 "C.UTF-8"); // no other name for C, so that a part that is set to that shows
   const std::string locale = std::setlocale(LC_ALL, nullptr);
   const std::locale cpp_locale;
   const std::string place = std::filesystem::current_path().string();
@@ -212,6 +214,7 @@ TEST_CASE("signals, locale, rounding, folder and file mode stay as they are; not
   for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGUSR1})
     CHECK(::sigismember(&mask, number) == 0);
   CHECK(std::setlocale(LC_ALL, nullptr) == locale);
+  std::setlocale(LC_ALL, "C");
   CHECK(std::locale() == cpp_locale);
   CHECK(std::filesystem::current_path().string() == place);
   CHECK(::umask(mode) == 0027);

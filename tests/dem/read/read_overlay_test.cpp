@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 
 namespace orograph::read_overlay_test {
 namespace {
@@ -113,6 +115,23 @@ TEST_CASE("an overlay without a CRS is taken as the terrain's, and says so") {
   REQUIRE(found.notes.size() == 1);
   CHECK(found.notes[0].find("has no CRS") != std::string::npos);
   CHECK(found.places[0] == Vec2{490100, 5099100});
+}
+
+TEST_CASE("what GDAL warns of is told once, and nothing is written beside GML") {
+  const TempFolder folder;
+  const std::string ring =
+      "<gml:featureMember><a><p><gml:Polygon><gml:outerBoundaryIs><gml:LinearRing><gml:coordinates>"
+      "490100,5099100 490200,5099100 490200,5099200</gml:coordinates></gml:LinearRing>"
+      "</gml:outerBoundaryIs></gml:Polygon></p></a></gml:featureMember>";
+  write_text(folder.file("a.gml"),
+             "<c xmlns:gml=\"http://www.opengis.net/gml\">" + ring + ring + "</c>");
+  MapFrame map = utm();
+  map.crs_wkt.clear();
+  const Overlay found = read_overlay({.path = folder.file("a.gml")}, map, kTerrain, kCell_m);
+  CHECK(found.features.size() == 2);
+  REQUIRE(found.notes.size() == 1);
+  check_message(found.notes[0], {"GDAL warns of", "a.gml", "Non closed ring"});
+  CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
 
 TEST_CASE("overlays that can't be laid anywhere get a line") {

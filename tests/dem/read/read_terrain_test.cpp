@@ -112,6 +112,21 @@ TEST_CASE("breaklines become edges") {
   check_message(message_of(folder.file("a.csv"), options), {"missing.gpkg", "can't be opened"});
 }
 
+TEST_CASE("what GDAL does without in breaklines is in doubt") {
+  const TempFolder folder;
+  write_text(folder.file("a.csv"), "x,y,z\n0,0,1\n900,0,2\n900,900,3\n0,900,4\n");
+  write_text(folder.file("lines.geojson"),
+             R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": )"
+             R"({"name": "EPSG:999999"}}, "features": [{"type": "Feature", "properties": {}, )"
+             R"("geometry": {"type": "LineString", "coordinates": [[0, 0, 1], [900, 900, 1]]}}]})");
+  ReadOptions options;
+  options.breaklines = folder.file("lines.geojson");
+  const TerrainData terrain = read_terrain(folder.file("a.csv"), options);
+  REQUIRE(terrain.doubts.size() == 1);
+  check_message(terrain.doubts.front(), {"GDAL warns of", "lines.geojson", "crs not found"});
+  CHECK(std::ranges::count(terrain.notes, terrain.doubts.front()) == 1);
+}
+
 TEST_CASE("a boundary cuts, and the window and the longest edge are handed on") {
   const TempFolder folder;
   write_text(folder.file("a.csv"), corners + "30,0,1\n30,10,1\n");
