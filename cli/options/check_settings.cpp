@@ -140,6 +140,15 @@ void add_layers(RenderSettings& settings, const GivenOptions& given) {
       !style.draws_index_contours())
     throw UsageError("--contour-ticks has no meaning without contours",
                      "give --contours INTERVAL too");
+  if (settings.overlays.empty()) {
+    for (const char* option : {"--drape-where", "--drape-offset"})
+      if (insists_on(given, option))
+        throw UsageError(fmt::format("{} has no meaning without vectors", option),
+                         "give --drape FILE too");
+    if (insists_on(given, "--layers") && style.layers.size() == 1 && style.asks_for("drape"))
+      throw UsageError("--layers names 'drape' alone, and there is nothing to drape",
+                       "give --drape FILE too");
+  }
   for (const char* option : {"--hachure-spacing", "--hachure-slope"})
     if (insists_on(given, option) && !style.asks_for("hachures"))
       throw UsageError(fmt::format("{} has no meaning without hachures", option),

@@ -120,6 +120,9 @@ TEST_CASE("options of lines on the ground") {
   CHECK(draped.overlays[1].where == "x > 1");
   CHECK(draped.map.style.asks_for("drape"));
   check_refused({"--drape", ""}, "a file that GDAL reads as vectors");
+  check_refused({"--layers", "drape"}, "give --drape FILE");
+  check_refused({"--drape-where", "x > 1"}, "give --drape FILE");
+  check_refused({"--drape-offset", "2"}, "give --drape FILE");
   check_refused({"--drape-offset", "-1"}, "0 to 10000");
 }
 

@@ -3,6 +3,7 @@
 // that levels go through vertices and along edges all the time.
 #include "dem/approximate/tin_of_grid.hpp"
 #include "profiles/isolines.hpp"
+#include "profiles/triangle_isolines.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_grid.hpp"
 #include "tests/support/random.hpp"
@@ -188,6 +189,44 @@ TEST_CASE("without levels, or triangles, there are no lines of them") {
   CHECK(isolines(grid, given(value), {}).lines.empty());
   CHECK(isolines(grid, given(value), std::vector{1.0, 2.0}).lines.empty());
   CHECK(isolines(grid, given(none), std::vector{1.0, 2.0}).lines.empty());
+}
+
+TEST_CASE("levels that are counted for many heights at once are those up to each") {
+  int at_once = 0, near_level = 0;
+  for (std::uint64_t seed = 1; seed <= last_seed(300); ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<double> given_levels{random.between(-100, 4000)};
+    const double apart = random.pick({1.0, 30.48, 1e-4, 0.1});
+    const bool is_even = random.chance(0.8);
+    for (int i = random.whole(0, 120); i > 0; --i)
+      given_levels.push_back(given_levels.back() + (is_even ? apart : random.between(0.01, 9)));
+    const IsolineLevels levels(given_levels);
+    std::vector<double> heights;
+    for (int i = 0; i < 700; ++i) {
+      const double level = given_levels[static_cast<std::size_t>(
+          random.whole(0, static_cast<int>(given_levels.size()) - 1))];
+      heights.push_back(random.pick({level, std::nextafter(level, 1e9), std::nextafter(level, -1e9),
+                                     std::nan(""), level + random.between(-3, 3) * apart,
+                                     random.between(-1e6, 1e6), random.between(-1e3, 5e3)}));
+    }
+    std::vector<std::int32_t> counts(heights.size());
+    std::vector<std::uint32_t> near;
+    levels.count_most(heights, counts, near);
+    near_level += static_cast<int>(near.size());
+    for (const std::uint32_t i : near) heights[i] = std::nan("");
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      if (std::isnan(heights[i])) continue; // told apart
+      const auto up_to =
+          std::ranges::count_if(given_levels, [&](double l) { return l <= heights[i]; });
+      CHECK(counts[i] == up_to);
+      CHECK(std::ranges::find(given_levels, heights[i]) == given_levels.end());
+      ++at_once;
+    }
+  }
+  WARN(at_once << " heights at once, " << near_level << " looked up");
+  CHECK(at_once > enough<30000>);
+  CHECK(near_level > enough<30000>);
 }
 
 } // namespace orograph::isolines_test
