@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -159,6 +160,27 @@ bool goes_in_order(const Grid& grid, const Sector& sector, const Instruments& in
   return instruments.order_always || pays_in_order(grid, sector);
 }
 
+// A panorama's profiles turn at its sectors' borders.
+XRange asked_range(const Sector& sector, bool in_list, const Instruments& instruments) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return !sector.frame_mm && (in_list || instruments.beyond_page) ? XRange{-kInfinity, kInfinity}
+                                                                  : page_range(sector);
+}
+
+// None where an eye before the terrain sees all of it.
+std::vector<SheetPart> parts_by_sector(const Surface& surface, const Sheet& sheet,
+                                       const PlacedView& placed, const Instruments& instruments) {
+  const View& view = placed.view;
+  if (!view.is_perspective() || (view.frames_terrain && placed.sectors.size() == 1)) return {};
+  std::vector<AzimuthWedge> wedges;
+  for (const Sector& sector : placed.sectors) {
+    const XRange x = asked_range(sector, instruments.needs_list(), instruments);
+    const double forward = sector.behind ? std::numbers::pi : sector.azimuth;
+    wedges.push_back({forward + std::atan(x.begin), forward + std::atan(x.end)});
+  }
+  return parts_in_wedges(surface, sheet.triangles, sheet.vertices, view, wedges);
+}
+
 } // namespace
 
 const SilhouetteMarks* LinesOfView::silhouettes_by(bool rows_are_strips) const {
@@ -184,6 +206,7 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
   out.on_ground = ground_lines_of(terrain, placed, style, ground, !finds_contours);
   if (style.underside == Underside::draw) {
     out.sheet = sheet_of(terrain.surface, placed.view);
+    out.sheet_parts = parts_by_sector(terrain.surface, *out.sheet, placed, instruments);
     out.listed = lines_of_sheet(terrain, placed, style, *out.sheet);
   } else if (!finds || hidden.has(LineKind::silhouette)) {
     out.listed = lines_of(terrain, placed, style, ground);
@@ -224,18 +247,30 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
       grid && lines.silhouettes ? lines.silhouettes_by(LatticeOrder(*grid, view).rows_are_strips())
                                 : nullptr;
   const SectorInWork work{
-      terrain, placed, sector, lines.listed, lines.on_ground, cutter, tolerance,
+      terrain,
+      placed,
+      sector,
+      lines.listed,
+      lines.on_ground,
+      cutter,
+      tolerance,
       view.is_perspective() ? view.near_m : -kInfinity,
-      // A panorama's profiles turn at its sectors' borders.
-      !sector.frame_mm && (in_list || instruments.beyond_page) ? XRange{-kInfinity, kInfinity}
-                                                               : page_range(sector),
-      watched && !sector.frame_mm, watched ? nullptr : ground, instruments.vertices_a_strip,
-      silhouettes, &folds, draws_silhouettes(style), lines.on_ground.levels_to_find_m,
+      asked_range(sector, in_list, instruments),
+      watched && !sector.frame_mm,
+      watched ? nullptr : ground,
+      instruments.vertices_a_strip,
+      silhouettes,
+      &folds,
+      draws_silhouettes(style),
+      lines.on_ground.levels_to_find_m,
       profiles && profiles->hidden,
       lines.by_sector.empty()
           ? nullptr
           : &lines.by_sector[static_cast<std::size_t>(&sector - placed.sectors.data())],
-      lines.sheet ? &*lines.sheet : nullptr};
+      lines.sheet ? &*lines.sheet : nullptr,
+      lines.sheet_parts.empty()
+          ? nullptr
+          : &lines.sheet_parts[static_cast<std::size_t>(&sector - placed.sectors.data())]};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and

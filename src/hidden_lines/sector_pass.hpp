@@ -15,6 +15,7 @@
 #include "placing/placed_view.hpp"
 #include "profiles/seen_ground.hpp"
 #include "profiles/sheet.hpp"
+#include "profiles/sheet_part.hpp"
 #include "profiles/silhouettes.hpp"
 
 #include <cstdint>
@@ -60,7 +61,8 @@ struct LinesOfView {
   HiddenKinds hidden = {}; ///< of which what isn't visible is asked for, too
   /// By the lattice's other direction, where some of a panorama's sectors want that.
   std::optional<SilhouetteMarks> turned_silhouettes = {};
-  std::optional<Sheet> sheet = {}; ///< the surface, where it has two sides
+  std::optional<Sheet> sheet = {};         ///< the surface, where it has two sides
+  std::vector<SheetPart> sheet_parts = {}; ///< by sector, where those don't look at all of it
   /// For each of a panorama's sectors those listed that may reach into it, by number.
   std::vector<std::vector<std::uint32_t>> by_sector = {};
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hidden_lines/sheet_strip.hpp"
 
+#include "geometry/large_pages.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "geometry/sort_by_number.hpp"
 
@@ -18,27 +19,17 @@ bool has_own_frame(const SectorInWork& work) {
 } // namespace
 
 SheetInWork::SheetInWork(const SectorInWork& of)
-    : work(of), sheet(*of.sheet),
-      turned(has_own_frame(of) ? vertices_in(of.terrain.surface, of.sector.view)
-                               : std::vector<ProfilePoint>{}),
-      vertices(turned.empty() ? sheet.vertices : turned),
-      order(of.terrain.surface, sheet.triangles, vertices, of.placed.border, of.sector.view,
+    : work(of), sheet(*of.sheet), all(sheet.triangles), part(of.sheet_part ? *of.sheet_part : all),
+      vertices(has_own_frame(of) ? PartVertices(of.terrain.surface, of.sector.view, part)
+                                 : PartVertices(sheet.vertices)),
+      order(of.terrain.surface, sheet.triangles, part, vertices, of.placed.border, of.sector.view,
             of.from_m) {}
 
-SheetStrip::SheetStrip(const SheetInWork& sheet, const Strip& strip,
-                       std::span<const LineAtDepth> which, std::span<const Segment> near_cut)
-    : sheet_(sheet), range_(strip.range),
+SheetStrip::SheetStrip(const SheetInWork& sheet, std::size_t number, const Strip& strip)
+    : sheet_(sheet), number_(number), range_(strip.range),
       pictures_(sheet.work.terrain.surface, sheet.work.placed.reach_m, sheet.work.on_ground.points,
                 sheet.work.sector, sheet.work.lines, strip.range, sheet.work.from_m),
-      covered_(strip.core, pictures_.looked_at(), strip.blocks) {
-  const XRange looked_at = pictures_.looked_at();
-  for (const Segment& s : near_cut) {
-    const double begin = std::max(s.x0, looked_at.begin), end = std::min(s.x1, looked_at.end);
-    if (begin < end) covered_.take(s, begin, end, SheetEnd::opens, false);
-  }
-  events_.reserve(which.size());
-  for (const LineAtDepth& line : which) add_line(line.line);
-}
+      covered_(strip.core, pictures_.looked_at(), 2 * strip.blocks) {}
 
 // Of edges as `pictures_` has it: from vertices that are known.
 ProfileLine SheetStrip::whole(std::uint32_t number) const {
@@ -60,12 +51,13 @@ void SheetStrip::add_line(std::uint32_t number) {
 // on the one above as well.
 void SheetStrip::add_ground_line(std::uint32_t number) {
   const std::uint32_t triangle = sheet_.work.triangle_of(number);
+  if (sheet_.part.place_of(triangle) == kNoTriangle) return;
   if (sheet_.sheet.is_up[triangle] == 0) {
     if (const auto edge = edge_under(pictures_.whole(number), triangle)) add_edge(number, *edge);
     return;
   }
-  events_.push_back({turn_of(sheet_.order.place(triangle), SheetStep::inside), number, kLine,
-                     SheetEnd::turns, true, true});
+  events_->emplace_back(turn_of(sheet_.order.place(triangle), SheetStep::inside), SheetEnd::turns,
+                      true, true, number, kLine);
 }
 
 // The side of a triangle that a line runs along from vertex to vertex.
@@ -87,6 +79,10 @@ std::optional<SurfaceEdge> SheetStrip::edge_under(const ProfileLine& line,
 void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   const EdgeLine& line = pictures_.line(number);
   const auto [left, right] = sheet_.sheet.triangles.sides_of(edge);
+  const auto is_looked_at = [&](std::uint32_t t) {
+    return t != kNoTriangle && sheet_.part.place_of(t) != kNoTriangle;
+  };
+  if (!is_looked_at(left) && !is_looked_at(right)) return;
   const bool of_upper_side = line.kind == LineKind::shore || is_on_ground(line.kind);
   const auto is_up = [&](std::uint32_t t) {
     return t != kNoTriangle && sheet_.sheet.is_up[t] != 0;
@@ -100,8 +96,8 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
     // It is asked before either of its triangles covers anything, beside the first of them.
     const bool takes_left =
         right == kNoTriangle || (left != kNoTriangle && place(left) < place(right));
-    events_.push_back({turn_of(place(takes_left ? left : right), SheetStep::inside), number, kLine,
-                       SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right)});
+    events_->emplace_back(turn_of(place(takes_left ? left : right), SheetStep::inside), SheetEnd::turns,
+                       true, takes_left == (picture.t_left < picture.t_right), number, kLine);
     return;
   }
   const std::uint32_t front = side > 0 ? left : right, behind = side > 0 ? right : left;
@@ -111,43 +107,59 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   const SheetEnd end = front == kNoTriangle    ? SheetEnd::opens
                        : behind == kNoTriangle ? SheetEnd::closes
                                                : SheetEnd::turns;
-  const SheetTurn turn = front == kNoTriangle ? turn_of(place(behind), SheetStep::rim)
-                                              : turn_of(place(front), SheetStep::behind);
-  (line.hides ? hiding_ : events_).push_back({turn, number, kLine, end, is_asked, true});
+  const SheetTurn turn = front == kNoTriangle
+                             ? turn_of(place(behind), SheetStep::rim, line.hides)
+                             : turn_of(place(front), SheetStep::behind, line.hides);
+  events_->emplace_back(turn, end, is_asked, true, number, kLine);
 }
 
 void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
-  const std::vector<double>& x = profile.projected->x;
-  for (const VertexRun& run : profile.projected->runs) {
+  const ProjectedProfile& projected = profile.profile->projected;
+  const std::vector<double>& x = projected.x;
+  for (const VertexRun& run : projected.runs) {
     const auto first = x.begin() + run.first, last = x.begin() + run.last;
     for (auto left = first; left != last; ++left) {
       if (!(left[0] < left[1]) || left[1] <= range_.begin) continue;
       if (left[0] >= range_.end) break;
       const auto span = static_cast<std::uint32_t>(left - x.begin());
       if (profile.spans[span].is_there)
-        events_.push_back({profile.spans[span].turn, number, span, SheetEnd::turns, true, true});
+        events_->emplace_back(profile.spans[span].turn, SheetEnd::turns, true, true, number, span);
     }
   }
 }
 
-void SheetStrip::run(std::span<const SheetProfile> profiles) {
-  const std::size_t lines = events_.size();
+void SheetStrip::run(std::span<const LineAtDepth> which, std::span<const Segment> near_cut,
+                     std::span<const SheetProfile> profiles) {
+  covered_.expect(which.size());
+  const XRange looked_at = pictures_.looked_at();
+  for (const Segment& s : near_cut) {
+    const double begin = std::max(s.x0, looked_at.begin), end = std::min(s.x1, looked_at.end);
+    if (begin < end) covered_.take(s, begin, end, SheetEnd::opens, false);
+  }
+  // The system takes longer to hand out memory than events to be written there.
+  thread_local std::vector<Event> events, sorted;
+  events.clear();
+  events_ = &events;
+  std::size_t most = which.size();
+  for (const SheetProfile& of : profiles) most += of.spans.size();
+  for (std::vector<Event>* of : {&events, &sorted})
+    if (of->capacity() < most) {
+      of->reserve(most);
+      use_large_pages(of->data(), most * sizeof(Event));
+    }
+  for (const LineAtDepth& line : which) add_line(line.line);
   for (std::uint32_t i = 0; i < profiles.size(); ++i) add_spans(i, profiles[i]);
-  spans_.reserve(events_.size() - lines);
   throw_if_stopped();
-  // What hides comes behind all else that has its turn.
-  events_.insert(events_.end(), hiding_.begin(), hiding_.end());
-  hiding_ = {};
-  sort_by_number(events_, [](const Event& event) { return event.turn; });
+  sort_by_number(events, [](const Event& event) { return event.turn; }, sorted);
   std::size_t step = 0;
-  for (const Event& event : events_) {
+  for (const Event& event : events) {
     throw_if_stopped(step++);
     if (event.span == kLine)
       take_line(event);
     else
       take_span(event, profiles[event.number]);
   }
-  events_ = {};
+  events_ = nullptr;
 }
 
 void SheetStrip::take_line(const Event& event) {
@@ -156,26 +168,32 @@ void SheetStrip::take_line(const Event& event) {
   if (!pictures_.cut_to_range(line)) return;
   if (event.is_asked) {
     seen_.clear();
+    bool changes_nothing = true;
     if (line.upright())
       covered_.add_upright_seen(line.source, event.takes_left, seen_);
     else
-      covered_.add_seen(line.source, line.begin, line.end, sheet_.work.tolerance, seen_);
+      changes_nothing =
+          covered_.add_seen(line.source, line.begin, line.end, sheet_.work.tolerance, seen_);
     for (const Shares& part : seen_)
       pictures_.add_part(event.number, picture, part.begin, part.end, parts_);
+    if (changes_nothing) return;
   }
   if (raises(line) && !pictures_.is_moved(pictures_.line(event.number).edge))
     covered_.take(line.source, line.begin, line.end, event.end, line.drawn);
 }
 
 void SheetStrip::take_span(const Event& event, const SheetProfile& profile) {
-  const ProjectedProfile& of = *profile.projected;
+  const ProjectedProfile& of = profile.profile->projected;
   const std::uint32_t i = event.span;
   const Segment span{of.x[i], of.y[i], of.x[i + 1], of.y[i + 1], i};
   seen_.clear();
   covered_.add_seen(span, std::max(span.x0, range_.begin), std::min(span.x1, range_.end),
                     sheet_.work.tolerance, seen_);
-  for (const Shares& part : seen_)
-    spans_.push_back({event.number, profile.spans[i].is_up, {i, i, part.begin, part.end}});
+  if (seen_.empty()) return;
+  ProfileInWork& in_work = *profile.profile;
+  std::vector<VisibleRun>& runs =
+      (profile.spans[i].is_up ? in_work.by_strip : in_work.underside_by_strip)[number_];
+  for (const Shares& part : seen_) runs.push_back({i, i, part.begin, part.end});
 }
 
 } // namespace orograph

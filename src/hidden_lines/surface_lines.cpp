@@ -124,7 +124,7 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
     if (is_drawn && is_asked && draws_more) drawn.push_back(edge);
   };
   drawn = behind_walls; // not to be drawn at all
-  lines.reserve(silhouettes.size() + placed.border.size());
+  lines.reserve(silhouettes.size() + valleys.size() + placed.border.size());
   const auto add_all_hiding = [&](std::span<const SurfaceEdge> edges, LineKind kind) {
     EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
     const std::size_t middle = drawn.size();
