@@ -88,8 +88,8 @@ public:
       if (!middle) continue;
       const std::size_t right = spans_[at].behind(*middle);
       if (right == 0 || right == spans_[at].count()) continue;
-      out.push_back({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(right) - 1,
-                     on_rim, triangle});
+      out.push_back({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(right) - 1, on_rim,
+                     triangle});
     }
   }
 
@@ -113,7 +113,7 @@ void fill_slivers(const Profile& profile, std::vector<SheetSpan>& spans) {
 
 std::vector<SheetProfile> sheet_profiles(const SheetInWork& sheet,
                                          std::span<TimedProfile> profiles) {
-  constexpr std::uint32_t kOfTask = 1U << 15U;
+  constexpr std::uint32_t kTrianglesOfTask = 1U << 15U;
   const std::uint32_t count = sheet.part.count();
   std::vector<double> depths_m;
   for (const TimedProfile& of : profiles) depths_m.push_back(of.profile.planned.depth_m);
@@ -123,14 +123,15 @@ std::vector<SheetProfile> sheet_profiles(const SheetInWork& sheet,
   // So many at a time, so that they need little memory.
   constexpr std::uint32_t kTasks = 32;
   std::vector<std::vector<Passage>> of_tasks(kTasks);
-  for (std::uint32_t first = 0; first < count; first += kTasks * kOfTask) {
+  for (std::uint32_t first = 0; first < count; first += kTasks * kTrianglesOfTask) {
     throw_if_stopped();
     on_all_cores(kTasks, [&](std::size_t task) {
       std::vector<Passage>& found = of_tasks[task];
       found.clear();
-      const std::uint32_t begin = std::min(count, first + static_cast<std::uint32_t>(task) * kOfTask);
+      const std::uint32_t begin =
+          std::min(count, first + static_cast<std::uint32_t>(task) * kTrianglesOfTask);
       PassagesOfTriangles passages(sheet, profiles, depths_m);
-      sheet.part.for_each(begin, std::min(count, begin + kOfTask),
+      sheet.part.for_each(begin, std::min(count, begin + kTrianglesOfTask),
                           [&](std::uint32_t t, std::uint32_t) {
                             if (sheet.sheet.triangles.is_there(t)) passages.add(t, found);
                           });

@@ -23,7 +23,9 @@ SheetInWork::SheetInWork(const SectorInWork& of)
       vertices(has_own_frame(of) ? PartVertices(of.terrain.surface, of.sector.view, part)
                                  : PartVertices(sheet.vertices)),
       order(of.terrain.surface, sheet.triangles, part, vertices, of.placed.border, of.sector.view,
-            of.from_m) {}
+            of.from_m) {
+  if (of.placed.block_base_m) feet.emplace(of.terrain, of.placed, of.sector.view);
+}
 
 SheetStrip::SheetStrip(const SheetInWork& sheet, std::size_t number, const Strip& strip)
     : sheet_(sheet), number_(number), range_(strip.range),
@@ -43,6 +45,8 @@ void SheetStrip::add_line(std::uint32_t number) {
   if (!line.drawn && !line.hides) return;
   if (pictures_.is_edge(number))
     add_edge(number, line.edge);
+  else if (is_on_wall(line.kind))
+    add_wall_line(number);
   else
     add_ground_line(number);
 }
@@ -57,7 +61,30 @@ void SheetStrip::add_ground_line(std::uint32_t number) {
     return;
   }
   events_->emplace_back(turn_of(sheet_.order.place(triangle), SheetStep::inside), SheetEnd::turns,
-                      true, true, number, kLine);
+                        true, true, number, kLine);
+}
+
+// Below an edge of the border: of a wall that is turned to the eye before that edge and its foot
+// hide anything; of one that is turned away, whose foot may be seen from below, between the two. A
+// void's rim is that edge itself.
+void SheetStrip::add_wall_line(std::uint32_t number) {
+  const auto& [edge, is_left] = sheet_.work.placed.border[sheet_.work.triangle_of(number)];
+  const auto [left, right] = sheet_.sheet.triangles.sides_of(edge);
+  const std::uint32_t triangle = is_left ? left : right;
+  if (sheet_.part.place_of(triangle) == kNoTriangle) return;
+  const int side =
+      eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[edge.to]);
+  SheetStep step = SheetStep::on_rim;
+  if (side == 0 || (side > 0) == is_left) {
+    const View& view = sheet_.work.sector.view;
+    const double from_z = pictures_.whole(number).from.z;
+    const bool is_rim = from_z >= sheet_.vertices[is_left ? edge.from : edge.to].z;
+    const bool is_below = view.is_perspective() ? view.eye_z_m < from_z : view.y_per_v < 0;
+    if (is_rim ? sheet_.sheet.is_up[triangle] == 0 : side == 0 && !is_below) return;
+    step = side == 0 ? SheetStep::inside : is_rim ? SheetStep::behind : SheetStep::foot;
+  }
+  events_->emplace_back(turn_of(sheet_.order.place(triangle), step), SheetEnd::turns, true, true,
+                        number, kLine);
 }
 
 // The side of a triangle that a line runs along from vertex to vertex.
@@ -83,7 +110,8 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
     return t != kNoTriangle && sheet_.part.place_of(t) != kNoTriangle;
   };
   if (!is_looked_at(left) && !is_looked_at(right)) return;
-  const bool of_upper_side = line.kind == LineKind::shore || is_on_ground(line.kind);
+  const bool of_upper_side =
+      line.kind == LineKind::shore || is_on_ground(line.kind) || sheet_.feet.has_value();
   const auto is_up = [&](std::uint32_t t) {
     return t != kNoTriangle && sheet_.sheet.is_up[t] != 0;
   };
@@ -96,21 +124,28 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
     // It is asked before either of its triangles covers anything, beside the first of them.
     const bool takes_left =
         right == kNoTriangle || (left != kNoTriangle && place(left) < place(right));
-    events_->emplace_back(turn_of(place(takes_left ? left : right), SheetStep::inside), SheetEnd::turns,
-                       true, takes_left == (picture.t_left < picture.t_right), number, kLine);
+    events_->emplace_back(turn_of(place(takes_left ? left : right), SheetStep::inside),
+                          SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right),
+                          number, kLine);
     return;
   }
   const std::uint32_t front = side > 0 ? left : right, behind = side > 0 ? right : left;
   // The side that one sees of an edge is that of the triangle in front of it.
+  const bool is_rim = front == kNoTriangle;
   const bool is_asked =
-      line.drawn && (!of_upper_side || is_up(front == kNoTriangle ? behind : front));
-  const SheetEnd end = front == kNoTriangle    ? SheetEnd::opens
+      line.drawn && (!of_upper_side || (is_rim && sheet_.feet) || is_up(is_rim ? behind : front));
+  const SheetEnd end = is_rim                  ? SheetEnd::opens
                        : behind == kNoTriangle ? SheetEnd::closes
                                                : SheetEnd::turns;
-  const SheetTurn turn = front == kNoTriangle
-                             ? turn_of(place(behind), SheetStep::rim, line.hides)
-                             : turn_of(place(front), SheetStep::behind, line.hides);
-  events_->emplace_back(turn, end, is_asked, true, number, kLine);
+  const SheetTurn turn = is_rim ? turn_of(place(behind), SheetStep::rim, line.hides)
+                                : turn_of(place(front), SheetStep::behind, line.hides);
+  // A block begins with its foot and the wall above it, and where it ends it goes down to its foot
+  // again. Between, its base is never seen beyond both.
+  const bool has_foot = line.hides && sheet_.feet && end != SheetEnd::turns;
+  if (has_foot)
+    events_->emplace_back(is_rim ? turn : turn_of(place(front), SheetStep::foot, true),
+                          is_rim ? SheetEnd::opens : SheetEnd::closes, false, true, number, kFoot);
+  events_->emplace_back(turn, has_foot ? SheetEnd::turns : end, is_asked, true, number, kLine);
 }
 
 void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
@@ -122,8 +157,9 @@ void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
       if (!(left[0] < left[1]) || left[1] <= range_.begin) continue;
       if (left[0] >= range_.end) break;
       const auto span = static_cast<std::uint32_t>(left - x.begin());
-      if (profile.spans[span].is_there)
-        events_->emplace_back(profile.spans[span].turn, SheetEnd::turns, true, true, number, span);
+      const SheetSpan& of = profile.spans[span];
+      if (of.is_there && (of.is_up || !sheet_.feet)) // a block's underside is within it
+        events_->emplace_back(of.turn, SheetEnd::turns, true, true, number, span);
     }
   }
 }
@@ -150,12 +186,15 @@ void SheetStrip::run(std::span<const LineAtDepth> which, std::span<const Segment
   for (const LineAtDepth& line : which) add_line(line.line);
   for (std::uint32_t i = 0; i < profiles.size(); ++i) add_spans(i, profiles[i]);
   throw_if_stopped();
-  sort_by_number(events, [](const Event& event) { return event.turn; }, sorted);
+  sort_by_number(
+      events, [](const Event& event) { return event.turn; }, sorted);
   std::size_t step = 0;
   for (const Event& event : events) {
     throw_if_stopped(step++);
     if (event.span == kLine)
       take_line(event);
+    else if (event.span == kFoot)
+      take_foot(event);
     else
       take_span(event, profiles[event.number]);
   }
@@ -178,8 +217,21 @@ void SheetStrip::take_line(const Event& event) {
       pictures_.add_part(event.number, picture, part.begin, part.end, parts_);
     if (changes_nothing) return;
   }
+  // Nothing is seen at a block's underside.
+  const bool is_inked =
+      line.drawn || (sheet_.feet && pictures_.line(event.number).kind == LineKind::underside);
   if (raises(line) && !pictures_.is_moved(pictures_.line(event.number).edge))
-    covered_.take(line.source, line.begin, line.end, event.end, line.drawn);
+    covered_.take(line.source, line.begin, line.end, event.end, is_inked);
+}
+
+void SheetStrip::take_foot(const Event& event) {
+  constexpr std::uint64_t kFootBit = std::uint64_t{1} << 62U; // no line's source, nor a profile's
+  const EdgeLine& edge = pictures_.line(event.number);
+  const LinePicture picture = pictures_.picture(event.number, sheet_.feet->below(edge.edge));
+  SurfaceLine line = pictures_.surface_line(event.number, picture);
+  line.source.id = kFootBit | event.number;
+  if (pictures_.cut_to_range(line) && raises(line) && !pictures_.is_moved(edge.edge))
+    covered_.take(line.source, line.begin, line.end, event.end, true);
 }
 
 void SheetStrip::take_span(const Event& event, const SheetProfile& profile) {

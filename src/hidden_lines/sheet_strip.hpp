@@ -3,6 +3,7 @@
 // (docs/decisions/0054-both-sides.md).
 #pragma once
 
+#include "hidden_lines/block_feet.hpp"
 #include "hidden_lines/line_pictures.hpp"
 #include "hidden_lines/sector_in_work.hpp"
 #include "hidden_lines/strips.hpp"
@@ -26,6 +27,7 @@ struct SheetInWork {
   const SheetPart& part; ///< that the sector looks at
   PartVertices vertices; ///< in the sector's profile frame
   SheetOrder order;
+  std::optional<BlockFeet> feet; ///< of a block that is closed below
 
   explicit SheetInWork(const SectorInWork& of);
 };
@@ -34,15 +36,15 @@ struct SheetInWork {
 using SheetTurn = std::uint64_t;
 
 /// Within the turn of a triangle: lines along edges at which the sheet begins, these edges, what is
-/// in the triangle, and the edges on its farther side. What hides does so when all that lies on it
-/// has been asked.
-enum class SheetStep : std::uint8_t { on_rim = 0, rim = 1, inside = 2, behind = 3 };
+/// in the triangle, the edges on its farther side, and a block's foot below one of those. What
+/// hides does so when all that lies on it has been asked.
+enum class SheetStep : std::uint8_t { on_rim = 0, rim = 1, inside = 2, behind = 3, foot = 4 };
 inline SheetTurn turn_of(std::uint64_t place, SheetStep step, bool hides = false) {
-  return place << 3U | static_cast<SheetTurn>(step) << 1U | (hides ? 1U : 0U);
+  return place << 4U | static_cast<SheetTurn>(step) << 1U | (hides ? 1U : 0U);
 }
 /// Whether there is a triangle in front.
 inline bool has_front(SheetTurn turn) {
-  return (turn >> 1U & 3U) != static_cast<SheetTurn>(SheetStep::on_rim);
+  return (turn >> 1U & 7U) != static_cast<SheetTurn>(SheetStep::on_rim);
 }
 
 /// A span of a profile, in the triangle that it lies in.
@@ -77,17 +79,20 @@ private:
     SheetEnd end : 2; ///< of lines that hide
     bool is_asked : 1, takes_left : 1;
     std::uint32_t number; ///< of the line, or the profile
-    std::uint32_t span;   ///< of a profile, by its left vertex; of lines kLine
+    std::uint32_t span;   ///< of a profile, by its left vertex; of lines one of the two
   };
-  static constexpr std::uint32_t kLine = 0xffffffff;
+  /// Of a line itself, and of a block's foot below it.
+  static constexpr std::uint32_t kLine = 0xffffffff, kFoot = 0xfffffffe;
 
   ProfileLine whole(std::uint32_t number) const;
   void add_line(std::uint32_t number);
   void add_ground_line(std::uint32_t number);
+  void add_wall_line(std::uint32_t number);
   std::optional<SurfaceEdge> edge_under(const ProfileLine& line, std::uint32_t triangle) const;
   void add_edge(std::uint32_t number, SurfaceEdge edge);
   void add_spans(std::uint32_t number, const SheetProfile& profile);
   void take_line(const Event& event);
+  void take_foot(const Event& event);
   void take_span(const Event& event, const SheetProfile& profile);
 
   const SheetInWork& sheet_;
