@@ -18,8 +18,8 @@ namespace {
 // An edge of the border over X, with the triangle that it belongs to.
 struct Rim {
   double x_begin, x_end, nearness_begin, nearness_end; // nearness is linear in X
-  std::uint32_t triangle;
-  bool is_behind; // the triangle is
+  std::uint32_t triangle;                              ///< its place in the part
+  bool is_behind;                                      // the triangle is
 
   double nearness_at(double x) const {
     const double share = (x - x_begin) / (x_end - x_begin);
@@ -39,11 +39,16 @@ struct IsNearer {
   }
 };
 
-std::vector<Rim> rims_of(const SheetTriangles& triangles, std::span<const ProfilePoint> vertices,
-                         const std::vector<BorderEdge>& border, const View& view, double from_m) {
+std::vector<Rim> rims_of(const SheetTriangles& triangles, const SheetPart& part,
+                         const PartVertices& vertices, const std::vector<BorderEdge>& border,
+                         const View& view, double from_m) {
   std::vector<Rim> rims;
+  std::size_t step = 0;
   for (const BorderEdge& of : border) {
-    throw_if_stopped(rims.size());
+    throw_if_stopped(step++);
+    const auto [left, right] = triangles.sides_of(of.edge);
+    const std::uint32_t place = part.place_of(of.left ? left : right);
+    if (place == kNoTriangle) continue;
     ProfilePoint from = vertices[of.edge.from], to = vertices[of.edge.to];
     const int side = eye_side(view, from, to);
     if (side == 0 || std::max(from.v, to.v) <= from_m) continue;
@@ -56,8 +61,7 @@ std::vector<Rim> rims_of(const SheetTriangles& triangles, std::span<const Profil
       std::swap(rim.x_begin, rim.x_end);
       std::swap(rim.nearness_begin, rim.nearness_end);
     }
-    const auto [left, right] = triangles.sides_of(of.edge);
-    rim.triangle = of.left ? left : right;
+    rim.triangle = place;
     rim.is_behind = of.left != (side > 0);
     rims.push_back(rim);
   }
@@ -108,40 +112,50 @@ std::vector<Relation> across_gaps(const std::vector<Rim>& rims) {
   return out;
 }
 
-std::vector<std::uint32_t> sorted_places(const SheetTriangles& triangles,
-                                         std::span<const ProfilePoint> vertices,
+std::vector<std::uint32_t> sorted_places(const SheetTriangles& triangles, const SheetPart& part,
+                                         const PartVertices& vertices,
                                          const std::vector<BorderEdge>& border, const View& view,
                                          double from_m) {
   const std::vector<Relation> gaps =
-      across_gaps(rims_of(triangles, vertices, border, view, from_m));
-  const std::size_t count = triangles.count();
+      across_gaps(rims_of(triangles, part, vertices, border, view, from_m));
+  // All by their places in the part.
+  const std::uint32_t count = part.count();
+  std::vector<std::uint32_t> numbers(count, kNoTriangle); // of those that are there
+  part.for_each(0, count, [&](std::uint32_t t, std::uint32_t place) {
+    if (triangles.is_there(t)) numbers[place] = t;
+  });
   // Calls take(triangle behind) for each that a triangle is in front of.
-  const auto for_each_behind = [&](std::uint32_t t, const auto& take) {
+  const auto for_each_behind = [&](std::uint32_t place, const auto& take) {
+    const std::uint32_t t = numbers[place];
     const auto corners = triangles.corners(t);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t other = triangles.across(t, k);
       if (other == kNoTriangle) continue;
       const std::uint32_t a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
-      const ProfilePoint &from = vertices[std::min(a, b)], &to = vertices[std::max(a, b)];
+      const ProfilePoint from = vertices[std::min(a, b)], to = vertices[std::max(a, b)];
       if (std::max(from.v, to.v) <= from_m) continue;
-      if (eye_side(view, from, to) * (a < b ? 1 : -1) > 0) take(other);
+      if (eye_side(view, from, to) * (a < b ? 1 : -1) <= 0) continue;
+      if (const std::uint32_t behind = part.place_of(other); behind != kNoTriangle) take(behind);
     }
-    for (auto gap = std::lower_bound(gaps.begin(), gaps.end(), Relation{t, 0});
-         gap != gaps.end() && gap->first == t; ++gap)
+    for (auto gap = std::lower_bound(gaps.begin(), gaps.end(), Relation{place, 0});
+         gap != gaps.end() && gap->first == place; ++gap)
       take(gap->second);
   };
   std::vector<std::uint32_t> in_front(count, 0), ready, places(count, 0);
-  for (std::uint32_t t = 0; t < count; ++t) {
-    throw_if_stopped(t);
-    if (triangles.is_there(t))
-      for_each_behind(t, [&](std::uint32_t behind) { ++in_front[behind]; });
-  }
-  std::size_t there = 0;
-  for (std::uint32_t t = 0; t < count; ++t) {
-    if (!triangles.is_there(t)) continue;
+  const auto for_each_there = [&](const auto& take) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      throw_if_stopped(i);
+      if (numbers[i] != kNoTriangle) take(i);
+    }
+  };
+  for_each_there([&](std::uint32_t i) {
+    for_each_behind(i, [&](std::uint32_t behind) { ++in_front[behind]; });
+  });
+  std::uint32_t there = 0;
+  for_each_there([&](std::uint32_t i) {
     ++there;
-    if (in_front[t] == 0) ready.push_back(t);
-  }
+    if (in_front[i] == 0) ready.push_back(i);
+  });
   constexpr std::uint32_t kTaken = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> nearest; // all, where there is a cycle
   std::size_t next = 0, next_nearest = 0;
@@ -149,10 +163,9 @@ std::vector<std::uint32_t> sorted_places(const SheetTriangles& triangles,
     throw_if_stopped(place);
     if (next == ready.size()) { // a cycle
       if (nearest.empty()) {
-        for (std::uint32_t t = 0; t < count; ++t)
-          if (triangles.is_there(t)) nearest.push_back(t);
-        const auto depth = [&](std::uint32_t t) {
-          const auto [a, b, c] = triangles.corners(t);
+        for_each_there([&](std::uint32_t i) { nearest.push_back(i); });
+        const auto depth = [&](std::uint32_t i) {
+          const auto [a, b, c] = triangles.corners(numbers[i]);
           return vertices[a].v + vertices[b].v + vertices[c].v;
         };
         std::ranges::sort(nearest, {}, depth);
@@ -160,10 +173,10 @@ std::vector<std::uint32_t> sorted_places(const SheetTriangles& triangles,
       while (in_front[nearest[next_nearest]] == kTaken) ++next_nearest;
       ready.push_back(nearest[next_nearest]);
     }
-    const std::uint32_t t = ready[next++];
-    places[t] = place;
-    in_front[t] = kTaken;
-    for_each_behind(t, [&](std::uint32_t behind) {
+    const std::uint32_t taken = ready[next++];
+    places[taken] = place;
+    in_front[taken] = kTaken;
+    for_each_behind(taken, [&](std::uint32_t behind) {
       if (in_front[behind] != kTaken && --in_front[behind] == 0) ready.push_back(behind);
     });
   }
@@ -185,44 +198,13 @@ struct FirstCell {
   }
 };
 
-// Vertices of a lattice on the earth, row by row. Where one isn't there the ground goes on as high
-// as before it.
-class FilledRows {
-public:
-  FilledRows(const Grid& grid, std::span<const ProfilePoint> vertices, const View& view)
-      : grid_(grid), vertices_(vertices), view_(view) {}
-
-  // Tells whether any was filled.
-  bool read(int row, std::vector<ProfilePoint>& out) {
-    const auto first = vertices_.begin() + static_cast<std::ptrdiff_t>(grid_.index(0, row));
-    out.assign(first, first + grid_.columns);
-    bool is_filled = false, was_there = false;
-    for (int column = 0; column < grid_.columns; ++column) {
-      ProfilePoint& at = out[static_cast<std::size_t>(column)];
-      const bool is_there = !std::isnan(at.z);
-      if (!is_there) {
-        if (was_there) height_m_ = grid_.height_m(column - 1, row);
-        at = to_profile_frame(view_, grid_.earth().vertex_m(column, row, height_m_));
-        is_filled = true;
-      }
-      was_there = is_there;
-    }
-    return is_filled;
-  }
-
-private:
-  const Grid& grid_;
-  std::span<const ProfilePoint> vertices_;
-  const View& view_;
-  double height_m_ = 0;
-};
-
 // Whether the triangles of the cells between two rows lie side by side, none turned over.
-bool are_apart(std::span<const ProfilePoint> above, std::span<const ProfilePoint> below) {
+bool are_apart(std::span<const ProfilePoint> above, std::span<const ProfilePoint> below,
+               const SheetPart::Cells& cells) {
   const auto turn = [](ProfilePoint a, ProfilePoint b, ProfilePoint c) {
     return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
   };
-  for (std::size_t i = 0; i + 1 < above.size(); ++i)
+  for (std::size_t i = cells.first; i < cells.behind; ++i)
     if (!(turn(above[i], below[i], below[i + 1]) > 0) ||
         !(turn(above[i], below[i + 1], above[i + 1]) > 0))
       return false;
@@ -241,43 +223,58 @@ struct SidesOfLines {
 
 } // namespace
 
-std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid,
-                                               std::span<const ProfilePoint> vertices,
-                                               const View& view, double from_m) {
-  const auto columns = static_cast<std::size_t>(grid.columns),
-             rows = static_cast<std::size_t>(grid.rows);
+std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const PartVertices& vertices,
+                                               const SheetPart& part, const View& view,
+                                               double from_m) {
+  const auto columns = static_cast<std::uint32_t>(grid.columns),
+             rows = static_cast<std::uint32_t>(grid.rows);
   std::vector<FirstCell> in_row(rows - 1), in_column(columns - 1);
   SidesOfLines of_rows, of_columns;
-  FilledRows filled(grid, vertices, view);
+  FilledRows filled(grid, view);
   std::vector<ProfilePoint> above, row;
   bool was_filled = false;
-  for (std::size_t r = 0; r < rows; ++r) {
+  SheetPart::Cells north; // of the row
+  for (std::uint32_t r = 0; r < rows; ++r) {
     throw_if_stopped();
-    const bool is_filled = filled.read(static_cast<int>(r), row);
-    for (std::size_t c = 0; c < columns; ++c) {
-      if (!(row[c].v > from_m)) return std::nullopt;
-      if (c > 0) { // the eye is north of it where the row before is in front
-        const int side = -eye_side(view, row[c - 1], row[c]);
-        of_rows.take(side);
-        in_column[c - 1].take(static_cast<std::uint32_t>(r), side);
-      }
-      if (r > 0) {
-        const int side = eye_side(view, above[c], row[c]);
-        of_columns.take(side);
-        in_row[r - 1].take(static_cast<std::uint32_t>(c), side);
-      }
+    SheetPart::Cells south{0, 0, 0};
+    if (r + 1 < rows) south = part.is_all() ? SheetPart::Cells{0, columns - 1, 0} : part.rows()[r];
+    SheetPart::Cells both = north.behind == 0 ? south : north; // all that is asked for
+    if (north.behind > 0 && south.behind > 0) {
+      both.first = std::min(north.first, south.first);
+      both.behind = std::max(north.behind, south.behind);
     }
-    if (r > 0 && (is_filled || was_filled) && !are_apart(above, row)) return std::nullopt;
+    bool is_filled = false;
+    if (both.behind > 0)
+      is_filled = filled.read(static_cast<int>(r), both.first, both.behind + 1, vertices, row);
+    // Of edges those count whose cells are all looked at.
+    if (part.is_all())
+      for (std::uint32_t c = 0; c < columns; ++c)
+        if (!(row[c].v > from_m)) return std::nullopt;
+    for (std::uint32_t c = both.first; c < both.behind; ++c) {
+      if ((r > 0 && !north.has(c)) || (r + 1 < rows && !south.has(c))) continue;
+      // The eye is north of it where the row before is in front.
+      const int side = -eye_side(view, row[c], row[c + 1]);
+      of_rows.take(side);
+      in_column[c].take(r, side);
+    }
+    for (std::uint32_t c = north.first; c <= north.behind && north.behind > 0; ++c) {
+      if ((c > 0 && !north.has(c - 1)) || (c + 1 < columns && !north.has(c))) continue;
+      const int side = eye_side(view, above[c], row[c]);
+      of_columns.take(side);
+      in_row[r - 1].take(c, side);
+    }
+    if (north.behind > 0 && (is_filled || was_filled) && !are_apart(above, row, north))
+      return std::nullopt;
     was_filled = is_filled;
     above.swap(row);
+    north = south;
   }
   const auto made = [&](bool are_rows, const SidesOfLines& lines,
                         const std::vector<FirstCell>& first,
-                        std::size_t cells) -> std::optional<StripsOfCells> {
+                        std::uint32_t cells) -> std::optional<StripsOfCells> {
     if (!lines.is_one() || !std::ranges::all_of(first, &FirstCell::is_one)) return std::nullopt;
-    StripsOfCells out{are_rows, !lines.any_in_front, static_cast<std::uint32_t>(cells), {}};
-    for (const FirstCell& of : first)
-      out.first.push_back(std::min(of.number, static_cast<std::uint32_t>(cells) - 1));
+    StripsOfCells out{are_rows, !lines.any_in_front, cells, {}};
+    for (const FirstCell& of : first) out.first.push_back(std::min(of.number, cells - 1));
     return out;
   };
   auto by_rows = made(true, of_rows, in_row, columns - 1);
@@ -293,26 +290,29 @@ std::uint32_t StripsOfCells::place(std::uint32_t column, std::uint32_t row) cons
 }
 
 SheetOrder::SheetOrder(const Surface& surface, const SheetTriangles& triangles,
-                       std::span<const ProfilePoint> vertices,
+                       const SheetPart& part, const PartVertices& vertices,
                        const std::vector<BorderEdge>& border, const View& view, double from_m)
-    : view_(view), triangles_(triangles), vertices_(vertices) {
+    : view_(view), triangles_(triangles), part_(part), vertices_(vertices) {
   const Grid* const grid = std::get_if<Grid>(&surface);
   if (grid) cells_ = static_cast<std::uint32_t>(grid->columns - 1);
   if (grid && !grid->is_on_earth()) {
     lattice_.emplace(*grid, view);
     return;
   }
-  if (grid) strips_ = StripsOfCells::of(*grid, vertices, view, from_m);
+  if (grid) strips_ = StripsOfCells::of(*grid, vertices, part, view, from_m);
   if (strips_) return;
-  places_ = sorted_places(triangles, vertices, border, view, from_m);
+  places_ = sorted_places(triangles, part, vertices, border, view, from_m);
 }
 
 std::uint64_t SheetOrder::place(std::uint32_t t) const {
-  const std::uint32_t column = t / 2 % cells_, row = t / 2 / cells_;
+  const std::uint32_t row = t / 2 / cells_, column = t / 2 - row * cells_;
   if (lattice_)
     return lattice_->turn(static_cast<int>(column), static_cast<int>(row),
                           t % 2 == 0 ? Half::lower : Half::upper);
-  if (!strips_) return places_[t];
+  if (!strips_) {
+    const std::uint32_t place = part_.place_of(t);
+    return place == kNoTriangle ? 0 : places_[place];
+  }
   // The upper triangle is on the left of the diagonal.
   const auto corners = triangles_.corners(t);
   const auto [from, to] = std::minmax_element(corners.begin(), corners.end());

@@ -7,6 +7,7 @@
 #include "profiles/lattice_order.hpp"
 #include "profiles/outline.hpp"
 #include "profiles/sheet.hpp"
+#include "profiles/sheet_part.hpp"
 #include "view/view.hpp"
 
 #include <cstdint>
@@ -23,40 +24,43 @@ struct StripsOfCells {
   std::uint32_t cells;              ///< of a strip
   std::vector<std::uint32_t> first; ///< by strip: of its cells; the others follow outwards
 
-  /// None if the eye isn't on one side of all lines between strips, if it sees a strip from both
-  /// of its ends, or if anything is nearer than `from_m`. REQUIRES a grid on the earth.
-  static std::optional<StripsOfCells> of(const Grid& grid, std::span<const ProfilePoint> vertices,
-                                         const View& view, double from_m);
+  /// Of the cells of a part. None if the eye isn't on one side of all lines between strips, or if
+  /// it sees a strip from both of its ends; of all cells, if any is nearer than `from_m`. REQUIRES
+  /// a grid on the earth.
+  static std::optional<StripsOfCells> of(const Grid& grid, const PartVertices& vertices,
+                                         const SheetPart& part, const View& view, double from_m);
 
   std::uint32_t place(std::uint32_t column, std::uint32_t row) const; ///< of a cell
 };
 
-/// Gives every triangle a place: what stands in front of another along a ray, with gaps between
-/// them or not, has the lesser one. Of a grid on a map plane that is its turn in the lattice's
-/// order, and of one on the earth strips of cells are taken in order where they have one. Of others
-/// triangles are sorted by two relations: the one on the eye's side of a shared
-/// edge is in front; and of two edges of the border that are next to each other on a ray with no
-/// ground between them, the triangle at the nearer one is. Of triangles in a plane in front of the
-/// eye these have no cycles; where rounding makes one, the nearest triangle goes first.
+/// Gives every triangle of a part a place: what stands in front of another along a ray, with gaps
+/// between them or not, has the lesser one. Of a grid on a map plane that is its turn in the
+/// lattice's order, and of one on the earth strips of cells are taken in order where they have one.
+/// Of others triangles are sorted by two relations: the one on the eye's side of a shared edge is
+/// in front; and of two edges of the border that are next to each other on a ray with no ground
+/// between them, the triangle at the nearer one is. Of triangles in a plane in front of the eye
+/// these have no cycles; where rounding makes one, the nearest triangle goes first.
 class SheetOrder {
 public:
   /// `vertices` in the frame of `view`, which is a sector's; what is nearer than `from_m` isn't
-  /// looked at. REQUIRES that triangles, vertices and view outlive it. Cost of the last kind:
-  /// O(triangles + m log m) of m edges of the border.
-  SheetOrder(const Surface& surface, const SheetTriangles& triangles,
-             std::span<const ProfilePoint> vertices, const std::vector<BorderEdge>& border,
-             const View& view, double from_m);
+  /// looked at. REQUIRES that triangles, part, vertices and view outlive it. Cost of the last kind:
+  /// O(triangles of the part + m log m) of its m edges of the border, and a look at all of those.
+  SheetOrder(const Surface& surface, const SheetTriangles& triangles, const SheetPart& part,
+             const PartVertices& vertices, const std::vector<BorderEdge>& border, const View& view,
+             double from_m);
 
+  /// Of a triangle beside the part anything.
   std::uint64_t place(std::uint32_t triangle) const;
 
 private:
   const View& view_;
   const SheetTriangles& triangles_;
-  std::span<const ProfilePoint> vertices_;
+  const SheetPart& part_;
+  const PartVertices& vertices_;
   std::optional<LatticeOrder> lattice_;
   std::optional<StripsOfCells> strips_;
   std::uint32_t cells_ = 1;           ///< in a row of the lattice
-  std::vector<std::uint32_t> places_; ///< of others
+  std::vector<std::uint32_t> places_; ///< of others, by place in the part
 };
 
 } // namespace orograph

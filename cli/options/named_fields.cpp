@@ -44,6 +44,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 41> kOptions
     {"plan", "--spacing"},
     {"block", "--block"},
     {"check", "--check"},
+    {"check_of_file", "--check file"},
     {"underside", "--underside draw"},
     {"from_elevation", "the elevation of --view-from"},
     // PageRequest

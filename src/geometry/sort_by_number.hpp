@@ -14,9 +14,10 @@ namespace orograph {
 
 /// Sorts by `number_of(thing)`, things of one number in the order that they came in: by 11 bits at
 /// a time, from the lowest on. Cost: two passes for each 11 bits of the greatest number; a copy of
-/// the things. What is in order costs a look at it. REQUIRES fewer than 2^32 of them.
+/// the things, in `sorted`. What is in order costs a look at it. REQUIRES fewer than 2^32 of them.
 template <class Thing, class NumberOf>
-void sort_by_number(std::vector<Thing>& things, const NumberOf& number_of) {
+void sort_by_number(std::vector<Thing>& things, const NumberOf& number_of,
+                    std::vector<Thing>& sorted) {
   constexpr unsigned kBits = 11;
   constexpr std::uint64_t kMask = (1U << kBits) - 1;
   // In pieces, between which it can be stopped.
@@ -36,7 +37,7 @@ void sort_by_number(std::vector<Thing>& things, const NumberOf& number_of) {
     greatest = std::max(greatest, number);
   });
   if (is_in_order) return;
-  std::vector<Thing> sorted;
+  sorted.clear();
   sorted.reserve(things.size());
   while (sorted.size() < things.size()) { // what takes longest is the system's first look at it
     throw_if_stopped();
@@ -52,6 +53,11 @@ void sort_by_number(std::vector<Thing>& things, const NumberOf& number_of) {
     for_each_thing([&](const Thing& thing) { sorted[first[digit(thing)]++] = thing; });
     things.swap(sorted);
   }
+}
+template <class Thing, class NumberOf>
+void sort_by_number(std::vector<Thing>& things, const NumberOf& number_of) {
+  std::vector<Thing> sorted;
+  sort_by_number(things, number_of, sorted);
 }
 
 } // namespace orograph

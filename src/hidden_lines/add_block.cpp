@@ -56,6 +56,7 @@ public:
   Walls(const TerrainData& terrain, const PlacedView& placed, const Style& style,
         const SeenGround* ground, GroundLines& out)
       : terrain_(terrain), placed_(placed), view_(placed.view), is_all_looked_at_(!ground),
+        is_closed_(style.underside == Underside::draw),
         first_point_(static_cast<std::uint32_t>(vertex_count(terrain.surface))), out_(out) {
     const std::size_t count = placed.border.size();
     find_ends();
@@ -82,8 +83,8 @@ public:
     for (std::uint32_t i = 0; i < sides_.size(); ++i) {
       const auto& [from, to, is_towards_eye, is_looked_at] = sides_[i];
       if (of_void_[i] && is_looked_at) add_line(rim(from), rim(to), i, feature);
+      if (sides_[i].has_lines() || is_closed_) add_line(foot(from), foot(to), i, feature);
       if (!sides_[i].has_lines()) continue;
-      add_line(foot(from), foot(to), i, feature);
       if (is_corner(i, false)) add_upright(i, 0, feature);
       if (is_corner(i, true)) add_upright(i, 1, feature);
     }
@@ -298,6 +299,7 @@ private:
   const PlacedView& placed_;
   const View& view_;
   bool is_all_looked_at_;
+  bool is_closed_; ///< below: its base is seen as well
   std::uint32_t first_point_;
   GroundLines& out_;
   std::vector<End> ends_;   ///< by vertex

@@ -18,6 +18,7 @@
 #include "profiles/profile.hpp"
 #include "profiles/seen_ground.hpp"
 #include "profiles/sheet.hpp"
+#include "profiles/sheet_part.hpp"
 #include "profiles/silhouettes.hpp"
 
 #include <algorithm>
@@ -83,7 +84,8 @@ struct SectorInWork {
   bool hidden_profiles = false; ///< whether what isn't visible of profiles is drawn as well
   /// Of the lines that may reach into the range, where those aren't all.
   const std::vector<std::uint32_t>* line_numbers = nullptr;
-  const Sheet* sheet = nullptr; ///< the surface, where it has two sides
+  const Sheet* sheet = nullptr;          ///< the surface, where it has two sides
+  const SheetPart* sheet_part = nullptr; ///< what of it is looked at, where that isn't all
 
   /// Of a line on the ground.
   std::uint32_t triangle_of(std::uint32_t line) const {

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -139,71 +140,6 @@ SectorLines solids_alone(const PlacedView& placed, const Sector& sector) {
   return out;
 }
 
-namespace {
-
-// The grid, if its sectors may be taken in the lattice's order.
-const Grid* grid_in_order(const TerrainData& terrain, const Style& style,
-                          const Instruments& instruments) {
-  const Grid* grid = std::get_if<Grid>(&terrain.surface);
-  const bool has_order = grid && !grid->is_on_earth() && style.occluder == Occluder::surface &&
-                         style.underside == Underside::omit && !instruments.needs_list();
-  return has_order ? grid : nullptr;
-}
-
-bool asks_lines(const Instruments& instruments) {
-  return std::any_of(instruments.observers.begin(), instruments.observers.end(),
-                     [](const LineObserver* observer) { return observer->asks_lines(); });
-}
-
-bool goes_in_order(const Grid& grid, const Sector& sector, const Instruments& instruments) {
-  return instruments.order_always || pays_in_order(grid, sector);
-}
-
-} // namespace
-
-const SilhouetteMarks* LinesOfView::silhouettes_by(bool rows_are_strips) const {
-  for (const std::optional<SilhouetteMarks>* marks : {&silhouettes, &turned_silhouettes})
-    if (*marks && (*marks)->rows_are_strips == rows_are_strips) return &**marks;
-  return nullptr;
-}
-
-LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
-                          const Instruments& instruments, const SeenGround* ground,
-                          const HiddenKinds& hidden) {
-  LinesOfView out;
-  out.hidden = hidden;
-  const Grid* grid = grid_in_order(terrain, style, instruments);
-  // Solids are hidden by all lines that hide.
-  const bool finds = grid && !asks_lines(instruments) && placed.solids.empty() &&
-                     std::ranges::all_of(placed.sectors, [&](const Sector& sector) {
-                       return goes_in_order(*grid, sector, instruments);
-                     });
-  const bool finds_contours = finds && placed.sectors.size() == 1 &&
-                              !hidden.has(LineKind::contour) &&
-                              !hidden.has(LineKind::index_contour);
-  out.on_ground = ground_lines_of(terrain, placed, style, ground, !finds_contours);
-  if (style.underside == Underside::draw) {
-    out.sheet = sheet_of(terrain.surface, placed.view);
-    out.listed = lines_of_sheet(terrain, placed, style, *out.sheet);
-  } else if (!finds || hidden.has(LineKind::silhouette)) {
-    out.listed = lines_of(terrain, placed, style, ground);
-  } else {
-    const auto by_rows = [&](const Sector& sector) {
-      return LatticeOrder(*grid, sector.view).rows_are_strips();
-    };
-    const bool first = by_rows(placed.sectors.front());
-    out.listed = lines_but_silhouettes(terrain, placed, style);
-    out.silhouettes = silhouette_marks(*grid, placed.view, first, ground);
-    if (std::ranges::any_of(placed.sectors,
-                            [&](const Sector& sector) { return by_rows(sector) != first; }))
-      out.turned_silhouettes = silhouette_marks(*grid, placed.view, !first, ground);
-  }
-  append_to(out.listed, out.on_ground);
-  if (placed.panorama)
-    out.by_sector = lines_by_sector(terrain.surface, out.on_ground.points, placed, out.listed);
-  return out;
-}
-
 SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, const Sector& sector,
                         const LinesOfView& lines, const SeenGround* ground, const Style& style,
                         const Instruments& instruments, ProfileLayer* profiles,
@@ -224,18 +160,30 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
       grid && lines.silhouettes ? lines.silhouettes_by(LatticeOrder(*grid, view).rows_are_strips())
                                 : nullptr;
   const SectorInWork work{
-      terrain, placed, sector, lines.listed, lines.on_ground, cutter, tolerance,
+      terrain,
+      placed,
+      sector,
+      lines.listed,
+      lines.on_ground,
+      cutter,
+      tolerance,
       view.is_perspective() ? view.near_m : -kInfinity,
-      // A panorama's profiles turn at its sectors' borders.
-      !sector.frame_mm && (in_list || instruments.beyond_page) ? XRange{-kInfinity, kInfinity}
-                                                               : page_range(sector),
-      watched && !sector.frame_mm, watched ? nullptr : ground, instruments.vertices_a_strip,
-      silhouettes, &folds, draws_silhouettes(style), lines.on_ground.levels_to_find_m,
+      asked_range(sector, in_list, instruments),
+      watched && !sector.frame_mm,
+      watched ? nullptr : ground,
+      instruments.vertices_a_strip,
+      silhouettes,
+      &folds,
+      draws_silhouettes(style),
+      lines.on_ground.levels_to_find_m,
       profiles && profiles->hidden,
       lines.by_sector.empty()
           ? nullptr
           : &lines.by_sector[static_cast<std::size_t>(&sector - placed.sectors.data())],
-      lines.sheet ? &*lines.sheet : nullptr};
+      lines.sheet ? &*lines.sheet : nullptr,
+      lines.sheet_parts.empty()
+          ? nullptr
+          : &lines.sheet_parts[static_cast<std::size_t>(&sector - placed.sectors.data())]};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and
@@ -259,12 +207,13 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   };
   // With the layer's own pen: light falls on the upper side.
   const auto add_underside = [&](ProfileInWork& profile) {
+    std::vector<VisibleRun> runs = profile.underside; // which those who watch want as they are
+    if (solids) leave_out_behind(*solids, profile.profile, runs);
     PlannedProfile planned = profile.planned;
     if (planned.runs)
       for (ToneRun& run : *planned.runs) run.width_mm = 0;
     StrokeBuilder builder(*settings, profile.underside_strokes);
-    ProfileStrokes(placed.view, sector, true, builder)
-        .add(profile.profile, planned, profile.underside);
+    ProfileStrokes(placed.view, sector, true, builder).add(profile.profile, planned, runs);
   };
   const LayOut lay_out = [&](ProfileInWork& profile) {
     if (!profiles) return;
@@ -355,7 +304,9 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &folded})
       *parts = not_behind(*solids, every_line, *parts);
     const std::vector<Segment> cut = near_cut(work);
-    const HidingGround hiding{terrain, placed, sector, lines.listed, found_parts.visible, cut};
+    const HidingGround hiding{
+        terrain, placed,     sector,         lines.listed, found_parts.visible,
+        cut,     work.sheet, work.sheet_part};
     out.solids = seen_edges(*solids, &hiding);
     if (sector.frame_mm) keep_in_range(out.solids, placed.solids, view, work.range);
     watch.mark(seconds.clip);

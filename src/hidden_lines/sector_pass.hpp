@@ -10,11 +10,11 @@
 #include "hidden_lines/hidden_parts.hpp"
 #include "hidden_lines/instruments.hpp"
 #include "hidden_lines/line_pass.hpp"
+#include "hidden_lines/lines_of_view.hpp"
 #include "hidden_lines/solid_lines.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/seen_ground.hpp"
-#include "profiles/sheet.hpp"
 #include "profiles/silhouettes.hpp"
 
 #include <cstdint>
@@ -50,26 +50,6 @@ struct ProfileLayer {
   double left_out_mm = 0;          ///< strokes that were too short
   std::size_t dropped_strokes = 0; ///< without length when rounded
 };
-
-/// The lines of a view, for all of its sectors.
-struct LinesOfView {
-  std::vector<EdgeLine> listed; ///< last those on the ground
-  GroundLines on_ground;
-  /// The silhouettes, where they aren't listed; each sector finds those that it looks at.
-  std::optional<SilhouetteMarks> silhouettes;
-  HiddenKinds hidden = {}; ///< of which what isn't visible is asked for, too
-  /// By the lattice's other direction, where some of a panorama's sectors want that.
-  std::optional<SilhouetteMarks> turned_silhouettes = {};
-  std::optional<Sheet> sheet = {}; ///< the surface, where it has two sides
-  /// For each of a panorama's sectors those listed that may reach into it, by number.
-  std::vector<std::vector<std::uint32_t>> by_sector = {};
-
-  const SilhouetteMarks* silhouettes_by(bool rows_are_strips) const;
-};
-/// `ground`: what any sector looks at, where that isn't all. Hidden silhouettes need a list.
-LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
-                          const Instruments& instruments, const SeenGround* ground,
-                          const HiddenKinds& hidden = {});
 
 /// `ground` is what the sector looks at, where that isn't all. The visible parts of profiles go to
 /// `profiles`, if there is one. `profile_done` is called after each profile.

@@ -15,8 +15,9 @@ namespace {
 
 // Where a profile passes a triangle.
 struct Passage {
-  std::uint32_t profile, span, triangle;
-  bool on_rim; ///< along its nearer edge
+  std::uint32_t profile;
+  std::uint32_t span : 31, on_rim : 1; ///< along its nearer edge
+  std::uint32_t triangle;
 };
 
 // The middle of what a plane cuts of a triangle whose corners are in front of it or not; none where
@@ -73,7 +74,7 @@ public:
   // covers anything; where there is none, to the one behind, before the edge itself.
   void add(std::uint32_t triangle, std::vector<Passage>& out) {
     const auto [a, b, c] = sheet_.sheet.triangles.corners(triangle);
-    const ProfilePoint &p = sheet_.vertices[a], &q = sheet_.vertices[b], &r = sheet_.vertices[c];
+    const ProfilePoint p = sheet_.vertices[a], q = sheet_.vertices[b], r = sheet_.vertices[c];
     const double nearest = std::min({p.v, q.v, r.v}), farthest = std::max({p.v, q.v, r.v});
     std::size_t at = depths_.behind(nearest);
     while (at > 0 && depths_m_[at - 1] == nearest) --at;
@@ -87,8 +88,8 @@ public:
       if (!middle) continue;
       const std::size_t right = spans_[at].behind(*middle);
       if (right == 0 || right == spans_[at].count()) continue;
-      out.push_back({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(right) - 1,
-                     triangle, on_rim});
+      out.push_back({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(right) - 1, on_rim,
+                     triangle});
     }
   }
 
@@ -111,32 +112,38 @@ void fill_slivers(const Profile& profile, std::vector<SheetSpan>& spans) {
 }
 
 std::vector<SheetProfile> sheet_profiles(const SheetInWork& sheet,
-                                         std::span<const TimedProfile> profiles) {
-  constexpr std::size_t kOfTask = std::size_t{1} << 15U;
-  const std::size_t count = sheet.sheet.triangles.count();
+                                         std::span<TimedProfile> profiles) {
+  constexpr std::uint32_t kTrianglesOfTask = 1U << 15U;
+  const std::uint32_t count = sheet.part.count();
   std::vector<double> depths_m;
   for (const TimedProfile& of : profiles) depths_m.push_back(of.profile.planned.depth_m);
-  std::vector<std::vector<Passage>> of_tasks((count + kOfTask - 1) / kOfTask);
-  on_all_cores(of_tasks.size(), [&](std::size_t task) {
-    const std::size_t end = std::min(count, (task + 1) * kOfTask);
-    of_tasks[task].reserve(kOfTask);
-    PassagesOfTriangles passages(sheet, profiles, depths_m);
-    for (std::size_t t = task * kOfTask; t < end; ++t)
-      if (sheet.sheet.triangles.is_there(static_cast<std::uint32_t>(t)))
-        passages.add(static_cast<std::uint32_t>(t), of_tasks[task]);
-  });
   std::vector<SheetProfile> out;
-  for (const TimedProfile& of : profiles)
-    out.push_back({&of.profile.projected, std::vector<SheetSpan>(of.profile.profile.size())});
-  for (const std::vector<Passage>& passages : of_tasks) {
+  for (TimedProfile& of : profiles)
+    out.push_back({&of.profile, std::vector<SheetSpan>(of.profile.profile.size())});
+  // So many at a time, so that they need little memory.
+  constexpr std::uint32_t kTasks = 32;
+  std::vector<std::vector<Passage>> of_tasks(kTasks);
+  for (std::uint32_t first = 0; first < count; first += kTasks * kTrianglesOfTask) {
     throw_if_stopped();
-    for (const auto& [profile, number, triangle, is_on_rim] : passages) {
-      SheetSpan& span = out[profile].spans[number];
-      const bool has_front = span.is_there && (span.turn & 3U) != 0;
-      if (has_front || (span.is_there && is_on_rim)) continue;
-      span = {
-          turn_of(sheet.order.place(triangle), is_on_rim ? SheetStep::on_rim : SheetStep::inside),
-          true, sheet.sheet.is_up[triangle] != 0};
+    on_all_cores(kTasks, [&](std::size_t task) {
+      std::vector<Passage>& found = of_tasks[task];
+      found.clear();
+      const std::uint32_t begin =
+          std::min(count, first + static_cast<std::uint32_t>(task) * kTrianglesOfTask);
+      PassagesOfTriangles passages(sheet, profiles, depths_m);
+      sheet.part.for_each(begin, std::min(count, begin + kTrianglesOfTask),
+                          [&](std::uint32_t t, std::uint32_t) {
+                            if (sheet.sheet.triangles.is_there(t)) passages.add(t, found);
+                          });
+    });
+    for (const std::vector<Passage>& passages : of_tasks) {
+      for (const auto& [profile, number, is_on_rim, triangle] : passages) {
+        SheetSpan& span = out[profile].spans[number];
+        if (span.is_there && (is_on_rim || has_front(span.turn))) continue;
+        const SheetStep step = is_on_rim ? SheetStep::on_rim : SheetStep::inside;
+        span = SheetSpan(turn_of(sheet.order.place(triangle), step), true,
+                         sheet.sheet.is_up[triangle] != 0);
+      }
     }
   }
   on_all_cores(out.size(),
@@ -150,11 +157,10 @@ SectorParts sheet_pass(const SectorInWork& work, const LayOut& lay_out, const Sh
                        Counts& counts, StageSeconds& seconds) {
   Stopwatch watch;
   const SheetInWork sheet(work);
-  const auto strips = strips_of<SheetStrip>(work, [&](std::size_t, const auto&... of_strip) {
-    return std::make_unique<SheetStrip>(sheet, of_strip...);
-  });
+  const std::size_t strip_count =
+      plan_strips(work.placed, work.sector, work.range, work.vertices_a_strip).size();
   watch.mark(seconds.facing);
-  const ProfileStages stages(work, lay_out, strips.size());
+  const ProfileStages stages(work, lay_out, strip_count);
   std::vector<TimedProfile> profiles(work.sector.profiles.size());
   on_all_cores(profiles.size(), [&](std::size_t i) {
     thread_local TimedProfile cut; // so that all of them take no more memory than they need
@@ -162,18 +168,24 @@ SectorParts sheet_pass(const SectorInWork& work, const LayOut& lay_out, const Sh
     profiles[i] = cut;
     cut.cut_s = cut.project_s = 0;
   });
+  std::vector<std::unique_ptr<SheetStrip>> strips;
   {
     const std::vector<SheetProfile> of_sheet = sheet_profiles(sheet, profiles);
-    on_all_cores(strips.size(), [&](std::size_t i) { strips[i]->run(of_sheet); });
+    strips = strips_of<SheetStrip>(work, [&](std::size_t i, const Strip& strip,
+                                             std::span<const LineAtDepth> which,
+                                             std::span<const Segment> near_cut) {
+      auto made = std::make_unique<SheetStrip>(sheet, i, strip);
+      made->run(which, near_cut, of_sheet);
+      return made;
+    });
   }
   SectorParts out;
-  for (std::size_t i = 0; i < strips.size(); ++i) {
+  std::size_t part_count = 0;
+  for (const auto& strip : strips) part_count += strip->visible_parts().size();
+  out.visible.reserve(part_count);
+  for (const auto& made : strips) {
     throw_if_stopped();
-    const SheetStrip& strip = *strips[i];
-    for (const auto& [profile, is_up, run] : strip.seen_spans()) {
-      ProfileInWork& of = profiles[profile].profile;
-      (is_up ? of.by_strip : of.underside_by_strip)[i].push_back(run);
-    }
+    const SheetStrip& strip = *made;
     const std::vector<LinePart>& parts = strip.visible_parts();
     out.visible.insert(out.visible.end(), parts.begin(), parts.end());
     const Horizon top = strip.top();

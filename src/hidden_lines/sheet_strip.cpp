@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hidden_lines/sheet_strip.hpp"
 
+#include "geometry/large_pages.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "geometry/sort_by_number.hpp"
 
@@ -18,27 +19,19 @@ bool has_own_frame(const SectorInWork& work) {
 } // namespace
 
 SheetInWork::SheetInWork(const SectorInWork& of)
-    : work(of), sheet(*of.sheet),
-      turned(has_own_frame(of) ? vertices_in(of.terrain.surface, of.sector.view)
-                               : std::vector<ProfilePoint>{}),
-      vertices(turned.empty() ? sheet.vertices : turned),
-      order(of.terrain.surface, sheet.triangles, vertices, of.placed.border, of.sector.view,
-            of.from_m) {}
+    : work(of), sheet(*of.sheet), all(sheet.triangles), part(of.sheet_part ? *of.sheet_part : all),
+      vertices(has_own_frame(of) ? PartVertices(of.terrain.surface, of.sector.view, part)
+                                 : PartVertices(sheet.vertices)),
+      order(of.terrain.surface, sheet.triangles, part, vertices, of.placed.border, of.sector.view,
+            of.from_m) {
+  if (of.placed.block_base_m) feet.emplace(of.terrain, of.placed, of.sector.view);
+}
 
-SheetStrip::SheetStrip(const SheetInWork& sheet, const Strip& strip,
-                       std::span<const LineAtDepth> which, std::span<const Segment> near_cut)
-    : sheet_(sheet), range_(strip.range),
+SheetStrip::SheetStrip(const SheetInWork& sheet, std::size_t number, const Strip& strip)
+    : sheet_(sheet), number_(number), range_(strip.range),
       pictures_(sheet.work.terrain.surface, sheet.work.placed.reach_m, sheet.work.on_ground.points,
                 sheet.work.sector, sheet.work.lines, strip.range, sheet.work.from_m),
-      covered_(strip.core, pictures_.looked_at(), strip.blocks) {
-  const XRange looked_at = pictures_.looked_at();
-  for (const Segment& s : near_cut) {
-    const double begin = std::max(s.x0, looked_at.begin), end = std::min(s.x1, looked_at.end);
-    if (begin < end) covered_.take(s, begin, end, SheetEnd::opens, false);
-  }
-  events_.reserve(which.size());
-  for (const LineAtDepth& line : which) add_line(line.line);
-}
+      covered_(strip.core, pictures_.looked_at(), 2 * strip.blocks) {}
 
 // Of edges as `pictures_` has it: from vertices that are known.
 ProfileLine SheetStrip::whole(std::uint32_t number) const {
@@ -52,6 +45,8 @@ void SheetStrip::add_line(std::uint32_t number) {
   if (!line.drawn && !line.hides) return;
   if (pictures_.is_edge(number))
     add_edge(number, line.edge);
+  else if (is_on_wall(line.kind))
+    add_wall_line(number);
   else
     add_ground_line(number);
 }
@@ -60,12 +55,36 @@ void SheetStrip::add_line(std::uint32_t number) {
 // on the one above as well.
 void SheetStrip::add_ground_line(std::uint32_t number) {
   const std::uint32_t triangle = sheet_.work.triangle_of(number);
+  if (sheet_.part.place_of(triangle) == kNoTriangle) return;
   if (sheet_.sheet.is_up[triangle] == 0) {
     if (const auto edge = edge_under(pictures_.whole(number), triangle)) add_edge(number, *edge);
     return;
   }
-  events_.push_back({turn_of(sheet_.order.place(triangle), SheetStep::inside), number, kLine,
-                     SheetEnd::turns, true, true});
+  events_->emplace_back(turn_of(sheet_.order.place(triangle), SheetStep::inside), SheetEnd::turns,
+                        true, true, number, kLine);
+}
+
+// Below an edge of the border: of a wall that is turned to the eye before that edge and its foot
+// hide anything; of one that is turned away, whose foot may be seen from below, between the two. A
+// void's rim is that edge itself.
+void SheetStrip::add_wall_line(std::uint32_t number) {
+  const auto& [edge, is_left] = sheet_.work.placed.border[sheet_.work.triangle_of(number)];
+  const auto [left, right] = sheet_.sheet.triangles.sides_of(edge);
+  const std::uint32_t triangle = is_left ? left : right;
+  if (sheet_.part.place_of(triangle) == kNoTriangle) return;
+  const int side =
+      eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[edge.to]);
+  SheetStep step = SheetStep::on_rim;
+  if (side == 0 || (side > 0) == is_left) {
+    const View& view = sheet_.work.sector.view;
+    const double from_z = pictures_.whole(number).from.z;
+    const bool is_rim = from_z >= sheet_.vertices[is_left ? edge.from : edge.to].z;
+    const bool is_below = view.is_perspective() ? view.eye_z_m < from_z : view.y_per_v < 0;
+    if (is_rim ? sheet_.sheet.is_up[triangle] == 0 : side == 0 && !is_below) return;
+    step = side == 0 ? SheetStep::inside : is_rim ? SheetStep::behind : SheetStep::foot;
+  }
+  events_->emplace_back(turn_of(sheet_.order.place(triangle), step), SheetEnd::turns, true, true,
+                        number, kLine);
 }
 
 // The side of a triangle that a line runs along from vertex to vertex.
@@ -87,7 +106,12 @@ std::optional<SurfaceEdge> SheetStrip::edge_under(const ProfileLine& line,
 void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   const EdgeLine& line = pictures_.line(number);
   const auto [left, right] = sheet_.sheet.triangles.sides_of(edge);
-  const bool of_upper_side = line.kind == LineKind::shore || is_on_ground(line.kind);
+  const auto is_looked_at = [&](std::uint32_t t) {
+    return t != kNoTriangle && sheet_.part.place_of(t) != kNoTriangle;
+  };
+  if (!is_looked_at(left) && !is_looked_at(right)) return;
+  const bool of_upper_side =
+      line.kind == LineKind::shore || is_on_ground(line.kind) || sheet_.feet.has_value();
   const auto is_up = [&](std::uint32_t t) {
     return t != kNoTriangle && sheet_.sheet.is_up[t] != 0;
   };
@@ -100,54 +124,81 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
     // It is asked before either of its triangles covers anything, beside the first of them.
     const bool takes_left =
         right == kNoTriangle || (left != kNoTriangle && place(left) < place(right));
-    events_.push_back({turn_of(place(takes_left ? left : right), SheetStep::inside), number, kLine,
-                       SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right)});
+    events_->emplace_back(turn_of(place(takes_left ? left : right), SheetStep::inside),
+                          SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right),
+                          number, kLine);
     return;
   }
   const std::uint32_t front = side > 0 ? left : right, behind = side > 0 ? right : left;
   // The side that one sees of an edge is that of the triangle in front of it.
+  const bool is_rim = front == kNoTriangle;
   const bool is_asked =
-      line.drawn && (!of_upper_side || is_up(front == kNoTriangle ? behind : front));
-  const SheetEnd end = front == kNoTriangle    ? SheetEnd::opens
+      line.drawn && (!of_upper_side || (is_rim && sheet_.feet) || is_up(is_rim ? behind : front));
+  const SheetEnd end = is_rim                  ? SheetEnd::opens
                        : behind == kNoTriangle ? SheetEnd::closes
                                                : SheetEnd::turns;
-  const SheetTurn turn = front == kNoTriangle ? turn_of(place(behind), SheetStep::rim)
-                                              : turn_of(place(front), SheetStep::behind);
-  (line.hides ? hiding_ : events_).push_back({turn, number, kLine, end, is_asked, true});
+  const SheetTurn turn = is_rim ? turn_of(place(behind), SheetStep::rim, line.hides)
+                                : turn_of(place(front), SheetStep::behind, line.hides);
+  // A block begins with its foot and the wall above it, and where it ends it goes down to its foot
+  // again. Between, its base is never seen beyond both.
+  const bool has_foot = line.hides && sheet_.feet && end != SheetEnd::turns;
+  if (has_foot)
+    events_->emplace_back(is_rim ? turn : turn_of(place(front), SheetStep::foot, true),
+                          is_rim ? SheetEnd::opens : SheetEnd::closes, false, true, number, kFoot);
+  events_->emplace_back(turn, has_foot ? SheetEnd::turns : end, is_asked, true, number, kLine);
 }
 
 void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
-  const std::vector<double>& x = profile.projected->x;
-  for (const VertexRun& run : profile.projected->runs) {
+  const ProjectedProfile& projected = profile.profile->projected;
+  const std::vector<double>& x = projected.x;
+  for (const VertexRun& run : projected.runs) {
     const auto first = x.begin() + run.first, last = x.begin() + run.last;
     for (auto left = first; left != last; ++left) {
       if (!(left[0] < left[1]) || left[1] <= range_.begin) continue;
       if (left[0] >= range_.end) break;
       const auto span = static_cast<std::uint32_t>(left - x.begin());
-      if (profile.spans[span].is_there)
-        events_.push_back({profile.spans[span].turn, number, span, SheetEnd::turns, true, true});
+      const SheetSpan& of = profile.spans[span];
+      if (of.is_there && (of.is_up || !sheet_.feet)) // a block's underside is within it
+        events_->emplace_back(of.turn, SheetEnd::turns, true, true, number, span);
     }
   }
 }
 
-void SheetStrip::run(std::span<const SheetProfile> profiles) {
-  const std::size_t lines = events_.size();
+void SheetStrip::run(std::span<const LineAtDepth> which, std::span<const Segment> near_cut,
+                     std::span<const SheetProfile> profiles) {
+  covered_.expect(which.size());
+  const XRange looked_at = pictures_.looked_at();
+  for (const Segment& s : near_cut) {
+    const double begin = std::max(s.x0, looked_at.begin), end = std::min(s.x1, looked_at.end);
+    if (begin < end) covered_.take(s, begin, end, SheetEnd::opens, false);
+  }
+  // The system takes longer to hand out memory than events to be written there.
+  thread_local std::vector<Event> events, sorted;
+  events.clear();
+  events_ = &events;
+  std::size_t most = which.size();
+  for (const SheetProfile& of : profiles) most += of.spans.size();
+  for (std::vector<Event>* of : {&events, &sorted})
+    if (of->capacity() < most) {
+      of->reserve(most);
+      use_large_pages(of->data(), most * sizeof(Event));
+    }
+  for (const LineAtDepth& line : which) add_line(line.line);
   for (std::uint32_t i = 0; i < profiles.size(); ++i) add_spans(i, profiles[i]);
-  spans_.reserve(events_.size() - lines);
   throw_if_stopped();
-  // What hides comes behind all else that has its turn.
-  events_.insert(events_.end(), hiding_.begin(), hiding_.end());
-  hiding_ = {};
-  sort_by_number(events_, [](const Event& event) { return event.turn; });
+  sort_by_number(
+      events, [](const Event& event) { return event.turn; }, sorted);
   std::size_t step = 0;
-  for (const Event& event : events_) {
+  for (const Event& event : events) {
     throw_if_stopped(step++);
     if (event.span == kLine)
       take_line(event);
+    else if (event.span == kFoot)
+      take_foot(event);
     else
       take_span(event, profiles[event.number]);
   }
-  events_ = {};
+  events_ = nullptr;
 }
 
 void SheetStrip::take_line(const Event& event) {
@@ -156,26 +207,45 @@ void SheetStrip::take_line(const Event& event) {
   if (!pictures_.cut_to_range(line)) return;
   if (event.is_asked) {
     seen_.clear();
+    bool changes_nothing = true;
     if (line.upright())
       covered_.add_upright_seen(line.source, event.takes_left, seen_);
     else
-      covered_.add_seen(line.source, line.begin, line.end, sheet_.work.tolerance, seen_);
+      changes_nothing =
+          covered_.add_seen(line.source, line.begin, line.end, sheet_.work.tolerance, seen_);
     for (const Shares& part : seen_)
       pictures_.add_part(event.number, picture, part.begin, part.end, parts_);
+    if (changes_nothing) return;
   }
+  // Nothing is seen at a block's underside.
+  const bool is_inked =
+      line.drawn || (sheet_.feet && pictures_.line(event.number).kind == LineKind::underside);
   if (raises(line) && !pictures_.is_moved(pictures_.line(event.number).edge))
-    covered_.take(line.source, line.begin, line.end, event.end, line.drawn);
+    covered_.take(line.source, line.begin, line.end, event.end, is_inked);
+}
+
+void SheetStrip::take_foot(const Event& event) {
+  constexpr std::uint64_t kFootBit = std::uint64_t{1} << 62U; // no line's source, nor a profile's
+  const EdgeLine& edge = pictures_.line(event.number);
+  const LinePicture picture = pictures_.picture(event.number, sheet_.feet->below(edge.edge));
+  SurfaceLine line = pictures_.surface_line(event.number, picture);
+  line.source.id = kFootBit | event.number;
+  if (pictures_.cut_to_range(line) && raises(line) && !pictures_.is_moved(edge.edge))
+    covered_.take(line.source, line.begin, line.end, event.end, true);
 }
 
 void SheetStrip::take_span(const Event& event, const SheetProfile& profile) {
-  const ProjectedProfile& of = *profile.projected;
+  const ProjectedProfile& of = profile.profile->projected;
   const std::uint32_t i = event.span;
   const Segment span{of.x[i], of.y[i], of.x[i + 1], of.y[i + 1], i};
   seen_.clear();
   covered_.add_seen(span, std::max(span.x0, range_.begin), std::min(span.x1, range_.end),
                     sheet_.work.tolerance, seen_);
-  for (const Shares& part : seen_)
-    spans_.push_back({event.number, profile.spans[i].is_up, {i, i, part.begin, part.end}});
+  if (seen_.empty()) return;
+  ProfileInWork& in_work = *profile.profile;
+  std::vector<VisibleRun>& runs =
+      (profile.spans[i].is_up ? in_work.by_strip : in_work.underside_by_strip)[number_];
+  for (const Shares& part : seen_) runs.push_back({i, i, part.begin, part.end});
 }
 
 } // namespace orograph

@@ -3,6 +3,7 @@
 
 #include "dem/triangles_over.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "hidden_lines/sheet_shadows.hpp"
 #include "profiles/slab_lines.hpp"
 
 #include <algorithm>
@@ -20,9 +21,10 @@ struct GroundEdge {
 };
 
 struct GroundShadows {
-  std::vector<GroundEdge> edges; // see `edge_shadow`
-  std::vector<Shadow> buried;    // by triangles of the ground
-  double touching_m = 0;         // what is under ground by less lies on it
+  std::vector<GroundEdge> edges;        // see `edge_shadow`
+  std::vector<Shadow> buried;           // by triangles of the ground
+  std::vector<TriangleShadow> of_sheet; // instead, where it has two sides
+  double touching_m = 0;                // what is under ground by less lies on it
 };
 
 // What lies on the ground by no more than this lies on it, times the rounding of positions: a
@@ -90,11 +92,18 @@ void add_buried(const TerrainData& terrain, const PlacedView& placed, const Soli
 // For each solid the shadows of ground that may reach it: of lines, of the near cut, and of the
 // triangles about it that bury it.
 std::vector<GroundShadows> ground_shadows(const HidingGround& ground, const SolidsInView& solids) {
-  const auto& [terrain, placed, sector, lines, visible, near_cut] = ground;
+  const auto& [terrain, placed, sector, lines, visible, near_cut, sheet, sheet_part] = ground;
   const View& view = sector.view;
   std::vector<GroundShadows> out(solids.solids().size());
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i].touching_m = kTouching * solids.solids()[i].rounding_m;
+  if (sheet) {
+    std::vector<double> touching_m;
+    for (const GroundShadows& of : out) touching_m.push_back(of.touching_m);
+    auto shadows = sheet_shadows(ground, solids, touching_m);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i].of_sheet = std::move(shadows[i]);
+    return out;
+  }
   add_buried(terrain, placed, solids, out);
   // Straight down, nothing stands in front of anything.
   if (!view.is_perspective() && !(view.y_per_z > 0)) return out;
@@ -186,6 +195,13 @@ private:
     };
     for (const Shadow& shadow : ground_.buried)
       for (Asked& asked : asked_) add(shadow, asked);
+    for (const TriangleShadow& of : ground_.of_sheet) {
+      throw_if_stopped();
+      for (Asked& asked : asked_)
+        if (SolidsInView::overlap(asked.line.box, of.box) &&
+            of.box.nearest_m <= asked.line.box.farthest_m)
+          add(of.shadow, asked);
+    }
     const SightRays rays = sight_rays(solids_.view());
     for (const GroundEdge& edge : ground_.edges) {
       throw_if_stopped();

@@ -9,6 +9,8 @@
 #include "horizon/clip_profile.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/profile.hpp"
+#include "profiles/sheet.hpp"
+#include "profiles/sheet_part.hpp"
 #include "solids/solids_in_view.hpp"
 
 #include <span>
@@ -32,6 +34,8 @@ struct HidingGround {
   const std::vector<EdgeLine>& lines;
   const std::vector<LinePart>& visible;
   std::span<const Segment> near_cut;
+  const Sheet* sheet = nullptr; ///< the ground, where it has two sides: then its triangles hide
+  const SheetPart* sheet_part = nullptr;
 };
 
 /// Of the edges of solids among each other, and, where there is ground, with what it stands in

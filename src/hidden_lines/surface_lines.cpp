@@ -168,12 +168,17 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
     if (is_drawn && is_asked && draws_more) drawn.push_back(edge);
   };
   drawn = behind_walls; // not to be drawn at all
-  lines.reserve(silhouettes.size() + placed.border.size());
+  lines.reserve(silhouettes.size() + valleys.size() + placed.border.size());
+  // The underside of a block is within it.
+  const auto is_in_block = [&](LineKind kind) {
+    return kind == LineKind::underside && placed.block_base_m;
+  };
   const auto add_all_hiding = [&](std::span<const SurfaceEdge> edges, LineKind kind) {
     EdgesInOrder walls(behind_walls), brinks_on(all_brinks);
     const std::size_t middle = drawn.size();
     for (const SurfaceEdge& edge : edges)
-      add_hiding(edge, kind, true, draws_silhouettes(style), walls, brinks_on);
+      add_hiding(edge, kind, true, draws_silhouettes(style) && !is_in_block(kind), walls,
+                 brinks_on);
     merge_drawn(middle);
   };
   add_all_hiding(silhouettes, LineKind::silhouette);

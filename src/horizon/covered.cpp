@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "horizon/covered.hpp"
 
+#include "geometry/large_pages.hpp"
 #include "horizon/extent_of_heights.hpp"
 
 #include <algorithm>
@@ -49,6 +50,11 @@ Covered::Covered(XRange core, XRange range, std::size_t count)
     column.find_bounds();
     columns_.push_back(std::move(column));
   }
+}
+
+void Covered::expect(std::size_t sources) {
+  sources_.reserve(sources);
+  use_large_pages(sources_.data(), sources * sizeof(Source));
 }
 
 std::size_t Covered::column_at(double x) const {

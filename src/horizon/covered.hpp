@@ -16,7 +16,7 @@ namespace orograph {
 
 /// What an edge of a sheet is to a ray that meets it: the sheet's picture begins there, turns up or
 /// down, or ends.
-enum class SheetEnd { opens, turns, closes };
+enum class SheetEnd : std::uint8_t { opens, turns, closes };
 
 /// From one source up to another, both covered; numbers of sources.
 struct Band {
@@ -47,14 +47,18 @@ public:
   /// and the last ends with `range`. REQUIRES a finite core within the range.
   Covered(XRange core, XRange range, std::size_t count);
 
+  /// Reserves memory for so many sources, of which only what is used is paid for.
+  void expect(std::size_t sources);
+
   /// Takes what of a source is between two abscissae. REQUIRES that all that it has in front of it
   /// on its rays was taken. Cost: the pieces of the columns in which it changes something; O(1)
   /// for a column where all of it is inside of the one band.
   void take(const Segment& source, double x_begin, double x_end, SheetEnd end, bool inked);
 
   /// Appends what of a line between two abscissae isn't covered, as shares of its way. What is tied
-  /// with the end of a band is seen, unless a line is drawn there already.
-  void add_seen(const Segment& line, double x_begin, double x_end, const TieTolerance& tolerance,
+  /// with the end of a band is seen, unless a line is drawn there already. Tells whether all of it
+  /// is within the bands that the sheet was last seen in: then to take it would change nothing.
+  bool add_seen(const Segment& line, double x_begin, double x_end, const TieTolerance& tolerance,
                 std::vector<Shares>& seen) const;
   /// The same of a line straight away from the eye, up or down at the X of its source (x0 == x1);
   /// what is covered beside it on the left counts, or on the right.
@@ -92,8 +96,9 @@ private:
                double end, SheetEnd sheet_end);
   void add_cell(const Column& column, const CoveredCell& cell);
   static void leave_out_unused(Column& column);
-  void add_seen_in(std::span<const Band> bands, const Segment& line, double begin, double end,
-                   Shares all, const TieTolerance& tolerance, std::vector<Shares>& seen) const;
+  bool add_seen_in(std::span<const Band> bands, std::uint32_t open, const Segment& line,
+                   double begin, double end, Shares all, const TieTolerance& tolerance,
+                   std::vector<Shares>& seen) const;
   void add_changed(Column& column, double begin, double end, std::uint32_t open);
 
   double x_begin_, columns_per_x_;

@@ -48,8 +48,9 @@ void append_without(std::vector<Shares>& seen, Shares all, std::vector<Shares>& 
 
 } // namespace
 
-void Covered::add_seen(const Segment& line, double x_begin, double x_end,
+bool Covered::add_seen(const Segment& line, double x_begin, double x_end,
                        const TieTolerance& tolerance, std::vector<Shares>& seen) const {
+  bool is_inside = true;
   for (std::size_t i = column_at(x_begin); i < columns_.size() && columns_[i].x_begin < x_end;
        ++i) {
     const Column& column = columns_[i];
@@ -60,6 +61,7 @@ void Covered::add_seen(const Segment& line, double x_begin, double x_end,
     if (extent.low > column.inner_low + slack && extent.high < column.inner_high - slack) continue;
     if (extent.low > column.high + slack || extent.high < column.low - slack) {
       append(seen, {parameter_at(line, from), parameter_at(line, to)});
+      is_inside = false;
       continue;
     }
     double begin = from, y_begin = height_at(line, from);
@@ -69,20 +71,24 @@ void Covered::add_seen(const Segment& line, double x_begin, double x_end,
       const double low = std::min(y_begin, y_end), high = std::max(y_begin, y_end);
       if (!(low > cell.inner_low + slack && high < cell.inner_high - slack)) {
         const Shares all{parameter_at(line, begin), parameter_at(line, end)};
-        if (low > cell.high + slack || high < cell.low - slack)
+        if (low > cell.high + slack || high < cell.low - slack) {
           append(seen, all);
-        else
-          add_seen_in(column.bands_of(cell), line, begin, end, all, tolerance, seen);
+          is_inside = false;
+        } else if (!add_seen_in(column.bands_of(cell), cell.open, line, begin, end, all, tolerance,
+                                seen)) {
+          is_inside = false;
+        }
       }
       begin = end;
       y_begin = y_end;
     }
   }
+  return is_inside;
 }
 
 // Of what is in one cell.
-void Covered::add_seen_in(std::span<const Band> bands, const Segment& line, double begin,
-                          double end, Shares all, const TieTolerance& tolerance,
+bool Covered::add_seen_in(std::span<const Band> bands, std::uint32_t open, const Segment& line,
+                          double begin, double end, Shares all, const TieTolerance& tolerance,
                           std::vector<Shares>& seen) const {
   // More than rounding and the tolerance make of it.
   const double apart = tolerance.greatest_y + 2 * rounding_of(extent_of(line, begin, end));
@@ -95,7 +101,8 @@ void Covered::add_seen_in(std::span<const Band> bands, const Segment& line, doub
     const auto& [bottom, bottom_inked] = sources_[band.bottom];
     const HeightAbove above_bottom = height_above(line, bottom, begin, end);
     if (above_bottom.is_less_than(-apart)) break; // and below all others
-    if (above_bottom.is_more_than(apart) && above_top.is_less_than(-apart)) return;
+    if (above_bottom.is_more_than(apart) && above_top.is_less_than(-apart))
+      return &band - bands.data() == static_cast<std::ptrdiff_t>(open);
     const Standing on_bottom = compare(line, bottom, tolerance),
                    on_top = compare(line, top, tolerance);
     const bool is_tied =
@@ -112,6 +119,7 @@ void Covered::add_seen_in(std::span<const Band> bands, const Segment& line, doub
     if (both.begin < both.end) hidden.push_back(both);
   }
   append_without(seen, all, hidden);
+  return false;
 }
 
 void Covered::add_upright_seen(const Segment& upright, bool left, std::vector<Shares>& seen) const {

@@ -54,16 +54,20 @@ Clipped within(const SeenProfile& seen) {
 } // namespace
 
 Check::Check(const Surface& surface, const PlacedView& placed, double tolerance_mm,
-             std::uint64_t points)
+             std::uint64_t points, bool both_sides)
     : surface_(surface), tolerance_mm_(tolerance_mm),
       a_profile_(points / 2 / std::max<std::size_t>(1, profile_count(placed)) + 1),
-      a_sector_(points / 2 / placed.sectors.size()) {}
+      a_sector_(points / 2 / placed.sectors.size()), both_sides_(both_sides) {}
 
 void Check::begin(const Sector& sector) {
   if (sector_ == &sector) return;
   sector_ = &sector;
   const TieTolerance tolerance = tie_tolerance(sector, tolerance_mm_);
-  if (judge_)
+  if (both_sides_ && sheet_judge_)
+    sheet_judge_->set_view(sector.view, tolerance);
+  else if (both_sides_)
+    sheet_judge_.emplace(surface_, sector.view, tolerance);
+  else if (judge_)
     judge_->set_view(sector.view, tolerance);
   else
     judge_.emplace(surface_, sector.view, tolerance);
@@ -98,7 +102,28 @@ void Check::judge(const ProfileLine& line, double t, bool on_edge, bool drawn) {
     ++(drawn ? counts_.hidden : counts_.missing);
 }
 
+void Check::judge(const ProfileLine& line, double t, const SheetJudge::Drawn& drawn) {
+  throw_if_stopped();
+  ++counts_.asked;
+  using Found = SheetJudge::Verdict;
+  const Found found = sheet_judge_->ask(line, t, drawn).verdict;
+  if (found == Found::unsure) ++counts_.ties;
+  if (found == Found::drawn_wrong) ++counts_.hidden;
+  if (found == Found::missing) ++counts_.missing;
+}
+
 void Check::see(const SeenProfile& seen) {
+  if (both_sides_)
+    upper_ = within(seen).visible; // with its underside, which comes next
+  else
+    ask_profile(seen, {});
+}
+
+void Check::see_underside(const SeenProfile& seen) {
+  ask_profile(seen, upper_);
+}
+
+void Check::ask_profile(const SeenProfile& seen, const std::vector<Piece>& upper) {
   begin(seen.sector);
   const Clipped clipped = within(seen);
   const auto& [segments, shares, visible] = clipped;
@@ -108,28 +133,36 @@ void Check::see(const SeenProfile& seen) {
   for (; owed_ > 0; --owed_) {
     std::uint32_t number = 0;
     double t = 0;
-    if (owed_ % 2 == 0 || visible.empty()) {
+    const bool of_upper = both_sides_ && (visible.empty() || owed_ % 4 == 1);
+    const std::vector<Piece>& pieces = of_upper ? upper : visible;
+    if (owed_ % 2 == 0 || pieces.empty()) {
       number = static_cast<std::uint32_t>(below(segments.size()));
       const auto& [from, to] = shares[number];
       t = from + share() * (to - from);
     } else {
-      const Piece& piece = visible[below(visible.size())];
+      const Piece& piece = pieces[below(pieces.size())];
       // Where two occluders meet, rounding may leave a slit between them.
       if (piece.t_end - piece.t_begin <= kSlit) continue;
       number = piece.segment;
       t = near_end(piece.t_begin, piece.t_end);
       if (!(t > shares[number].first && t < shares[number].second)) continue;
     }
-    auto piece = std::partition_point(visible.begin(), visible.end(), [&](const Piece& p) {
-      return p.segment < number || (p.segment == number && p.t_end < t);
-    });
-    const bool drawn = piece != visible.end() && piece->segment == number && piece->t_begin <= t;
+    const auto holds = [&](const std::vector<Piece>& of) {
+      const auto piece = std::partition_point(of.begin(), of.end(), [&](const Piece& p) {
+        return p.segment < number || (p.segment == number && p.t_end < t);
+      });
+      return piece != of.end() && piece->segment == number && piece->t_begin <= t;
+    };
     const std::uint32_t left = left_vertex(segments[number]);
     const auto at = [&](std::uint32_t vertex) {
       return ProfilePoint{profile.u_m[vertex], profile.depth_m, profile.z_m[vertex]};
     };
     // On a wall the way up is an edge: what is above and below it is at the same depth.
-    judge({at(left), at(left + 1)}, t, profile.after[left] == Span::wall, drawn);
+    const ProfileLine line{at(left), at(left + 1)};
+    if (both_sides_)
+      judge(line, t, {false, holds(upper), holds(visible)});
+    else
+      judge(line, t, profile.after[left] == Span::wall, holds(visible));
   }
 }
 
@@ -148,6 +181,12 @@ bool Check::ask_line(const SeenLines& seen, std::uint32_t line, double t) {
   });
   const bool drawn = part != visible.end() && part->line == line && part->t_begin <= t;
   if (!drawn && may_be_left_out) return false;
+  if (both_sides_) {
+    if (lines.is_moved(lines.line(line).edge)) return false; // between two sectors
+    const LineKind kind = lines.line(line).kind;
+    judge(lines.whole(line), t, {is_on_ground(kind) || kind == LineKind::shore, drawn, drawn});
+    return true;
+  }
   // Straight below an edge, too, what is at the same place isn't in front.
   judge(lines.whole(line), t, lines.is_edge(line) || is_on_wall(lines.line(line).kind), drawn);
   return true;

@@ -5,6 +5,7 @@
 #include "hidden_lines/instruments.hpp"
 #include "map/map_facts.hpp"
 #include "reference/judge.hpp"
+#include "reference/sheet_judge.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -19,12 +20,14 @@ class Check : public LineObserver {
 public:
   /// About `points` points of what will be seen of a placed view. REQUIRES that surface and view
   /// outlive the check.
-  Check(const Surface& surface, const PlacedView& placed, double tolerance_mm,
-        std::uint64_t points);
+  /// `both_sides`: the surface is a sheet.
+  Check(const Surface& surface, const PlacedView& placed, double tolerance_mm, std::uint64_t points,
+        bool both_sides);
   /// From now on it asks what is drawn alone.
   void ask_drawn_alone() { drawn_alone_ = true; }
 
   void see(const SeenProfile& profile) override;
+  void see_underside(const SeenProfile& profile) override;
   void see(const SeenLines& lines) override;
 
   const CheckCounts& counts() const { return counts_; }
@@ -37,6 +40,8 @@ private:
   /// Whether there was anything to ask.
   bool ask_line(const SeenLines& seen, std::uint32_t line, double t);
   void judge(const ProfileLine& line, double t, bool on_edge, bool drawn);
+  void judge(const ProfileLine& line, double t, const SheetJudge::Drawn& drawn);
+  void ask_profile(const SeenProfile& profile, const std::vector<Piece>& upper);
 
   const Surface& surface_;
   double tolerance_mm_;
@@ -44,7 +49,10 @@ private:
   std::uint64_t a_profile_, a_sector_; ///< points asked of each profile, and of a sector's lines
   std::uint64_t owed_ = 0;             ///< points that profiles haven't been asked yet
   const Sector* sector_ = nullptr;     ///< the one that is seen
-  std::optional<Judge> judge_;         ///< of that sector
+  bool both_sides_;
+  std::optional<Judge> judge_;            ///< of that sector
+  std::optional<SheetJudge> sheet_judge_; ///< the same of a sheet
+  std::vector<Piece> upper_;              ///< of the sheet's profile: what shows the upper side
   std::mt19937_64 engine_;
   CheckCounts counts_;
 };

@@ -217,16 +217,23 @@ void check_underside(const MapSpec& spec, bool has_solids) {
             "give `underside`");
     return;
   }
-  if (style.asks_for("block"))
-    throw UsageError("a block is solid, and has no underside", "leave out `block`, or `underside`");
-  if (has_solids)
-    throw UsageError("solids hide, and are hidden by, ground that has no underside",
-                     "leave out `solids`, or `underside`");
   if (style.occluder == Occluder::profiles)
     throw UsageError("profiles that hide have no underside", "leave out `underside`");
-  if (spec.check > 0 || spec.check_of_file > 0)
-    throw UsageError("`check` asks of ground that has no underside",
-                     "leave out `check`, or `underside`");
+  if (spec.check_of_file > 0)
+    throw UsageError("what is seen from below isn't asked of the file's surface",
+                     "leave out `check_of_file`, or `underside`");
+  if (!style.asks_for("block")) return;
+  for (const LayerSpec& layer : style.layers)
+    if (is_of_underside(layer_row(layer.name)))
+      throw UsageError(
+          fmt::format("the layer '{}' has no meaning where a block is closed below", layer.name),
+          "leave out `block`, or the layer");
+  if (has_solids)
+    throw UsageError("solids don't go with a block that is closed below",
+                     "leave out `solids`, `block` or `underside`");
+  if (spec.check > 0)
+    throw UsageError("`check` doesn't ask of a block that is closed below",
+                     "leave out `check`, `block` or `underside`");
 }
 
 void check_furniture(const MapSpec& spec) {

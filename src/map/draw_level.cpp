@@ -16,7 +16,7 @@ Map draw_level(const TerrainOfView& terrain, const PlacedView& placed, const Map
   std::optional<Check> of_file;
   if (spec.check_of_file > 0 && has_ground(terrain->surface)) {
     of_file.emplace(terrain.of_file().surface, placed,
-                    spec.style.visibility_tolerance_mm + 2 * within_mm, spec.check_of_file);
+                    spec.style.visibility_tolerance_mm + 2 * within_mm, spec.check_of_file, false);
     of_file->ask_drawn_alone();
     instruments.observers.push_back(&*of_file);
   }

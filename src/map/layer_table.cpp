@@ -90,10 +90,9 @@ constexpr auto kLayers = [] {
 // drawing water, index contours among the others, hidden ones too; what is on a block's walls; and
 // the underside of what is drawn of the upper side.
 bool goes_with_another(const LayerRow& row, const Style& style) {
-  if (row.source == LineSource::underside)
-    return style.underside == Underside::draw && style.asks_for("profiles");
-  if (row.kind == LineKind::underside)
-    return style.underside == Underside::draw && draws_silhouettes(style);
+  const bool shows_underside = style.underside == Underside::draw && !style.asks_for("block");
+  if (row.source == LineSource::underside) return shows_underside && style.asks_for("profiles");
+  if (row.kind == LineKind::underside) return shows_underside && draws_silhouettes(style);
   if (row.kind == LineKind::wall) return style.hatches_block();
   if (row.kind == LineKind::wall_contour)
     return style.asks_for("block") && style.asks_for("contours");

@@ -43,15 +43,19 @@ double block_base_m(const TerrainData& terrain, const BlockSpec& spec) {
                    fmt::format("give a base below {:.6g}", low_m / unit_m));
 }
 
-std::vector<Vec3> block_feet_m(const TerrainData& terrain, const std::vector<BorderEdge>& border,
-                               double base_m) {
+std::vector<std::uint32_t> vertices_of(const std::vector<BorderEdge>& border) {
   std::vector<std::uint32_t> vertices;
   for (const auto& [edge, left] : border) vertices.insert(vertices.end(), {edge.from, edge.to});
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+std::vector<Vec3> block_feet_m(const TerrainData& terrain, const std::vector<BorderEdge>& border,
+                               double base_m) {
   const VertexValues heights = heights_of(terrain);
   std::vector<Vec3> feet;
-  for (const std::uint32_t vertex : vertices) {
+  for (const std::uint32_t vertex : vertices_of(border)) {
     double height_m = 0;
     heights(vertex, std::span(&height_m, 1));
     const Grid* grid = std::get_if<Grid>(&terrain.surface);
@@ -60,6 +64,15 @@ std::vector<Vec3> block_feet_m(const TerrainData& terrain, const std::vector<Bor
     feet.push_back(below_vertex_m(terrain, at, height_m, base_m));
   }
   return feet;
+}
+
+void check_outside_block(const View& view, double ground_z_m, double base_m, const MapFrame& map) {
+  // On the ellipsoid the frame lies below the eye, and heights went there exaggerated.
+  const double exaggeration = map.earth ? map.earth->exaggeration : view.exaggeration;
+  if (view.eye_z_m >= ground_z_m || view.eye_z_m < base_m * exaggeration) return;
+  throw Error(fmt::format("the eye is in the block, {:.6g} m under the ground",
+                          (ground_z_m - view.eye_z_m) / exaggeration),
+              "raise the eye, lower it below the block's base, or leave out `block`");
 }
 
 void add_points(const std::vector<Vec3>& feet_m, BlockedPoints& beside) {

@@ -7,6 +7,7 @@
 #include "placing/map_spec.hpp"
 #include "profiles/outline.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace orograph {
@@ -23,9 +24,15 @@ inline Vec3 below_vertex_m(const TerrainData& terrain, Vec3 vertex_m, double hei
   return {vertex_m.x, vertex_m.y, vertex_m.z - exaggeration * (height_m - at_m)};
 }
 
-/// The foot of the walls, below each end of the border's edges, in the ground frame.
+/// The ends of the border's edges, each once, rising.
+std::vector<std::uint32_t> vertices_of(const std::vector<BorderEdge>& border);
+
+/// The foot of the walls, below each of them, in the ground frame.
 std::vector<Vec3> block_feet_m(const TerrainData& terrain, const std::vector<BorderEdge>& border,
                                double base_m);
+
+/// Of an eye over the ground at a height, exaggerated: throws Error where it is in the block.
+void check_outside_block(const View& view, double ground_z_m, double base_m, const MapFrame& map);
 
 /// Adds them to what a picture has to show. REQUIRES that both outlive it.
 void add_points(const std::vector<Vec3>& feet_m, BlockedPoints& beside);

@@ -226,7 +226,7 @@ void give_tone(PlacedView& placed, const Surface& surface, const MapSpec& spec) 
   request.greatest_width_mm = widths.greatest_mm;
   request.haze = shows_beside(placed.view) ? 0 : style.haze_in(placed.view.is_perspective());
   request.draws_level = style.flat == FlatGround::draw;
-  request.both_sides = style.underside == Underside::draw;
+  request.both_sides = style.underside == Underside::draw && !placed.block_base_m;
   request.keeps_unseen = style.asks_for("hidden-profiles");
   if (placed.panorama) {
     if (style.light) {

@@ -321,6 +321,8 @@ Picture place_picture(const TerrainData& terrain, TerrainFacts facts, const MapS
   if (under_eye_m) {
     if (spec.style.underside == Underside::omit)
       check_above_ground(placed.view, *under_eye_m, terrain.map);
+    else if (placed.block_base_m && placed.view.is_perspective())
+      check_outside_block(placed.view, *under_eye_m, *placed.block_base_m, terrain.map);
     keep_off_the_ground(placed.view, *under_eye_m, placed.cell_m);
     if (spec.view.has_eye() && placed.view.eye_z_m >= *under_eye_m)
       placed.near_skyline =

@@ -3,7 +3,7 @@
 
 #include "dem/approximate/tin_of_grid.hpp"
 #include "placing/vertex_values.hpp"
-#include "tests/blocks/spatial.hpp"
+#include "reference/spatial.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 #include "placing/terrain_of_view.hpp"
 #include "profiles/slab_lines.hpp"
 #include "profiles/surface_edges.hpp"
-#include "tests/blocks/block_walk.hpp"
+#include "reference/sheet_judge.hpp"
+#include "tests/blocks/look_anywhere.hpp"
 #include "tests/blocks/scene_with_voids.hpp"
-#include "tests/blocks/sheet_walk.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/random_earth_scene.hpp"
 #include "tests/scenes/random_scene.hpp"
@@ -31,50 +31,6 @@ namespace orograph::sheet_scenes_test {
 namespace {
 
 constexpr std::uint64_t kScenes = last_seed(500);
-
-// Seen from below and from above, from outside, between, and under the ground.
-void look_anywhere(MapSpec& spec, const TerrainData& terrain, Random& random) {
-  ViewSpec& view = spec.view;
-  const Grid& grid = grid_of(terrain);
-  const Angle elevation = Angle::degrees(
-      random.pick({-90.0, -60.0, -30.0, -10.0, -3.0, 0.0, 3.0, 10.0, 30.0, 60.0, 90.0}));
-  switch (random.whole(0, 3)) {
-  case 0:
-    view.projection = Projection::orthographic;
-    view.from_elevation = elevation;
-    return;
-  case 1:
-    view.projection = random.chance(0.3) ? Projection::oblique : Projection::orthographic;
-    view.from_elevation = Angle::degrees(random.between(-90, 90));
-    view.oblique = {random.between(0.2, 1.2), Angle::degrees(random.between(20, 160))};
-    return;
-  case 2:
-    view.projection = Projection::perspective;
-    view.from_elevation = elevation;
-    return;
-  default:
-    break;
-  }
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const float height : std::get<Heights<float>>(grid.heights_m))
-    if (!std::isnan(height)) {
-      low = std::min<double>(low, height);
-      high = std::max<double>(high, height);
-    }
-  const double cell_m = cell_size_m(grid), relief_m = high - low + cell_m;
-  const auto anywhere = [&](double beyond) -> Vec3 {
-    const Vec2 at =
-        grid.plane().position_m(0, 0) +
-        random.between(-beyond, grid.columns - 1 + beyond) * grid.plane().column_step_m +
-        random.between(-beyond, grid.rows - 1 + beyond) * grid.plane().row_step_m;
-    return {at.x, at.y, random.between(low - relief_m, high + relief_m)};
-  };
-  view.projection = Projection::perspective;
-  view.exaggeration = 1;
-  view.field_of_view = Angle::degrees(random.pick({30.0, 60.0, 90.0, 120.0}));
-  view.eye_map = anywhere(6);
-  view.look_at_map = anywhere(0);
-}
 
 void draw_both_sides(Style& style) {
   style.underside = Underside::draw;
@@ -169,8 +125,7 @@ private:
     sector_ = &sector;
     view_ = &sector.view;
     can_ask_ = view_->is_perspective() || view_->y_per_z > 1e-3; // not from straight above or below
-    tolerance_ = tie_tolerance(sector, 1e-4);
-    walk_.emplace(triangles_in(terrain_, *view_), *view_, view_->near_m);
+    judge_.emplace(terrain_.surface, *view_, tie_tolerance(sector, 1e-4));
     return can_ask_;
   }
 
@@ -188,37 +143,18 @@ private:
     const Vec2 plane = project(*view_, at);
     if (!(plane.x > clipped.begin && plane.x < clipped.end)) return;
     ++tally.asked;
-    const double tolerance_m = 1e-5 + 2 * tolerance_.at(plane.x, plane.y) *
-                                          (view_->is_perspective() ? at.v : 1 / view_->y_per_z);
     using Sight = SheetWalk::Sight;
-    const auto sight = walk_->sight(at, tolerance_m);
-    // What ends just at the point's ray is a matter of rounding: a little to both sides.
-    const double beside = std::min(1e-4, 1e-5 * std::hypot(at.u, at.v) /
-                                             std::max(1e-9, std::hypot(b.u - a.u, b.v - a.v)));
-    const auto is_same = [&](double at_t) {
-      return walk_->sight(point_between(a, b, at_t), tolerance_m) == sight;
-    };
-    if (sight == Sight::unsure || !is_same(t - beside) || !is_same(t + beside)) {
+    using Found = SheetJudge::Verdict;
+    const auto [verdict, sight] =
+        judge_->ask({a, b}, t, {on == On::upper_side, in_upper, in_underside});
+    if (verdict == Found::unsure) {
       ++tally.unsure;
       return;
     }
     if (sight == Sight::upper) ++tally.upper;
     if (sight == Sight::underside) ++tally.underside;
-    const bool may_be_upper = sight == Sight::upper || sight == Sight::edge,
-               may_be_underside = sight == Sight::underside || sight == Sight::edge;
-    bool is_wrong, is_missing;
-    if (on == On::upper_side) {
-      is_wrong = in_upper && !may_be_upper;
-      is_missing = sight == Sight::upper && !in_upper;
-    } else if (in_upper && in_underside) { // an edge
-      is_wrong = sight == Sight::hidden;
-      is_missing = false;
-    } else {
-      is_wrong = (in_upper && !may_be_upper) || (in_underside && !may_be_underside);
-      is_missing = sight != Sight::hidden && !in_upper && !in_underside;
-    }
-    if (is_wrong) ++tally.drawn_wrong;
-    if (is_missing) ++tally.missing;
+    if (verdict == Found::drawn_wrong) ++tally.drawn_wrong;
+    if (verdict == Found::missing) ++tally.missing;
   }
 
   const TerrainData& terrain_;
@@ -226,8 +162,7 @@ private:
   const Sector* sector_ = nullptr;
   const View* view_ = nullptr;
   bool can_ask_ = false;
-  TieTolerance tolerance_;
-  std::optional<SheetWalk> walk_;
+  std::optional<SheetJudge> judge_;
   std::vector<Piece> upper_;
 };
 
@@ -307,6 +242,39 @@ TEST_CASE("and of sheets in degrees, whose tiles bulge") {
   CHECK(drawn > kScenes / 10);
   CHECK(sum.upper > 5 * drawn);
   CHECK(sum.underside > 5 * drawn);
+  CHECK(sum.unsure < sum.asked / 5);
+}
+
+TEST_CASE("and all round an eye, in degrees and as TINs, where each sector looks at its part") {
+  Tally sum;
+  std::uint64_t drawn = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 10; ++seed) {
+    Random random(seed);
+    RandomScene scene = random_earth_scene(seed, random.pick({Stand::in_air, Stand::on_ground}));
+    draw_both_sides(scene.spec.style);
+    ViewSpec& view = scene.spec.view;
+    view.projection = Projection::cylindrical;
+    view.field_of_view = Angle::degrees(random.pick({120.0, 360.0}));
+    view.look_at_map.reset();
+    if (view.eye_map && view.eye_map->z) *view.eye_map->z -= random.pick({0.0, 1e3, 1e4});
+    INFO("seed " << seed << ": " << scene.what);
+    try {
+      stand_on_earth(scene.terrain, view);
+      if (seed % 3 == 0) {
+        const Grid grid = grid_of(scene.terrain);
+        scene.terrain.surface = tin_of(grid);
+      }
+      if (const auto tally = check(scene.terrain, scene.spec, random)) {
+        add(*tally, sum);
+        ++drawn;
+      }
+    } catch (const Error&) {
+      continue;
+    }
+  }
+  tell(sum, drawn);
+  CHECK(drawn > kScenes / 50);
+  CHECK(sum.upper + sum.underside > 20 * drawn);
   CHECK(sum.unsure < sum.asked / 5);
 }
 

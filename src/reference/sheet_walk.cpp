@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/blocks/sheet_walk.hpp"
+#include "reference/sheet_walk.hpp"
 
-#include "tests/blocks/spatial.hpp"
+#include "dem/approximate/tin_of_grid.hpp"
+#include "reference/spatial.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,18 +20,41 @@ struct Passed {
 
 } // namespace
 
+SheetWalk::SheetWalk(const Surface& surface, const View& view)
+    : own_(std::holds_alternative<Grid>(surface)
+               ? std::make_shared<const Tin>(tin_of(std::get<Grid>(surface)))
+               : nullptr),
+      tin_(own_ ? own_.get() : &std::get<Tin>(surface)), view_(&view),
+      index_(std::make_shared<const TinIndex>(*tin_)) {
+  for (const Vec3& vertex : tin_->vertices_m)
+    reach_m_ = std::max(reach_m_, std::hypot(vertex.x, vertex.y));
+}
+
 SheetWalk::Sight SheetWalk::sight(ProfilePoint point, double tolerance_m) const {
+  const View& view = *view_;
   const Spatial from = of(point);
-  Spatial step = view_.is_perspective() ? Spatial{0, 0, view_.eye_z_m} - from
-                                        : Spatial{view_.x_per_v, -1, view_.y_per_v / view_.y_per_z};
+  const Spatial step = view.is_perspective()
+                           ? Spatial{0, 0, view.eye_z_m} - from
+                           : Spatial{view.x_per_v, -1, view.y_per_v / view.y_per_z};
   const double last =
-      view_.is_perspective() ? 1 - from_m_ / point.v : std::numeric_limits<double>::infinity();
+      view.is_perspective() ? 1 - view.near_m / point.v : std::numeric_limits<double>::infinity();
   // What is this close to the point, seen from above, is at it.
   constexpr double kAtPoint_m = 1e-6;
   const double at_point = kAtPoint_m / std::hypot(step.u, step.v);
+  const auto ground = [&](double u, double v) {
+    return view.depth_origin_m + u * view.right + v * view.forward;
+  };
+  const Vec2 at = ground(point.u, point.v);
+  // Towards the eye as far as there is terrain.
+  const double far =
+      view.is_perspective() ? last : (length(at) + reach_m_) / std::hypot(step.u, step.v);
+  index_->along(at, ground(point.u + far * step.u, point.v + far * step.v), 4 * kAtPoint_m, near_);
   std::vector<Passed> passed;
-  for (const auto& corners : triangles_) {
-    const Spatial a = of(corners[0]), ab = of(corners[1]) - a, ac = of(corners[2]) - a;
+  for (const std::uint32_t t : near_) {
+    std::array<Spatial, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = of(to_profile_frame(view, tin_->vertices_m[tin_->triangles[t][k]]));
+    const Spatial a = corners[0], ab = corners[1] - a, ac = corners[2] - a;
     const double area = plan_cross(ab, ac);
     if (area == 0) continue;
     double low = 0, high = last;

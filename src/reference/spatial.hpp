@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places and ways in the profile frame, as the walks of this folder reckon with them.
+// Places and ways in the profile frame, as walks through sheets and blocks reckon with them.
 #pragma once
 
 #include "view/view.hpp"

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden_lines/lines_of_view.hpp"
+
+#include "hidden_lines/lattice_pass.hpp"
+#include "hidden_lines/lines_by_sector.hpp"
+#include "hidden_lines/surface_lines.hpp"
+#include "placing/sector.hpp"
+#include "profiles/lattice_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace orograph {
+
+const Grid* grid_in_order(const TerrainData& terrain, const Style& style,
+                          const Instruments& instruments) {
+  const Grid* grid = std::get_if<Grid>(&terrain.surface);
+  const bool has_order = grid && !grid->is_on_earth() && style.occluder == Occluder::surface &&
+                         style.underside == Underside::omit && !instruments.needs_list();
+  return has_order ? grid : nullptr;
+}
+
+namespace {
+
+bool asks_lines(const Instruments& instruments) {
+  return std::any_of(instruments.observers.begin(), instruments.observers.end(),
+                     [](const LineObserver* observer) { return observer->asks_lines(); });
+}
+
+} // namespace
+
+bool goes_in_order(const Grid& grid, const Sector& sector, const Instruments& instruments) {
+  return instruments.order_always || pays_in_order(grid, sector);
+}
+
+// A panorama's profiles turn at its sectors' borders.
+XRange asked_range(const Sector& sector, bool in_list, const Instruments& instruments) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return !sector.frame_mm && (in_list || instruments.beyond_page) ? XRange{-kInfinity, kInfinity}
+                                                                  : page_range(sector);
+}
+
+namespace {
+
+// None where an eye before the terrain sees all of it.
+std::vector<SheetPart> parts_by_sector(const Surface& surface, const Sheet& sheet,
+                                       const PlacedView& placed, const Instruments& instruments) {
+  const View& view = placed.view;
+  if (!view.is_perspective() || (view.frames_terrain && placed.sectors.size() == 1)) return {};
+  std::vector<AzimuthWedge> wedges;
+  for (const Sector& sector : placed.sectors) {
+    const XRange x = asked_range(sector, instruments.needs_list(), instruments);
+    const double forward = sector.behind ? std::numbers::pi : sector.azimuth;
+    wedges.push_back({forward + std::atan(x.begin), forward + std::atan(x.end)});
+  }
+  return parts_in_wedges(surface, sheet.triangles, sheet.vertices, view, wedges);
+}
+
+} // namespace
+
+const SilhouetteMarks* LinesOfView::silhouettes_by(bool rows_are_strips) const {
+  for (const std::optional<SilhouetteMarks>* marks : {&silhouettes, &turned_silhouettes})
+    if (*marks && (*marks)->rows_are_strips == rows_are_strips) return &**marks;
+  return nullptr;
+}
+
+LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
+                          const Instruments& instruments, const SeenGround* ground,
+                          const HiddenKinds& hidden) {
+  LinesOfView out;
+  out.hidden = hidden;
+  const Grid* grid = grid_in_order(terrain, style, instruments);
+  // Solids are hidden by all lines that hide.
+  const bool finds = grid && !asks_lines(instruments) && placed.solids.empty() &&
+                     std::ranges::all_of(placed.sectors, [&](const Sector& sector) {
+                       return goes_in_order(*grid, sector, instruments);
+                     });
+  const bool finds_contours = finds && placed.sectors.size() == 1 &&
+                              !hidden.has(LineKind::contour) &&
+                              !hidden.has(LineKind::index_contour);
+  out.on_ground = ground_lines_of(terrain, placed, style, ground, !finds_contours);
+  if (style.underside == Underside::draw) {
+    out.sheet = sheet_of(terrain.surface, placed.view);
+    out.sheet_parts = parts_by_sector(terrain.surface, *out.sheet, placed, instruments);
+    out.listed = lines_of_sheet(terrain, placed, style, *out.sheet);
+  } else if (!finds || hidden.has(LineKind::silhouette)) {
+    out.listed = lines_of(terrain, placed, style, ground);
+  } else {
+    const auto by_rows = [&](const Sector& sector) {
+      return LatticeOrder(*grid, sector.view).rows_are_strips();
+    };
+    const bool first = by_rows(placed.sectors.front());
+    out.listed = lines_but_silhouettes(terrain, placed, style);
+    out.silhouettes = silhouette_marks(*grid, placed.view, first, ground);
+    if (std::ranges::any_of(placed.sectors,
+                            [&](const Sector& sector) { return by_rows(sector) != first; }))
+      out.turned_silhouettes = silhouette_marks(*grid, placed.view, !first, ground);
+  }
+  append_to(out.listed, out.on_ground);
+  if (placed.panorama)
+    out.by_sector = lines_by_sector(terrain.surface, out.on_ground.points, placed, out.listed);
+  return out;
+}
+
+} // namespace orograph

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/sheet_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orograph {
+
+void SheetJudge::set_view(const View& view, const TieTolerance& tolerance) {
+  view_ = &view;
+  tolerance_ = tolerance;
+  walk_.set_view(view);
+}
+
+SheetJudge::Answer SheetJudge::ask(const ProfileLine& line, double t, const Drawn& drawn) const {
+  using Sight = SheetWalk::Sight;
+  const auto& [a, b] = line;
+  const double size = std::hypot(b.u - a.u, b.v - a.v);
+  constexpr double kCrumb_m = 1e-6; // at a vertex
+  const bool is_plan = !view_->is_perspective() && !(view_->y_per_z > 1e-3);
+  if (is_plan || size < kCrumb_m) return {Verdict::unsure, Sight::unsure};
+  const ProfilePoint at = point_between(a, b, t);
+  const Vec2 plane = project(*view_, at);
+  const double tolerance_m = 1e-5 + 2 * tolerance_.at(plane.x, plane.y) *
+                                        (view_->is_perspective() ? at.v : 1 / view_->y_per_z);
+  const Sight sight = walk_.sight(at, tolerance_m);
+  // What ends just at the point's ray is a matter of rounding: a little to both sides.
+  const double beside = std::min(1e-4, 1e-5 * std::hypot(at.u, at.v) / size);
+  const auto is_same = [&](double at_t) {
+    return walk_.sight(point_between(a, b, at_t), tolerance_m) == sight;
+  };
+  if (sight == Sight::unsure || !is_same(t - beside) || !is_same(t + beside))
+    return {Verdict::unsure, sight};
+  const bool may_be_upper = sight == Sight::upper || sight == Sight::edge,
+             may_be_underside = sight == Sight::underside || sight == Sight::edge;
+  const auto& [is_on_upper_alone, as_upper, as_underside] = drawn;
+  bool is_wrong = false, is_missing = false;
+  if (is_on_upper_alone) {
+    is_wrong = as_upper && !may_be_upper;
+    is_missing = sight == Sight::upper && !as_upper;
+  } else if (as_upper && as_underside) {
+    is_wrong = sight == Sight::hidden;
+  } else {
+    is_wrong = (as_upper && !may_be_upper) || (as_underside && !may_be_underside);
+    is_missing = sight != Sight::hidden && !as_upper && !as_underside;
+  }
+  const Verdict verdict = is_wrong     ? Verdict::drawn_wrong
+                          : is_missing ? Verdict::missing
+                                       : Verdict::right;
+  return {verdict, sight};
+}
+
+} // namespace orograph

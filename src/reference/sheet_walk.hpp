@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of a thin sheet an eye sees, by its definition: a point that no other point of the sheet
+// stands in front of, on the upper side or on the underside. Shares no code with the pass.
+#pragma once
+
+#include "dem/mesh/tin_index.hpp"
+#include "dem/surface.hpp"
+#include "dem/tin.hpp"
+#include "geometry/profile_point.hpp"
+#include "view/view.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace orograph {
+
+class SheetWalk {
+public:
+  /// REQUIRES that surface and view outlive it. Cost: of a grid the TIN of its triangles.
+  SheetWalk(const Surface& surface, const View& view);
+  /// From now on of another view. What is nearer than its near plane stands in front of nothing.
+  void set_view(const View& view) { view_ = &view; }
+
+  enum class Sight {
+    hidden,
+    upper, ///< side of the sheet that is seen
+    underside,
+    edge,  ///< seen; no ground in front of it meets it
+    unsure ///< the way to the eye passes the sheet, or leads along it, within a tolerance
+  };
+  /// Of a point on the sheet, in the view's profile frame. `tolerance_m` is a height. Cost: the
+  /// triangles near the way to the eye. REQUIRES a view that isn't straight down or up.
+  Sight sight(ProfilePoint point, double tolerance_m) const;
+
+private:
+  std::shared_ptr<const Tin> own_; ///< of a grid
+  const Tin* tin_;
+  const View* view_;
+  std::shared_ptr<const TinIndex> index_;
+  double reach_m_ = 0;                      ///< bound on coordinates in the ground frame
+  mutable std::vector<std::uint32_t> near_; ///< triangles, reused from point to point
+};
+
+} // namespace orograph
