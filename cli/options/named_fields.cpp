@@ -9,7 +9,7 @@ namespace orograph {
 namespace {
 
 // Fields that messages of the library name, with what sets them on the command line.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 41> kOptions{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 42> kOptions{{
     {"terrain", "INPUT"},
     {"solids", "--scene"},
     // ReadOptions
