@@ -220,7 +220,7 @@ TEST_CASE("the program writes all and says so with exit code 0") {
   CHECK(run.out.find("surface, 20 profiles") != std::string::npos);
   CHECK(folder.names() ==
         std::vector<std::string>{"vol'cano.csv", "vol'cano.json", "vol'cano.svg"});
-  CHECK(nlohmann::json::parse(folder.read("vol'cano.json"))["rows"].size() == 8);
+  CHECK(nlohmann::json::parse(folder.read("vol'cano.json"))["rows"].size() == 11);
   const std::string svg = folder.read("vol'cano.svg");
   CHECK(svg.find("</svg>") != std::string::npos);
   CHECK(svg.find("volcano.tif") != std::string::npos);
