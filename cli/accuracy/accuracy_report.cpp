@@ -218,13 +218,14 @@ std::string accuracy_plot_script(const std::vector<AccuracyRow>& rows, const std
             ", \\\n $surface using 1:2 with linespoints pt 11 ps 1.1 lw 2 lc rgb '#1f5f99' title "
             "'the surface hides" +
             (found_on_surface ? "" : ": none found, at most this") + "', \\\n $surface " + labels;
-  if (!overview.lines.empty())
-    script += ", \\\n $overview using 1:2 with points pt 5 ps 0.8 lc rgb '#6a9a3b' title "
-              "'overviews', \\\n $overview " +
-              labels;
-  script += ", \\\n $level using 1:2 with points pt 9 ps 0.9 lc rgb '#8a5fb0' title "
-            "'larger cells, by --level-error', \\\n $level " +
-            labels;
+  const auto add_if_any = [&](const Points& points, const std::string& name,
+                              const std::string& look) {
+    if (!points.lines.empty())
+      script +=
+          fmt::format(", \\\n ${0} using 1:2 with points {1}, \\\n ${0} {2}", name, look, labels);
+  };
+  add_if_any(overview, "overview", "pt 5 ps 0.8 lc rgb '#6a9a3b' title 'overviews'");
+  add_if_any(level, "level", "pt 9 ps 0.9 lc rgb '#8a5fb0' title 'larger cells, by --level-error'");
   script += fmt::format("\nset title 'Displacement, surface, {} profiles'\n", varied);
   script += "set ylabel 'mm on paper'\n"
             "set format y '10^{%T}'\n";

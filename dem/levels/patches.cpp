@@ -16,6 +16,13 @@ std::int64_t half(std::int64_t number) {
 
 } // namespace
 
+int coarsest_level(const Grid& grid) {
+  constexpr int kMost = 6;
+  int level = 0;
+  while (level < kMost && std::min(grid.columns, grid.rows) > (kPatchCells << level)) ++level;
+  return level;
+}
+
 Patches::Patches(const Grid& grid, PatchLevels levels, const IsRight& is_right) : levels_(levels) {
   columns_ = static_cast<std::int64_t>(grid.columns - 1) * cell(0);
   rows_ = static_cast<std::int64_t>(grid.rows - 1) * cell(0);

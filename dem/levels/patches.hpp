@@ -18,8 +18,6 @@ struct PatchLevels {
 
 /// Cells that a patch has along a side, of its own.
 constexpr int kPatchCells = 16;
-/// A side of the coarsest, for a terrain of any size: far ground isn't drawn in larger cells.
-constexpr int kCoarsestLevel = 6;
 
 /// Of a grid's rows and columns, whole at vertices.
 struct PatchPlace {
@@ -35,14 +33,20 @@ struct Patch {
   bool operator==(const Patch&) const = default;
 };
 
+/// The coarsest level that a grid's patches may have: one of them is as large as the grid's shorter
+/// side, and of a large one far ground isn't drawn in larger cells than of the sixth.
+int coarsest_level(const Grid& grid);
+
 /// A grid's patches: together they are all of it, none lies on another, and two that touch differ
 /// by one level at most.
 class Patches {
 public:
+  /// Whether a patch of a level may be at a place.
+  using IsRight = std::function<bool(int level, const PatchPlace&)>;
+
   /// Patches are the coarsest that `is_right` lets be of a level at their place, or finer where
   /// those beside them ask for it; the finest are right anywhere. REQUIRES finest <= 0 <= coarsest.
   /// Cost: that of `is_right` for each patch, four thirds of it.
-  using IsRight = std::function<bool(int level, const PatchPlace&)>;
   Patches(const Grid& grid, PatchLevels levels, const IsRight& is_right);
 
   PatchLevels levels() const { return levels_; }

@@ -147,10 +147,7 @@ double HeightOnPage::moves_mm(const PatchPlace& part, double departure_m) const 
 }
 
 Patches certified_patches(const Grid& grid, const HeightOnPage& heights, double most_mm) {
-  int coarsest = 0;
-  while (coarsest < kCoarsestLevel && std::min(grid.columns, grid.rows) > (kPatchCells << coarsest))
-    ++coarsest;
-  return Patches(grid, {0, coarsest}, [&](int level, const PatchPlace& part) {
+  return Patches(grid, {0, coarsest_level(grid)}, [&](int level, const PatchPlace& part) {
     if (!is_of_whole_cells(part, level)) return false;
     const double mm_per_m = heights.moves_mm(with_neighbours(grid, part), 1);
     const double most_m = mm_per_m > 0 ? 0.5 * most_mm / mm_per_m - heights.sag_m(level)

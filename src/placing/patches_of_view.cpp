@@ -93,9 +93,7 @@ bool ScaleOnPage::is_shown(const PatchPlace& part) const {
 Patches patches_of_view(const Grid& grid, const ScaleOnPage& scale, const CellSizes& sizes) {
   const GridSteps steps = steps_of(grid);
   const double cell_m = std::max(length(steps.column_m), length(steps.row_m));
-  int coarsest = 0;
-  while (coarsest < kCoarsestLevel && std::min(grid.columns, grid.rows) > (kPatchCells << coarsest))
-    ++coarsest;
+  const int coarsest = coarsest_level(grid);
   const auto wanted = [&](const PatchPlace& part) {
     const double cell_mm = cell_m * scale.mm_per_m(part);
     if (cell_mm < sizes.least_mm)

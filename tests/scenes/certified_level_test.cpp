@@ -7,6 +7,7 @@
 #include "placing/placed_view.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/earth_terrain.hpp"
+#include "tests/support/plane_terrain.hpp"
 #include "tests/support/random.hpp"
 
 #include <cmath>
@@ -29,14 +30,7 @@ TerrainData made_terrain(Random& random, bool on_earth) {
     return earth_terrain({8, 0.0005, columns, 46, -0.0004, rows}, [](double lon, double lat) {
       return height_m(40 * (lon - 8), 50 * (46 - lat));
     });
-  std::vector<float> heights;
-  for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column)
-      heights.push_back(static_cast<float>(height_m(column * 0.02, row * 0.02)));
-  TerrainData terrain;
-  terrain.surface = Grid{columns, rows, PlaneLattice{{0, 0}, {30, 0}, {0, -30}},
-                         Heights<float>(std::move(heights))};
-  return terrain;
+  return plane_terrain(columns, rows, height_m);
 }
 
 void look_somehow(ViewSpec& view, Random& random, bool on_earth) {

@@ -9,6 +9,7 @@
 #include "tests/catch.hpp"
 #include "tests/scenes/same_drawing.hpp"
 #include "tests/support/earth_terrain.hpp"
+#include "tests/support/plane_terrain.hpp"
 #include "tests/support/random.hpp"
 
 #include <cmath>
@@ -21,16 +22,9 @@ double height_m(double x, double y) {
          25 * std::sin(90 * x) * std::sin(101 * y);
 }
 
-TerrainData plane_terrain(Random& random, int least = 150, int most = 260) {
+TerrainData made_terrain(Random& random, int least = 150, int most = 260) {
   const int columns = random.whole(least, most), rows = random.whole(least, most);
-  std::vector<float> heights;
-  for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column)
-      heights.push_back(static_cast<float>(height_m(column * 0.02, row * 0.02)));
-  TerrainData terrain;
-  terrain.surface = Grid{columns, rows, PlaneLattice{{0, 0}, {30, 0}, {0, -30}},
-                         Heights<float>(std::move(heights))};
-  return terrain;
+  return plane_terrain(columns, rows, height_m);
 }
 
 TerrainData degree_terrain() {
@@ -63,7 +57,7 @@ TEST_CASE("a level is drawn as the terrain that it is, and by the ray walk right
   for (std::uint64_t seed = 1; seed <= last_seed(10); ++seed) {
     Random random(seed);
     const bool on_earth = seed % 3 == 0;
-    const TerrainData whole = on_earth ? degree_terrain() : plane_terrain(random);
+    const TerrainData whole = on_earth ? degree_terrain() : made_terrain(random);
     MapSpec spec = detailed(random.between(2.5, 9));
     spec.view.from_azimuth = Angle::degrees(random.between(0, 360));
     spec.view.from_elevation = Angle::degrees(random.between(5, 70));
@@ -90,7 +84,7 @@ TEST_CASE("a level is drawn as the terrain that it is, and by the ray walk right
 
 TEST_CASE("the file's own surface is drawn where it is asked for, or is coarse enough") {
   Random random(1);
-  const TerrainData whole = plane_terrain(random);
+  const TerrainData whole = made_terrain(random);
   MapSpec spec = detailed(1.4); // cells of more than a millimetre
   const Drawn fine = draw(whole, spec);
   CHECK_FALSE(fine.level);
@@ -119,7 +113,7 @@ TEST_CASE("smaller cells are drawn as the terrain that they are, and by the ray 
                                                   [&](double lon_deg, double lat_deg) {
                                                     return height_m(40 * lon_deg, 50 * lat_deg);
                                                   })
-                                  : plane_terrain(random, 20, 60);
+                                  : made_terrain(random, 20, 60);
     MapSpec spec = detailed(random.between(0.6, 2));
     spec.view.from_azimuth = Angle::degrees(random.between(0, 360));
     spec.view.from_elevation = Angle::degrees(random.between(5, 70));
@@ -139,7 +133,7 @@ TEST_CASE("smaller cells are drawn as the terrain that they are, and by the ray 
 
 TEST_CASE("an eye on the ground sees the file's own surface, unless a size is asked for") {
   Random random(2);
-  const TerrainData whole = plane_terrain(random);
+  const TerrainData whole = made_terrain(random);
   MapSpec spec = detailed(5);
   spec.view.eye_map = GivenPlace{2000, -2000};
   spec.view.eye_height_m = 100;
@@ -162,7 +156,7 @@ TEST_CASE("patches about an eye are drawn rightly by the ray walk") {
                                                   [](double lon_deg, double lat_deg) {
                                                     return height_m(40 * lon_deg, 50 * lat_deg);
                                                   })
-                                  : plane_terrain(random, 70, 100);
+                                  : made_terrain(random, 70, 100);
     MapSpec spec = detailed(random.pick({3.0, 4.0, 6.0}));
     spec.check = 1500;
     if (on_earth)
