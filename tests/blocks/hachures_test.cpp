@@ -61,7 +61,7 @@ MapSpec seen_from(double elevation_deg, Projection projection) {
 
 } // namespace
 
-TEST_CASE("hachures run down the slope within a degree") {
+TEST_CASE("hachures run down the slope within a degree", "[unsanitized]") {
   const TerrainData terrain = terrain_of(hill_m);
   for (const double elevation_deg : {90.0, 40.0, 15.0}) {
     const MapSpec spec = seen_from(elevation_deg, elevation_deg == 40 ? Projection::perspective
@@ -100,7 +100,8 @@ TEST_CASE("hachures run down the slope within a degree") {
   }
 }
 
-TEST_CASE("hachures are about as far apart as asked for, wherever the page shows a slope") {
+TEST_CASE("hachures are about as far apart as asked for, wherever the page shows a slope",
+          "[unsanitized]") {
   const TerrainData terrain = terrain_of(hill_m);
   for (const double elevation_deg : {90.0, 40.0}) {
     const MapSpec spec = seen_from(elevation_deg, Projection::orthographic);

@@ -15,7 +15,7 @@ using namespace orograph;
 
 namespace {
 
-constexpr int kSize = 700;
+constexpr int kSize = 500;
 
 /// A terrain that takes seconds to draw: an ESRI .bil of int16 with its header.
 void make_big_terrain(const MadeFolder& folder) {
@@ -50,7 +50,7 @@ TEST_CASE("an interrupted plot leaves no half file, of one sheet or of several",
   for (const auto& [format, has_sheets] :
        {std::pair<std::string, bool>{"hpgl", false}, {"dxf", true}}) {
     std::vector<std::string> command{OROGRAPH_PROGRAM, "render", "big.bil",    "map." + format,
-                                     "--overwrite",    "-q",     "--profiles", "2000",
+                                     "--overwrite",    "-q",     "--profiles", "1000",
                                      "--simplify",     "0"};
     if (has_sheets) command.insert(command.end(), {"--sheets", "2x1"});
     std::vector<std::string> names;

@@ -237,7 +237,8 @@ TEST_CASE("Names of any characters are in every format, and what they lack is to
   }
 }
 
-TEST_CASE("The file's order, threads and a locale with commas change nothing of names") {
+TEST_CASE("The file's order, threads and a locale with commas change nothing of names",
+          "[unsanitized]") {
   const Terrain terrain = Terrain::of(borrowed(rough_heights(kSide), kSide));
   Random random(11);
   auto points = random_names(random, kSide, 60);

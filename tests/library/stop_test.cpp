@@ -334,7 +334,7 @@ TEST_CASE("stopped at any stage, all threads are at rest at once") {
   }
 }
 
-TEST_CASE("wherever a session was stopped, it draws as before") {
+TEST_CASE("wherever a session was stopped, it draws as before", "[unsanitized]") {
   constexpr int kSmall = made_side(100);
   const Terrain terrain = Terrain::of(borrowed(rough_heights(kSmall), kSmall));
   for (const MapSpec& spec : enough_specs(kSmall)) {

@@ -43,7 +43,8 @@ std::vector<std::string> drawn_alone(const Terrain& terrain, const std::vector<M
 
 } // namespace
 
-TEST_CASE("views of one session drawn at once have the bytes that each has alone", "[threads]") {
+TEST_CASE("views of one session drawn at once have the bytes that each has alone",
+          "[threads][unsanitized]") {
   const Terrain terrain = Terrain::of(borrowed(rough_heights(kSide), kSide));
   const std::vector<MapSpec> specs = many_specs(kSide);
   const std::vector<std::string> alone = drawn_alone(terrain, specs);

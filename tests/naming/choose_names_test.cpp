@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which names stand on one line: the best of all sets.
 #include "tests/catch.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ NameWeight best_sum(const std::vector<NameOnLine>& names, double pitch_mm, std::
 TEST_CASE("the names on a line are the best of all sets") {
   std::mt19937 engine(20261125);
   const auto below = [&](unsigned count) { return static_cast<int>(engine() % count); };
-  for (int round = 0; round < 2000; ++round) {
+  for (int round = 0; round < rounds(2000); ++round) {
     // Most are small; some have all of 18 names.
     const int count = round % 100 == 0 ? 18 : below(12);
     const double pitch_mm = 0.25 * (1 + below(24));

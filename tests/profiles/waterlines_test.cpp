@@ -83,7 +83,8 @@ void check(const Surface& surface, const LevelGround& level,
 
 } // namespace
 
-TEST_CASE("lines on the water are where the distance to the nearest shore is as asked") {
+TEST_CASE("lines on the water are where the distance to the nearest shore is as asked",
+          "[unsanitized]") {
   std::size_t lines = 0;
   for (std::uint64_t seed = 1; seed <= last_seed(24); ++seed) {
     Random random(seed);

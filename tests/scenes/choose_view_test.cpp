@@ -202,7 +202,7 @@ TEST_CASE("coarse ground has the terrain's heights") {
   CHECK(farthest <= 1e-9);
 }
 
-TEST_CASE("TINs and degrees are chosen for as well, on any number of threads") {
+TEST_CASE("TINs and degrees are chosen for as well, on any number of threads", "[unsanitized]") {
   for (std::uint64_t seed = 1; seed <= last_seed(10); ++seed) {
     CAPTURE(seed);
     std::vector<TerrainData> terrains{random_scene(seed).terrain, random_tin_scene(seed).terrain,

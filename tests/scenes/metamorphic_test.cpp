@@ -125,7 +125,7 @@ constexpr double kNear = 3e-4, kShare = 2e-4;
 
 } // namespace
 
-TEST_CASE("turning terrain and view together changes nothing") {
+TEST_CASE("turning terrain and view together changes nothing", "[unsanitized]") {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     CAPTURE(seed);
     const Picture one = picture_of(seed);

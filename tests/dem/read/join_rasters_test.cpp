@@ -137,7 +137,7 @@ void check_degrees(const TerrainData& terrain, int west, int north, int columns,
 
 TEST_CASE("tiles cut at random are the raster that they were cut from") {
   Random random(1);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < rounds(60); ++i) {
     const TempFolder folder;
     RasterFile whole = random_raster(random);
     std::vector<RasterFile> tiles = random_tiles(random, whole);

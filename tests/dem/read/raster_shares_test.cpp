@@ -74,7 +74,7 @@ std::string message_of(int cores, const std::string& path) {
 
 } // namespace
 
-TEST_CASE("large GeoTIFFs of every layout give each height at its place") {
+TEST_CASE("large GeoTIFFs of every layout give each height at its place", "[unsanitized]") {
   const std::vector<std::vector<std::string>> layouts{
       {},
       {"ENDIANNESS=BIG"},
