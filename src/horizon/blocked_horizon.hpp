@@ -23,7 +23,8 @@ struct VisibleLinePart {
 /// Appends a part, unless it is empty; what goes on where the last one ended becomes one with it.
 void append(std::vector<VisibleLinePart>& parts, std::uint32_t line, double begin, double end);
 
-/// Pieces that tile the block's X; heights between `low` and `high` (-infinity: the sky).
+/// Pieces that tile the block's X, at least one; heights between `low` and `high` (-infinity: the
+/// sky).
 struct HorizonBlock {
   double x_begin, x_end, low, high;
   Horizon pieces;
@@ -35,8 +36,8 @@ struct HorizonBlock {
 class BlockedHorizon {
 public:
   /// The sky, in `count` blocks, equally wide in [x_begin, x_end]; the first begins at `first` and
-  /// the last ends at `last`, and nothing beyond is looked at. REQUIRES
-  /// first <= x_begin < x_end <= last, the two in the middle finite, and count > 0.
+  /// the last ends at `last`, and nothing beyond is looked at. Blocks that fill are halved, all at
+  /// once. REQUIRES first <= x_begin < x_end <= last, the two in the middle finite, and count > 0.
   BlockedHorizon(double x_begin, double x_end, std::size_t count,
                  double first = -std::numeric_limits<double>::infinity(),
                  double last = std::numeric_limits<double>::infinity());
@@ -75,6 +76,7 @@ public:
   std::size_t pieces_collapsed() const { return pieces_collapsed_; }     ///< as kept, in all
 
 private:
+  void split_where_crowded();
   template <class Stand>
   bool raise_blocks(const HorizonPiece& occluder, double slack_y, const Stand& stand);
   template <class Stand>

@@ -91,7 +91,7 @@ std::pair<double, double> x_range(const FlatScene& scene) {
 } // namespace
 
 TEST_CASE("profiles clipped by blocks show what clip shows, whole and in ranges") {
-  std::size_t runs_seen = 0, ranges = 0, steps = 0, ties = 0;
+  std::size_t runs_seen = 0, ranges = 0, steps = 0, ties = 0, split = 0;
   for (const SceneKind& kind : scene_kinds())
     for (std::uint64_t seed = 1; seed <= last_seed(60); ++seed) {
       CAPTURE(kind.name, seed);
@@ -101,7 +101,8 @@ TEST_CASE("profiles clipped by blocks show what clip shows, whole and in ranges"
       if (!(low < high)) continue;
       const double tolerance = random.pick({0.0, 0.0, 1e-9, 0.05}) * kind.y_scale;
       const ClipOptions compared{Role::compared, {tolerance, Homography{}, tolerance}, true};
-      BlockedHorizon blocks(low, high, static_cast<std::size_t>(random.whole(1, 40)));
+      const auto blocks_at_first = static_cast<std::size_t>(random.pick({1, random.whole(1, 40)}));
+      BlockedHorizon blocks(low, high, blocks_at_first);
       Horizon list_horizon = initial_horizon();
       ClipWorkspace workspace;
       for (std::size_t i = 0; i < scene.size(); ++i) {
@@ -143,11 +144,13 @@ TEST_CASE("profiles clipped by blocks show what clip shows, whole and in ranges"
         steps += counts.steps;
         ties += counts.ties;
       }
+      split += blocks.blocks().size() > blocks_at_first;
     }
   WARN(runs_seen << " visible runs, " << ranges << " ranges, " << steps << " steps, " << ties
-                 << " ties");
+                 << " ties, " << split << " horizons whose blocks were halved");
   CHECK(runs_seen > enough<10000>);
   CHECK(ties > enough<100>);
+  CHECK(split > enough<50>);
 }
 
 TEST_CASE("a horizon in blocks has bounds, and a cursor over all of its pieces") {
@@ -158,7 +161,8 @@ TEST_CASE("a horizon in blocks has bounds, and a cursor over all of its pieces")
       const FlatScene scene = flat_scene(kind, seed);
       const auto [low, high] = x_range(scene);
       if (!(low < high)) continue;
-      BlockedHorizon horizon(low, high, static_cast<std::size_t>(random.whole(1, 30)));
+      BlockedHorizon horizon(low, high,
+                             static_cast<std::size_t>(random.pick({1, random.whole(1, 30)})));
       for (const auto& list : scene)
         for (const Segment& s : list) horizon.raise({s.x0, s.x1, s, false});
       double end = -HUGE_VAL;
