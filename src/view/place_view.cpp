@@ -45,16 +45,17 @@ struct PictureCoordinate {
   }
   double operator()(Vec3 ground) const { return of(to_profile_frame(view, ground)); }
 
-  // Linear-fractional in a point of the profile frame, so greatest at a corner of the box, or below
-  // it by as much as ground of the box may sink: a quadratic form between 0 and its values at the
-  // corners.
+  // Linear-fractional in a point of the profile frame, so greatest at a corner of the box. Ground
+  // of the box sinks by a plane, which keeps its faces flat, and a quadratic form about the box's
+  // middle, between 0 and its values at the corners.
   double bound(const Box3& box) const {
     std::array<ProfilePoint, 8> corners;
     double least_drop = 0, most_drop = 0;
+    const ProfilePoint middle = to_profile_frame(view, box.centre());
     for (int i = 0; i < 8; ++i) {
       ProfilePoint& p = corners[static_cast<std::size_t>(i)];
       p = to_profile_frame(view, corner_of(box, i));
-      const double drop = view.drop.at(p.u, p.v);
+      const double drop = view.drop.at(p.u - middle.u, p.v - middle.v);
       p.z += drop;
       least_drop = std::min(least_drop, drop);
       most_drop = std::max(most_drop, drop);
