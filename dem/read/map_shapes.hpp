@@ -45,11 +45,13 @@ std::optional<MeshFormat> mesh_format_of(const std::string& path);
 /// there; no faces.
 MapShapes read_mesh(const std::string& path, MeshFormat format);
 
-/// Throws Error, with the line where there are lines, if the text of a mesh file (`text`, all of
-/// it) can't be triangles: it holds more or less than its counts say, a coordinate isn't a finite
-/// number, a face hasn't three corners. That is what CGAL's readers pass over; what they do check
-/// is left to them.
-void check_mesh(MeshFormat format, std::string_view text, const std::string& path);
+/// Adds the points and triangles that `text`, all of a mesh file, holds; `path` of `shapes` is what
+/// errors name, with the line where there are lines. Of STL, vertices at the same place are one
+/// point. Throws Error as `read_mesh` does, but where there are no faces at all.
+void take_off(std::string_view text, MapShapes& shapes);
+void take_obj(std::string_view text, MapShapes& shapes);
+void take_ply(std::string_view text, MapShapes& shapes);
+void take_stl(std::string_view text, MapShapes& shapes);
 
 /// The advice for faces that aren't triangles.
 extern const char* const triangulate_faces;

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles of mesh files, through CGAL: the only place that knows its readers.
+// Triangles of mesh files, and what their comments tell of place and units.
 #include "dem/read/crs_frame.hpp"
 #include "dem/read/length_units.hpp"
 #include "dem/read/map_shapes.hpp"
 #include "geometry/error.hpp"
 #include "text/words.hpp"
 
-#include <CGAL/IO/OBJ.h>
-#include <CGAL/IO/OFF.h>
-#include <CGAL/IO/PLY.h>
-#include <CGAL/IO/STL.h>
-#include <CGAL/Simple_cartesian.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <exception>
 #include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "gdal/gdal.hpp"
@@ -105,9 +97,6 @@ void read_mesh_comments(std::string_view text, MapShapes& shapes) {
   if (!units.empty()) read_units(units, shapes);
 }
 
-using Points = std::vector<CGAL::Simple_cartesian<double>::Point_3>;
-using Faces = std::vector<std::vector<std::uint32_t>>;
-
 std::string text_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text;
@@ -122,59 +111,17 @@ std::string text_of(const std::string& path) {
   return text;
 }
 
-bool read(MeshFormat format, std::istream& in, Points& points, Faces& faces) {
-  const auto quiet = CGAL::parameters::verbose(false);
+void take(MeshFormat format, std::string_view text, MapShapes& shapes) {
   switch (format) {
   case MeshFormat::off:
-    return CGAL::IO::read_OFF(in, points, faces, quiet);
+    return take_off(text, shapes);
   case MeshFormat::ply:
-    return CGAL::IO::read_PLY(in, points, faces, quiet);
+    return take_ply(text, shapes);
   case MeshFormat::obj:
-    return CGAL::IO::read_OBJ(in, points, faces, quiet);
+    return take_obj(text, shapes);
   case MeshFormat::stl:
-    return CGAL::IO::read_STL(in, points, faces, quiet);
+    return take_stl(text, shapes);
   }
-  return false;
-}
-
-// In a text the reader stops at the line that it can't take.
-std::string where_stopped(std::istringstream& in) {
-  in.clear();
-  const std::streamoff at = in.tellg();
-  const std::string_view text = in.view();
-  if (at <= 0 || static_cast<std::size_t>(at) > text.size()) return "";
-  const auto line = std::count(text.begin(), text.begin() + at - 1, '\n') + 1;
-  return fmt::format(" beyond line {}", line);
-}
-
-const char* name_of(MeshFormat format) {
-  switch (format) {
-  case MeshFormat::off:
-    return "OFF";
-  case MeshFormat::ply:
-    return "PLY";
-  case MeshFormat::obj:
-    return "OBJ";
-  case MeshFormat::stl:
-    return "STL";
-  }
-  return "";
-}
-
-void add_faces(const Faces& faces, MapShapes& shapes) {
-  shapes.triangles.reserve(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (faces[i].size() != 3)
-      throw Error(fmt::format("{}: face {} has {} corners", shapes.path, i + 1, faces[i].size()),
-                  triangulate_faces);
-    for (const std::uint32_t corner : faces[i])
-      if (corner >= shapes.points.size())
-        throw Error(fmt::format("{}: face {} names a vertex that isn't there", shapes.path, i + 1),
-                    fmt::format("the file has {} vertices", shapes.points.size()));
-    shapes.triangles.push_back({faces[i][0], faces[i][1], faces[i][2]});
-  }
-  if (shapes.triangles.empty())
-    throw Error(fmt::format("{} has no faces", shapes.path), "it must hold triangles");
 }
 
 } // namespace
@@ -191,28 +138,14 @@ std::optional<MeshFormat> mesh_format_of(const std::string& path) {
 MapShapes read_mesh(const std::string& path, MeshFormat format) {
   MapShapes shapes;
   shapes.path = path;
-  std::string text = text_of(path);
-  check_mesh(format, text, path);
+  const std::string text = text_of(path);
+  take(format, text, shapes);
+  if (shapes.triangles.empty())
+    throw Error(fmt::format("{} has no faces", path), "it must hold triangles");
   if (format == MeshFormat::ply)
     read_mesh_comments(std::string_view(text).substr(0, text.find("end_header")), shapes);
   else if (format != MeshFormat::stl)
     read_mesh_comments(text, shapes);
-
-  Points points;
-  Faces faces;
-  std::istringstream in(std::move(text), std::ios::in | std::ios::binary);
-  bool is_read = false;
-  try {
-    is_read = read(format, in, points, faces);
-  } catch (const std::exception&) {
-    is_read = false; // a size that the memory can't hold, or a check of CGAL's own
-  }
-  if (!is_read)
-    throw Error(fmt::format("{} can't be read as {}{}", path, name_of(format), where_stopped(in)),
-                "the file is damaged or isn't of that format");
-  shapes.points.reserve(points.size());
-  for (const auto& p : points) shapes.points.push_back({p.x(), p.y(), p.z()});
-  add_faces(faces, shapes);
   return shapes;
 }
 

@@ -1,141 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What CGAL's mesh readers pass over: wrong counts, faces of many corners, numbers that are none.
+// Triangles of PLY, in text and binary: a header tells what its elements hold.
 #include "dem/read/map_shapes.hpp"
 #include "geometry/error.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace orograph {
 namespace {
 
-std::string place(const std::string& path, const DataLines& lines) {
-  return fmt::format("{}, line {}", path, lines.number());
-}
-
-void check_coordinates(std::string_view words, const DataLines& lines, const std::string& path) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::string_view word = next_word(words);
-    if (word.empty())
-      throw Error(fmt::format("{} has {} coordinates", place(path, lines), axis),
-                  "a vertex has three, x y z");
-    if (!is_finite_number(word))
-      throw Error(fmt::format("{} has the coordinate '{:.40}'", place(path, lines), word),
-                  "it must be a finite number");
-  }
-}
-
-void check_corners(long long corners, const DataLines& lines, const std::string& path) {
-  if (corners != 3)
-    throw Error(fmt::format("{} has a face with {} corners", place(path, lines), corners),
-                triangulate_faces);
-}
-
-struct OffCounts {
-  bool plain = true; ///< no colours, normals or the like
-  std::size_t vertices = 0, faces = 0;
-};
-
-OffCounts off_counts(DataLines& lines, const std::string& path) {
-  const char* const form = "the file must begin with OFF and the counts of vertices, faces, edges";
-  if (!lines.next()) throw Error(fmt::format("{} is empty", path), form);
-  std::string_view words = lines.line();
-  const std::string_view keyword = next_word(words);
-  if (!keyword.ends_with("OFF")) throw Error(fmt::format("{} isn't OFF", path), form);
-  if (keyword.find_first_of("4n") != std::string_view::npos || words.find("BINARY") < words.size())
-    throw Error(fmt::format("{} is of the kind '{}{}'", path, keyword, words),
-                "write it as plain OFF, in text and with three coordinates");
-  if (count_words(words) == 0 && lines.next()) words = lines.line();
-  const auto vertices = number_of<std::size_t>(next_word(words));
-  const auto faces = number_of<std::size_t>(next_word(words));
-  const auto edges = number_of<std::size_t>(next_word(words));
-  if (!vertices || !faces || !edges || !next_word(words).empty())
-    throw Error(fmt::format("{} has no counts", place(path, lines)), form);
-  return {keyword == "OFF", *vertices, *faces};
-}
-
-void check_off(std::string_view text, const std::string& path) {
-  DataLines lines(text);
-  const OffCounts counts = off_counts(lines, path);
-  std::size_t found = 0;
-  for (DataLines rest = lines; rest.next();) ++found;
-  const std::string told = fmt::format("{} says that it has {} vertices and {} faces", path,
-                                       counts.vertices, counts.faces);
-  if (counts.vertices > found || counts.faces != found - counts.vertices)
-    throw Error(fmt::format("{} but {} lines follow", told, found),
-                found < counts.vertices + counts.faces ? "the file is truncated or its counts wrong"
-                                                       : "its counts are wrong");
-  for (std::size_t i = 0; i < counts.vertices && lines.next(); ++i) {
-    if (counts.plain && count_words(lines.line()) == 4)
-      throw Error(fmt::format("{} but its line {} has four numbers", told, lines.number()),
-                  "its counts are wrong, or it isn't plain OFF");
-    check_coordinates(lines.line(), lines, path);
-  }
-  while (lines.next()) {
-    std::string_view words = lines.line();
-    const auto corners = number_of<long long>(next_word(words));
-    if (!corners)
-      throw Error(fmt::format("{} is no face", place(path, lines)),
-                  "a face is the number of its corners and as many vertices");
-    check_corners(*corners, lines, path);
-    for (int i = 0; i < 3; ++i) { // CGAL takes 1.7 for 1, and -1 for what the machine makes of it
-      const std::string_view word = next_word(words);
-      const auto corner = number_of<std::size_t>(word);
-      if (!corner || *corner >= counts.vertices)
-        throw Error(fmt::format("{}: a face names '{:.40}', a vertex that isn't there",
-                                place(path, lines), word),
-                    fmt::format("vertices are 0 to {}", counts.vertices - 1));
-    }
-  }
-}
-
-void check_obj(std::string_view text, const std::string& path) {
-  for (DataLines lines(text); lines.next();) {
-    std::string_view words = lines.line();
-    const std::string_view keyword = next_word(words);
-    if (keyword == "v") check_coordinates(words, lines, path);
-    if (keyword == "f") check_corners(static_cast<long long>(count_words(words)), lines, path);
-  }
-}
-
-// Text or binary: the first five letters alone don't tell.
-bool is_binary_stl(std::string_view text) {
-  if (!text.starts_with("solid")) return true;
-  if (text.size() < 84) return false;
-  std::uint32_t count = 0;
-  std::memcpy(&count, text.data() + 80, 4);
-  return text.size() == 84 + std::uint64_t{50} * count;
-}
-
-void check_stl(std::string_view text, const std::string& path) {
-  if (!is_binary_stl(text)) {
-    for (DataLines lines(text); lines.next();) {
-      std::string_view words = lines.line();
-      if (next_word(words) == "vertex") check_coordinates(words, lines, path);
-    }
-    return;
-  }
-  std::uint32_t count = 0;
-  if (text.size() >= 84) std::memcpy(&count, text.data() + 80, 4);
-  if (text.size() < 84 || text.size() != 84 + std::uint64_t{50} * count)
-    throw Error(fmt::format("{} has {} bytes, which isn't STL", path, text.size()),
-                fmt::format("binary STL of {} triangles has {}; the file may be truncated", count,
-                            84 + std::uint64_t{50} * count));
-  for (std::size_t face = 0; face < count; ++face) {
-    float corners[9]; // after the normal
-    std::memcpy(corners, text.data() + 84 + 50 * face + 12, sizeof corners);
-    for (const float c : corners)
-      if (!std::isfinite(c))
-        throw Error(
-            fmt::format("{}: triangle {} of {} has the coordinate {}", path, face + 1, count, c),
-            "it must be a finite number");
-  }
-}
-
-// PLY tells in a header what its elements hold.
 enum class Coding { text, little_endian, big_endian };
 
 struct Property {
@@ -248,7 +127,13 @@ const Element& element_of(const Header& header, std::string_view name, std::stri
   throw Error(fmt::format("{} has no {}", path, plural), hint);
 }
 
-void check_elements(const Header& header, const std::string& path) {
+// The elements that hold the triangles.
+struct MeshElements {
+  const Element& vertices;
+  const Element& faces;
+};
+
+MeshElements mesh_elements(const Header& header, const std::string& path) {
   const Element& vertex = element_of(header, "vertex", "vertices", path, "it must hold triangles");
   for (const char* axis : {"x", "y", "z"}) {
     bool found = false;
@@ -269,19 +154,26 @@ void check_elements(const Header& header, const std::string& path) {
     throw Error(fmt::format("{}: its faces have no list vertex_indices of type int or uint", path),
                 "write it again with one");
   if (face.count == 0) throw Error(fmt::format("{} has no faces", path), "it must hold triangles");
+  return {vertex, face};
 }
 
-// Walks over all values, only to see that they are there, finite where they are coordinates, and
-// three where they are a face's corners.
+bool names_corners(const Property& property) {
+  return property.name.starts_with("vertex_ind") && property.count_bytes > 0;
+}
+
+// Walks over all values of the body, once.
 class Walk {
 public:
-  Walk(const Header& header, const std::string& path)
-      : header_(header), path_(path), rest_(header.body) {}
+  Walk(const Header& header, MapShapes& shapes)
+      : header_(header), mesh_(mesh_elements(header, shapes.path)), shapes_(shapes),
+        path_(shapes.path), rest_(header.body) {}
 
   void run() {
     for (const Element& element : header_.elements)
-      for (std::size_t i = 0; i < element.count; ++i)
+      for (std::size_t i = 0; i < element.count; ++i) {
+        if (&element == &mesh_.vertices) shapes_.points.emplace_back();
         for (const Property& property : element.properties) pass(element, i, property);
+      }
     const bool more = header_.coding == Coding::text ? !next_word(rest_).empty() : !rest_.empty();
     if (more)
       throw Error(fmt::format("{} holds more than its header says", path_),
@@ -292,27 +184,55 @@ private:
   void pass(const Element& element, std::size_t index, const Property& property) {
     if (property.count_bytes == 0) {
       const double value = next_value(property.bytes, property.is_real, element, index);
-      if (property.is_real && !std::isfinite(value) &&
-          (property.name == "x" || property.name == "y" || property.name == "z"))
-        throw Error(fmt::format("{}: {} {} of {} has {} = {}", path_, element.name, index + 1,
-                                element.count, property.name, value),
-                    "it must be a finite number");
+      if (&element == &mesh_.vertices && property.is_real) take_coordinate(property, index, value);
       return;
     }
     const double count = next_value(property.count_bytes, false, element, index);
-    if (property.name.starts_with("vertex_ind") && element.name.starts_with("face") && count != 3)
-      throw Error(
-          fmt::format("{}: face {} of {} has {} corners", path_, index + 1, element.count, count),
-          triangulate_faces);
+    if (&element == &mesh_.faces && names_corners(property))
+      return take_face(property, index, count);
     for (double i = 0; i < count; ++i) next_value(property.bytes, property.is_real, element, index);
   }
 
-  // Whole numbers are only counts here: their sign doesn't matter, a negative one is too many.
+  void take_coordinate(const Property& property, std::size_t index, double value) {
+    Vec3& point = shapes_.points.back();
+    double* const axis = property.name == "x"   ? &point.x
+                         : property.name == "y" ? &point.y
+                         : property.name == "z" ? &point.z
+                                                : nullptr;
+    if (!axis) return;
+    if (!std::isfinite(value))
+      throw Error(fmt::format("{}: {} {} of {} has {} = {}", path_, mesh_.vertices.name, index + 1,
+                              mesh_.vertices.count, property.name, value),
+                  "it must be a finite number");
+    *axis = value;
+  }
+
+  void take_face(const Property& property, std::size_t index, double count) {
+    if (count != 3)
+      throw Error(fmt::format("{}: face {} of {} has {} corners", path_, index + 1,
+                              mesh_.faces.count, count),
+                  triangulate_faces);
+    std::array<std::uint32_t, 3> corners;
+    for (std::uint32_t& corner : corners) {
+      const double value = next_value(property.bytes, false, mesh_.faces, index);
+      // Those of a binary file are without a sign here: what is below 0 is too great.
+      if (!(value >= 0 && value < static_cast<double>(mesh_.vertices.count)) ||
+          value != std::floor(value))
+        throw Error(fmt::format("{}: face {} names a vertex that isn't there", path_, index + 1),
+                    fmt::format("the file has {} vertices", mesh_.vertices.count));
+      corner = static_cast<std::uint32_t>(value);
+    }
+    shapes_.triangles.push_back(corners);
+  }
+
+  // Of whole numbers in binary the sign isn't taken: a negative one is too many. A number of four
+  // bytes is rounded to these in text, too.
   double next_value(std::size_t bytes, bool real, const Element& element, std::size_t index) {
     if (header_.coding == Coding::text) {
       const std::string_view word = next_word(rest_);
       if (word.empty()) refuse_end(element, index);
-      const auto value = number_of<double>(word);
+      std::optional<double> value = number_of<double>(word);
+      if (real && bytes == 4) value = number_of<float>(word);
       if (!value)
         throw Error(fmt::format("{}: {} {} of {} has the value '{:.40}'", path_, element.name,
                                 index + 1, element.count, word),
@@ -345,33 +265,17 @@ private:
   }
 
   const Header& header_;
+  const MeshElements mesh_;
+  MapShapes& shapes_;
   const std::string& path_;
   std::string_view rest_;
 };
 
-void check_ply(std::string_view text, const std::string& path) {
-  const Header header = header_of(text, path);
-  check_elements(header, path);
-  Walk(header, path).run();
-}
-
 } // namespace
 
-const char* const triangulate_faces =
-    "every face must be a triangle; mesh programs split them (MeshLab: Turn into a Pure-Triangular "
-    "Mesh, Blender: Triangulate Faces)";
-
-void check_mesh(MeshFormat format, std::string_view text, const std::string& path) {
-  switch (format) {
-  case MeshFormat::off:
-    return check_off(text, path);
-  case MeshFormat::ply:
-    return check_ply(text, path);
-  case MeshFormat::obj:
-    return check_obj(text, path);
-  case MeshFormat::stl:
-    return check_stl(text, path);
-  }
+void take_ply(std::string_view text, MapShapes& shapes) {
+  const Header header = header_of(text, shapes.path);
+  Walk(header, shapes).run();
 }
 
 } // namespace orograph
