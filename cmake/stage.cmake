@@ -41,19 +41,20 @@ endfunction()
 # Two warnings of GCC 12 are wrong too often: it takes the inactive members of a variant that is
 # moved for uninitialized, and sees overlaps in the adding of texts (GCC bug 105651).
 function(orograph_compile_options target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
-    -Wcast-align -Woverloaded-virtual -Werror -Wno-maybe-uninitialized -Wno-restrict
-    -ffp-contract=off)
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
   if(OROGRAPH_SANITIZE)
     # Debug information for readable findings. The checks left out cost a third of the compiling
     # (docs/decisions/0020-build-time.md), and what follows from such faults the address sanitizer
-    # finds.
+    # finds. Other builds warn.
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined
       -fno-sanitize=null,alignment,object-size,vptr,pointer-overflow -fno-sanitize-recover=all
-      -fno-omit-frame-pointer -g1)
+      -fno-omit-frame-pointer -g1 -w)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  else()
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+      -Wcast-align -Woverloaded-virtual -Werror -Wno-maybe-uninitialized -Wno-restrict)
   endif()
-  if(OROGRAPH_FUZZ) # by clang, whose warnings aren't GCC's
-    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link -w)
+  if(OROGRAPH_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
 endfunction()

@@ -80,7 +80,8 @@ double greatest_mm(const Grid& file, const Surface& drawn, const PlacedView& pla
 
 } // namespace
 
-TEST_CASE("no point of a certified level is off by more than is told, or asked for", "[unsanitized]") {
+TEST_CASE("no point of a certified level is off by more than is told, or asked for",
+          "[unsanitized]") {
   std::size_t levels = 0, ties = 0, tight = 0;
   for (std::uint64_t seed = 1; seed <= last_seed(24); ++seed) {
     Random random(seed);

@@ -225,7 +225,8 @@ double greatest_bend() {
 //   sink: the run's own error budget, `geodesy`;
 // - refraction, K d^2 / 2R, with Euler's radius here and Gauss's there, 0.34 % apart at most;
 // - the page's step.
-TEST_CASE("a UTM grid and a degrees grid of one surface have the same skyline and landmarks", "[unsanitized]") {
+TEST_CASE("a UTM grid and a degrees grid of one surface have the same skyline and landmarks",
+          "[unsanitized]") {
   const bool at_target = GENERATE(true, false);
   TerrainData utm = in_utm(), degrees = in_degrees();
   const MapSpec spec = settings_of(at_target);
