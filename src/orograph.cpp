@@ -103,6 +103,7 @@ struct Session::Kept {
   std::mutex mutex;
   std::condition_variable_any sought;
   Facts kept;
+  LastLevel level;
 
   Kept(Terrain of, Solids on_it, Overlays over_it, Overlays named)
       : terrain(std::move(of)), solids(std::move(on_it)), overlays(std::move(over_it)),
@@ -183,7 +184,8 @@ Map Session::draw(const MapSpec& asked, const Control& control) const {
       TerrainOfView terrain(*kept_->terrain.data_, spec.view);
       const SceneFile* const solids = kept_->solids.scene_.get();
       const TerrainFacts* const facts = kept_->facts_for(terrain, control.stop);
-      const std::optional<LevelOfDetail> level = choose_level(terrain, spec, solids, facts);
+      const std::optional<LevelOfDetail> level =
+          choose_level(terrain, spec, solids, facts, &kept_->level);
       PlacedView placed = placed_view(terrain, spec, solids, facts);
       if (kept_->overlays.overlays_) placed.overlays = *kept_->overlays.overlays_;
       placed.names = named;

@@ -49,6 +49,7 @@ struct SweepRun {
   const std::vector<Overlay>& overlays;
   const Overlay* names;                     ///< of places, to be printed; null: none
   const std::optional<TerrainFacts>& facts; ///< of the terrain as it was read, if views use it so
+  LastLevel& level;                         ///< that views show
 };
 
 using Clock = std::chrono::steady_clock;
@@ -92,7 +93,7 @@ void draw_view(const SweepRun& run, std::size_t view) {
     std::optional<LevelOfDetail> level;
     PlacedView placed = drawn_or_why([&] {
       level = choose_level(*terrain, settings.map, settings.solids.get(),
-                           run.facts ? &*run.facts : nullptr);
+                           run.facts ? &*run.facts : nullptr, &run.level);
       return placed_view(*terrain, settings.map, settings.solids.get(),
                          run.facts ? &*run.facts : nullptr);
     });
@@ -209,6 +210,7 @@ void sweep(const SweepSettings& settings) {
     tell_notes(prepared->overlays);
     tell_notes(prepared->names);
   }
+  LastLevel level;
   const SweepRun run{settings,
                      prepared->terrain,
                      prepared->views,
@@ -216,7 +218,8 @@ void sweep(const SweepSettings& settings) {
                      prepared->plan,
                      prepared->overlays,
                      prepared->names.empty() ? nullptr : &prepared->names.front(),
-                     prepared->facts};
+                     prepared->facts,
+                     level};
   ProgressBar bar(first && shows_progress(settings.render.quiet, settings.render.progress));
   ranks.together([&] {
     ranks.share(waiting, [&](ViewQueue& queue) {

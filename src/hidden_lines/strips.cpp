@@ -53,12 +53,24 @@ struct Work {
   }
 };
 
+// Of some profiles; where there are none, over the sector.
+std::vector<double> sampled_depths_m(const Sector& sector) {
+  constexpr std::size_t kSamples = 64;
+  const auto& profiles = sector.profiles;
+  std::vector<double> depths_m;
+  const std::size_t step = std::max<std::size_t>(1, profiles.size() / kSamples);
+  for (std::size_t i = step / 2; i < profiles.size(); i += step)
+    depths_m.push_back(profiles[i].depth_m);
+  if (profiles.empty())
+    for (std::size_t i = 0; i < kSamples; ++i)
+      depths_m.push_back(sector.nearest_m + (static_cast<double>(i) + 0.5) / kSamples *
+                                                (sector.farthest_m - sector.nearest_m));
+  return depths_m;
+}
+
 Work work_of(const PlacedView& placed, const Sector& sector, XRange range) {
   const View& view = sector.view;
   const auto corners = corners_of(placed.extent.box, view);
-  constexpr std::size_t kSamples = 64;
-  const auto& profiles = sector.profiles;
-  const std::size_t step = std::max<std::size_t>(1, profiles.size() / kSamples);
   struct Cut {
     XRange x;
     double per_x; ///< vertices
@@ -66,8 +78,7 @@ Work work_of(const PlacedView& placed, const Sector& sector, XRange range) {
   std::vector<Cut> cuts;
   Work work;
   work.core = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (std::size_t i = step / 2; i < profiles.size(); i += step) {
-    const double v = profiles[i].depth_m;
+  for (const double v : sampled_depths_m(sector)) {
     const XRange u = u_range(corners, v);
     if (!(u.begin < u.end) || (view.is_perspective() && !(v > 0))) continue;
     const double scale = view.is_perspective() ? v : 1;
@@ -82,7 +93,9 @@ Work work_of(const PlacedView& placed, const Sector& sector, XRange range) {
     work.most = std::max(work.most, cuts.back().per_x * (x.end - x.begin));
   }
   if (cuts.empty()) {
-    work.core = {-1, 1};
+    const double begin = std::clamp(-1.0, range.begin, range.end);
+    const double end = std::clamp(begin + 1, range.begin, range.end);
+    work.core = {begin < end ? begin : end - 1, end};
     return work;
   }
   const double last = static_cast<double>(work.bins.size() - 1);

@@ -2,12 +2,10 @@
 #include "placing/level_of_detail.hpp"
 
 #include "dem/height_at.hpp"
-#include "dem/levels/departure.hpp"
 #include "dem/levels/generalise.hpp"
 #include "dem/levels/part_of_grid.hpp"
 #include "dem/levels/patchwork.hpp"
 #include "dem/levels/refine.hpp"
-#include "dem/levels/summits.hpp"
 #include "placing/certified_patches.hpp"
 #include "placing/land_part.hpp"
 #include "placing/patches_of_view.hpp"
@@ -128,6 +126,25 @@ Grid level_of(const Grid& grid, double step, const TriangleSet& water) {
   });
 }
 
+// A level of `grid`, which is `file` or a part of it. Of the file at least `least_of_water`
+// vertices make water.
+std::shared_ptr<const MadeLevel> made_level(const TerrainData& file, const Grid& grid, double step,
+                                            const TriangleSet& water, std::size_t least_of_water) {
+  MadeLevel out;
+  out.step = step;
+  const auto level = std::make_shared<TerrainLevel>();
+  level->terrain = file;
+  const Grid& made = level->terrain.surface.emplace<Grid>(level_of(grid, step, water));
+  out.departure = step < 1 ? departure_of(grid, made) : departure_of(made, grid);
+  level->terrain.surface_error_m += out.departure.greatest_m;
+  out.summits = summits_of(grid, made, kSummits);
+  level->facts = facts_of(level->terrain);
+  const double least = static_cast<double>(least_of_water) / (step * step);
+  level->facts.water = find_level_ground(made, static_cast<std::size_t>(std::max(2.0, least)));
+  out.level = level;
+  return std::make_shared<const MadeLevel>(std::move(out));
+}
+
 // How far the highest summits of the page move on it.
 void tell_summits(LevelOfDetail& level, const std::vector<Summit>& summits,
                   const PlacedView& placed) {
@@ -193,15 +210,15 @@ bool buries_eye(const Tin& tin, const View& view) {
 void take_patchwork(TerrainOfView& terrain, Patchwork made) {
   const TerrainData& file = terrain.of_file();
   const Grid& grid = std::get<Grid>(file.surface);
-  TerrainData drawn = file;
-  drawn.surface = std::move(made.tin);
-  const TerrainData& in_place = terrain.take_level(std::move(drawn));
-  TerrainFacts facts = facts_of(in_place);
+  const auto level = std::make_shared<TerrainLevel>();
+  level->terrain = file;
+  Tin& tin = level->terrain.surface.emplace<Tin>(std::move(made.tin));
+  level->facts = facts_of(level->terrain);
   const GridSteps steps = steps_of(grid);
   const double least_water_m2 = 0.5 * std::abs(cross(steps.column_m, steps.row_m)) *
                                 static_cast<double>(least_of_water(grid));
-  facts.water = find_level_ground(std::get<Tin>(in_place.surface), made.heights_m, least_water_m2);
-  terrain.take_level_facts(std::move(facts));
+  level->facts.water = find_level_ground(tin, made.heights_m, least_water_m2);
+  terrain.take_level(level);
 }
 
 // The ground that an eye stands over, in cells as large as the page asks for at each place. None
@@ -262,7 +279,8 @@ std::optional<LevelOfDetail> take_certified(TerrainOfView& terrain, const Placed
 } // namespace
 
 std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec& spec,
-                                          const SceneFile* solids, const TerrainFacts* of_whole) {
+                                          const SceneFile* solids, const TerrainFacts* of_whole,
+                                          LastLevel* last) {
   const DetailSpec& detail = spec.style.detail;
   if (detail.of_file || (spec.ground_points && !detail.cell_mm && !detail.error_mm))
     return std::nullopt;
@@ -272,7 +290,7 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   TerrainFacts own = of_whole ? TerrainFacts{} : facts_of(file);
   const TerrainFacts& of_file = of_whole ? *of_whole : own;
   const auto stay = [&]() -> std::optional<LevelOfDetail> {
-    if (!of_whole) terrain.take_level_facts(std::move(own));
+    if (!of_whole) terrain.take_facts(std::move(own));
     return std::nullopt;
   };
   if (detail.error_mm) {
@@ -307,24 +325,20 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   level.step = chosen_step(grid, asked_size(spec.style), cell_mm);
   if (level.step == 1 && !land) return stay();
 
-  const Grid made = level_of(grid, level.step, facts.water.triangles);
+  // A part of the land is of this view alone.
+  const bool is_kept = last && !land && terrain.is_whole();
+  std::shared_ptr<const MadeLevel> made = is_kept ? last->of_step(level.step) : nullptr;
+  if (!made) {
+    made = made_level(file, grid, level.step, facts.water.triangles, least_of_water(*whole));
+    if (is_kept) last->keep(made);
+  }
   level.most_step = level.step;
-  level.cell_m = cell_size_m(made);
+  level.cell_m = made->level->facts.cell_m;
   level.cell_mm = level.step * cell_mm;
-  const Departure departure = level.step < 1 ? departure_of(grid, made) : departure_of(made, grid);
-  level.greatest_m = departure.greatest_m;
-  level.rms_m = departure.rms_m;
-  tell_summits(level, summits_of(grid, made, kSummits), placed);
-  TerrainData drawn = file;
-  drawn.surface_error_m += departure.greatest_m;
-  drawn.surface = made;
-  const TerrainData& in_place = terrain.take_level(std::move(drawn));
-  TerrainFacts of_level = facts_of(in_place);
-  const double least_water =
-      static_cast<double>(least_of_water(*whole)) / (level.step * level.step);
-  of_level.water = find_level_ground(std::get<Grid>(in_place.surface),
-                                     static_cast<std::size_t>(std::max(2.0, least_water)));
-  terrain.take_level_facts(std::move(of_level));
+  level.greatest_m = made->departure.greatest_m;
+  level.rms_m = made->departure.rms_m;
+  tell_summits(level, made->summits, placed);
+  terrain.take_level(made->level);
   return level;
 }
 

@@ -363,8 +363,8 @@ PlacedView placed_view(const TerrainOfView& terrain, const MapSpec& spec, const 
                        const TerrainFacts* of_whole) {
   if (of_whole && terrain.is_whole())
     return place(*terrain, *of_whole, spec, solids, terrain.uncut());
-  if (terrain.level_facts()) {
-    PlacedView out = place(*terrain, *terrain.level_facts(), spec, solids, terrain.uncut());
+  if (const TerrainFacts* facts = terrain.facts()) {
+    PlacedView out = place(*terrain, *facts, spec, solids, terrain.uncut());
     const bool has_patches = std::holds_alternative<Tin>(terrain->surface) &&
                              std::holds_alternative<Grid>(terrain.of_file().surface);
     if (has_patches) out.file = &terrain.of_file();

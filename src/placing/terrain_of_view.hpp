@@ -6,10 +6,17 @@
 #include "placing/map_spec.hpp"
 #include "placing/terrain_facts.hpp"
 
+#include <memory>
 #include <optional>
 #include <utility>
 
 namespace orograph {
+
+/// A level of a terrain, and what is known of it, which refers to it.
+struct TerrainLevel {
+  TerrainData terrain;
+  TerrainFacts facts;
+};
 
 /// Of a terrain in degrees: puts the origin of its ground frame below the eye, where no eye is
 /// given below the target, else in the terrain's middle, and exaggerates its heights, before the
@@ -43,20 +50,24 @@ public:
   bool is_whole() const { return !cut_ && !on_earth_ && !level_; }
   bool is_cut() const { return cut_.has_value(); }
   /// In the same frame, before the planes cut it.
-  const TerrainData& uncut() const { return level_ ? *level_ : of_file(); }
+  const TerrainData& uncut() const { return level_ ? level_->terrain : of_file(); }
   /// In the same frame, as the file has it.
   const TerrainData& of_file() const { return on_earth_ ? *on_earth_ : whole_; }
 
   /// From now on it is this level. REQUIRES a terrain that isn't cut.
-  const TerrainData& take_level(TerrainData level) { return level_.emplace(std::move(level)); }
-  /// Of the level; they refer to it.
-  void take_level_facts(TerrainFacts facts) { level_facts_ = std::move(facts); }
-  const TerrainFacts* level_facts() const { return level_facts_ ? &*level_facts_ : nullptr; }
+  void take_level(std::shared_ptr<const TerrainLevel> level) { level_ = std::move(level); }
+  /// What is known of it as it stands; they refer to it.
+  void take_facts(TerrainFacts facts) { facts_ = std::move(facts); }
+  /// Of the level, or those taken; none else.
+  const TerrainFacts* facts() const {
+    return level_ ? &level_->facts : facts_ ? &*facts_ : nullptr;
+  }
 
 private:
   const TerrainData& whole_;
-  std::optional<TerrainData> on_earth_, cut_, level_;
-  std::optional<TerrainFacts> level_facts_;
+  std::optional<TerrainData> on_earth_, cut_;
+  std::optional<TerrainFacts> facts_;
+  std::shared_ptr<const TerrainLevel> level_;
 };
 
 } // namespace orograph
