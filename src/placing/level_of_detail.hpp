@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The size of cells that a page shows (docs/detail.md).
+// The size of cells that a page shows (docs/decisions/0045-level-of-detail.md).
 #pragma once
 
 #include "dem/levels/departure.hpp"
