@@ -72,23 +72,6 @@ bool has_labels(const LineLayer& layer, const LabelSpec& labels) {
   }
 }
 
-std::vector<LinePart> of_kind(const std::vector<EdgeLine>& lines,
-                              const std::vector<LinePart>& parts, LineKind kind) {
-  const auto for_each = [&](const auto& take) {
-    std::size_t step = 0;
-    for (const LinePart& part : parts) {
-      throw_if_stopped(step++);
-      if (lines[part.line].kind == kind) take(part);
-    }
-  };
-  std::size_t count = 0;
-  for_each([&](const LinePart&) { ++count; });
-  std::vector<LinePart> out;
-  out.reserve(count);
-  for_each([&](const LinePart& part) { out.push_back(part); });
-  return out;
-}
-
 // In an order that doesn't depend on whether a line was listed or found.
 std::vector<LinePart> by_edge(const std::vector<EdgeLine>& lines, std::vector<LinePart> parts) {
   std::sort(parts.begin(), parts.end(), [&](const LinePart& a, const LinePart& b) {
@@ -169,7 +152,8 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       added.layer = std::move(underside);
       break;
     case LineSource::edges:
-      added.parts = of_kind(found.lines(), row.is_hidden() ? hidden : visible, row.kind);
+      added.parts = row.is_hidden() ? of_kind(found.lines(), hidden, row.kind)
+                                    : found.visible_of(row.kind, visible);
       added.is_joined = row.kind != LineKind::edge;
       if (row.kind == LineKind::silhouette) added.shade = shade;
       if (row.kind == LineKind::border || row.kind == LineKind::void_edge)
@@ -177,7 +161,8 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       added.is_shore = row.kind == LineKind::shore || row.kind == LineKind::waterline;
       break;
     case LineSource::ground:
-      added.parts = of_kind(found.lines(), row.is_hidden() ? hidden : visible, row.kind);
+      added.parts = row.is_hidden() ? of_kind(found.lines(), hidden, row.kind)
+                                    : found.visible_of(row.kind, visible);
       added.is_on_ground = true;
       if (row.kind == LineKind::drape)
         for (const Overlay& overlay : placed.overlays)
