@@ -192,7 +192,7 @@ void LatticeLines::look_at(std::uint32_t number, const LinePicture& picture) {
         std::minmax({height_at(line.source, line.begin), height_at(line.source, line.end)});
     if (is_below_blocks(horizon_, line.begin, line.end, high)) return;
     if (is_whole_on_ground(number, picture, line) &&
-        is_above_blocks(horizon_, line.begin, line.end, low, lattice_.work.tolerance) &&
+        horizon_.is_all_below(low, line.begin, line.end, lattice_.work.tolerance) &&
         lattice_.work.marks_whole({number, 0, 1}))
       return;
   }

@@ -50,17 +50,6 @@ bool is_below_blocks(const BlockedHorizon& horizon, double x_begin, double x_end
   return true;
 }
 
-bool is_above_blocks(const BlockedHorizon& horizon, double x_begin, double x_end, double height,
-                     const TieTolerance& tolerance) {
-  constexpr double kRounding = 1e-12; // of the heights; far more than any is rounded by
-  const double above = height - tolerance.greatest_y - kRounding * std::abs(height);
-  const auto& blocks = horizon.blocks();
-  for (std::size_t i = horizon.block_at(x_begin); i < blocks.size() && blocks[i].x_begin <= x_end;
-       ++i)
-    if (!(above > blocks[i].high)) return false;
-  return true;
-}
-
 std::uint32_t line_number(const Segment& source) {
   return static_cast<std::uint32_t>(source.id & ~kLineBit);
 }

@@ -162,9 +162,6 @@ private:
 
 /// Whether a height is below all blocks of the horizon between two abscissae.
 bool is_below_blocks(const BlockedHorizon& horizon, double x_begin, double x_end, double height);
-/// Whether it is above all of them, by more than what is tied.
-bool is_above_blocks(const BlockedHorizon& horizon, double x_begin, double x_end, double height,
-                     const TieTolerance& tolerance);
 
 /// The number of the line that a source is of; and the source's id, of a number.
 std::uint32_t line_number(const Segment& source);
