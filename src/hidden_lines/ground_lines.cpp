@@ -89,7 +89,8 @@ ContourLevels levels_of(const TerrainData& terrain, const PlacedView& placed,
 } // namespace
 
 GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed,
-                            const Style& style, const SeenGround* ground, bool lists_contours) {
+                            const Style& style, const SeenGround* ground, bool lists_contours,
+                            std::size_t most_draped) {
   GroundLines out;
   const Surface& surface = terrain.surface;
   if (style.draws_waterlines()) {
@@ -125,7 +126,8 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
                          map_grid_lines(terrain, style.grid_m), out);
   if (style.asks_for("hachures")) add_hachures(terrain, placed, style, out);
   if (style.asks_for("block")) add_block(terrain, placed, style, ground, out);
-  if (style.asks_for("drape")) add_overlays(terrain, placed, style.overlay_above_m, out);
+  if (style.asks_for("drape"))
+    add_overlays(terrain, placed, style.overlay_above_m, out, 0, most_draped);
   return out;
 }
 

@@ -87,6 +87,7 @@ struct SectorInWork {
   const std::vector<std::uint32_t>* line_numbers = nullptr;
   const Sheet* sheet = nullptr;          ///< the surface, where it has two sides
   const SheetPart* sheet_part = nullptr; ///< what of it is looked at, where that isn't all
+  bool passes_over_profiles = false;     ///< they are neither cut nor drawn
   /// For each line on the ground a mark of those that are visible from end to end, which are nearly
   /// all that are seen of millions; none where each has to be a part.
   std::span<std::uint8_t> whole_on_ground = {};

@@ -185,6 +185,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
       lines.sheet_parts.empty()
           ? nullptr
           : &lines.sheet_parts[static_cast<std::size_t>(&sector - placed.sectors.data())],
+      lines.are_more_overlays,
       whole};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
