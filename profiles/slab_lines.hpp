@@ -133,8 +133,8 @@ struct LineAtDepth {
 };
 
 /// Cuts lines by the planes of consecutive slabs. `LineOf` tells the ends of the line of a number
-/// (ProfileLine), and is told by `fetch(lines, at)` which of a list is asked of next. Memory: 4
-/// bytes a line. Cost in all: a sort of the lines, and O(1) a piece.
+/// (ProfileLine), and if it has `fetch(lines, at)`, is told which of a list is asked of next.
+/// Memory: 4 bytes a line. Cost in all: a sort of the lines, and O(1) a piece.
 template <class LineOf>
 class SlabLines {
 public:
@@ -218,7 +218,8 @@ void SlabLines<LineOf>::next(double to_m, const Take& take) {
   std::erase_if(active_, [&](std::uint32_t i) { return !cut(i, to_m, take); });
   for (; waiting_ < bucket_end_.size() && bucket_begin_m_[waiting_] <= to_m; ++waiting_)
     for (; begun_ < bucket_end_[waiting_]; ++begun_) {
-      line_of_.fetch(by_depth_, begun_);
+      if constexpr (requires { line_of_.fetch(by_depth_, begun_); })
+        line_of_.fetch(by_depth_, begun_);
       if (cut(by_depth_[begun_], to_m, take)) active_.push_back(by_depth_[begun_]);
     }
   from_m_ = to_m;
