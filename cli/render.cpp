@@ -133,7 +133,10 @@ void render(const RenderSettings& settings) {
     tell_notes(names);
     if (map.facts.names) say_line(names_in_words(*map.facts.names));
   }
-  if (!settings.quiet) tell_overlays(overlays, map.facts.counts);
+  if (!settings.quiet) {
+    tell_overlays(overlays, map.facts.counts);
+    tell_contours(settings.map.style, *terrain, map.drawing);
+  }
   std::optional<Skyline> skyline;
   if (!settings.skyline_table.empty()) {
     const LookAround around(*terrain, placed.border, observer_of(placed, terrain->map));

@@ -3,11 +3,15 @@
 
 #include "cli/say.hpp"
 #include "dem/extent.hpp"
+#include "dem/surface.hpp"
+#include "placing/contours.hpp"
 #include "placing/eye_summit.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 namespace orograph {
 namespace {
@@ -43,6 +47,21 @@ void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts) {
   if (counts.not_draped + counts.draped_in_part > 0)
     say("of {} features to drape {} aren't on the terrain, and {} only in part",
         counts.draped + counts.not_draped, counts.not_draped, counts.draped_in_part);
+}
+
+void tell_contours(const Style& style, const TerrainData& terrain, const Drawing& drawing) {
+  if (!style.asks_for("contours") && !style.draws_index_contours()) return;
+  const bool are_drawn = std::ranges::any_of(drawing.layers, [](const Layer& layer) {
+    return !layer.strokes.empty() && (layer.name == "contours" || layer.name == "index-contours");
+  });
+  if (are_drawn || !has_ground(terrain.surface)) return;
+  const ContourSpec& spec = style.contours;
+  const ContourLevels levels = contour_levels(terrain, spec);
+  if (!levels.heights.empty()) return;
+  const std::string_view unit = !spec.unit_m ? "" : *spec.unit_m == 1 ? " m" : " ft";
+  const bool is_auto = spec.levels.empty() && !spec.interval;
+  say("no contour is drawn: the ground is {:.6g} to {:.6g}{} high{}", levels.low, levels.high, unit,
+      is_auto ? "" : ", and none of their heights is between (--contours auto has some that are)");
 }
 
 void tell_placing(const PlacedView& placed, const ViewSpec& view) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "draw/drawing.hpp"
 #include "hidden_lines/counts.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
@@ -23,6 +24,9 @@ void tell_notes(const std::vector<Overlay>& overlays);
 
 /// That, and what of what is to be draped isn't on the terrain.
 void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts);
+
+/// Says so if none of the heights that contours are asked for at is one of the ground's.
+void tell_contours(const Style& style, const TerrainData& terrain, const Drawing& drawing);
 
 /// Says what leaves the terrain's place, CRS or heights in doubt.
 void tell_doubts(const TerrainData& terrain);

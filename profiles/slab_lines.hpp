@@ -28,6 +28,8 @@ struct ProfileLine {
 ProfileLine line_of(const Grid& grid, const View& view, SurfaceEdge edge);
 ProfileLine line_of(const Tin& tin, const View& view, SurfaceEdge edge);
 ProfileLine line_of(const Surface& surface, const View& view, SurfaceEdge edge);
+/// The same of a vertex.
+ProfilePoint point_of(const Surface& surface, const View& view, std::uint32_t vertex);
 
 /// A point on an edge of the surface, a share of the way from its `from` end.
 struct EdgePoint {
@@ -71,7 +73,7 @@ public:
 
   /// Of a vertex of the surface.
   ProfilePoint vertex(std::uint32_t number) const {
-    if (!heights_) return line_of(surface_, view_, {number, number}).from;
+    if (!heights_) return point_of(surface_, view_, number);
     const std::uint32_t row = row_of(number);
     return at(number - row * columns_, row, number);
   }
@@ -131,7 +133,8 @@ struct LineAtDepth {
 };
 
 /// Cuts lines by the planes of consecutive slabs. `LineOf` tells the ends of the line of a number
-/// (ProfileLine). Memory: 4 bytes a line. Cost in all: a sort of the lines, and O(1) a piece.
+/// (ProfileLine), and if it has `fetch(lines, at)`, is told which of a list is asked of next.
+/// Memory: 4 bytes a line. Cost in all: a sort of the lines, and O(1) a piece.
 template <class LineOf>
 class SlabLines {
 public:
@@ -214,8 +217,11 @@ template <class Take>
 void SlabLines<LineOf>::next(double to_m, const Take& take) {
   std::erase_if(active_, [&](std::uint32_t i) { return !cut(i, to_m, take); });
   for (; waiting_ < bucket_end_.size() && bucket_begin_m_[waiting_] <= to_m; ++waiting_)
-    for (; begun_ < bucket_end_[waiting_]; ++begun_)
+    for (; begun_ < bucket_end_[waiting_]; ++begun_) {
+      if constexpr (requires { line_of_.fetch(by_depth_, begun_); })
+        line_of_.fetch(by_depth_, begun_);
       if (cut(by_depth_[begun_], to_m, take)) active_.push_back(by_depth_[begun_]);
+    }
   from_m_ = to_m;
 }
 

@@ -174,27 +174,44 @@ void append(const TerrainData& terrain, GroundLines&& part, GroundLines& out) {
 } // namespace
 
 void add_overlays(const TerrainData& terrain, const PlacedView& placed, double above_m,
-                  GroundLines& out) {
+                  GroundLines& out, std::size_t first, std::size_t most) {
   const std::vector<SomeFeatures> tasks = tasks_of(placed.overlays, terrain.surface);
-  std::vector<GroundLines> parts(tasks.size());
-  on_all_cores(tasks.size(), [&](std::size_t i) {
-    OverlayLines lines(terrain, placed, above_m, parts[i]);
-    for (std::size_t k = tasks[i].first; k < tasks[i].end; ++k) {
-      throw_if_stopped();
-      lines.add(*tasks[i].overlay, tasks[i].overlay->features[k]);
+  // As many as leave no core without work; their number doesn't depend on how many there are.
+  constexpr std::size_t kAtOnce = 64;
+  const std::size_t lines_before = out.lines.size();
+  std::vector<GroundLines> parts;
+  std::size_t done = first;
+  for (; done < tasks.size() && out.lines.size() - lines_before < most; done += parts.size()) {
+    parts.resize(std::min({kAtOnce, tasks.size() - done, most}));
+    on_all_cores(parts.size(), [&](std::size_t i) {
+      OverlayLines lines(terrain, placed, above_m, parts[i]);
+      const auto& [overlay, first_feature, end] = tasks[done + i];
+      for (std::size_t k = first_feature; k < end; ++k) {
+        throw_if_stopped();
+        lines.add(*overlay, overlay->features[k]);
+      }
+    });
+    std::size_t points = 0, lines = 0;
+    for (const GroundLines& part : parts) {
+      points += part.points.size();
+      lines += part.lines.size();
     }
-  });
-  std::size_t points = out.points.size(), lines = out.lines.size();
-  for (const GroundLines& part : parts) {
-    points += part.points.size();
-    lines += part.lines.size();
+    if (done == first) { // the others have about as many
+      const double times =
+          std::min(static_cast<double>(tasks.size() - done) / static_cast<double>(parts.size()),
+                   1 + static_cast<double>(most) / static_cast<double>(lines + 1));
+      const auto all = [&](std::size_t of_these) {
+        return static_cast<std::size_t>(1.1 * times * static_cast<double>(of_these));
+      };
+      out.points.reserve(out.points.size() + all(points));
+      out.lines.reserve(out.lines.size() + all(lines));
+    }
+    for (GroundLines& part : parts) {
+      throw_if_stopped();
+      append(terrain, std::exchange(part, {}), out);
+    }
   }
-  out.points.reserve(points);
-  out.lines.reserve(lines);
-  for (GroundLines& part : parts) {
-    throw_if_stopped();
-    append(terrain, std::exchange(part, {}), out);
-  }
+  if (done < tasks.size()) out.overlays_done = done;
 }
 
 } // namespace orograph

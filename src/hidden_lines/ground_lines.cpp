@@ -10,11 +10,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace orograph {
 namespace {
 
-constexpr std::size_t kOfTask = std::size_t{1} << 14U;
+constexpr std::size_t kOfTask = std::size_t{1} << 16U;
+
+// Vertices in the profile frame, the last few thousand of which are kept: as many as two rows of a
+// large grid, so that of each vertex most edges find it there.
+class KeptVertices {
+public:
+  /// REQUIRES that both outlive it.
+  KeptVertices(const Surface& surface, const View& view) : ends_(surface, view) {}
+
+  ProfilePoint operator()(std::uint32_t vertex) {
+    Kept& kept = kept_[vertex % kept_.size()];
+    if (kept.vertex != vertex) kept = {vertex, ends_.vertex(vertex)};
+    return kept.at;
+  }
+
+private:
+  struct Kept {
+    std::uint32_t vertex = kNoVertex;
+    ProfilePoint at;
+  };
+  static constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
+  EdgeEnds ends_;
+  std::vector<Kept> kept_ = std::vector<Kept>(std::size_t{1} << 13U);
+};
 
 // Adds lines whose levels are the features from number `first_feature` on.
 void add(const Surface& surface, const View& view, const Isolines& found, std::size_t first_feature,
@@ -23,13 +47,13 @@ void add(const Surface& surface, const View& view, const Isolines& found, std::s
   const std::size_t points = out.points.size(), lines = out.lines.size();
   out.points.resize(points + found.points.size());
   out.lines.resize(lines + found.lines.size());
-  const EdgeEnds ends(surface, view);
   const std::size_t most = std::max(found.points.size(), found.lines.size());
   on_all_cores((most + kOfTask - 1) / kOfTask, [&](std::size_t task) {
     const auto end = [&](std::size_t size) { return std::min(size, (task + 1) * kOfTask); };
+    KeptVertices vertex(surface, view);
     for (std::size_t i = task * kOfTask; i < end(found.points.size()); ++i) {
-      const auto [from, to] = ends(found.points[i].edge);
-      out.points[points + i] = point_between(from, to, found.points[i].t);
+      const auto& [edge, t] = found.points[i];
+      out.points[points + i] = point_between(vertex(edge.from), vertex(edge.to), t);
     }
     const auto number = [&](std::uint32_t of_end) {
       return of_end < vertices ? of_end : of_end + static_cast<std::uint32_t>(points);
@@ -65,7 +89,8 @@ ContourLevels levels_of(const TerrainData& terrain, const PlacedView& placed,
 } // namespace
 
 GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed,
-                            const Style& style, const SeenGround* ground, bool lists_contours) {
+                            const Style& style, const SeenGround* ground, bool lists_contours,
+                            std::size_t most_draped) {
   GroundLines out;
   const Surface& surface = terrain.surface;
   if (style.draws_waterlines()) {
@@ -101,7 +126,8 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
                          map_grid_lines(terrain, style.grid_m), out);
   if (style.asks_for("hachures")) add_hachures(terrain, placed, style, out);
   if (style.asks_for("block")) add_block(terrain, placed, style, ground, out);
-  if (style.asks_for("drape")) add_overlays(terrain, placed, style.overlay_above_m, out);
+  if (style.asks_for("drape"))
+    add_overlays(terrain, placed, style.overlay_above_m, out, 0, most_draped);
   return out;
 }
 

@@ -11,6 +11,8 @@
 #include "profiles/seen_ground.hpp"
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace orograph {
@@ -36,21 +38,27 @@ struct GroundLines {
   std::size_t first_contour = 0;        ///< feature, of the lowest level
   std::vector<double> levels_to_find_m; ///< of contours, where they aren't among the lines
   std::size_t draped_in_part = 0, not_draped = 0; ///< of overlays' features, as in Counts
+  /// Of the overlays' features some may be left for later: the number of tasks of `add_overlays`
+  /// that were taken.
+  std::optional<std::size_t> overlays_done = {};
 };
 
 /// All that a style asks for; contours are left to be found, unless they are to be listed.
-/// `ground`: what is looked at, where that isn't all. Throws Error as `contour_levels`,
-/// `mesh_lines`, `graticule_lines` and `map_grid_lines` do.
+/// `ground`: what is looked at, where that isn't all. `most_draped`: as `add_overlays` has it.
+/// Throws Error as `contour_levels`, `mesh_lines`, `graticule_lines` and `map_grid_lines` do.
 GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed,
                             const Style& style, const SeenGround* ground = nullptr,
-                            bool lists_contours = true);
+                            bool lists_contours = true,
+                            std::size_t most_draped = std::numeric_limits<std::size_t>::max());
 
 /// Adds the overlays of the placed view, a feature for each of theirs that is on the ground; points
-/// are crosses of `kMark_mm` on the page. Throws Error where the terrain is on the earth and cut by
-/// the view's planes.
+/// are crosses of `kMark_mm` on the page. Features are taken in order, task by task, from task
+/// number `first` on; about `most` lines are enough, and then `overlays_done` tells that there are
+/// more. Throws Error where the terrain is on the earth and cut by the view's planes.
 constexpr double kMark_mm = 1.4;
 void add_overlays(const TerrainData& terrain, const PlacedView& placed, double above_m,
-                  GroundLines& out);
+                  GroundLines& out, std::size_t first = 0,
+                  std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// Adds hachures, a feature for each part of one width, with its mean slope in degrees.
 void add_hachures(const TerrainData& terrain, const PlacedView& placed, const Style& style,

@@ -57,6 +57,9 @@ struct Instruments {
   bool hidden_ground = false;    ///< look at ground that is hidden as a whole as well
   bool order_always = false;     ///< take grids in the lattice's order where it doesn't pay, too
   double vertices_a_strip = kVerticesAStrip;
+  /// Lines of overlays that one pass takes. They have some 100 bytes each while they are in work; a
+  /// pass of its own costs about as much as a tenth of them.
+  std::size_t most_draped = std::size_t{1} << 21U;
   /// Gets every occluder but profiles, hidden ones too, before the profile that it stands in front
   /// of is seen.
   std::vector<HorizonPiece>* occluders = nullptr;

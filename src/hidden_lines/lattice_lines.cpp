@@ -185,11 +185,17 @@ void LatticeLines::look_at(std::uint32_t number, const LinePicture& picture) {
   SurfaceLine line = pictures_.surface_line(number, picture);
   line.source.id = source_id(number);
   if (!pictures_.cut_to_range(line)) return;
-  if (line.upright() ? !line.drawn || pictures_.is_hidden(picture, horizon_)
-                     : is_below_blocks(horizon_, line.begin, line.end,
-                                       std::max(height_at(line.source, line.begin),
-                                                height_at(line.source, line.end))))
-    return;
+  if (line.upright()) {
+    if (!line.drawn || pictures_.is_hidden(picture, horizon_)) return;
+  } else {
+    const auto [low, high] =
+        std::minmax({height_at(line.source, line.begin), height_at(line.source, line.end)});
+    if (is_below_blocks(horizon_, line.begin, line.end, high)) return;
+    if (is_whole_on_ground(number, picture, line) &&
+        horizon_.is_all_below(low, line.begin, line.end, lattice_.work.tolerance) &&
+        lattice_.work.marks_whole({number, 0, 1}))
+      return;
+  }
   looked_at_.push_back({line, picture, number});
 }
 
@@ -198,6 +204,15 @@ void LatticeLines::take() {
     take_alone();
   else
     take_group();
+}
+
+// Whether a line on the ground is shown from end to end.
+bool LatticeLines::is_whole_on_ground(std::uint32_t number, const LinePicture& picture,
+                                      const SurfaceLine& line) const {
+  return !line.hides && is_on_ground(pictures_.line(number).kind) && line.begin == line.source.x0 &&
+         line.end == line.source.x1 && std::min(picture.t_left, picture.t_right) <= 0 &&
+         std::max(picture.t_left, picture.t_right) >= 1 &&
+         std::min(picture.left.v, picture.right.v) >= lattice_.view.drawn_from_m;
 }
 
 // It gets its number only if it is part of the picture.
@@ -249,6 +264,7 @@ void LatticeLines::add_visible(std::uint32_t number, const LinePicture& picture,
   const std::size_t before = parts_.size();
   for (const auto& [same, t_begin, t_end] : visible_)
     pictures_.add_part(number, picture, t_begin, t_end, parts_);
+  if (parts_.size() == before + 1 && lattice_.work.marks_whole(parts_.back())) parts_.pop_back();
   // What the strips beside this one look at as well is judged as a whole.
   if (ridges_ && is_found(number) && shown.begin > inner_range_.begin &&
       shown.end < inner_range_.end)

@@ -49,7 +49,7 @@ public:
   /// Once everything was taken.
   void finish();
 
-  /// What was visible, less what is told apart by `ridges`.
+  /// What was visible, less what is told apart by `ridges`, and what is marked as a whole.
   const std::vector<LinePart>& visible_parts() const { return parts_; }
   const Ridges* ridges() const { return ridges_ ? &*ridges_ : nullptr; }
   /// What was found of contours, if they are to be found.
@@ -69,6 +69,8 @@ private:
   void order_lines(std::span<const LineAtDepth> which);
   bool look_at_alone(const PlaceSilhouettes::Found& found);
   void look_at(std::uint32_t line, const LinePicture& picture);
+  bool is_whole_on_ground(std::uint32_t line, const LinePicture& picture,
+                          const SurfaceLine& of_picture) const;
   void take_alone();
   void take_group();
   void add_visible(std::uint32_t number, const LinePicture& picture, XRange shown, bool stands);

@@ -81,6 +81,22 @@ std::vector<LinePart> without(const std::vector<LinePart>& parts,
   return rest;
 }
 
+std::vector<LinePart> with_whole(const std::vector<LinePart>& parts, std::size_t first,
+                                 std::span<const std::uint8_t> marks) {
+  std::vector<LinePart> out;
+  out.reserve(parts.size() + static_cast<std::size_t>(std::ranges::count(marks, std::uint8_t{1})));
+  auto part = parts.begin();
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    throw_if_stopped(i);
+    if (marks[i] == 0) continue;
+    const auto line = static_cast<std::uint32_t>(first + i);
+    for (; part != parts.end() && part->line < line; ++part) out.push_back(*part);
+    out.push_back({line, 0, 1});
+  }
+  out.insert(out.end(), part, parts.end());
+  return out;
+}
+
 std::vector<LinePart> shared(const std::vector<LinePart>& parts,
                              const std::vector<LinePart>& others) {
   return without(parts, without(parts, others));

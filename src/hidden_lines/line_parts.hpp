@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace orograph {
@@ -34,6 +35,11 @@ void join_of_line(std::vector<LinePart>& parts, std::size_t first);
 /// What is left of `parts` without `taken`; both by line.
 std::vector<LinePart> without(const std::vector<LinePart>& parts,
                               const std::vector<LinePart>& taken);
+
+/// `parts` and all of each line that is marked, of which there is no part among them; by line.
+/// Marks are those of lines from number `first` on.
+std::vector<LinePart> with_whole(const std::vector<LinePart>& parts, std::size_t first,
+                                 std::span<const std::uint8_t> marks);
 
 /// What of `parts` is in `others` as well; both by line.
 std::vector<LinePart> shared(const std::vector<LinePart>& parts,

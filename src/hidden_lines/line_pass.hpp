@@ -45,6 +45,12 @@ private:
   struct WholeLine {
     const LinePictures* pictures;
     ProfileLine operator()(std::uint32_t line) const { return pictures->whole(line); }
+    // By depth lines are all over the memory.
+    void fetch(std::span<const std::uint32_t> by_depth, std::size_t at) const {
+      constexpr std::size_t kLineAhead = 16, kPointsAhead = 8;
+      if (at + kLineAhead < by_depth.size()) pictures->fetch(by_depth[at + kLineAhead]);
+      if (at + kPointsAhead < by_depth.size()) pictures->fetch_points(by_depth[at + kPointsAhead]);
+    }
   };
   bool in_plane(const ProfileLine& whole, double depth_m) const;
   SurfaceLine in_slab(const SlabPiece& piece, const LinePicture& p, double to_m) const;

@@ -80,7 +80,12 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
   const bool finds_contours = finds && placed.sectors.size() == 1 &&
                               !hidden.has(LineKind::contour) &&
                               !hidden.has(LineKind::index_contour);
-  out.on_ground = ground_lines_of(terrain, placed, style, ground, !finds_contours);
+  // Who watches wants all lines, and with solids or undersides a pass costs more than memory.
+  const bool in_batches = instruments.observers.empty() && placed.solids.empty() &&
+                          style.underside == Underside::omit && !instruments.needs_list();
+  out.on_ground = ground_lines_of(terrain, placed, style, ground, !finds_contours,
+                                  in_batches ? instruments.most_draped
+                                             : std::numeric_limits<std::size_t>::max());
   if (style.underside == Underside::draw) {
     out.sheet = sheet_of(terrain.surface, placed.view);
     out.sheet_parts = parts_by_sector(terrain.surface, *out.sheet, placed, instruments);
@@ -102,6 +107,22 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
   if (placed.panorama)
     out.by_sector = lines_by_sector(terrain.surface, out.on_ground.points, placed, out.listed);
   return out;
+}
+
+bool take_more_overlays(const TerrainData& terrain, const PlacedView& placed, const Style& style,
+                        const Instruments& instruments, LinesOfView& lines) {
+  if (!lines.on_ground.overlays_done) return false;
+  const std::size_t done = *lines.on_ground.overlays_done;
+  lines.listed.resize(lines.listed.size() - lines.on_ground.lines.size());
+  lines.on_ground = {};
+  lines.are_more_overlays = true;
+  add_overlays(terrain, placed, style.overlay_above_m, lines.on_ground, done,
+               instruments.most_draped);
+  append_to(lines.listed, lines.on_ground);
+  if (placed.panorama)
+    lines.by_sector =
+        lines_by_sector(terrain.surface, lines.on_ground.points, placed, lines.listed);
+  return true;
 }
 
 } // namespace orograph

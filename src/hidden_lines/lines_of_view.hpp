@@ -33,12 +33,21 @@ struct LinesOfView {
   /// For each of a panorama's sectors those listed that may reach into it, by number.
   std::vector<std::vector<std::uint32_t>> by_sector = {};
 
+  /// Of overlays those that an earlier pass hasn't taken, alone: all else was drawn by that.
+  bool are_more_overlays = false;
+
   const SilhouetteMarks* silhouettes_by(bool rows_are_strips) const;
 };
 /// `ground`: what any sector looks at, where that isn't all. Hidden silhouettes need a list.
 LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, const Style& style,
                           const Instruments& instruments, const SeenGround* ground,
                           const HiddenKinds& hidden = {});
+
+/// In the place of the overlays' features that were taken the next ones; tells whether there are
+/// any. REQUIRES that the view hides and asks the same. The lines listed are those that hide and
+/// the overlays'.
+bool take_more_overlays(const TerrainData& terrain, const PlacedView& placed, const Style& style,
+                        const Instruments& instruments, LinesOfView& lines);
 
 /// The grid, if its sectors may be taken in the lattice's order; and whether one of them is.
 const Grid* grid_in_order(const TerrainData& terrain, const Style& style,

@@ -57,6 +57,7 @@ void ProfileStages::cut(TimedProfile& timed, std::size_t index) const {
   if (work_.sheet) profile.underside_by_strip.resize(strips_);
   for (std::vector<VisibleRun>& runs : profile.underside_by_strip) runs.clear();
   profile.horizon_sizes.assign(strips_, 0);
+  if (work_.passes_over_profiles) return;
   const double depth_m = profile.planned.depth_m;
   const URange asked = work_.whole_profiles ? URange{} : u_range(view, depth_m, work_.range);
   if (over_blocks_)

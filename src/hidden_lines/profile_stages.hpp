@@ -10,7 +10,9 @@
 #include "hidden_lines/strips.hpp"
 #include "profiles/seen_ground.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -67,15 +69,15 @@ std::vector<std::unique_ptr<MadeStrip>> strips_of(const SectorInWork& work, cons
 
 /// What the strips of a sector, left to right, have found of lines.
 template <class Strip>
-SectorParts parts_of(const std::vector<std::unique_ptr<Strip>>& strips) {
+SectorParts parts_of(const SectorInWork& work, const std::vector<std::unique_ptr<Strip>>& strips) {
   SectorParts out;
   std::size_t count = 0;
   for (const auto& strip : strips) count += strip->visible_parts().size();
   out.visible.reserve(count);
   for (const auto& strip : strips) {
     throw_if_stopped();
-    const std::vector<LinePart>& parts = strip->visible_parts();
-    out.visible.insert(out.visible.end(), parts.begin(), parts.end());
+    std::ranges::copy_if(strip->visible_parts(), std::back_inserter(out.visible),
+                         [&](const LinePart& part) { return !work.marks_whole(part); });
     const std::vector<LinePart> skyline = strip->pictures().skyline(strip->horizon().joined());
     out.skyline.insert(out.skyline.end(), skyline.begin(), skyline.end());
   }

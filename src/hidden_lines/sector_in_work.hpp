@@ -22,6 +22,7 @@
 #include "profiles/silhouettes.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -86,7 +87,21 @@ struct SectorInWork {
   const std::vector<std::uint32_t>* line_numbers = nullptr;
   const Sheet* sheet = nullptr;          ///< the surface, where it has two sides
   const SheetPart* sheet_part = nullptr; ///< what of it is looked at, where that isn't all
+  bool passes_over_profiles = false;     ///< they are neither cut nor drawn
+  /// For each line on the ground a mark of those that are visible from end to end, which are nearly
+  /// all that are seen of millions; none where each has to be a part.
+  std::span<std::uint8_t> whole_on_ground = {};
 
+  /// Marks the line of a part, and tells so, if the part is all of a line on the ground. Called
+  /// from several threads.
+  bool marks_whole(const LinePart& part) const {
+    const std::size_t first = lines.size() - on_ground.lines.size();
+    if (whole_on_ground.empty() || part.line < first || part.line >= lines.size() ||
+        part.t_begin > 0 || part.t_end < 1)
+      return false;
+    std::atomic_ref(whole_on_ground[part.line - first]).store(1, std::memory_order_relaxed);
+    return true;
+  }
   /// Of a line on the ground.
   std::uint32_t triangle_of(std::uint32_t line) const {
     return on_ground.lines[line - (lines.size() - on_ground.lines.size())].triangle;
@@ -95,7 +110,7 @@ struct SectorInWork {
 
 struct SectorParts {
   std::vector<EdgeLine> found;   ///< lines behind those of the list, in order of their edges
-  std::vector<LinePart> visible; ///< joined, by line
+  std::vector<LinePart> visible; ///< joined, by line; less what is marked as a whole
   std::vector<LinePart> skyline; ///< what of that the horizon behind everything is made of
   std::vector<LinePart> ridges;  ///< visible as well; known to be neither skyline nor fold
   double folded_mm = 0;          ///< length of folds that were left out

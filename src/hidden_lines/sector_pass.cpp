@@ -159,6 +159,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   const SilhouetteMarks* silhouettes =
       grid && lines.silhouettes ? lines.silhouettes_by(LatticeOrder(*grid, view).rows_are_strips())
                                 : nullptr;
+  std::vector<std::uint8_t> whole(lines.on_ground.lines.size(), 0);
   const SectorInWork work{
       terrain,
       placed,
@@ -183,7 +184,9 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
       lines.sheet ? &*lines.sheet : nullptr,
       lines.sheet_parts.empty()
           ? nullptr
-          : &lines.sheet_parts[static_cast<std::size_t>(&sector - placed.sectors.data())]};
+          : &lines.sheet_parts[static_cast<std::size_t>(&sector - placed.sectors.data())],
+      lines.are_more_overlays,
+      whole};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and
@@ -272,6 +275,16 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
                  : strips_pass(work, lay_out, show, counts, seconds);
 
   watch = {};
+  const std::size_t first_on_ground = lines.listed.size() - whole.size();
+  if (!whole.empty())
+    std::erase_if(found_parts.visible, [&](const LinePart& part) {
+      return part.line >= first_on_ground && part.line < lines.listed.size() &&
+             whole[part.line - first_on_ground] != 0;
+    });
+  if (watched || solids || lines.hidden.any() || placed.sectors.size() > 1) { // they are looked at
+    found_parts.visible = with_whole(found_parts.visible, first_on_ground, whole);
+    whole.clear();
+  }
   LinePictures every_line(terrain.surface, placed.reach_m, lines.on_ground.points, sector,
                           lines.listed, work.range, work.from_m);
   every_line.set_found(found_parts.found);
@@ -313,6 +326,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   }
   out.folded_mm = found_parts.folded_mm;
   out.contours = std::move(found_parts.contours);
+  out.whole_on_ground = std::move(whole);
   for (const LinePart& part : folded)
     out.folded_mm += folds.length_mm(every_line.whole(part.line), part);
   for (LineObserver* observer : instruments.observers)

@@ -28,6 +28,9 @@ namespace orograph {
 struct SectorLines {
   std::vector<EdgeLine> found;   ///< lines that the pass has found, behind those of the list
   std::vector<LinePart> visible; ///< all that is visible, less skyline and folds
+  /// By number among the lines on the ground: 1 for those that are visible from end to end, of
+  /// which there is no part. Empty if each visible line is a part.
+  std::vector<std::uint8_t> whole_on_ground;
   std::vector<LinePart> skyline; ///< visible silhouettes that the last horizon is made of
   std::vector<LinePart> hidden;  ///< as `hidden_parts`, of kinds that are asked for; less folds
   double folded_mm = 0;  ///< length of visible silhouettes left out by `Style::silhouette_jump`

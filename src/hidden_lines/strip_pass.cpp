@@ -114,7 +114,7 @@ public:
     });
   }
 
-  SectorParts found() const { return parts_of(strips_); }
+  SectorParts found() const { return parts_of(work_, strips_); }
 
   void add_to(Counts& counts, StageSeconds& seconds) const {
     add_counts(strips_, counts);

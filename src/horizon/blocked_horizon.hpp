@@ -7,6 +7,7 @@
 #include "horizon/horizon.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -50,6 +51,17 @@ public:
     while (block > 0 && x < blocks_[block].x_begin) --block;
     while (block + 1 < blocks_.size() && x >= blocks_[block].x_end) ++block;
     return block;
+  }
+
+  /// Whether a height is above all blocks between two abscissae, by more than what is tied: what is
+  /// nowhere lower there is seen from end to end, without a look at pieces.
+  bool is_all_below(double height, double x_begin, double x_end,
+                    const TieTolerance& tolerance) const {
+    constexpr double kRounding = 1e-12; // far more than any height is rounded by
+    const double above = height - tolerance.greatest_y - kRounding * std::abs(height);
+    for (std::size_t i = block_at(x_begin); i < blocks_.size() && blocks_[i].x_begin <= x_end; ++i)
+      if (!(above > blocks_[i].high)) return false;
+    return true;
   }
 
   /// Raises it by one occluder, exactly, and tells whether that changes it. Cost: the pieces of the

@@ -88,6 +88,16 @@ bool is_below(const SurfaceLine& line, const AnyHorizon& horizon) {
   return true;
 }
 
+// By bounds, where those are kept.
+bool is_clear_of(const Horizon&, const SurfaceLine&, const TieTolerance&) {
+  return false;
+}
+bool is_clear_of(const BlockedHorizon& horizon, const SurfaceLine& line,
+                 const TieTolerance& tolerance) {
+  const double low = std::min(height_at(line.source, line.begin), height_at(line.source, line.end));
+  return horizon.is_all_below(low, line.begin, line.end, tolerance);
+}
+
 template <class AnyHorizon, class Take>
 void above_horizon(const SurfaceLine& line, const AnyHorizon& horizon,
                    const TieTolerance& tolerance, const Take& take) {
@@ -187,8 +197,10 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
   const bool draws =
       std::any_of(lines.begin(), lines.end(), [](const SurfaceLine& line) { return line.drawn; });
   if (draws) // or else nothing is asked, and raising a horizon finds it out itself
-    std::erase_if(lines, [&](const SurfaceLine& line) {
-      return line.upright() ? !line.drawn : is_below(line, horizon);
+    std::erase_if(lines, [&](SurfaceLine& line) {
+      if (line.upright()) return !line.drawn;
+      line.is_clear = is_clear_of(horizon, line, tolerance);
+      return !line.is_clear && is_below(line, horizon);
     });
   const auto count = static_cast<std::uint32_t>(lines.size());
   by_x_.clear();
@@ -198,16 +210,20 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
             [](const Begin& a, const Begin& b) { return a.x != b.x ? a.x < b.x : a.id < b.id; });
   if (!draws) return parts_;
 
-  // Sweep over X: each pair that shares some of it, once.
+  // Sweep over X: each pair that shares some of it, and of which one may hide the other, once.
   active_.clear();
+  active_hiding_.clear();
   hidden_.clear();
   for (const auto& [x, id, i] : by_x_) {
-    std::erase_if(active_, [begin = x](const Active& k) { return k.last_x < begin; });
-    for (const Active& k : active_) {
-      hide_behind(lines, k.line, i, tolerance);
-      hide_behind(lines, i, k.line, tolerance);
+    const auto is_past = [begin = x](const Active& k) { return k.last_x < begin; };
+    std::erase_if(active_hiding_, is_past);
+    for (const Active& k : active_hiding_) hide_behind(lines, k.line, i, tolerance);
+    if (lines[i].hides) {
+      std::erase_if(active_, is_past);
+      for (const std::vector<Active>* all : {&active_hiding_, &active_})
+        for (const Active& k : *all) hide_behind(lines, i, k.line, tolerance);
     }
-    active_.push_back({last_x(lines[i]), i});
+    (lines[i].hides ? active_hiding_ : active_).push_back({last_x(lines[i]), i});
   }
   std::sort(hidden_.begin(), hidden_.end(), [](const Hidden& a, const Hidden& b) {
     return a.line != b.line ? a.line < b.line : a.begin < b.begin;
@@ -230,6 +246,8 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
     };
     if (line.upright())
       take(upright_above(line, height_before(line, horizon)));
+    else if (line.is_clear)
+      take({parameter_at(line.source, line.begin), parameter_at(line.source, line.end)});
     else
       above_horizon(line, horizon, tolerance, take);
   }

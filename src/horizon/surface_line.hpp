@@ -38,6 +38,7 @@ struct SurfaceLine {
   /// Lies in the slab's last plane: hides only what is behind that.
   bool in_last_plane = false;
   std::uint32_t tag = 0; ///< the caller's number for it, kept where lines are dropped
+  bool is_clear = false; ///< is known to be above all of the horizon in front of the slab
 
   bool upright() const { return source.x0 == source.x1; }
   bool vertical() const { return upright() && nearness0 == nearness1; }
@@ -93,7 +94,7 @@ private:
                    const TieTolerance& tolerance);
 
   std::vector<Begin> by_x_;
-  std::vector<Active> active_;
+  std::vector<Active> active_hiding_, active_; ///< the second of those that hide nothing
   std::vector<Hidden> hidden_;
   std::vector<VisibleLinePart> parts_;
 };

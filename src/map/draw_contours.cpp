@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map/draw_contours.hpp"
 
+#include "dem/surface.hpp"
 #include "draw/chain.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "geometry/sort_by_number.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -134,19 +136,86 @@ Ways ways_of(const SeenContours& contours, Runs runs) {
   return out;
 }
 
+// Chains pieces from point to point of which nothing is hidden, nearly all there are, by what each
+// point has beside it: without sorting them.
+class WholePieces {
+public:
+  /// `first_point`: what has a lower number is a vertex. REQUIRES that the points outlive this.
+  WholePieces(std::span<const ProfilePoint> points, std::size_t first_point)
+      : points_(points), first_point_(first_point), beside_(points.size(), {kNone, kNone}) {}
+
+  bool takes(SurfaceEdge ends) const { return ends.from >= first_point_; }
+  void add(SurfaceEdge ends, std::uint32_t level) {
+    link(ends.from, ends.to);
+    link(ends.to, ends.from);
+    pieces_.push_back({number(ends.from), level});
+  }
+  /// From end to end, and then rings, of which the first point is the last as well.
+  void add_runs(ContourRuns& out) {
+    taken_.assign(points_.size(), false);
+    out.points.reserve(out.points.size() + pieces_.size() + pieces_.size() / 8);
+    for (const bool from_end : {true, false})
+      for (const auto& [from, level] : pieces_) {
+        throw_if_stopped(out.points.size());
+        for (const std::uint32_t end : {from, beside_[from][0], beside_[from][1]})
+          if (end != kNone && !taken_[end] && (!from_end || beside_[end][1] == kNone))
+            walk(end, level, out);
+      }
+  }
+
+private:
+  static constexpr std::uint32_t kNone = ContourChains::kNone;
+  struct Piece {
+    std::uint32_t from, level;
+  };
+  std::uint32_t number(std::uint32_t point) const {
+    return point - static_cast<std::uint32_t>(first_point_);
+  }
+  void link(std::uint32_t from, std::uint32_t to) {
+    auto& beside = beside_[number(from)];
+    beside[beside[0] == kNone ? 0 : 1] = number(to);
+  }
+  void walk(std::uint32_t first, std::uint32_t level, ContourRuns& out) {
+    const auto add = [&](std::uint32_t point) {
+      out.points.push_back({ContourNode(level, first_point_ + point), points_[point]});
+    };
+    std::uint32_t last = kNone, here = first;
+    do {
+      taken_[here] = true;
+      add(here);
+      const auto& beside = beside_[here];
+      last = std::exchange(here, beside[beside[0] == last ? 1 : 0]);
+    } while (here != kNone && here != first);
+    if (here == first) add(first);
+    out.end_run();
+  }
+
+  std::span<const ProfilePoint> points_;
+  std::size_t first_point_;
+  std::vector<std::array<std::uint32_t, 2>> beside_;
+  std::vector<Piece> pieces_;
+  std::vector<bool> taken_;
+};
+
 } // namespace
 
 SeenContours take_contours(const Surface& surface, const View& view,
                            const std::vector<EdgeLine>& lines, const GroundLines& on_ground,
                            std::size_t first_line, std::vector<LinePart>& parts) {
   const EdgeEnds ends(surface, view, {on_ground.points});
+  WholePieces whole_pieces(on_ground.points, vertex_count(surface));
   ContourRuns runs;
+  std::size_t step = 0;
   std::erase_if(parts, [&](const LinePart& part) {
-    throw_if_stopped(runs.runs.size());
+    throw_if_stopped(step++);
     const std::uint32_t feature = on_ground.lines[part.line - first_line].feature;
     if (on_ground.features[feature].is_tick) return false;
     const auto level = feature - static_cast<std::uint32_t>(on_ground.first_contour);
     const SurfaceEdge edge = lines[part.line].edge;
+    if (part.t_begin <= 0 && part.t_end >= 1 && whole_pieces.takes(edge)) {
+      whole_pieces.add(edge, level);
+      return true;
+    }
     const ProfileLine whole = ends(edge);
     const auto add = [&](double t, bool is_node, std::uint32_t node) {
       runs.points.push_back({is_node ? ContourNode(level, node) : ContourNode::loose(level),
@@ -157,6 +226,7 @@ SeenContours take_contours(const Surface& surface, const View& view,
     runs.end_run();
     return true;
   });
+  whole_pieces.add_runs(runs);
   return seen_contours({std::move(runs)}, {});
 }
 

@@ -19,6 +19,7 @@
 #include "map/describe_map.hpp"
 #include "map/draw_contours.hpp"
 #include "map/draw_features.hpp"
+#include "map/draw_overlays.hpp"
 #include "map/draw_solids.hpp"
 #include "map/finish_panorama.hpp"
 #include "map/found_parts.hpp"
@@ -70,23 +71,6 @@ bool has_labels(const LineLayer& layer, const LabelSpec& labels) {
   default:
     return false;
   }
-}
-
-std::vector<LinePart> of_kind(const std::vector<EdgeLine>& lines,
-                              const std::vector<LinePart>& parts, LineKind kind) {
-  const auto for_each = [&](const auto& take) {
-    std::size_t step = 0;
-    for (const LinePart& part : parts) {
-      throw_if_stopped(step++);
-      if (lines[part.line].kind == kind) take(part);
-    }
-  };
-  std::size_t count = 0;
-  for_each([&](const LinePart&) { ++count; });
-  std::vector<LinePart> out;
-  out.reserve(count);
-  for_each([&](const LinePart& part) { out.push_back(part); });
-  return out;
 }
 
 // In an order that doesn't depend on whether a line was listed or found.
@@ -169,7 +153,8 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       added.layer = std::move(underside);
       break;
     case LineSource::edges:
-      added.parts = of_kind(found.lines(), row.is_hidden() ? hidden : visible, row.kind);
+      added.parts = row.is_hidden() ? of_kind(found.lines(), hidden, row.kind)
+                                    : found.visible_of(row.kind, visible);
       added.is_joined = row.kind != LineKind::edge;
       if (row.kind == LineKind::silhouette) added.shade = shade;
       if (row.kind == LineKind::border || row.kind == LineKind::void_edge)
@@ -177,7 +162,8 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       added.is_shore = row.kind == LineKind::shore || row.kind == LineKind::waterline;
       break;
     case LineSource::ground:
-      added.parts = of_kind(found.lines(), row.is_hidden() ? hidden : visible, row.kind);
+      added.parts = row.is_hidden() ? of_kind(found.lines(), hidden, row.kind)
+                                    : found.visible_of(row.kind, visible);
       added.is_on_ground = true;
       if (row.kind == LineKind::drape)
         for (const Overlay& overlay : placed.overlays)
@@ -246,10 +232,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
     lines = lines_of_view(terrain, placed, style, instruments, all_ground ? &*all_ground : nullptr,
                           hidden);
   if (all_ground) counts.looked_at = all_ground->share();
-  counts.draped_in_part = lines.on_ground.draped_in_part;
-  counts.not_draped = lines.on_ground.not_draped;
-  counts.draped = static_cast<std::uint64_t>(
-      std::ranges::count(lines.on_ground.features, LineKind::drape, &GroundFeature::kind));
+  count_draped(lines.on_ground, counts);
   watch.mark(seconds.facing);
 
   double profiles_done = 0;
@@ -288,12 +271,16 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
       layers_of(found, placed, style, shade, profiles ? std::move(*profiles) : Layer{},
                 hidden_profiles ? std::move(*hidden_profiles) : Layer{},
                 underside ? std::move(*underside) : Layer{});
-  on_all_cores(layers.size(), [&](std::size_t i) {
-    LineLayer& task = layers[i];
+  const auto settings_of = [&](const LineLayer& layer) {
     // What is joined is simplified and judged afterwards.
     StrokeSettings own = strokes;
-    if (task.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
-    own.keeps_depths = (task.is_joined || task.is_on_ground) && !task.is_shore && shade;
+    if (layer.is_joined) own.simplify_mm = own.min_stroke_mm = 0;
+    own.keeps_depths = (layer.is_joined || layer.is_on_ground) && !layer.is_shore && shade;
+    return own;
+  };
+  on_all_cores(layers.size(), [&](std::size_t i) {
+    LineLayer& task = layers[i];
+    const StrokeSettings own = settings_of(task);
     if (task.is_on_ground) {
       const auto draw = [&](const StrokeSettings& settings, std::vector<LinePart> parts,
                             Layer& to) {
@@ -331,6 +318,23 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
                  builder);
     task.left_out_mm = builder.left_out_mm();
   });
+  if (lines.on_ground.overlays_done) {
+    const auto draped = [&](bool is_hidden) {
+      const auto layer = std::ranges::find_if(layers, [&](const LineLayer& of) {
+        return of.kind == LineKind::drape && of.layer.is_hidden == is_hidden;
+      });
+      return layer == layers.end() ? nullptr : &*layer;
+    };
+    lines.listed.assign(found.lines().begin(),
+                        found.lines().begin() + static_cast<std::ptrdiff_t>(first_on_ground) +
+                            static_cast<std::ptrdiff_t>(lines.on_ground.lines.size()));
+    LineLayer &seen = *draped(false), *hidden_lines = draped(true);
+    watch.mark(seconds.layout);
+    seen.left_out_mm += draw_more_overlays(
+        terrain, placed, style, ground, instruments, settings_of(seen), lines, seen.layer,
+        hidden_lines ? &hidden_lines->layer : nullptr, {counts, seconds});
+    watch = {};
+  }
   if (outlines_terrain(style, placed.view)) close_outlines(layers);
   on_all_cores(layers.size(), [&](std::size_t i) {
     LineLayer& task = layers[i];

@@ -16,11 +16,28 @@ void append(const std::vector<LinePart>& parts, std::vector<LinePart>& all) {
 
 } // namespace
 
+std::vector<LinePart> of_kind(const std::vector<EdgeLine>& lines,
+                              const std::vector<LinePart>& parts, LineKind kind) {
+  const auto for_each = [&](const auto& take) {
+    std::size_t step = 0;
+    for (const LinePart& part : parts) {
+      throw_if_stopped(step++);
+      if (lines[part.line].kind == kind) take(part);
+    }
+  };
+  std::size_t count = 0;
+  for_each([&](const LinePart&) { ++count; });
+  std::vector<LinePart> out;
+  out.reserve(count);
+  for_each([&](const LinePart& part) { out.push_back(part); });
+  return out;
+}
+
 FoundParts::FoundParts(const TerrainData& terrain, const PlacedView& placed,
                        std::span<const ProfilePoint> points, std::vector<EdgeLine> listed,
                        std::vector<SectorLines> sectors)
     : terrain_(terrain), placed_(placed), points_(points), lines_(std::move(listed)),
-      sectors_(std::move(sectors)) {
+      listed_(lines_.size()), sectors_(std::move(sectors)) {
   number_as_one();
   for (const SectorLines& sector : sectors_) folded_mm_ += sector.folded_mm;
 }
@@ -63,6 +80,17 @@ std::vector<LinePart> FoundParts::of(std::vector<LinePart> SectorLines::*kind) c
     join_sectors(terrain_.surface, points_, placed_.view, lines_,
                  std::max(0.0, placed_.sectors.front().view.drawn_from_m), all);
   return all;
+}
+
+std::vector<LinePart> FoundParts::visible_of(LineKind kind,
+                                             const std::vector<LinePart>& visible) const {
+  std::vector<LinePart> parts = of_kind(lines_, visible, kind);
+  if (!is_on_ground(kind) || sectors_.size() != 1) return parts;
+  std::vector<std::uint8_t> whole = sectors_.front().whole_on_ground;
+  const std::size_t first = listed_ - whole.size();
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    if (lines_[first + i].kind != kind) whole[i] = 0;
+  return with_whole(parts, first, whole);
 }
 
 std::vector<LinePart> FoundParts::hidden() const {

@@ -11,6 +11,10 @@
 
 namespace orograph {
 
+/// Those of a kind of lines.
+std::vector<LinePart> of_kind(const std::vector<EdgeLine>& lines,
+                              const std::vector<LinePart>& parts, LineKind kind);
+
 /// Parts found sector by sector, of one kind at a time as parts of the whole view.
 class FoundParts {
 public:
@@ -24,7 +28,10 @@ public:
   const std::vector<EdgeLine>& lines() const { return lines_; }
   double folded_mm() const { return folded_mm_; } ///< of silhouettes that were folds, on the page
 
+  /// Less the lines on the ground that are visible from end to end.
   std::vector<LinePart> of(std::vector<LinePart> SectorLines::*kind) const;
+  /// Of a kind of lines, all: `visible` are those of all kinds as `of` has them.
+  std::vector<LinePart> visible_of(LineKind kind, const std::vector<LinePart>& visible) const;
   /// Of lines: what two sectors show of one, and what they hide, meets in the strip between them.
   std::vector<LinePart> hidden() const;
   std::vector<LinePart> of(std::vector<LinePart> SolidParts::*kind) const;
@@ -36,6 +43,7 @@ private:
   const PlacedView& placed_;
   std::span<const ProfilePoint> points_;
   std::vector<EdgeLine> lines_;
+  std::size_t listed_; ///< of them
   std::vector<SectorLines> sectors_;
   double folded_mm_ = 0;
 };

@@ -45,7 +45,7 @@ ContourLevels contour_levels(double lowest_m, double high_m, double height_unit_
                              const ContourSpec& spec, std::optional<double> base_m) {
   const double unit_m = spec.unit_m.value_or(height_unit_m);
   const double low_m = base_m.value_or(lowest_m);
-  ContourLevels out;
+  ContourLevels out{{}, {}, {}, lowest_m / unit_m, high_m / unit_m};
   const auto add = [&](double height, bool is_index) {
     const double height_m = height * unit_m;
     if (!(height_m > low_m && height_m <= high_m)) return; // no ground is on its other side
@@ -57,8 +57,7 @@ ContourLevels contour_levels(double lowest_m, double high_m, double height_unit_
     for (const double level : spec.levels) add(level, false);
     return out;
   }
-  const double low = low_m / unit_m, high = high_m / unit_m;
-  const double relief = high - lowest_m / unit_m;
+  const double low = low_m / unit_m, high = out.high, relief = high - out.low;
   if (!(low < high) || !(spec.interval || relief > 0)) return out;
   const double interval = spec.interval.value_or(round_step(relief / kOverRelief));
   const double first = std::floor((low - spec.offset) / interval),

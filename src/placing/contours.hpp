@@ -14,6 +14,7 @@ struct ContourLevels {
   std::vector<double> heights_m; ///< rising
   std::vector<double> heights;   ///< the same as asked for, in the unit that was asked for
   std::vector<bool> is_index;
+  double low, high; ///< the ground's heights, in that unit
 };
 
 /// Those between the least and the greatest of a terrain's heights; on a block's walls from its

@@ -245,6 +245,10 @@ TEST_CASE("render ends with a line, and says when profiles can't show relief") {
                }));
   const auto low = run_orograph({"render", "low.asc", "low.svg"}, {.folder = folder.path()});
   CHECK(holds(low.err, ", heights 2 times (--exaggeration 1 draws them true), "));
+  CHECK(said({"a.svg", "--contours", "-9000,200m"}).first.empty());
+  for (const std::string levels : {"9000m", "-9000,9000m", "9000ft"})
+    CHECK(said({"a.svg", "--contours", levels})
+              .first.starts_with("orograph: no contour is drawn: the ground is "));
 
   const std::string straight = "orograph: from straight above profiles are straight lines";
   const auto plan = [&](const std::string& elevation, std::vector<std::string> options) {

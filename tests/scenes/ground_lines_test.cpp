@@ -198,4 +198,35 @@ TEST_CASE("every other layer is the same with lines on the water and without") {
   }
 }
 
+// Three overlays, each in a pass of its own or all in one.
+TEST_CASE("overlays that several passes take are drawn as one pass draws them") {
+  std::uint64_t draped = 0, two_sectors = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 3; ++seed) {
+    Random random(seed);
+    RandomScene scene = with_lines(seed, random);
+    const Grid grid = grid_of(scene.terrain);
+    if (seed % 4 == 0) scene.terrain.surface = tin_of(grid);
+    if (seed % 3 == 0) scene.spec.style.layers.push_back("hidden-drape");
+    INFO("seed " << seed << ": " << scene.what);
+    std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+    if (!placed) continue;
+    std::vector<Overlay> overlays;
+    for (int i = 0; i < 3; ++i) overlays.push_back(random_overlay(scene.terrain, random));
+    placed->overlays = overlays;
+    const auto drawn = [&](std::size_t most_draped) {
+      return draw_map(scene.terrain, *placed, scene.spec, [](double) {},
+                      {.order_always = seed % 2 == 0, .most_draped = most_draped});
+    };
+    const Map one = drawn(std::numeric_limits<std::size_t>::max()), several = drawn(1);
+    CHECK(difference(one.drawing, several.drawing).empty());
+    CHECK(one.facts.counts.draped == several.facts.counts.draped);
+    CHECK(one.facts.counts.not_draped == several.facts.counts.not_draped);
+    CHECK(one.facts.left_out.min_stroke_mm == Approx(several.facts.left_out.min_stroke_mm));
+    draped += one.facts.counts.draped;
+    two_sectors += placed->sectors.size() > 1 ? 1 : 0;
+  }
+  CHECK(draped > 2 * kScenes / 3);
+  CHECK(two_sectors > 0);
+}
+
 } // namespace orograph::ground_lines_test
