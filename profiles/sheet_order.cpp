@@ -183,18 +183,17 @@ std::vector<std::uint32_t> sorted_places(const SheetTriangles& triangles, const 
   return places;
 }
 
-// Of cells side by side the one that comes first, the others outwards from it.
-struct FirstCell {
-  std::uint32_t number = 0;
-  bool is_passed = false, is_one = true;
+// Of cells side by side the runs that come with falling numbers.
+struct FallingRuns {
+  std::vector<StripsOfCells::Run> runs;
 
   // Edge k is between cells k - 1 and k. `side`: above 0 where k is the one in front.
-  void take(std::uint32_t edge, int side) {
-    if (side < 0) is_passed = true;
-    if (side > 0) {
-      is_one = is_one && !is_passed;
-      number = edge;
-    }
+  void take(std::uint32_t edge, int side, std::uint32_t cells) {
+    if (side <= 0 || edge == 0 || edge == cells) return;
+    if (!runs.empty() && runs.back().last + 1 == edge)
+      runs.back().last = edge;
+    else
+      runs.push_back({edge - 1, edge});
   }
 };
 
@@ -228,7 +227,7 @@ std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const PartVerti
                                                double from_m) {
   const auto columns = static_cast<std::uint32_t>(grid.columns),
              rows = static_cast<std::uint32_t>(grid.rows);
-  std::vector<FirstCell> in_row(rows - 1), in_column(columns - 1);
+  std::vector<FallingRuns> in_row(rows - 1), in_column(columns - 1);
   SidesOfLines of_rows, of_columns;
   FilledRows filled(grid, view);
   std::vector<ProfilePoint> above, row;
@@ -255,13 +254,13 @@ std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const PartVerti
       // The eye is north of it where the row before is in front.
       const int side = -eye_side(view, row[c], row[c + 1]);
       of_rows.take(side);
-      in_column[c].take(r, side);
+      if (of_columns.is_one()) in_column[c].take(r, side, rows - 1);
     }
     for (std::uint32_t c = north.first; c <= north.behind && north.behind > 0; ++c) {
       if ((c > 0 && !north.has(c - 1)) || (c + 1 < columns && !north.has(c))) continue;
       const int side = eye_side(view, above[c], row[c]);
       of_columns.take(side);
-      in_row[r - 1].take(c, side);
+      if (of_rows.is_one()) in_row[r - 1].take(c, side, columns - 1);
     }
     if (north.behind > 0 && (is_filled || was_filled) && !are_apart(above, row, north))
       return std::nullopt;
@@ -269,24 +268,28 @@ std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const PartVerti
     above.swap(row);
     north = south;
   }
-  const auto made = [&](bool are_rows, const SidesOfLines& lines,
-                        const std::vector<FirstCell>& first,
-                        std::uint32_t cells) -> std::optional<StripsOfCells> {
-    if (!lines.is_one() || !std::ranges::all_of(first, &FirstCell::is_one)) return std::nullopt;
-    StripsOfCells out{are_rows, !lines.any_in_front, cells, {}};
-    for (const FirstCell& of : first) out.first.push_back(std::min(of.number, cells - 1));
+  const auto made = [](bool are_rows, const SidesOfLines& lines,
+                       const std::vector<FallingRuns>& in_strip, std::uint32_t cells) {
+    StripsOfCells out{are_rows, !lines.any_in_front, cells, {}, {0}};
+    for (const FallingRuns& of : in_strip) {
+      out.falling.insert(out.falling.end(), of.runs.begin(), of.runs.end());
+      out.first_run.push_back(static_cast<std::uint32_t>(out.falling.size()));
+    }
     return out;
   };
-  auto by_rows = made(true, of_rows, in_row, columns - 1);
-  return by_rows ? std::move(by_rows) : made(false, of_columns, in_column, rows - 1);
+  if (of_rows.is_one()) return made(true, of_rows, in_row, columns - 1);
+  if (of_columns.is_one()) return made(false, of_columns, in_column, rows - 1);
+  return std::nullopt;
 }
 
 std::uint32_t StripsOfCells::place(std::uint32_t column, std::uint32_t row) const {
   const std::uint32_t strip = are_rows ? row : column, cell = are_rows ? column : row;
-  const auto strips = static_cast<std::uint32_t>(first.size());
-  const std::uint32_t from = first[strip];
-  const std::uint32_t outwards = cell >= from ? cell - from : cells - 1 - cell;
-  return (rises ? strip : strips - 1 - strip) * cells + outwards;
+  const auto strips = static_cast<std::uint32_t>(first_run.size()) - 1;
+  const std::span runs(falling.data() + first_run[strip], falling.data() + first_run[strip + 1]);
+  const auto run = std::ranges::lower_bound(runs, cell, {}, &Run::last);
+  const bool falls = run != runs.end() && run->first <= cell;
+  return (rises ? strip : strips - 1 - strip) * cells +
+         (falls ? run->first + run->last - cell : cell);
 }
 
 SheetOrder::SheetOrder(const Surface& surface, const SheetTriangles& triangles,

@@ -20,13 +20,18 @@ namespace orograph {
 /// Strips of a lattice's cells, rows or columns, in an order in which what is in front along a ray
 /// comes first, within each strip as well. Also where its lines are curves on the map plane.
 struct StripsOfCells {
+  struct Run {
+    std::uint32_t first, last;
+  };
   bool are_rows, rises;
-  std::uint32_t cells;              ///< of a strip
-  std::vector<std::uint32_t> first; ///< by strip: of its cells; the others follow outwards
+  std::uint32_t cells; ///< of a strip
+  /// Cells of a strip come with rising numbers, but for those of such runs; all strips' one after
+  /// another.
+  std::vector<Run> falling;
+  std::vector<std::uint32_t> first_run; ///< by strip, and behind the last
 
-  /// Of the cells of a part. None if the eye isn't on one side of all lines between strips, or if
-  /// it sees a strip from both of its ends; of all cells, if any is nearer than `from_m`. REQUIRES
-  /// a grid on the earth.
+  /// Of the cells of a part. None if the eye isn't on one side of all lines between strips; of all
+  /// cells, if any is nearer than `from_m`. REQUIRES a grid on the earth.
   static std::optional<StripsOfCells> of(const Grid& grid, const PartVertices& vertices,
                                          const SheetPart& part, const View& view, double from_m);
 
