@@ -10,19 +10,10 @@
 
 namespace orograph {
 
-namespace {
-
-bool has_own_frame(const SectorInWork& work) {
-  return work.sector.behind || work.placed.panorama;
-}
-
-} // namespace
-
 SheetInWork::SheetInWork(const SectorInWork& of)
     : work(of), sheet(*of.sheet), all(sheet.triangles), part(of.sheet_part ? *of.sheet_part : all),
-      vertices(has_own_frame(of) ? PartVertices(of.terrain.surface, of.sector.view, part)
-                                 : PartVertices(sheet.vertices)),
-      order(of.terrain.surface, sheet.triangles, part, vertices, of.placed.border, of.sector.view,
+      vertices(of.terrain.surface, of.sector.view),
+      order(of.terrain.surface, sheet.triangles, part, of.placed.border, of.sector.view,
             of.from_m) {
   if (of.placed.block_base_m) feet.emplace(of.terrain, of.placed, of.sector.view);
 }

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace orograph::sheet_order_test {
@@ -76,10 +75,9 @@ TEST_CASE("strips of cells in degrees are in order along every ray") {
     const View view = along_a_line(random, grid);
     const SheetTriangles triangles(surface);
     const SheetPart all(triangles);
-    const std::vector<ProfilePoint> at = vertices_in(surface, view);
-    const PartVertices vertices{std::span(at)};
+    const SheetVertices at(surface, view);
     constexpr double kFrom_m = 1;
-    const auto strips = StripsOfCells::of(grid, vertices, all, view, kFrom_m);
+    const auto strips = StripsOfCells::of(grid, at, all, view, kFrom_m);
     if (!strips) {
       ++sorted;
       continue;
@@ -87,9 +85,10 @@ TEST_CASE("strips of cells in degrees are in order along every ray") {
     for (std::size_t i = 0; i + 1 < strips->first_run.size(); ++i)
       if (strips->first_run[i + 1] - strips->first_run[i] > 1) ++restless;
     const std::vector<BorderEdge> border = border_edges(grid, false);
-    const SheetOrder order(surface, triangles, all, vertices, border, view, kFrom_m);
+    const SheetOrder order(surface, triangles, all, border, view, kFrom_m);
     for (int ray = 0; ray < 40; ++ray) {
-      const auto of = static_cast<std::size_t>(random.whole(0, static_cast<int>(at.size()) - 1));
+      const auto of =
+          static_cast<std::uint32_t>(random.whole(0, static_cast<int>(grid.size()) - 1));
       if (std::isnan(at[of].z)) continue;
       const double x = project(view, at[of]).x + random.between(-1e-3, 1e-3);
       std::vector<Passed> way;
