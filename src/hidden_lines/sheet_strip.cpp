@@ -106,9 +106,10 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   const auto is_up = [&](std::uint32_t t) {
     return t != kNoTriangle && sheet_.sheet.is_up[t] != 0;
   };
-  const LinePicture picture = pictures_.picture(number, whole(number));
-  const int side =
-      eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[edge.to]);
+  const ProfileLine ends{sheet_.vertices[edge.from], sheet_.vertices[edge.to]};
+  const int side = eye_side(sheet_.work.sector.view, ends.from, ends.to);
+  const LinePicture picture = pictures_.picture(
+      number, pictures_.is_edge(number) && !pictures_.sector().keeps_strip ? ends : whole(number));
   const auto place = [&](std::uint32_t t) { return sheet_.order.place(t); };
   if (picture.is_upright() || side == 0) {
     if (!line.drawn || (of_upper_side && !is_up(left) && !is_up(right))) return;
