@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -45,10 +46,25 @@ public:
   void read(std::uint32_t row, std::uint32_t first, std::uint32_t behind,
             std::vector<ProfilePoint>& out) const {
     out.resize(behind);
+    if (earth_ && behind - first == columns_) {
+      floats_ ? read_whole(row, floats_, out) : read_whole(row, doubles_, out);
+      return;
+    }
     for (std::uint32_t column = first; column < behind; ++column) out[column] = at(column, row);
   }
 
 private:
+  template <class Height>
+  void read_whole(std::uint32_t row, const Height* heights, std::vector<ProfilePoint>& out) const {
+    thread_local std::vector<double> x_m, y_m, z_m;
+    for (std::vector<double>* of : {&x_m, &y_m, &z_m}) of->resize(columns_);
+    earth_->row_vertices_m(static_cast<int>(row),
+                           std::span(heights + std::size_t{row} * columns_, columns_), x_m, y_m,
+                           z_m);
+    const double *x = x_m.data(), *y = y_m.data(), *z = z_m.data();
+    for (std::uint32_t c = 0; c < columns_; ++c)
+      out[c] = to_profile_frame(*view_, {x[c], y[c], z[c]});
+  }
   ProfilePoint at(std::uint32_t column, std::uint32_t row) const {
     const std::size_t vertex = std::size_t{row} * columns_ + column;
     const double height_m = floats_ ? static_cast<double>(floats_[vertex]) : doubles_[vertex];
