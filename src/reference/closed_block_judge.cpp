@@ -36,17 +36,18 @@ ClosedBlockJudge::Sight ClosedBlockJudge::sight(const ProfileLine& line, double 
   if (here == Sight::unsure) return here;
   // What ends just at the point's ray is a matter of rounding: a little to either side, along the
   // line and across the ray, and nearer to the eye, in front of a wall. And the way may lead along
-  // the ground.
+  // the ground, or pass it by less than the tolerance, as what is in a line with another does.
   const double size = std::hypot(b.u - a.u, b.v - a.v);
   const double beside = std::min(1e-4, 1e-5 * std::hypot(at.u, at.v) / std::max(1e-9, size));
   const double aside = 1e-7 * std::hypot(at.u, at.v), nearer = 20 * aside;
   const double along = u_along_ray(view, at), across_size = std::hypot(along, 1);
+  const double tilt = std::max(1e-3, sure_m / walk_.cell_m());
   for (const double way : {-1.0, 1.0}) {
     const double across = way * aside;
     const ProfilePoint in_front{at.u + (across - nearer * along) / across_size,
                                 at.v - (across * along + nearer) / across_size,
                                 at.z - nearer / across_size * z_along_ray(view, at)};
-    if (side(at, 1e-3 * way) != here || side(point_between(a, b, t + way * beside)) != here ||
+    if (side(at, tilt * way) != here || side(point_between(a, b, t + way * beside)) != here ||
         side(in_front) != here)
       return Sight::unsure;
   }

@@ -31,6 +31,13 @@ ClosedBlockWalk::ClosedBlockWalk(const TerrainData& terrain, double base_m, cons
                   : vertex.z - base_m;
     base_z_m_.push_back(vertex.z - depth_m);
   }
+  double area_m2 = 0;
+  for (const auto& [a, b, c] : tin_->triangles) {
+    const Vec3 from = tin_->vertices_m[a], ab = tin_->vertices_m[b] - from,
+               ac = tin_->vertices_m[c] - from;
+    area_m2 += std::abs(ab.x * ac.y - ab.y * ac.x); // twice
+  }
+  cell_m_ = std::sqrt(area_m2 / static_cast<double>(tin_->triangles.size()));
 }
 
 double ClosedBlockWalk::depth_inside_m(ProfilePoint point, double tilt) const {

@@ -22,6 +22,8 @@ public:
   ClosedBlockWalk(const TerrainData& terrain, double base_m, const View& view);
   /// From now on of another view. What is nearer than its near plane stands in front of nothing.
   void set_view(const View& view) { view_ = &view; }
+  /// The side of a square as large as two triangles of mean size, seen from above.
+  double cell_m() const { return cell_m_; }
 
   /// By how much the way from the point to the eye is inside of the block at most, as a height
   /// above its base or below its surface; negative where it passes outside. `tilt`: by how much the
@@ -34,7 +36,8 @@ private:
   const View* view_;
   std::shared_ptr<const TinIndex> index_;
   std::vector<double> base_z_m_; ///< by vertex: of the place below it, in the ground frame
-  double reach_m_ = 0;           ///< bound on coordinates in the ground frame
+  double cell_m_ = 0;
+  double reach_m_ = 0;                      ///< bound on coordinates in the ground frame
   mutable std::vector<std::uint32_t> near_; ///< triangles, reused from point to point
 };
 
