@@ -2,11 +2,11 @@
 #include "profiles/sheet.hpp"
 
 #include "geometry/error.hpp"
-#include "geometry/large_pages.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "profiles/facing.hpp"
 #include "profiles/mesh.hpp"
-#include "profiles/slab_lines.hpp"
+#include "profiles/row_facing.hpp"
+#include "profiles/sheet_vertices.hpp"
 #include "profiles/surface_edges.hpp"
 
 #include <algorithm>
@@ -88,35 +88,6 @@ SheetTriangles::Sides SheetTriangles::sides_of(SurfaceEdge edge) const {
   return {side(!is_mirrored_), side(is_mirrored_)};
 }
 
-std::vector<ProfilePoint> vertices_in(const Surface& surface, const View& view) {
-  if (const Tin* tin = std::get_if<Tin>(&surface)) {
-    std::vector<ProfilePoint> out(tin->vertices_m.size());
-    in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) out[i] = to_profile_frame(view, tin->vertices_m[i]);
-    });
-    return out;
-  }
-  const Grid& grid = std::get<Grid>(surface);
-  std::vector<ProfilePoint> out;
-  fill_on_large_pages(out, grid.size(), {});
-  std::visit(
-      [&](const auto& lattice, const auto& heights) {
-        in_tasks(out.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-          const auto columns = static_cast<std::size_t>(grid.columns);
-          for (std::size_t i = begin, row = begin / columns, at = begin % columns; i < end; ++i) {
-            out[i] = to_profile_frame(
-                view, lattice.vertex_m(static_cast<int>(at), static_cast<int>(row), heights[i]));
-            if (++at == columns) {
-              at = 0;
-              ++row;
-            }
-          }
-        });
-      },
-      grid.lattice, grid.heights_m);
-  return out;
-}
-
 namespace {
 
 // Edges at which the side of the sheet that the eye sees changes.
@@ -124,49 +95,122 @@ struct Turns {
   std::vector<SurfaceEdge> ridges, valleys;
 };
 
-void add_turn(const Sheet& sheet, const View& view, SurfaceEdge edge, Turns& out) {
-  const int side = eye_side(view, sheet.vertices[edge.from], sheet.vertices[edge.to]);
-  if (side == 0) return; // straight away from the eye, or towards it
-  const auto [left, right] = sheet.triangles.sides_of(edge);
-  const bool front_is_up = sheet.is_up[side > 0 ? left : right] != 0;
-  (front_is_up ? out.ridges : out.valleys).push_back(edge);
-}
+class FindTurns {
+public:
+  FindTurns(const Sheet& sheet, const Surface& surface, const View& view)
+      : sheet_(sheet), view_(view), vertices_(surface, view) {}
 
-// By vertex: of its edges to the east, the south and the south-east.
-void add_turns_of_grid(const Sheet& sheet, const Grid& grid, const View& view, std::size_t begin,
-                       std::size_t end, Turns& out) {
-  const auto columns = static_cast<std::size_t>(grid.columns), cells = columns - 1,
-             rows = static_cast<std::size_t>(grid.rows) - 1;
-  const auto differ = [&](std::size_t t, std::size_t other) {
-    return sheet.is_up[t] != sheet.is_up[other] &&
-           sheet.triangles.is_there(static_cast<std::uint32_t>(t)) &&
-           sheet.triangles.is_there(static_cast<std::uint32_t>(other));
-  };
-  for (std::size_t i = begin; i < end; ++i) {
-    const std::size_t column = i % columns, row = i / columns;
-    if (column == cells || row == rows) continue;
-    const std::size_t lower = 2 * (row * cells + column), upper = lower + 1;
-    const auto add = [&](std::size_t to) {
-      add_turn(sheet, view, {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(to)}, out);
-    };
-    if (row > 0 && differ(upper, lower - 2 * cells)) add(i + 1);
-    if (column > 0 && differ(lower, lower - 1)) add(i + columns);
-    if (differ(lower, upper)) add(i + columns + 1);
-  }
-}
-
-void add_turns_of_tin(const Sheet& sheet, const View& view, std::size_t begin, std::size_t end,
-                      Turns& out) {
-  for (std::size_t t = begin; t < end; ++t) {
-    const auto number = static_cast<std::uint32_t>(t);
-    const auto corners = sheet.triangles.corners(number);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t other = sheet.triangles.across(number, k);
-      if (other == kNoTriangle || other < number || sheet.is_up[other] == sheet.is_up[t]) continue;
-      const auto [from, to] = std::minmax({corners[(k + 1) % 3], corners[(k + 2) % 3]});
-      add_turn(sheet, view, {from, to}, out);
+  // Of the vertices of some rows: of each its edges to the east, the south and the south-east.
+  void in_rows(const Grid& grid, std::size_t begin, std::size_t end, Turns& out) const {
+    const auto columns = static_cast<std::size_t>(grid.columns), cells = columns - 1;
+    for (std::size_t row = begin; row < end; ++row) {
+      const std::uint8_t* const is_up = &sheet_.is_up[2 * row * cells];
+      const std::uint8_t* const north = row > 0 ? is_up - 2 * cells : nullptr;
+      for (std::size_t c = 0; c < cells; ++c) {
+        const std::size_t lower = 2 * c, upper = lower + 1;
+        const bool at_north = north && north[lower] != is_up[upper],
+                   at_west = c > 0 && is_up[lower - 1] != is_up[lower],
+                   at_diagonal = is_up[lower] != is_up[upper];
+        if (!at_north && !at_west && !at_diagonal) continue;
+        const std::size_t first = 2 * row * cells, vertex = row * columns + c;
+        const auto add = [&](std::size_t t, std::size_t other, std::size_t to) {
+          if (is_there(t) && is_there(other))
+            add_turn({static_cast<std::uint32_t>(vertex), static_cast<std::uint32_t>(to)}, out);
+        };
+        if (at_north) add(first + upper, first + lower - 2 * cells, vertex + 1);
+        if (at_west) add(first + lower, first + lower - 1, vertex + columns);
+        if (at_diagonal) add(first + lower, first + upper, vertex + columns + 1);
+      }
     }
   }
+
+  void in_triangles(std::size_t begin, std::size_t end, Turns& out) const {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto number = static_cast<std::uint32_t>(t);
+      const auto corners = sheet_.triangles.corners(number);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = sheet_.triangles.across(number, k);
+        if (other == kNoTriangle || other < number || sheet_.is_up[other] == sheet_.is_up[t])
+          continue;
+        const auto [from, to] = std::minmax({corners[(k + 1) % 3], corners[(k + 2) % 3]});
+        add_turn({from, to}, out);
+      }
+    }
+  }
+
+private:
+  bool is_there(std::size_t t) const {
+    return sheet_.triangles.is_there(static_cast<std::uint32_t>(t));
+  }
+  void add_turn(SurfaceEdge edge, Turns& out) const {
+    const int side = eye_side(view_, vertices_[edge.from], vertices_[edge.to]);
+    if (side == 0) return; // straight away from the eye, or towards it
+    const auto [left, right] = sheet_.triangles.sides_of(edge);
+    const bool front_is_up = sheet_.is_up[side > 0 ? left : right] != 0;
+    (front_is_up ? out.ridges : out.valleys).push_back(edge);
+  }
+
+  const Sheet& sheet_;
+  const View& view_;
+  SheetVertices vertices_;
+};
+
+// Calls take(task, first, end) on all cores with the rows of cells of each task.
+constexpr std::size_t kRowsOfTask = 64;
+std::size_t task_count(const Grid& grid) {
+  return (static_cast<std::size_t>(grid.rows) - 1 + kRowsOfTask - 1) / kRowsOfTask;
+}
+template <class Take>
+void in_rows_of_tasks(const Grid& grid, const Take& take) {
+  const auto rows = static_cast<std::size_t>(grid.rows) - 1;
+  on_all_cores(task_count(grid), [&](std::size_t task) {
+    take(task, task * kRowsOfTask, std::min(rows, (task + 1) * kRowsOfTask));
+  });
+}
+
+template <class RowFacing>
+void reckon_rows(RowFacing facing, std::size_t first, std::size_t end,
+                 std::vector<std::uint8_t>& is_up) {
+  const std::size_t cells = facing.lower.size();
+  for (std::size_t row = first; row < end; ++row) {
+    facing.reckon(static_cast<int>(row), 0, static_cast<int>(cells));
+    std::uint8_t* out = &is_up[2 * row * cells];
+    for (std::size_t c = 0; c < cells; ++c) {
+      out[2 * c] = facing.lower[c] == kMayFace ? 1 : 0;
+      out[2 * c + 1] = facing.upper[c] == kMayFace ? 1 : 0;
+    }
+  }
+}
+
+// Of triangles that aren't there no.
+void find_facing(const Grid& grid, const View& view, std::vector<std::uint8_t>& is_up) {
+  in_rows_of_tasks(grid, [&](std::size_t, std::size_t first, std::size_t end) {
+    std::visit(
+        [&](const auto& heights) {
+          if (grid.is_on_earth())
+            reckon_rows(EarthRowFacing(grid, heights, view), first, end, is_up);
+          else
+            reckon_rows(PlaneRowFacing(grid, heights, view), first, end, is_up);
+        },
+        grid.heights_m);
+  });
+}
+
+void find_facing(const Surface& surface, const SheetTriangles& triangles, const View& view,
+                 std::vector<std::uint8_t>& is_up) {
+  const SheetVertices vertices(surface, view);
+  in_tasks(is_up.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      auto [a, b, c] = triangles.corners(static_cast<std::uint32_t>(t));
+      while (a > b || a > c) { // from the lowest
+        const std::uint32_t first = a;
+        a = b;
+        b = c;
+        c = first;
+      }
+      is_up[t] = facing_of(view, vertices[a], vertices[b], vertices[c]) == kMayFace ? 1 : 0;
+    }
+  });
 }
 
 } // namespace
@@ -175,33 +219,24 @@ Sheet sheet_of(const Surface& surface, const View& view) {
   if (const Tin* tin = std::get_if<Tin>(&surface); tin && !walls_of(*tin).empty())
     throw UsageError("the underside of a terrain with vertical walls isn't drawn",
                      "leave out `underside`");
-  Sheet sheet{SheetTriangles(surface), vertices_in(surface, view), {}, {}, {}};
-  const SheetTriangles& triangles = sheet.triangles;
-  const std::vector<ProfilePoint>& vertices = sheet.vertices;
-  sheet.is_up.resize(triangles.count());
-  in_tasks(triangles.count(), [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto number = static_cast<std::uint32_t>(t);
-      if (!triangles.is_there(number)) continue;
-      auto [a, b, c] = triangles.corners(number);
-      while (a > b || a > c) { // from the lowest
-        const std::uint32_t first = a;
-        a = b;
-        b = c;
-        c = first;
-      }
-      sheet.is_up[t] = facing_of(view, vertices[a], vertices[b], vertices[c]) == kMayFace ? 1 : 0;
-    }
-  });
+  Sheet sheet{SheetTriangles(surface), {}, {}, {}};
+  sheet.is_up.resize(sheet.triangles.count());
+  const FindTurns turns(sheet, surface, view);
+  std::vector<Turns> of_tasks;
   const Grid* const grid = std::get_if<Grid>(&surface);
-  const std::size_t count = grid ? grid->size() : triangles.count();
-  std::vector<Turns> of_tasks((count + kOfTask - 1) / kOfTask);
-  in_tasks(count, [&](std::size_t task, std::size_t begin, std::size_t end) {
-    if (grid)
-      add_turns_of_grid(sheet, *grid, view, begin, end, of_tasks[task]);
-    else
-      add_turns_of_tin(sheet, view, begin, end, of_tasks[task]);
-  });
+  if (grid) {
+    find_facing(*grid, view, sheet.is_up);
+    of_tasks.resize(task_count(*grid));
+    in_rows_of_tasks(*grid, [&](std::size_t task, std::size_t first, std::size_t end) {
+      turns.in_rows(*grid, first, end, of_tasks[task]);
+    });
+  } else {
+    find_facing(surface, sheet.triangles, view, sheet.is_up);
+    of_tasks.resize((sheet.is_up.size() + kOfTask - 1) / kOfTask);
+    in_tasks(sheet.is_up.size(), [&](std::size_t task, std::size_t begin, std::size_t end) {
+      turns.in_triangles(begin, end, of_tasks[task]);
+    });
+  }
   for (Turns& found : of_tasks) {
     throw_if_stopped();
     sheet.ridges.insert(sheet.ridges.end(), found.ridges.begin(), found.ridges.end());

@@ -56,9 +56,6 @@ private:
   std::vector<TinSides> edges_; ///< of a TIN, in order
 };
 
-/// All vertices in the profile frame, by number. On all cores.
-std::vector<ProfilePoint> vertices_in(const Surface& surface, const View& view);
-
 /// Where the eye is of the line from -> to, seen from above: 1 left, -1 right, 0 on it to rounding.
 /// The same, but for its sign, of to -> from.
 inline int eye_side(const View& view, ProfilePoint from, ProfilePoint to) {
@@ -70,8 +67,7 @@ inline int eye_side(const View& view, ProfilePoint from, ProfilePoint to) {
 /// A sheet as an eye sees it.
 struct Sheet {
   SheetTriangles triangles;
-  std::vector<ProfilePoint> vertices; ///< in the eye's profile frame, by number
-  std::vector<std::uint8_t> is_up;    ///< by triangle: the eye is on its upper side
+  std::vector<std::uint8_t> is_up; ///< by triangle: the eye is on its upper side
   /// Where along a ray the sheet's picture turns from up to down, and from down to up: the upper
   /// side ends there against what is behind it, and the underside. In order.
   std::vector<SurfaceEdge> ridges, valleys;

@@ -183,18 +183,17 @@ std::vector<std::uint32_t> sorted_places(const SheetTriangles& triangles, const 
   return places;
 }
 
-// Of cells side by side the one that comes first, the others outwards from it.
-struct FirstCell {
-  std::uint32_t number = 0;
-  bool is_passed = false, is_one = true;
+// Of cells side by side the runs that come with falling numbers.
+struct FallingRuns {
+  std::vector<StripsOfCells::Run> runs;
 
   // Edge k is between cells k - 1 and k. `side`: above 0 where k is the one in front.
-  void take(std::uint32_t edge, int side) {
-    if (side < 0) is_passed = true;
-    if (side > 0) {
-      is_one = is_one && !is_passed;
-      number = edge;
-    }
+  void take(std::uint32_t edge, int side, std::uint32_t cells) {
+    if (side <= 0 || edge == 0 || edge == cells) return;
+    if (!runs.empty() && runs.back().last + 1 == edge)
+      runs.back().last = edge;
+    else
+      runs.push_back({edge - 1, edge});
   }
 };
 
@@ -223,29 +222,30 @@ struct SidesOfLines {
 
 } // namespace
 
-std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const PartVertices& vertices,
+std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const SheetVertices& vertices,
                                                const SheetPart& part, const View& view,
                                                double from_m) {
   const auto columns = static_cast<std::uint32_t>(grid.columns),
              rows = static_cast<std::uint32_t>(grid.rows);
-  std::vector<FirstCell> in_row(rows - 1), in_column(columns - 1);
+  std::vector<FallingRuns> in_row(rows - 1), in_column(columns - 1);
   SidesOfLines of_rows, of_columns;
-  FilledRows filled(grid, view);
+  FilledRows filled(grid, view, vertices);
+  std::vector<std::uint8_t> upper_is_near(part.count() / 2);
   std::vector<ProfilePoint> above, row;
   bool was_filled = false;
   SheetPart::Cells north; // of the row
   for (std::uint32_t r = 0; r < rows; ++r) {
     throw_if_stopped();
     SheetPart::Cells south{0, 0, 0};
-    if (r + 1 < rows) south = part.is_all() ? SheetPart::Cells{0, columns - 1, 0} : part.rows()[r];
+    if (r + 1 < rows)
+      south = part.is_all() ? SheetPart::Cells{0, columns - 1, r * (columns - 1)} : part.rows()[r];
     SheetPart::Cells both = north.behind == 0 ? south : north; // all that is asked for
     if (north.behind > 0 && south.behind > 0) {
       both.first = std::min(north.first, south.first);
       both.behind = std::max(north.behind, south.behind);
     }
     bool is_filled = false;
-    if (both.behind > 0)
-      is_filled = filled.read(static_cast<int>(r), both.first, both.behind + 1, vertices, row);
+    if (both.behind > 0) is_filled = filled.read(r, both.first, both.behind + 1, row);
     // Of edges those count whose cells are all looked at.
     if (part.is_all())
       for (std::uint32_t c = 0; c < columns; ++c)
@@ -255,14 +255,16 @@ std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const PartVerti
       // The eye is north of it where the row before is in front.
       const int side = -eye_side(view, row[c], row[c + 1]);
       of_rows.take(side);
-      in_column[c].take(r, side);
+      if (of_columns.is_one()) in_column[c].take(r, side, rows - 1);
     }
     for (std::uint32_t c = north.first; c <= north.behind && north.behind > 0; ++c) {
       if ((c > 0 && !north.has(c - 1)) || (c + 1 < columns && !north.has(c))) continue;
       const int side = eye_side(view, above[c], row[c]);
       of_columns.take(side);
-      in_row[r - 1].take(c, side);
+      if (of_rows.is_one()) in_row[r - 1].take(c, side, columns - 1);
     }
+    for (std::uint32_t c = north.first; c < north.behind; ++c)
+      upper_is_near[north.place + c - north.first] = eye_side(view, above[c], row[c + 1]) > 0;
     if (north.behind > 0 && (is_filled || was_filled) && !are_apart(above, row, north))
       return std::nullopt;
     was_filled = is_filled;
@@ -270,37 +272,42 @@ std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const PartVerti
     north = south;
   }
   const auto made = [&](bool are_rows, const SidesOfLines& lines,
-                        const std::vector<FirstCell>& first,
-                        std::uint32_t cells) -> std::optional<StripsOfCells> {
-    if (!lines.is_one() || !std::ranges::all_of(first, &FirstCell::is_one)) return std::nullopt;
-    StripsOfCells out{are_rows, !lines.any_in_front, cells, {}};
-    for (const FirstCell& of : first) out.first.push_back(std::min(of.number, cells - 1));
+                        const std::vector<FallingRuns>& in_strip, std::uint32_t cells) {
+    StripsOfCells out{are_rows, !lines.any_in_front, cells, {}, {0}, std::move(upper_is_near)};
+    for (const FallingRuns& of : in_strip) {
+      out.falling.insert(out.falling.end(), of.runs.begin(), of.runs.end());
+      out.first_run.push_back(static_cast<std::uint32_t>(out.falling.size()));
+    }
     return out;
   };
-  auto by_rows = made(true, of_rows, in_row, columns - 1);
-  return by_rows ? std::move(by_rows) : made(false, of_columns, in_column, rows - 1);
+  if (of_rows.is_one()) return made(true, of_rows, in_row, columns - 1);
+  if (of_columns.is_one()) return made(false, of_columns, in_column, rows - 1);
+  return std::nullopt;
 }
 
 std::uint32_t StripsOfCells::place(std::uint32_t column, std::uint32_t row) const {
   const std::uint32_t strip = are_rows ? row : column, cell = are_rows ? column : row;
-  const auto strips = static_cast<std::uint32_t>(first.size());
-  const std::uint32_t from = first[strip];
-  const std::uint32_t outwards = cell >= from ? cell - from : cells - 1 - cell;
-  return (rises ? strip : strips - 1 - strip) * cells + outwards;
+  const auto strips = static_cast<std::uint32_t>(first_run.size()) - 1;
+  const std::span runs(falling.data() + first_run[strip], falling.data() + first_run[strip + 1]);
+  const auto run = std::ranges::lower_bound(runs, cell, {}, &Run::last);
+  const bool falls = run != runs.end() && run->first <= cell;
+  return (rises ? strip : strips - 1 - strip) * cells +
+         (falls ? run->first + run->last - cell : cell);
 }
 
 SheetOrder::SheetOrder(const Surface& surface, const SheetTriangles& triangles,
-                       const SheetPart& part, const PartVertices& vertices,
-                       const std::vector<BorderEdge>& border, const View& view, double from_m)
-    : view_(view), triangles_(triangles), part_(part), vertices_(vertices) {
+                       const SheetPart& part, const std::vector<BorderEdge>& border,
+                       const View& view, double from_m)
+    : part_(part) {
   const Grid* const grid = std::get_if<Grid>(&surface);
   if (grid) cells_ = static_cast<std::uint32_t>(grid->columns - 1);
   if (grid && !grid->is_on_earth()) {
     lattice_.emplace(*grid, view);
     return;
   }
-  if (grid) strips_ = StripsOfCells::of(*grid, vertices, part, view, from_m);
+  if (grid) strips_ = StripsOfCells::of(*grid, SheetVertices(surface, view), part, view, from_m);
   if (strips_) return;
+  const PartVertices vertices(surface, view, part);
   places_ = sorted_places(triangles, part, vertices, border, view, from_m);
 }
 
@@ -309,14 +316,10 @@ std::uint64_t SheetOrder::place(std::uint32_t t) const {
   if (lattice_)
     return lattice_->turn(static_cast<int>(column), static_cast<int>(row),
                           t % 2 == 0 ? Half::lower : Half::upper);
-  if (!strips_) {
-    const std::uint32_t place = part_.place_of(t);
-    return place == kNoTriangle ? 0 : places_[place];
-  }
-  // The upper triangle is on the left of the diagonal.
-  const auto corners = triangles_.corners(t);
-  const auto [from, to] = std::minmax_element(corners.begin(), corners.end());
-  const bool upper_is_near = eye_side(view_, vertices_[*from], vertices_[*to]) > 0;
+  const std::uint32_t place = part_.place_of(t);
+  if (place == kNoTriangle) return 0;
+  if (!strips_) return places_[place];
+  const bool upper_is_near = strips_->upper_is_near[place / 2] != 0;
   return std::uint64_t{2} * strips_->place(column, row) + (upper_is_near == (t % 2 == 0) ? 1 : 0);
 }
 

@@ -3,16 +3,15 @@
 #pragma once
 
 #include "dem/surface.hpp"
-#include "geometry/profile_point.hpp"
 #include "profiles/lattice_order.hpp"
 #include "profiles/outline.hpp"
 #include "profiles/sheet.hpp"
 #include "profiles/sheet_part.hpp"
+#include "profiles/sheet_vertices.hpp"
 #include "view/view.hpp"
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace orograph {
@@ -20,14 +19,22 @@ namespace orograph {
 /// Strips of a lattice's cells, rows or columns, in an order in which what is in front along a ray
 /// comes first, within each strip as well. Also where its lines are curves on the map plane.
 struct StripsOfCells {
+  struct Run {
+    std::uint32_t first, last;
+  };
   bool are_rows, rises;
-  std::uint32_t cells;              ///< of a strip
-  std::vector<std::uint32_t> first; ///< by strip: of its cells; the others follow outwards
+  std::uint32_t cells; ///< of a strip
+  /// Cells of a strip come with rising numbers, but for those of such runs; all strips' one after
+  /// another.
+  std::vector<Run> falling;
+  std::vector<std::uint32_t> first_run; ///< by strip, and behind the last
+  /// By the cells' places in the part: whether the triangle on the left of the diagonal comes
+  /// first.
+  std::vector<std::uint8_t> upper_is_near;
 
-  /// Of the cells of a part. None if the eye isn't on one side of all lines between strips, or if
-  /// it sees a strip from both of its ends; of all cells, if any is nearer than `from_m`. REQUIRES
-  /// a grid on the earth.
-  static std::optional<StripsOfCells> of(const Grid& grid, const PartVertices& vertices,
+  /// Of the cells of a part. None if the eye isn't on one side of all lines between strips; of all
+  /// cells, if any is nearer than `from_m`. REQUIRES a grid on the earth.
+  static std::optional<StripsOfCells> of(const Grid& grid, const SheetVertices& vertices,
                                          const SheetPart& part, const View& view, double from_m);
 
   std::uint32_t place(std::uint32_t column, std::uint32_t row) const; ///< of a cell
@@ -42,21 +49,17 @@ struct StripsOfCells {
 /// these have no cycles; where rounding makes one, the nearest triangle goes first.
 class SheetOrder {
 public:
-  /// `vertices` in the frame of `view`, which is a sector's; what is nearer than `from_m` isn't
-  /// looked at. REQUIRES that triangles, part, vertices and view outlive it. Cost of the last kind:
-  /// O(triangles of the part + m log m) of its m edges of the border, and a look at all of those.
+  /// `view` is a sector's; what is nearer than `from_m` isn't looked at. REQUIRES that the part
+  /// outlives it. Cost of the last kind: O(triangles of the part + m log m) of its m edges of the
+  /// border, and a look at all of those.
   SheetOrder(const Surface& surface, const SheetTriangles& triangles, const SheetPart& part,
-             const PartVertices& vertices, const std::vector<BorderEdge>& border, const View& view,
-             double from_m);
+             const std::vector<BorderEdge>& border, const View& view, double from_m);
 
   /// Of a triangle beside the part anything.
   std::uint64_t place(std::uint32_t triangle) const;
 
 private:
-  const View& view_;
-  const SheetTriangles& triangles_;
   const SheetPart& part_;
-  const PartVertices& vertices_;
   std::optional<LatticeOrder> lattice_;
   std::optional<StripsOfCells> strips_;
   std::uint32_t cells_ = 1;           ///< in a row of the lattice

@@ -2,6 +2,7 @@
 #include "profiles/sheet_part.hpp"
 
 #include "geometry/on_all_cores.hpp"
+#include "profiles/sheet_vertices.hpp"
 
 #include <array>
 #include <cmath>
@@ -95,9 +96,9 @@ private:
 
 class PartsOfSheet {
 public:
-  PartsOfSheet(const SheetTriangles& triangles, std::span<const ProfilePoint> vertices,
-               const View& view, std::span<const AzimuthWedge> ranges)
-      : triangles_(triangles), vertices_(vertices), view_(view), wedges_(ranges) {
+  PartsOfSheet(const Surface& surface, const SheetTriangles& triangles, const View& view,
+               std::span<const AzimuthWedge> ranges)
+      : triangles_(triangles), vertices_(surface, view), view_(view), wedges_(ranges) {
     parts_.resize(ranges.size(), SheetPart{});
     for (SheetPart& part : parts_) part.is_part_ = true;
   }
@@ -113,16 +114,15 @@ public:
     on_all_cores((rows + kRowsOfTask - 1) / kRowsOfTask, [&](std::size_t task) {
       std::vector<ProfilePoint> above, below;
       std::vector<double> angles_above, angles_below;
-      FilledRows filled(grid, view_);
-      const auto read = [&](std::size_t row, std::vector<ProfilePoint>& points,
+      FilledRows filled(grid, view_, vertices_);
+      const auto read = [&](std::size_t number, std::vector<ProfilePoint>& points,
                             std::vector<double>& angles) {
-        if (grid.is_on_earth()) {
-          filled.read(static_cast<int>(row), 0, static_cast<std::uint32_t>(columns), vertices_,
-                      points);
-        } else {
-          const auto first = vertices_.begin() + static_cast<std::ptrdiff_t>(row * columns);
-          points.assign(first, first + static_cast<std::ptrdiff_t>(columns));
-        }
+        const auto row = static_cast<std::uint32_t>(number),
+                   behind = static_cast<std::uint32_t>(columns);
+        if (grid.is_on_earth())
+          filled.read(row, 0, behind, points);
+        else
+          vertices_.read(row, 0, behind, points);
         angles.resize(columns);
         for (std::size_t i = 0; i < columns; ++i)
           angles[i] = diamond_angle(points[i].u, points[i].v);
@@ -176,16 +176,15 @@ public:
 
 private:
   const SheetTriangles& triangles_;
-  std::span<const ProfilePoint> vertices_;
+  SheetVertices vertices_;
   const View& view_;
   Wedges wedges_;
   std::vector<SheetPart> parts_;
 };
 
 std::vector<SheetPart> parts_in_wedges(const Surface& surface, const SheetTriangles& triangles,
-                                       std::span<const ProfilePoint> vertices, const View& view,
-                                       std::span<const AzimuthWedge> wedges) {
-  PartsOfSheet parts(triangles, vertices, view, wedges);
+                                       const View& view, std::span<const AzimuthWedge> wedges) {
+  PartsOfSheet parts(surface, triangles, view, wedges);
   if (const Grid* grid = std::get_if<Grid>(&surface))
     parts.add_cells(*grid);
   else
@@ -198,7 +197,9 @@ PartVertices::PartVertices(const Surface& surface, const View& view, const Sheet
   if (tin_) return;
   const Grid& grid = std::get<Grid>(surface);
   columns_ = static_cast<std::uint32_t>(grid.columns);
-  const std::vector<SheetPart::Cells>& cells = part.rows();
+  const std::vector<SheetPart::Cells> whole_rows(
+      part.is_all() ? static_cast<std::size_t>(grid.rows) - 1 : 0, {0, columns_ - 1, 0});
+  const std::vector<SheetPart::Cells>& cells = part.is_all() ? whole_rows : part.rows();
   struct Row {
     std::uint32_t first, behind;
     std::size_t place;

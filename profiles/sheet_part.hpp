@@ -82,68 +82,30 @@ private:
 };
 
 /// For each wedge about the eye the triangles that reach into it; some that only come near as well.
-/// `vertices` in the frame of `view`, in which the eye is above its origin. REQUIRES a perspective
-/// view. Cost: a look at each triangle.
+/// REQUIRES a perspective view, in whose frame the eye is above the origin. Cost: a look at each
+/// triangle.
 std::vector<SheetPart> parts_in_wedges(const Surface& surface, const SheetTriangles& triangles,
-                                       std::span<const ProfilePoint> vertices, const View& view,
-                                       std::span<const AzimuthWedge> wedges);
+                                       const View& view, std::span<const AzimuthWedge> wedges);
 
-/// A sheet's vertices in the frame of one view, as far as a part of it asks for them.
+/// The vertices of a sheet in the frame of one view, kept as far as a part of it asks for them: for
+/// who asks for each many times.
 class PartVertices {
 public:
-  /// REQUIRES that they outlive it.
-  explicit PartVertices(std::span<const ProfilePoint> all) : all_(all) {}
-  /// In another view of the same surface. REQUIRES that surface and view outlive it. On all cores.
+  /// REQUIRES that surface and view outlive it. On all cores.
   PartVertices(const Surface& surface, const View& view, const SheetPart& part);
 
   ProfilePoint operator[](std::uint32_t vertex) const {
-    if (!all_.empty()) return all_[vertex];
     if (tin_) return to_profile_frame(*view_, tin_->vertices_m[vertex]);
     const std::uint32_t row = vertex / columns_;
     return own_[rows_[row] + (vertex - row * columns_)];
   }
 
 private:
-  std::span<const ProfilePoint> all_;
   const Tin* tin_ = nullptr;
   const View* view_ = nullptr;
   std::uint32_t columns_ = 1;
   std::vector<std::ptrdiff_t> rows_; ///< to be added to a column
   std::vector<ProfilePoint> own_;
-};
-
-/// Vertices of a lattice on the earth, row by row. Where one isn't there the ground goes on as high
-/// as before it.
-class FilledRows {
-public:
-  FilledRows(const Grid& grid, const View& view) : grid_(grid), view_(view) {}
-
-  /// Columns from `first` on of a row whose vertices are known. Tells whether any was filled.
-  template <class Vertices>
-  bool read(int row, std::uint32_t first, std::uint32_t behind, const Vertices& vertices,
-            std::vector<ProfilePoint>& out) {
-    const auto number = static_cast<std::uint32_t>(grid_.index(0, row));
-    out.resize(behind);
-    bool is_filled = false, was_there = false;
-    for (std::uint32_t column = first; column < behind; ++column) {
-      ProfilePoint at = vertices[number + column];
-      const bool is_there = !std::isnan(at.z);
-      if (!is_there) {
-        const int of = static_cast<int>(column);
-        if (was_there) height_m_ = grid_.height_m(of - 1, row);
-        at = to_profile_frame(view_, grid_.earth().vertex_m(of, row, height_m_));
-        is_filled = true;
-      }
-      out[column] = at;
-      was_there = is_there;
-    }
-    return is_filled;
-  }
-
-private:
-  const Grid& grid_;
-  const View& view_;
-  double height_m_ = 0;
 };
 
 } // namespace orograph

@@ -3,8 +3,8 @@
 // doesn't, so that no more is asked of the pass than that its lines are compared before that edge
 // rises; the others are seen from within, and have no lines.
 #include "geometry/on_all_cores.hpp"
-#include "geometry/sort_by_number.hpp"
 #include "hidden_lines/ground_lines.hpp"
+#include "hidden_lines/void_walls.hpp"
 #include "placing/block.hpp"
 #include "placing/contours.hpp"
 #include "placing/vertex_values.hpp"
@@ -62,11 +62,12 @@ public:
     find_ends();
     sides_.resize(count);
     on_all_cores((count + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+      std::size_t from_near = 0, to_near = 0;
       for (std::size_t i = task * kOfTask; i < std::min(count, (task + 1) * kOfTask); ++i) {
         const auto& [edge, left] = placed.border[i];
+        const std::uint32_t from = end_of(edge.from, from_near), to = end_of(edge.to, to_near);
         Side& side = sides_[i];
-        side = {end_of(left ? edge.from : edge.to), end_of(left ? edge.to : edge.from), false,
-                !ground || is_looked_at(*ground, edge)};
+        side = {left ? from : to, left ? to : from, false, !ground || is_looked_at(*ground, edge)};
         side.is_towards_eye = is_towards_eye(ends_[side.from].top, ends_[side.to].top);
       }
     });
@@ -74,17 +75,21 @@ public:
       ends_[sides_[i].from].leaving = i;
       ends_[sides_[i].to].coming = i;
     }
-    of_void_ = style.asks_for("voids") ? std::vector<bool>(count)
-                                       : around_voids(terrain.surface, placed.border);
+    of_void_ = around_voids(terrain.surface, placed.border);
+    draws_rims_ = !style.asks_for("voids");
+    find_hidden(tie_tolerance(placed.sectors.front(), style.visibility_tolerance_mm).greatest_y);
   }
 
   void add_outline() {
     const auto feature = add_feature({LineKind::block, {}});
     for (std::uint32_t i = 0; i < sides_.size(); ++i) {
       const auto& [from, to, is_towards_eye, is_looked_at] = sides_[i];
-      if (of_void_[i] && is_looked_at) add_line(rim(from), rim(to), i, feature);
-      if (sides_[i].has_lines() || is_closed_) add_line(foot(from), foot(to), i, feature);
-      if (!sides_[i].has_lines()) continue;
+      if (draws_rims_ && of_void_[i] && is_looked_at &&
+          !is_hidden(i, ends_[from].top, ends_[to].top))
+        add_line(rim(from), rim(to), i, feature);
+      if ((sides_[i].has_lines() && !is_hidden(i, ends_[from].foot, ends_[to].foot)) || is_closed_)
+        add_line(foot(from), foot(to), i, feature);
+      if (!sides_[i].has_lines() || is_hidden(i, ends_[from].top, ends_[to].top)) continue;
       if (is_corner(i, false)) add_upright(i, 0, feature);
       if (is_corner(i, true)) add_upright(i, 1, feature);
     }
@@ -133,6 +138,8 @@ public:
         const double from_m = ends_[from].height_m, to_m = ends_[to].height_m;
         if (std::max(from_m, to_m) <= level_m) continue;
         if (std::min(from_m, to_m) >= level_m) {
+          if (is_hidden(i, below_end(ends_[from], level_m), below_end(ends_[to], level_m)))
+            continue;
           add_line(below(from), below(to), i, feature);
           continue;
         }
@@ -167,6 +174,26 @@ private:
   }
 
   // Shares of the way from a to b at which the page shows whole steps, of those that are within.
+  // Most of the walls of voids, whose near rim hides them. A block that is closed below may be seen
+  // from there.
+  void find_hidden(double slack_y) {
+    if (is_closed_ || placed_.panorama || placed_.sectors.size() > 1) return;
+    std::vector<ProfilePoint> tops(ends_.size());
+    std::ranges::transform(ends_, tops.begin(), &End::top);
+    std::vector<VoidRim> rims;
+    for (std::size_t i = 0; i < sides_.size(); ++i)
+      if (of_void_[i]) rims.push_back({sides_[i].from, sides_[i].to, sides_[i].is_towards_eye});
+    hidden_below_y_.assign(sides_.size(), -std::numeric_limits<double>::infinity());
+    const std::vector<double> hidden = hidden_below(view_, tops, rims, slack_y);
+    auto y = hidden.begin();
+    for (std::size_t i = 0; i < sides_.size(); ++i)
+      if (of_void_[i]) hidden_below_y_[i] = *y++;
+  }
+  bool is_hidden(std::uint32_t side, ProfilePoint a, ProfilePoint b) const {
+    return !hidden_below_y_.empty() &&
+           std::max(project(view_, a).y, project(view_, b).y) < hidden_below_y_[side];
+  }
+
   template <class Take>
   void for_each_step(ProfilePoint a, ProfilePoint b, bool by_azimuth, double step, XRange within,
                      const Take& take) const {
@@ -234,19 +261,14 @@ private:
   }
 
   void find_ends() {
-    std::vector<std::uint32_t> vertices;
-    vertices.reserve(2 * placed_.border.size());
-    for (const auto& [edge, left] : placed_.border)
-      vertices.insert(vertices.end(), {edge.from, edge.to});
-    sort_by_number(vertices, [](std::uint32_t vertex) { return vertex; });
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    ends_.resize(vertices.size());
+    vertices_ = vertices_of(placed_.border);
+    ends_.resize(vertices_.size());
     const VertexValues heights = heights_of(terrain_);
     const Grid* const grid = std::get_if<Grid>(&terrain_.surface);
     on_all_cores((ends_.size() + kOfTask - 1) / kOfTask, [&](std::size_t task) {
       for (std::size_t i = task * kOfTask; i < std::min(ends_.size(), (task + 1) * kOfTask); ++i) {
         End& end = ends_[i];
-        end = {vertices[i], 0, {}, {}, {}, kNone, kNone, kNone, kNone};
+        end = {vertices_[i], 0, {}, {}, {}, kNone, kNone, kNone, kNone};
         heights(end.vertex, std::span(&end.height_m, 1));
         end.ground_m = grid ? grid->vertex_m(end.vertex)
                             : std::get<Tin>(terrain_.surface).vertices_m[end.vertex];
@@ -256,9 +278,15 @@ private:
     });
   }
 
-  std::uint32_t end_of(std::uint32_t vertex) const {
-    return static_cast<std::uint32_t>(std::ranges::lower_bound(ends_, vertex, {}, &End::vertex) -
-                                      ends_.begin());
+  // Edges are in order, and so the ends of one are mostly near those of the last.
+  std::uint32_t end_of(std::uint32_t vertex, std::size_t& near) const {
+    constexpr int kMostSteps = 8;
+    for (int i = 0; i < kMostSteps && vertices_[near] != vertex; ++i)
+      near = vertices_[near] < vertex ? near + 1 : near - 1;
+    if (vertices_[near] != vertex)
+      near =
+          static_cast<std::size_t>(std::ranges::lower_bound(vertices_, vertex) - vertices_.begin());
+    return static_cast<std::uint32_t>(near);
   }
   ProfilePoint below_end(const End& end, double at_m) const {
     return to_profile_frame(view_, below_vertex_m(terrain_, end.ground_m, end.height_m, at_m));
@@ -288,6 +316,7 @@ private:
     const std::uint32_t from = sides_[side].from, to = sides_[side].to;
     const ProfilePoint top = point_between(ends_[from].top, ends_[to].top, t);
     const double foot_z = point_between(ends_[from].foot, ends_[to].foot, t).z;
+    if (is_hidden(side, top, top)) return;
     add_line(add_point({top.u, top.v, foot_z}), add_point(top), side, feature);
   }
   void add_line(std::uint32_t from, std::uint32_t to, std::uint32_t side, std::uint32_t feature) {
@@ -302,9 +331,12 @@ private:
   bool is_closed_; ///< below: its base is seen as well
   std::uint32_t first_point_;
   GroundLines& out_;
-  std::vector<End> ends_;   ///< by vertex
-  std::vector<Side> sides_; ///< one for each edge of the border
+  std::vector<std::uint32_t> vertices_; ///< of the border, rising
+  std::vector<End> ends_;               ///< of these
+  std::vector<Side> sides_;             ///< one for each edge of the border
   std::vector<bool> of_void_;
+  bool draws_rims_ = false;            ///< of voids, which have no other layer
+  std::vector<double> hidden_below_y_; ///< by side; empty: nothing is known
 };
 
 } // namespace

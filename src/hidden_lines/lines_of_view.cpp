@@ -55,7 +55,7 @@ std::vector<SheetPart> parts_by_sector(const Surface& surface, const Sheet& shee
     const double forward = sector.behind ? std::numbers::pi : sector.azimuth;
     wedges.push_back({forward + std::atan(x.begin), forward + std::atan(x.end)});
   }
-  return parts_in_wedges(surface, sheet.triangles, sheet.vertices, view, wedges);
+  return parts_in_wedges(surface, sheet.triangles, view, wedges);
 }
 
 } // namespace

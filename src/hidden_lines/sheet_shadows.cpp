@@ -2,6 +2,7 @@
 #include "hidden_lines/sheet_shadows.hpp"
 
 #include "geometry/on_all_cores.hpp"
+#include "profiles/sheet_vertices.hpp"
 
 #include <algorithm>
 #include <array>
@@ -36,9 +37,7 @@ std::vector<std::vector<TriangleShadow>> sheet_shadows(const HidingGround& groun
   const Sheet& sheet = *ground.sheet;
   const SheetPart all(sheet.triangles);
   const SheetPart& part = ground.sheet_part ? *ground.sheet_part : all;
-  const bool has_own_frame = ground.sector.behind || ground.placed.panorama;
-  const PartVertices vertices = has_own_frame ? PartVertices(ground.terrain.surface, view, part)
-                                              : PartVertices(sheet.vertices);
+  const SheetVertices vertices(ground.terrain.surface, view);
   const SightRays rays = sight_rays(view);
   const double rounding_m = touching_m.empty() ? 0 : std::ranges::max(touching_m);
   constexpr std::uint32_t kTrianglesOfTask = 1U << 15U;

@@ -10,19 +10,10 @@
 
 namespace orograph {
 
-namespace {
-
-bool has_own_frame(const SectorInWork& work) {
-  return work.sector.behind || work.placed.panorama;
-}
-
-} // namespace
-
 SheetInWork::SheetInWork(const SectorInWork& of)
     : work(of), sheet(*of.sheet), all(sheet.triangles), part(of.sheet_part ? *of.sheet_part : all),
-      vertices(has_own_frame(of) ? PartVertices(of.terrain.surface, of.sector.view, part)
-                                 : PartVertices(sheet.vertices)),
-      order(of.terrain.surface, sheet.triangles, part, vertices, of.placed.border, of.sector.view,
+      vertices(of.terrain.surface, of.sector.view),
+      order(of.terrain.surface, sheet.triangles, part, of.placed.border, of.sector.view,
             of.from_m) {
   if (of.placed.block_base_m) feet.emplace(of.terrain, of.placed, of.sector.view);
 }
@@ -115,9 +106,10 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   const auto is_up = [&](std::uint32_t t) {
     return t != kNoTriangle && sheet_.sheet.is_up[t] != 0;
   };
-  const LinePicture picture = pictures_.picture(number, whole(number));
-  const int side =
-      eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[edge.to]);
+  const ProfileLine ends{sheet_.vertices[edge.from], sheet_.vertices[edge.to]};
+  const int side = eye_side(sheet_.work.sector.view, ends.from, ends.to);
+  const LinePicture picture = pictures_.picture(
+      number, pictures_.is_edge(number) && !pictures_.sector().keeps_strip ? ends : whole(number));
   const auto place = [&](std::uint32_t t) { return sheet_.order.place(t); };
   if (picture.is_upright() || side == 0) {
     if (!line.drawn || (of_upper_side && !is_up(left) && !is_up(right))) return;

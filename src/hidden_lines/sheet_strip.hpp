@@ -11,6 +11,7 @@
 #include "profiles/sheet.hpp"
 #include "profiles/sheet_order.hpp"
 #include "profiles/sheet_part.hpp"
+#include "profiles/sheet_vertices.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -24,8 +25,8 @@ struct SheetInWork {
   const SectorInWork& work;
   const Sheet& sheet;
   SheetPart all;
-  const SheetPart& part; ///< that the sector looks at
-  PartVertices vertices; ///< in the sector's profile frame
+  const SheetPart& part;  ///< that the sector looks at
+  SheetVertices vertices; ///< in the sector's profile frame
   SheetOrder order;
   std::optional<BlockFeet> feet; ///< of a block that is closed below
 

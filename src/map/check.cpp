@@ -53,9 +53,9 @@ Clipped within(const SeenProfile& seen) {
 
 } // namespace
 
-Check::Check(const Surface& surface, const PlacedView& placed, double tolerance_mm,
+Check::Check(const TerrainData& terrain, const PlacedView& placed, double tolerance_mm,
              std::uint64_t points, bool both_sides)
-    : surface_(surface), tolerance_mm_(tolerance_mm),
+    : terrain_(terrain), block_base_m_(placed.block_base_m), tolerance_mm_(tolerance_mm),
       a_profile_(points / 2 / std::max<std::size_t>(1, profile_count(placed)) + 1),
       a_sector_(points / 2 / placed.sectors.size()), both_sides_(both_sides) {}
 
@@ -63,14 +63,18 @@ void Check::begin(const Sector& sector) {
   if (sector_ == &sector) return;
   sector_ = &sector;
   const TieTolerance tolerance = tie_tolerance(sector, tolerance_mm_);
-  if (both_sides_ && sheet_judge_)
-    sheet_judge_->set_view(sector.view, tolerance);
+  const auto turn = [&](auto& judge, const auto&... of) {
+    if (judge)
+      judge->set_view(sector.view, tolerance);
+    else
+      judge.emplace(of..., sector.view, tolerance);
+  };
+  if (both_sides_ && block_base_m_)
+    turn(block_judge_, terrain_, *block_base_m_);
   else if (both_sides_)
-    sheet_judge_.emplace(surface_, sector.view, tolerance);
-  else if (judge_)
-    judge_->set_view(sector.view, tolerance);
+    turn(sheet_judge_, terrain_.surface);
   else
-    judge_.emplace(surface_, sector.view, tolerance);
+    turn(judge_, terrain_.surface);
   engine_.seed(20240229); // always the same: a check can be run again
 }
 
@@ -105,6 +109,15 @@ void Check::judge(const ProfileLine& line, double t, bool on_edge, bool drawn) {
 void Check::judge(const ProfileLine& line, double t, const SheetJudge::Drawn& drawn) {
   throw_if_stopped();
   ++counts_.asked;
+  if (block_judge_) {
+    using Sight = ClosedBlockJudge::Sight;
+    const Sight sight = block_judge_->sight(line, t);
+    const bool is_drawn = drawn.as_upper || drawn.as_underside;
+    if (sight == Sight::unsure) ++counts_.ties;
+    if (sight == Sight::hidden && is_drawn) ++counts_.hidden;
+    if (sight == Sight::seen && !is_drawn) ++counts_.missing;
+    return;
+  }
   using Found = SheetJudge::Verdict;
   const Found found = sheet_judge_->ask(line, t, drawn).verdict;
   if (found == Found::unsure) ++counts_.ties;

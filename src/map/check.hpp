@@ -4,6 +4,7 @@
 
 #include "hidden_lines/instruments.hpp"
 #include "map/map_facts.hpp"
+#include "reference/closed_block_judge.hpp"
 #include "reference/judge.hpp"
 #include "reference/sheet_judge.hpp"
 
@@ -18,11 +19,11 @@ namespace orograph {
 /// is laid out on the page. Half of them are anywhere, half close to where a drawn piece ends.
 class Check : public LineObserver {
 public:
-  /// About `points` points of what will be seen of a placed view. REQUIRES that surface and view
-  /// outlive the check.
-  /// `both_sides`: the surface is a sheet.
-  Check(const Surface& surface, const PlacedView& placed, double tolerance_mm, std::uint64_t points,
-        bool both_sides);
+  /// About `points` points of what will be seen of a placed view. REQUIRES that terrain and view
+  /// outlive the check. `both_sides`: the surface is a sheet, or where it was placed as a block
+  /// that is closed below.
+  Check(const TerrainData& terrain, const PlacedView& placed, double tolerance_mm,
+        std::uint64_t points, bool both_sides);
   /// From now on it asks what is drawn alone.
   void ask_drawn_alone() { drawn_alone_ = true; }
 
@@ -43,16 +44,18 @@ private:
   void judge(const ProfileLine& line, double t, const SheetJudge::Drawn& drawn);
   void ask_profile(const SeenProfile& profile, const std::vector<Piece>& upper);
 
-  const Surface& surface_;
+  const TerrainData& terrain_;
+  std::optional<double> block_base_m_;
   double tolerance_mm_;
   bool drawn_alone_ = false;
   std::uint64_t a_profile_, a_sector_; ///< points asked of each profile, and of a sector's lines
   std::uint64_t owed_ = 0;             ///< points that profiles haven't been asked yet
   const Sector* sector_ = nullptr;     ///< the one that is seen
   bool both_sides_;
-  std::optional<Judge> judge_;            ///< of that sector
-  std::optional<SheetJudge> sheet_judge_; ///< the same of a sheet
-  std::vector<Piece> upper_;              ///< of the sheet's profile: what shows the upper side
+  std::optional<Judge> judge_;                  ///< of that sector
+  std::optional<SheetJudge> sheet_judge_;       ///< the same of a sheet
+  std::optional<ClosedBlockJudge> block_judge_; ///< and of a closed block
+  std::vector<Piece> upper_; ///< of the sheet's profile: what shows the upper side
   std::mt19937_64 engine_;
   CheckCounts counts_;
 };

@@ -231,9 +231,6 @@ void check_underside(const MapSpec& spec, bool has_solids) {
   if (has_solids)
     throw UsageError("solids don't go with a block that is closed below",
                      "leave out `solids`, `block` or `underside`");
-  if (spec.check > 0)
-    throw UsageError("`check` doesn't ask of a block that is closed below",
-                     "leave out `check`, `block` or `underside`");
 }
 
 void check_furniture(const MapSpec& spec) {

@@ -15,8 +15,8 @@ Map draw_level(const TerrainOfView& terrain, const PlacedView& placed, const Map
   const double within_mm = level_of_detail_mm(*terrain, placed, level);
   std::optional<Check> of_file;
   if (spec.check_of_file > 0 && has_ground(terrain->surface)) {
-    of_file.emplace(terrain.of_file().surface, placed,
-                    spec.style.visibility_tolerance_mm + 2 * within_mm, spec.check_of_file, false);
+    of_file.emplace(terrain.of_file(), placed, spec.style.visibility_tolerance_mm + 2 * within_mm,
+                    spec.check_of_file, false);
     of_file->ask_drawn_alone();
     instruments.observers.push_back(&*of_file);
   }

@@ -209,7 +209,7 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
 
   std::optional<Check> check;
   if (spec.check > 0 && on_ground) {
-    check.emplace(terrain.surface, placed, style.visibility_tolerance_mm, spec.check,
+    check.emplace(terrain, placed, style.visibility_tolerance_mm, spec.check,
                   style.underside == Underside::draw);
     instruments.observers.insert(instruments.observers.begin(), &*check);
     instruments.hidden_ground = true; // points are asked of it as well

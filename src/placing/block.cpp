@@ -3,6 +3,7 @@
 
 #include "dem/surface.hpp"
 #include "geometry/error.hpp"
+#include "geometry/sort_by_number.hpp"
 #include "placing/vertex_values.hpp"
 
 #include <fmt/format.h>
@@ -20,14 +21,14 @@ namespace {
 constexpr double kDepthOverRelief = 0.15;
 
 // Of points.
-constexpr std::size_t kOfBlock = 256;
+constexpr std::size_t kOfBlock = 2048;
 
 } // namespace
 
 double block_base_m(const TerrainData& terrain, const BlockSpec& spec) {
   if (!has_ground(terrain.surface))
     throw UsageError("without a terrain there is no block", "leave the block out");
-  const auto [low_m, high_m] = range_of(terrain.surface, heights_of(terrain));
+  const auto [low_m, high_m] = height_range_of(terrain);
   const double base_m = spec.base ? *spec.base * spec.unit_m.value_or(terrain.map.height_unit_m)
                                   : low_m - kDepthOverRelief * (high_m - low_m);
   if (base_m < low_m) return base_m;
@@ -46,7 +47,7 @@ double block_base_m(const TerrainData& terrain, const BlockSpec& spec) {
 std::vector<std::uint32_t> vertices_of(const std::vector<BorderEdge>& border) {
   std::vector<std::uint32_t> vertices;
   for (const auto& [edge, left] : border) vertices.insert(vertices.end(), {edge.from, edge.to});
-  std::sort(vertices.begin(), vertices.end());
+  sort_by_number(vertices, [](std::uint32_t vertex) { return vertex; });
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
 }

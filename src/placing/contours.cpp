@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "placing/contours.hpp"
 
-#include "dem/extent.hpp"
 #include "geometry/error.hpp"
 #include "placing/vertex_values.hpp"
 
@@ -17,13 +16,6 @@ namespace {
 // Contours that read as form and not as a tone: of the relief of a sheet of a topographic map.
 constexpr double kOverRelief = 25;
 constexpr double kMostLevels = 10000;
-
-std::pair<double, double> height_range_of(const TerrainData& terrain) {
-  const Grid* grid = std::get_if<Grid>(&terrain.surface);
-  if (!grid) return range_of(terrain.surface, heights_of(terrain));
-  const HeightRange range = height_range(*grid);
-  return {range.low_m, range.high_m};
-}
 
 } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "placing/vertex_values.hpp"
 
+#include "dem/extent.hpp"
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
@@ -27,6 +28,13 @@ VertexValues heights_of(const TerrainData& terrain) {
                      return map.earth ? map.to_map(vertex).z * map.height_unit_m : vertex.z;
                    });
   };
+}
+
+std::pair<double, double> height_range_of(const TerrainData& terrain) {
+  const Grid* grid = std::get_if<Grid>(&terrain.surface);
+  if (!grid) return range_of(terrain.surface, heights_of(terrain));
+  const HeightRange range = height_range(*grid);
+  return {range.low_m, range.high_m};
 }
 
 VertexValues map_coordinates_of(const TerrainData& terrain, MapAxis axis) {

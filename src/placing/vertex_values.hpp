@@ -13,6 +13,9 @@ namespace orograph {
 /// terrain outlives what comes back, here and below.
 VertexValues heights_of(const TerrainData& terrain);
 
+/// The least and the greatest of these; the first is greater than the second where there is none.
+std::pair<double, double> height_range_of(const TerrainData& terrain);
+
 /// Map coordinates, in the units of the terrain's CRS: x, or y.
 enum class MapAxis { x, y };
 VertexValues map_coordinates_of(const TerrainData& terrain, MapAxis axis);

@@ -7,7 +7,7 @@
 #include "placing/sector.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/slab_lines.hpp"
-#include "tests/blocks/closed_block_walk.hpp"
+#include "reference/closed_block_judge.hpp"
 #include "tests/blocks/look_anywhere.hpp"
 #include "tests/blocks/scene_with_voids.hpp"
 #include "tests/catch.hpp"
@@ -85,50 +85,23 @@ private:
     sector_ = &sector;
     view_ = &sector.view;
     can_ask_ = view_->is_perspective() || view_->y_per_z > 1e-3; // not from straight above or below
-    tolerance_ = tie_tolerance(sector, 1e-4);
-    walk_.emplace(terrain_, placed_, *view_);
+    judge_.emplace(terrain_, *placed_.block_base_m, *view_, tie_tolerance(sector, 1e-4));
     return can_ask_;
   }
 
   void ask(XRange clipped, const ProfileLine& line, double t, bool is_drawn) {
-    const auto& [a, b] = line;
-    const double size = std::hypot(b.u - a.u, b.v - a.v);
-    const ProfilePoint at = point_between(a, b, t);
+    const ProfilePoint at = point_between(line.from, line.to, t);
     const double from_m = std::max(kNearPlanesAhead * view_->near_m, view_->drawn_from_m);
     if (view_->is_perspective() && at.v <= 1.01 * from_m) return;
     const Vec2 plane = project(*view_, at);
     if (!(plane.x > clipped.begin && plane.x < clipped.end)) return;
     ++tally_.asked;
-    const double sure_m = 1e-5 + 2 * tolerance_.at(plane.x, plane.y) *
-                                     (view_->is_perspective() ? at.v : 1 / view_->y_per_z);
-    const auto side = [&](ProfilePoint p, double tilt = 0) {
-      const double inside_m = walk_->depth_inside_m(p, tilt);
-      return inside_m > sure_m ? 1 : inside_m < 0.01 * sure_m ? -1 : 0;
-    };
-    const int here = side(at);
-    // Level ground on which level sight leads along.
-    const bool is_edge_on = !view_->is_perspective() && view_->y_per_v == 0 && a.z == b.z;
-    bool is_sure = here != 0 && !is_edge_on;
-    // What ends just at the point's ray is a matter of rounding: a little to either side, along the
-    // line and across the ray, and nearer to the eye, in front of a wall.
-    const double beside = std::min(1e-4, 1e-5 * std::hypot(at.u, at.v) / std::max(1e-9, size));
-    const double aside = 1e-7 * std::hypot(at.u, at.v);
-    const double along = u_along_ray(*view_, at), across_size = std::hypot(along, 1);
-    for (const double way : {-1.0, 1.0}) {
-      is_sure = is_sure && side(at, 1e-3 * way) == here; // the way leads along the ground
-      is_sure = is_sure && side(point_between(a, b, t + way * beside)) == here;
-      const double across = way * aside, nearer = 20 * aside;
-      is_sure = is_sure && side({at.u + (across - nearer * along) / across_size,
-                                 at.v - (across * along + nearer) / across_size,
-                                 at.z - nearer / across_size * z_along_ray(*view_, at)}) == here;
-    }
-    if (!is_sure) {
-      ++tally_.unsure;
-      return;
-    }
-    if (here < 0) ++tally_.visible;
-    if (here > 0 && is_drawn) ++tally_.drawn_wrong;
-    if (here < 0 && !is_drawn) ++tally_.missing;
+    using Sight = ClosedBlockJudge::Sight;
+    const Sight sight = judge_->sight(line, t);
+    if (sight == Sight::unsure) ++tally_.unsure;
+    if (sight == Sight::seen) ++tally_.visible;
+    if (sight == Sight::hidden && is_drawn) ++tally_.drawn_wrong;
+    if (sight == Sight::seen && !is_drawn) ++tally_.missing;
   }
 
   const TerrainData& terrain_;
@@ -138,8 +111,7 @@ private:
   const Sector* sector_ = nullptr;
   const View* view_ = nullptr;
   bool can_ask_ = false;
-  TieTolerance tolerance_;
-  std::optional<ClosedBlockWalk> walk_;
+  std::optional<ClosedBlockJudge> judge_;
 };
 
 } // namespace
