@@ -26,6 +26,8 @@ ClosedBlockJudge::Sight ClosedBlockJudge::sight(const ProfileLine& line, double 
   const Vec2 plane = project(view, at);
   const double sure_m = 1e-5 + 2 * tolerance_.at(plane.x, plane.y) *
                                    (view.is_perspective() ? at.v : 1 / view.y_per_z);
+  // A crumb that is shorter than that, beside a vertex.
+  if (std::hypot(b.u - a.u, b.v - a.v, b.z - a.z) < sure_m) return Sight::unsure;
   const auto side = [&](ProfilePoint p, double tilt = 0) {
     const double inside_m = walk_.depth_inside_m(p, tilt);
     return inside_m > sure_m          ? Sight::hidden
