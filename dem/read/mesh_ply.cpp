@@ -169,11 +169,13 @@ public:
         path_(shapes.path), rest_(header.body) {}
 
   void run() {
-    for (const Element& element : header_.elements)
+    for (const Element& element : header_.elements) {
+      if (element.properties.empty()) continue; // of any number there is nothing in the file
       for (std::size_t i = 0; i < element.count; ++i) {
         if (&element == &mesh_.vertices) shapes_.points.emplace_back();
         for (const Property& property : element.properties) pass(element, i, property);
       }
+    }
     const bool more = header_.coding == Coding::text ? !next_word(rest_).empty() : !rest_.empty();
     if (more)
       throw Error(fmt::format("{} holds more than its header says", path_),

@@ -236,6 +236,12 @@ TEST_CASE("PLY with wrong counts is refused") {
   refused("a.ply", bytes + "!", {"more than"});
 }
 
+TEST_CASE("elements of PLY that hold nothing take no time") {
+  CHECK(triangles_on_map(
+            read_back("a.ply", changed(ply, "element face",
+                                       "element note 9999999999999999\nelement face"))) == square);
+}
+
 TEST_CASE("meshes that end early are refused, wherever they do") {
   const TempFolder folder;
   const auto check_cuts = [&](const std::string& name, const std::string& text,
