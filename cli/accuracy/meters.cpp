@@ -61,7 +61,7 @@ void InkMeter::judge(const Sector& sector, const ProfileLine& line, double t, bo
     const auto height = height_at(*full_, {ground.x, ground.y});
     if (!height) return; // the overview's border isn't the full heights'
     const Vec2 as_drawn = page_mm(at, sector.view, sector.to_page);
-    at.z = *height * sector.view.exaggeration;
+    at.z = *height * sector.view.exaggeration - sector.view.drop.at(at.u, at.v);
     if (drawn)
       farthest_mm_ =
           std::max(farthest_mm_, length(page_mm(at, sector.view, sector.to_page) - as_drawn));

@@ -130,13 +130,17 @@ TEST_CASE("larger cells move lines within what is promised") {
   AccuracyRow row;
   row.group = "level error";
   row.settings = {.profiles = 25, .level_error_mm = 0.2};
-  measure_row(row, small_settings(), terrain);
-  REQUIRE(row.detail_mm);
-  REQUIRE(row.promise.detail_mm);
-  CHECK(*row.promise.detail_mm <= 0.2);
-  CHECK(*row.detail_mm > 0.01);
-  CHECK(broken_promise(row).empty());
-  CHECK(ink_error(row) < 0.1);
+  AccuracySettings settings = small_settings();
+  for (const Curvature curvature : {Curvature::off, Curvature::on}) {
+    settings.render.map.view.curvature = curvature;
+    measure_row(row, settings, terrain);
+    REQUIRE(row.detail_mm);
+    REQUIRE(row.promise.detail_mm);
+    CHECK(*row.promise.detail_mm <= 0.2);
+    CHECK(*row.detail_mm > 0.01);
+    CHECK(broken_promise(row) == "");
+    CHECK(ink_error(row) < 0.1);
+  }
   CHECK(name_of(row) == "surface, 25 profiles, level error 0.2 mm");
 }
 
