@@ -269,7 +269,7 @@ TEST_CASE("a block's walls are drawn where they are seen, and nowhere else") {
   tell(drawn, sum);
   CHECK(sum.asked > 25 * kScenes);
   CHECK(sum.visible > 8 * kScenes);
-  CHECK(sum.far_walls > kScenes / 2);
+  CHECK(sum.far_walls > enough<75>); // few scenes needn't have had any
   CHECK(sum.unsure < sum.asked / 20);
 }
 

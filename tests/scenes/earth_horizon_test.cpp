@@ -178,7 +178,8 @@ double limiting_distance_m(double radius_m, double eye_m, double mountain_m) {
 // are by no more than the square of half a triangle's longest side over 2R, so the horizon, at a
 // distance d, is too low by side^2 / 8Rd and never too high. Lines on the page end on a lattice of
 // 1e-4 mm.
-TEST_CASE("the drawn sea ends at the ellipsoid's horizon, along the meridian and across it") {
+TEST_CASE("the drawn sea ends at the ellipsoid's horizon, along the meridian and across it",
+          "[unsanitized]") {
   double most = 0, greatest_share = 0;
   for (const double lat_deg : {46.0, -70.0, 0.0})
     for (const double azimuth_deg : {0.0, 90.0, 180.0, 270.0})

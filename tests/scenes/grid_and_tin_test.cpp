@@ -77,8 +77,8 @@ TerrainData tin_terrain(const TerrainData& as_grid) {
 
 } // namespace
 
-TEST_CASE("all samples, ten views each", "[slow]") {
-  constexpr int kViews = last_seed(10);
+TEST_CASE("all samples, six views each", "[slow]") {
+  constexpr int kViews = last_seed(6);
   Compared compared;
   for (const char* name : sample_names()) {
     const TerrainData as_grid =

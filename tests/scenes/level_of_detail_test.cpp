@@ -82,7 +82,8 @@ TEST_CASE("a level is drawn as the terrain that it is, and by the ray walk right
   }
 }
 
-TEST_CASE("the file's own surface is drawn where it is asked for, or is coarse enough") {
+TEST_CASE("the file's own surface is drawn where it is asked for, or is coarse enough",
+          "[unsanitized]") {
   Random random(1);
   const TerrainData whole = made_terrain(random);
   MapSpec spec = detailed(1.4); // cells of more than a millimetre
@@ -131,7 +132,8 @@ TEST_CASE("smaller cells are drawn as the terrain that they are, and by the ray 
   }
 }
 
-TEST_CASE("an eye on the ground sees the file's own surface, unless a size is asked for") {
+TEST_CASE("an eye on the ground sees the file's own surface, unless a size is asked for",
+          "[unsanitized]") {
   Random random(2);
   const TerrainData whole = made_terrain(random);
   MapSpec spec = detailed(5);
@@ -238,7 +240,8 @@ TEST_CASE("a lake stays level, with a shore, and the sea where it is") {
   CHECK(height_at(grid, {120 * 30.0, -130 * 30.0}) == 37.25);
 }
 
-TEST_CASE("of an island the page shows the land, and what is draped over the sea all of it") {
+TEST_CASE("of an island the page shows the land, and what is draped over the sea all of it",
+          "[unsanitized]") {
   constexpr int kSide = 200;
   std::vector<float> heights(static_cast<std::size_t>(kSide) * kSide, 0.0F);
   // Land in columns 120 to 160 and rows 30 to 60.

@@ -173,7 +173,7 @@ TEST_CASE(
   CHECK(asked >= enough<20000>);
 }
 
-TEST_CASE("strokes go on where a panorama's sectors meet") {
+TEST_CASE("strokes go on where a panorama's sectors meet", "[unsanitized]") {
   std::uint64_t through = 0, ends = 0;
   for (std::uint64_t seed = 1; seed <= last_seed(12); ++seed) {
     PanoramaScene scene = made_panorama(seed);

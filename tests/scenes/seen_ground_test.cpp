@@ -20,7 +20,7 @@
 namespace orograph::seen_ground_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(300);
+constexpr std::uint64_t kScenes = last_seed(200);
 constexpr int kPoints = 400;
 
 struct Tally {

@@ -52,7 +52,7 @@ bool holds_all(const std::map<std::string, FileIdentity>& now,
 
 } // namespace
 
-TEST_CASE("a sweep killed at twenty random moments loses nothing and repeats nothing", "[slow]") {
+TEST_CASE("a sweep killed at twelve random moments loses nothing and repeats nothing", "[slow]") {
   const MadeFolder folder;
   make_terrains(folder);
   const auto start = std::chrono::steady_clock::now();
@@ -64,7 +64,7 @@ TEST_CASE("a sweep killed at twenty random moments loses nothing and repeats not
 
   Random random(5);
   int kills = 0, finished_sweeps = 0, in_the_middle = 0;
-  while (kills < 20 || (in_the_middle < 2 && kills < 60)) {
+  while (kills < 12 || (in_the_middle < 2 && kills < 60)) {
     const auto before = finished(folder, "out");
     Words command = Words{OROGRAPH_PROGRAM} + sweep_of("out", words("-j 2 --resume"));
     RunningProgram program(command, {.folder = folder.path()});
