@@ -15,10 +15,13 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "gdal/gdal.hpp"
 
@@ -40,12 +43,29 @@ using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 // Coordinates in columns of a CSV: longitudes and latitudes go before others, which are the
 // terrain's.
 struct CoordinateColumns {
-  const char *x, *y;
+  std::vector<std::string> x, y; ///< names, the likeliest first
   bool are_degrees;
 };
-constexpr CoordinateColumns kCoordinateColumns[] = {
-    {"X_POSSIBLE_NAMES=lon,long,lng,longitude", "Y_POSSIBLE_NAMES=lat,latitude", true},
-    {"X_POSSIBLE_NAMES=x,east,easting,e", "Y_POSSIBLE_NAMES=y,north,northing,n", false}};
+const std::array<CoordinateColumns, 2>& coordinate_columns() {
+  static const std::array<CoordinateColumns, 2> columns{
+      {{{"lon", "long", "lng", "longitude"}, {"lat", "latitude"}, true},
+       {{"x", "east", "easting", "e"}, {"y", "north", "northing", "n"}, false}}};
+  return columns;
+}
+
+// The likeliest of the names that a column has; none where no column has any.
+std::optional<std::string> column_named(const std::vector<std::string>& names,
+                                        const std::vector<std::string>& columns,
+                                        const std::string& path) {
+  for (const std::string& name : names) {
+    const auto count = std::ranges::count(columns, name, in_lower_case);
+    if (count > 1)
+      throw Error(fmt::format("{} has {} columns named {}", path, count, name),
+                  "name them differently, so that one tells the place");
+    if (count == 1) return name;
+  }
+  return std::nullopt;
+}
 
 struct OpenedOverlay {
   Dataset dataset;
@@ -60,11 +80,19 @@ bool has_geometries(GDALDataset& dataset) {
 
 OpenedOverlay open_overlay(const std::string& path) {
   if (extension_of(path) != ".csv") return {open_vector(path, {})};
-  for (const auto& [x, y, are_degrees] : kCoordinateColumns) {
-    // In the terrain's CRS columns would only say again where a point is.
-    const char* const keep = are_degrees ? "KEEP_GEOM_COLUMNS=YES" : "KEEP_GEOM_COLUMNS=NO";
-    Dataset dataset = open_vector(path, {x, y, keep, "AUTODETECT_TYPE=YES"});
-    if (!dataset || has_geometries(*dataset)) return {std::move(dataset), are_degrees};
+  Dataset plain = open_vector(path, {"AUTODETECT_TYPE=YES"});
+  if (!plain || has_geometries(*plain)) return {std::move(plain), true};
+  std::vector<std::string> columns;
+  for (OGRLayer* layer : plain->GetLayers()) columns = field_names(*layer);
+  for (const auto& [x_names, y_names, are_degrees] : coordinate_columns()) {
+    const auto x = column_named(x_names, columns, path), y = column_named(y_names, columns, path);
+    if (!x || !y) continue;
+    // In the terrain's CRS columns would only say again where a point is. Each is named alone: GDAL
+    // reads through a null pointer where it keeps none of several that might be meant.
+    return {open_vector(path, {"X_POSSIBLE_NAMES=" + *x, "Y_POSSIBLE_NAMES=" + *y,
+                               are_degrees ? "KEEP_GEOM_COLUMNS=YES" : "KEEP_GEOM_COLUMNS=NO",
+                               "AUTODETECT_TYPE=YES"}),
+            are_degrees};
   }
   throw Error(path + " has no columns of coordinates",
               "name them lon and lat, or x and y in the terrain's CRS");

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 
 namespace orograph::read_overlay_test {
@@ -106,6 +107,33 @@ TEST_CASE("a condition takes some of the features") {
   CHECK(read(file, {.path = "", .layer = "", .where = "height > 5"}).features.size() == 1);
   check_message(refusal(file, {"", "", "depth > 5"}), {"no condition", "height"});
   check_message(refusal(file, {"", "", "height > 50"}), {"there is nothing", "widen"});
+}
+
+TEST_CASE("of several columns that might be coordinates the likeliest is taken, once") {
+  const auto of_text = [](const std::string& text) {
+    const TempFolder folder;
+    const std::string path = folder.file("a.csv");
+    std::ofstream(path) << text;
+    return read_overlay({.path = path}, utm(), kTerrain, kCell_m);
+  };
+  const auto refused = [&](const std::string& text) -> std::string {
+    try {
+      of_text(text);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  // GDAL alone reads through a null pointer here.
+  const Overlay found = of_text("x;easting;y;name\n490100;1;5099100;hut\n");
+  REQUIRE(found.places.size() == 1);
+  CHECK(found.places[0] == Vec2{490100, 5099100});
+  const auto& attributes = found.features[0].attributes;
+  CHECK(std::ranges::find(attributes, Attribute{"name", "hut"}) != attributes.end());
+  CHECK(of_text("name,n,Y,X\nhut,3,5099100,490100\n").places[0] == Vec2{490100, 5099100});
+  check_message(refused("x;x;z;n\n10;20;5;5099100\n"), {"a.csv has 2 columns named x"});
+  check_message(refused("lat,lon,LAT\n46,9,46\n"), {"a.csv has 2 columns named lat"});
+  check_message(refused("a,b\n1,2\n"), {"no columns of coordinates"});
 }
 
 TEST_CASE("an overlay without a CRS is taken as the terrain's, and says so") {
