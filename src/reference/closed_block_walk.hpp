@@ -3,14 +3,11 @@
 // and its base. Shares no code with the pass.
 #pragma once
 
-#include "dem/mesh/tin_index.hpp"
 #include "dem/terrain.hpp"
-#include "dem/tin.hpp"
 #include "geometry/profile_point.hpp"
+#include "reference/ways_over_tin.hpp"
 #include "view/view.hpp"
 
-#include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace orograph {
@@ -31,14 +28,10 @@ public:
   double depth_inside_m(ProfilePoint point, double tilt = 0) const;
 
 private:
-  std::shared_ptr<const Tin> own_; ///< of a grid
-  const Tin* tin_;
+  WaysOverTin ways_;
   const View* view_;
-  std::shared_ptr<const TinIndex> index_;
   std::vector<double> base_z_m_; ///< by vertex: of the place below it, in the ground frame
   double cell_m_ = 0;
-  double reach_m_ = 0;                      ///< bound on coordinates in the ground frame
-  mutable std::vector<std::uint32_t> near_; ///< triangles, reused from point to point
 };
 
 } // namespace orograph

@@ -3,22 +3,17 @@
 // stands in front of, on the upper side or on the underside. Shares no code with the pass.
 #pragma once
 
-#include "dem/mesh/tin_index.hpp"
 #include "dem/surface.hpp"
-#include "dem/tin.hpp"
 #include "geometry/profile_point.hpp"
+#include "reference/ways_over_tin.hpp"
 #include "view/view.hpp"
-
-#include <cstdint>
-#include <memory>
-#include <vector>
 
 namespace orograph {
 
 class SheetWalk {
 public:
   /// REQUIRES that surface and view outlive it. Cost: of a grid the TIN of its triangles.
-  SheetWalk(const Surface& surface, const View& view);
+  SheetWalk(const Surface& surface, const View& view) : ways_(surface), view_(&view) {}
   /// From now on of another view. What is nearer than its near plane stands in front of nothing.
   void set_view(const View& view) { view_ = &view; }
 
@@ -34,12 +29,8 @@ public:
   Sight sight(ProfilePoint point, double tolerance_m) const;
 
 private:
-  std::shared_ptr<const Tin> own_; ///< of a grid
-  const Tin* tin_;
+  WaysOverTin ways_;
   const View* view_;
-  std::shared_ptr<const TinIndex> index_;
-  double reach_m_ = 0;                      ///< bound on coordinates in the ground frame
-  mutable std::vector<std::uint32_t> near_; ///< triangles, reused from point to point
 };
 
 } // namespace orograph
