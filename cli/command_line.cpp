@@ -3,6 +3,7 @@
 
 #include "cli/accuracy/accuracy.hpp"
 #include "cli/fragmentation/fragmentation.hpp"
+#include "cli/index.hpp"
 #include "cli/info.hpp"
 #include "cli/options/completion.hpp"
 #include "cli/options/help.hpp"
@@ -127,6 +128,7 @@ void run(std::vector<std::string> rest) {
   MergeSettings merge_settings;
   AccuracySettings accuracy_settings;
   InfoSettings info_settings;
+  IndexSettings index_settings;
   TinSettings tin_settings;
   FragmentationSettings fragmentation_settings;
   VisibleSettings visible_settings;
@@ -137,7 +139,8 @@ void run(std::vector<std::string> rest) {
                                       info_command(info_settings),
                                       tin_command(tin_settings),
                                       fragmentation_command(fragmentation_settings),
-                                      visible_command(visible_settings)};
+                                      visible_command(visible_settings),
+                                      index_command(index_settings)};
   const std::string name = rest.empty() ? "" : rest.front();
   if (!rest.empty()) rest.erase(rest.begin());
   if (name == "--help" || name == "-h") {
@@ -164,10 +167,12 @@ void run(std::vector<std::string> rest) {
     run_command<FragmentationSettings>(commands[6], rest, parse_fragmentation, fragmentation);
   } else if (name == "visible") {
     run_command<VisibleSettings>(commands[7], rest, parse_visible, visible);
+  } else if (name == "index") {
+    run_command<IndexSettings>(commands[8], rest, parse_index, index);
   } else {
     throw UsageError(
         name.empty() ? "no command is given" : "unknown command " + name,
-        "use render, visible, sweep, merge, accuracy, info, tin or fragmentation, as in "
+        "use render, visible, sweep, merge, accuracy, info, index, tin or fragmentation, as in "
         "orograph render INPUT OUTPUT; orograph --help tells more");
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

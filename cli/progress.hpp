@@ -2,6 +2,7 @@
 // The bar 0...10...20 that people know from GDAL's tools, on stderr.
 #pragma once
 
+#include <chrono>
 #include <optional>
 
 namespace orograph {
@@ -9,9 +10,9 @@ namespace orograph {
 /// Whether to show a bar: never when quiet; as asked; else where stderr is a terminal.
 bool shows_progress(bool quiet, std::optional<bool> asked);
 
-/// A line on stderr that grows with the work: a mark for each 2.5 %, the number at each 10 %, and
-/// " - done." at the end. The destructor ends an unfinished line, so that an error's line stands by
-/// itself.
+/// A line on stderr that grows with the work: a mark for each 2.5 %, the number at each 10 %, with
+/// the time that is left once two seconds have gone, and " - done." at the end. The destructor ends
+/// an unfinished line, so that an error's line stands by itself.
 class ProgressBar {
 public:
   explicit ProgressBar(bool shown) : shown_(shown) {}
@@ -26,7 +27,10 @@ public:
   void finish();
 
 private:
+  void tell_time_left(double fraction) const;
+
   bool shown_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   int marks_ = -1; ///< drawn so far, the last; 40 is the whole
   bool line_ended_ = false;
 };

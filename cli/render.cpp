@@ -18,6 +18,7 @@
 #include "placing/level_of_detail.hpp"
 #include "placing/observer.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/read_for_map.hpp"
 #include "placing/read_overlays.hpp"
 #include "placing/terrain_of_view.hpp"
 
@@ -64,9 +65,12 @@ bool is_scene(const std::string& input) {
   return input.ends_with(".toml") || input.ends_with(".TOML");
 }
 
+bool stands_on_nothing(const RenderSettings& settings) {
+  return settings.inputs.size() == 1 && is_scene(settings.inputs.front());
+}
+
 TerrainData read_ground(const RenderSettings& settings) {
-  if (settings.inputs.size() != 1 || !is_scene(settings.inputs.front()))
-    return read_terrain(settings.inputs, settings.reading);
+  if (!stands_on_nothing(settings)) return read_terrain(settings.inputs, settings.reading);
   TerrainData bare;
   bare.surface = Tin{};
   bare.map.crs_name = "none";
@@ -88,7 +92,17 @@ void check_not_empty(const Map& map, const RenderSettings& settings) {
 void render(const RenderSettings& settings) {
   const auto start = Clock::now();
   check_outputs(settings);
-  const TerrainData whole = read_ground(settings);
+  ProgressBar bar(shows_progress(settings.quiet, settings.progress));
+  double read_share = 0; // of the bar, where reading takes long enough to be told
+  const auto show_reading = [&](double fraction) {
+    constexpr double kReadShare = 0.8;
+    read_share = kReadShare;
+    bar.show(kReadShare * fraction);
+  };
+  const TerrainData whole = stands_on_nothing(settings)
+                                ? read_ground(settings)
+                                : read_for_map(settings.inputs, settings.reading, settings.map,
+                                               settings.solids.get(), show_reading);
   if (!settings.quiet) {
     tell_doubts(whole);
     tell_eye_move(settings.map.view, whole);
@@ -110,8 +124,9 @@ void render(const RenderSettings& settings) {
   const double place_s = seconds_since(place_start);
   if (!settings.quiet) tell_placing(placed, settings.map.view);
 
-  ProgressBar bar(shows_progress(settings.quiet, settings.progress));
-  Map map = draw_level(terrain, placed, spec, level, [&](double fraction) { bar.show(fraction); });
+  Map map = draw_level(terrain, placed, spec, level, [&](double fraction) {
+    bar.show(read_share + (1 - read_share) * fraction);
+  });
   check_not_empty(map, settings);
   finish_drawing(map, settings);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/frame/local_frame.hpp"
+#include "dem/levels/larger_cells.hpp"
 #include "dem/surface.hpp"
 #include "dem/triangulate/triangulation_counts.hpp"
 #include "geometry/vec.hpp"
@@ -72,6 +73,8 @@ struct TerrainData {
   /// How far the surface may be, in height, from what it was made to stand for; 0 where it stands
   /// for itself.
   double surface_error_m = 0;
+  /// Of a raster of which larger cells were read (`ReadOptions::large`).
+  std::optional<LargerCells> larger_cells = {};
   /// Whether it is an overview of the file's heights, whose distance from them nobody knows.
   bool is_overview = false;
   /// Those of the notes that leave its place, its CRS or its heights in doubt.

@@ -183,6 +183,7 @@ Command accuracy_command(AccuracySettings& settings) {
   add_page_options(command.options, render);
   add_accuracy_options(command.options, settings);
   command.options.push_back(jobs_option(render.jobs));
+  command.options.push_back(memory_option(render.reading.max_memory));
   add_general_options(command.options, render.settings_file, render.quiet, render.progress);
   return command;
 }
@@ -216,6 +217,7 @@ Command fragmentation_command(FragmentationSettings& settings) {
   add_terrain_options(command.options, render.inputs, render.reading);
   add_fragmentation_options(command.options, settings);
   command.options.push_back(jobs_option(render.jobs));
+  command.options.push_back(memory_option(render.reading.max_memory));
   add_general_options(command.options, render.settings_file, render.quiet, render.progress);
   return command;
 }

@@ -9,7 +9,7 @@ namespace orograph {
 namespace {
 
 // Fields that messages of the library name, with what sets them on the command line.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 42> kOptions{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 43> kOptions{{
     {"terrain", "INPUT"},
     {"solids", "--scene"},
     // ReadOptions
@@ -19,6 +19,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 42> kOptions
     {"overview", "--overview"},
     {"height_unit", "--height-unit"},
     {"fill_voids", "--fill-voids"},
+    {"max_memory", "--max-memory"},
     {"layer", "--input-layer"},
     {"repair", "--repair"},
     {"columns", "--columns"},

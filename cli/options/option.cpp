@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/options/option.hpp"
 
+#include "cli/free_memory.hpp"
 #include "cli/options/option_values.hpp"
 
 #include <fmt/format.h>
@@ -120,6 +121,17 @@ Option jobs_option(int& jobs) {
                       1, 1024, [&jobs](int n) { jobs = n; });
 }
 
+Option memory_option(std::optional<std::uint64_t>& bytes) {
+  if (const auto free = free_memory()) bytes = *free / 2;
+  return {.group = kGeneral,
+          .name = "--max-memory",
+          .value = "SIZE",
+          .help = "Refuse a raster that would take more memory than this",
+          .allowed = "a number with kB, MB or GB, such as 4GB",
+          .by_default = "half of what is free",
+          .take = stored(parse_bytes, bytes)};
+}
+
 void add_general_options(std::vector<Option>& options, std::string& settings_file, bool& quiet,
                          std::optional<bool>& progress) {
   options.push_back({.group = kGeneral,
@@ -131,6 +143,10 @@ void add_general_options(std::vector<Option>& options, std::string& settings_fil
                      .allowed = "settings in TOML, or the report of a run (.json)",
                      .extensions = {"toml", "json"},
                      .take = stored_name(settings_file)});
+  add_message_options(options, quiet, progress);
+}
+
+void add_message_options(std::vector<Option>& options, bool& quiet, std::optional<bool>& progress) {
   options.push_back(quiet_option(quiet));
   options.push_back({.group = kGeneral,
                      .name = "--progress",

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
@@ -156,9 +157,14 @@ Option help_option();
 Option full_help_option();
 Option quiet_option(bool& quiet);
 Option jobs_option(int& jobs);
+/// Its default is set as well: half of what is free.
+Option memory_option(std::optional<std::uint64_t>& bytes);
 
 /// With `--help` and `--settings`.
 void add_general_options(std::vector<Option>& options, std::string& settings_file, bool& quiet,
                          std::optional<bool>& progress);
+
+/// What of these is about messages, and `--help`.
+void add_message_options(std::vector<Option>& options, bool& quiet, std::optional<bool>& progress);
 
 } // namespace orograph

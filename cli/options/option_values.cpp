@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -150,6 +151,20 @@ std::optional<double> parse_metres(std::string_view text) {
   const auto length = parse_number(text);
   if (!length || *length < 0) return std::nullopt;
   return length;
+}
+
+std::optional<std::uint64_t> parse_bytes(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, double>, 3> kUnits{
+      {{"kB", 1e3}, {"MB", 1e6}, {"GB", 1e9}}};
+  for (const auto& [unit, bytes] : kUnits) {
+    if (!text.ends_with(unit)) continue;
+    text.remove_suffix(unit.size());
+    const auto number = parse_number(text);
+    constexpr double kMost = 1e18; // as many as an integer holds
+    if (!number || !(*number >= 0) || *number * bytes > kMost) return std::nullopt;
+    return static_cast<std::uint64_t>(*number * bytes);
+  }
+  return std::nullopt;
 }
 
 std::optional<GivenHeights> parse_heights(std::string_view text) {

@@ -11,6 +11,7 @@
 #include "profiles/plan_request.hpp"
 #include "view/view_request.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -60,6 +61,9 @@ std::optional<LineWidths> parse_pen_width(std::string_view text);
 
 /// "AZ/ALT" in degrees, clockwise from north and above the horizontal, ALT 0 to 90; or "picture".
 std::optional<LightSpec> parse_light(std::string_view text);
+
+/// A number of bytes with kB, MB or GB, from 0 on.
+std::optional<std::uint64_t> parse_bytes(std::string_view text);
 
 /// "2m", from 0 on.
 std::optional<double> parse_metres(std::string_view text);

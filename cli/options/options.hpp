@@ -5,6 +5,7 @@
 
 #include "cli/accuracy/accuracy.hpp"
 #include "cli/fragmentation/fragmentation.hpp"
+#include "cli/index.hpp"
 #include "cli/info.hpp"
 #include "cli/options/option.hpp"
 #include "cli/render_settings.hpp"
@@ -27,6 +28,7 @@ Command fragmentation_command(FragmentationSettings& settings);
 Command info_command(InfoSettings& settings);
 /// What `read` takes of a terrain's files, for programs; INPUT is one or several.
 InfoSettings take_reading(const NamedValues& options);
+Command index_command(IndexSettings& settings);
 Command tin_command(TinSettings& settings);
 Command visible_command(VisibleSettings& settings);
 
@@ -56,6 +58,7 @@ std::optional<MergeSettings> parse_merge(const std::vector<std::string>& argumen
 std::optional<AccuracySettings> parse_accuracy(const std::vector<std::string>& arguments);
 std::optional<FragmentationSettings> parse_fragmentation(const std::vector<std::string>& arguments);
 std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments);
+std::optional<IndexSettings> parse_index(const std::vector<std::string>& arguments);
 std::optional<TinSettings> parse_tin(const std::vector<std::string>& arguments);
 std::optional<VisibleSettings> parse_visible(const std::vector<std::string>& arguments);
 

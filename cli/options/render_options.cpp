@@ -174,6 +174,21 @@ std::vector<Conflict> picture_conflicts() {
   return conflicts;
 }
 
+namespace {
+
+// Of how the work is done: it decides nothing of what is drawn.
+Option index_option(bool& use_index) {
+  return with_choice<bool>(
+      {.group = "General",
+       .name = "--index",
+       .help = "Take larger cells from the file that orograph index made, where there is "
+               "one for these heights",
+       .by_default = "auto"},
+      {{"auto", true}, {"off", false}}, use_index);
+}
+
+} // namespace
+
 Command render_command(RenderSettings& settings) {
   Command command{
       .name = "render",
@@ -203,6 +218,8 @@ Command render_command(RenderSettings& settings) {
        .take = stored_name(settings.output)});
   add_drawing_options(command.options, settings);
   add_skyline_options(command.options, settings);
+  command.options.push_back(memory_option(settings.reading.max_memory));
+  command.options.push_back(index_option(settings.reading.use_index));
   add_general_options(command.options, settings.settings_file, settings.quiet, settings.progress);
   command.options.push_back(full_help_option());
   command.daily = daily_options();

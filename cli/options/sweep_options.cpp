@@ -329,6 +329,7 @@ Command sweep_command(SweepSettings& settings) {
                         [](const Option& o) { return o.group == kVaried; });
   options.insert(options.end(), varied.begin(), varied.end());
   add_work_options(options, settings);
+  options.push_back(memory_option(render.reading.max_memory));
   add_general_options(options, render.settings_file, render.quiet, render.progress);
   return command;
 }

@@ -46,6 +46,7 @@ void add_tin_options(std::vector<Option>& options, TinSettings& settings) {
                      .help = "Replace an existing file",
                      .take = set_to(settings.overwrite, true)});
   options.push_back(jobs_option(settings.jobs));
+  options.push_back(memory_option(settings.reading.max_memory));
   options.push_back(quiet_option(settings.quiet));
   options.push_back(help_option());
 }
@@ -196,6 +197,7 @@ Command info_command(InfoSettings& settings) {
       .examples = {{"orograph info dem.tif", "What the file holds, as render reads it."}}};
   add_terrain_options(command.options, settings.inputs, settings.reading);
   command.options.push_back(jobs_option(settings.jobs));
+  command.options.push_back(memory_option(settings.reading.max_memory));
   command.options.push_back(help_option());
   return command;
 }
@@ -210,6 +212,28 @@ InfoSettings take_reading(const NamedValues& options) {
 std::optional<InfoSettings> parse_info(const std::vector<std::string>& arguments) {
   InfoSettings settings;
   const auto given = parse_arguments(info_command(settings), arguments);
+  if (asks_for_help(given)) return std::nullopt;
+  refuse_scenes(settings.inputs);
+  return settings;
+}
+
+Command index_command(IndexSettings& settings) {
+  Command command{
+      .name = "index",
+      .summary = "Read a large raster once and keep larger cells of it beside it, for render",
+      .options = {},
+      .conflicts = terrain_conflicts(),
+      .examples = {{"orograph index dem.tif", "Writes dem.tif.levels, which render finds."}}};
+  add_terrain_options(command.options, settings.inputs, settings.reading);
+  command.options.push_back(jobs_option(settings.jobs));
+  command.options.push_back(memory_option(settings.reading.max_memory));
+  add_message_options(command.options, settings.quiet, settings.progress);
+  return command;
+}
+
+std::optional<IndexSettings> parse_index(const std::vector<std::string>& arguments) {
+  IndexSettings settings;
+  const auto given = parse_arguments(index_command(settings), arguments);
   if (asks_for_help(given)) return std::nullopt;
   refuse_scenes(settings.inputs);
   return settings;

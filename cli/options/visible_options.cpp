@@ -140,6 +140,7 @@ Command visible_command(VisibleSettings& settings) {
   add_eye(command, render);
   add_visible_options(command.options, settings);
   command.options.push_back(jobs_option(render.jobs));
+  command.options.push_back(memory_option(render.reading.max_memory));
   command.options.push_back(quiet_option(render.quiet));
   command.options.push_back(help_option());
   return command;

@@ -6,20 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 namespace orograph {
-namespace {
 
-// Where a vertex of the file is in the level: in which cell, and how far into it.
-struct InCell {
-  int cell;
-  double share;
-};
-
-std::vector<InCell> in_cells(int vertices, int of_level) {
-  std::vector<InCell> out;
+std::vector<PlaceInLevel> places_in_level(int vertices, int of_level) {
+  std::vector<PlaceInLevel> out;
   const double step = (of_level - 1.0) / (vertices - 1);
   for (int i = 0; i < vertices; ++i) {
     const int cell = std::min(static_cast<int>(i * step), of_level - 2);
@@ -28,56 +19,68 @@ std::vector<InCell> in_cells(int vertices, int of_level) {
   return out;
 }
 
-struct OfRow {
-  double greatest_m = 0, squares = 0;
-  std::uint64_t count = 0;
-};
+template <class Height>
+RowDeparture departure_of_row(std::span<const Height> row, std::span<const Height> upper,
+                              std::span<const Height> lower, double share,
+                              const std::vector<PlaceInLevel>& across) {
+  RowDeparture sum;
+  const double y = share;
+  // What has no share in it may be missing.
+  const auto part = [](double of, double height) { return of == 0 ? 0 : of * height; };
+  for (std::size_t i = 0; i < across.size(); ++i) {
+    const double x = across[i].share;
+    const auto cell = static_cast<std::size_t>(across[i].cell);
+    const double drawn =
+        x > y ? part(1 - x, upper[cell]) + part(x - y, upper[cell + 1]) + part(y, lower[cell + 1])
+              : part(1 - y, upper[cell]) + part(y - x, lower[cell]) + part(x, lower[cell + 1]);
+    const double apart = std::abs(drawn - row[i]);
+    if (std::isnan(apart)) continue;
+    sum.greatest_m = std::max(sum.greatest_m, apart);
+    sum.squares += apart * apart;
+    ++sum.count;
+  }
+  return sum;
+}
 
-} // namespace
-
-Departure departure_of(const Grid& level, const Grid& grid) {
-  const std::vector<InCell> across = in_cells(grid.columns, level.columns),
-                            down = in_cells(grid.rows, level.rows);
-  std::vector<OfRow> rows(down.size());
-  std::visit(
-      [&](const auto& heights) {
-        using Heights = std::remove_cvref_t<decltype(heights)>;
-        const auto& of_level = std::get<Heights>(level.heights_m);
-        on_all_cores(rows.size(), [&](std::size_t j) {
-          OfRow& sum = rows[j];
-          const auto upper = of_level.data() + level.index(0, down[j].cell);
-          const auto lower = upper + level.columns;
-          const double y = down[j].share;
-          const auto row = heights.data() + grid.index(0, static_cast<int>(j));
-          for (std::size_t i = 0; i < across.size(); ++i) {
-            const auto [cell, x] = across[i];
-            // What has no share in it may be missing.
-            const auto part = [](double share, double height) {
-              return share == 0 ? 0 : share * height;
-            };
-            const double drawn = x > y ? part(1 - x, upper[cell]) + part(x - y, upper[cell + 1]) +
-                                             part(y, lower[cell + 1])
-                                       : part(1 - y, upper[cell]) + part(y - x, lower[cell]) +
-                                             part(x, lower[cell + 1]);
-            const double apart = std::abs(drawn - row[i]);
-            if (std::isnan(apart)) continue;
-            sum.greatest_m = std::max(sum.greatest_m, apart);
-            sum.squares += apart * apart;
-            ++sum.count;
-          }
-        });
-      },
-      grid.heights_m);
-  Departure departure;
-  OfRow all;
-  for (const OfRow& row : rows) {
+Departure departure_of(const std::vector<RowDeparture>& rows) {
+  RowDeparture all;
+  for (const RowDeparture& row : rows) {
     all.greatest_m = std::max(all.greatest_m, row.greatest_m);
     all.squares += row.squares;
     all.count += row.count;
   }
-  departure.greatest_m = all.greatest_m;
+  Departure departure{.greatest_m = all.greatest_m};
   if (all.count > 0) departure.rms_m = std::sqrt(all.squares / static_cast<double>(all.count));
   return departure;
 }
+
+Departure departure_of(const Grid& level, const Grid& grid) {
+  const std::vector<PlaceInLevel> across = places_in_level(grid.columns, level.columns),
+                                  down = places_in_level(grid.rows, level.rows);
+  std::vector<RowDeparture> rows(down.size());
+  std::visit(
+      [&](const auto& heights) {
+        using Heights = std::remove_cvref_t<decltype(heights)>;
+        const auto line = [](const Grid& of, const Heights& in, int row) {
+          return std::span(in.data() + of.index(0, row), static_cast<std::size_t>(of.columns));
+        };
+        const auto& of_level = std::get<Heights>(level.heights_m);
+        on_all_cores(rows.size(), [&](std::size_t j) {
+          const auto [cell, share] = down[j];
+          rows[j] = departure_of_row(line(grid, heights, static_cast<int>(j)),
+                                     line(level, of_level, cell), line(level, of_level, cell + 1),
+                                     share, across);
+        });
+      },
+      grid.heights_m);
+  return departure_of(rows);
+}
+
+template RowDeparture departure_of_row(std::span<const float>, std::span<const float>,
+                                       std::span<const float>, double,
+                                       const std::vector<PlaceInLevel>&);
+template RowDeparture departure_of_row(std::span<const double>, std::span<const double>,
+                                       std::span<const double>, double,
+                                       const std::vector<PlaceInLevel>&);
 
 } // namespace orograph

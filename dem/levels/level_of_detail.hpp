@@ -10,7 +10,8 @@ struct LevelOfDetail {
   double step = 1;      ///< of the file's cells to one that is drawn; 0.5 halves them; the least
   double most_step = 1; ///< of patches; else the same
   double cell_m = 0, cell_mm = 0;   ///< on the ground; on the page at most
-  double greatest_m = 0, rms_m = 0; ///< departure of heights, at the larger cells' vertices
+  double greatest_m = 0, rms_m = 0; ///< departure of heights from the file's: at most, where they
+                                    ///< were read in larger cells already
   double greatest_mm = 0; ///< of patches: on the page where each is nearest, but for the eye's feet
   std::size_t summits = 0;    ///< of the ten highest, those on the page
   double summit_moved_mm = 0; ///< on the page, at most of these

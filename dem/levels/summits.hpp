@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/grid.hpp"
+#include "dem/levels/larger_cells.hpp"
 #include "dem/levels/patches.hpp"
 #include "dem/levels/patchwork.hpp"
 
@@ -10,6 +11,9 @@
 #include <vector>
 
 namespace orograph {
+
+/// Summits are as far apart, of the larger cells.
+constexpr int kSummitsApart = 16;
 
 struct Summit {
   Vec3 of_file_m; ///< in the ground frame, its true height
@@ -19,6 +23,8 @@ struct Summit {
 /// The `most` highest, from the highest on: each the highest ground within 16 of the larger cells.
 /// REQUIRES a level that has the grid's corners. Cost: one look at each height.
 std::vector<Summit> summits_of(const Grid& grid, const Grid& level, std::size_t most);
+/// The same of a raster that was read in larger cells. `level` is these, or a level of them.
+std::vector<Summit> summits_of(const LargerCells& file, const Grid& level);
 /// The same of a patchwork, by the cells that it has there; each the highest ground within 16 of
 /// the grid's.
 std::vector<Summit> summits_of(const Grid& grid, const Patchwork& made, const Patches& patches,

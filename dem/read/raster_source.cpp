@@ -315,6 +315,8 @@ RasterSource open_source(const std::string& path, const ReadOptions& options,
   // GDAL looks at place and CRS only when it is asked for them.
   take_warnings(messages, source);
   if (messages.has_failure()) refuse_damaged(path, messages.last_failure());
+  const CPLStringList files(source.full->GetFileList());
+  for (int i = 0; i < files.size(); ++i) source.files.emplace_back(files[i]);
   source.notes.insert(source.notes.begin(), source.doubts.begin(), source.doubts.end());
   if (options.overview) {
     source.overview = open_overview(path, options.open_options, band, *options.overview, messages);

@@ -18,9 +18,10 @@ namespace orograph {
 struct RasterSource {
   std::string path;
   Dataset full, overview; ///< `overview` is null where full heights are read; both while closed
-  RasterLattice lattice;  ///< of what is read, as the file counts
-  GridOrder order;        ///< of the whole of it
-  MapFrame map;           ///< without its origin
+  std::vector<std::string> files; ///< that it is made of, as GDAL lists them
+  RasterLattice lattice;          ///< of what is read, as the file counts
+  GridOrder order;                ///< of the whole of it
+  MapFrame map;                   ///< without its origin
   HeightCode code;
   bool in_float = true;   ///< float holds all its heights
   bool has_place = false; ///< its georeference is told

@@ -5,11 +5,18 @@
 #include "geometry/box.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace orograph {
+
+/// Which rasters are read in larger cells than their own.
+struct LargeRasters {
+  std::uint64_t most_heights = 0; ///< of those that are read as they are
+  int least_cells = 0;            ///< along the shorter side, that are left
+};
 
 struct ReadOptions {
   std::optional<Box2> bbox; ///< in map coordinates; keeps the vertices inside it
@@ -27,6 +34,14 @@ struct ReadOptions {
   std::optional<int> overview;           ///< level from 0, the finest; none reads full heights
   std::string height_unit;               ///< as `length_unit` knows it; empty: what the file says
   std::optional<double> fill_voids;      ///< up to so many cells from a height; none leaves gaps
+  /// Twice, four times, eight times ... as large, and no more of the raster is in memory than some
+  /// rows. Not where voids are filled.
+  std::optional<LargeRasters> large;
+  /// Larger cells come from the index beside the first raster, if there is one that is right.
+  bool use_index = true;
+
+  /// Bytes; where reading and drawing a raster would take more, it is refused before it is read.
+  std::optional<std::uint64_t> max_memory;
 
   // Triangles and points.
   std::string layer;   ///< of a vector file, or a LandXML surface's name; empty: the only one

@@ -6,6 +6,7 @@
 #include "dem/read/read_options.hpp"
 #include "dem/terrain.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,9 @@ TerrainData read_raster(const std::string& path, const ReadOptions& options = {}
 /// heights, and a strip of one file's rows.
 ///
 /// Throws Error also where files differ in CRS, in what heights are above or in their lattice,
-/// don't touch, or have no georeference. REQUIRES at least one.
-TerrainData read_rasters(const std::vector<std::string>& paths, const ReadOptions& options = {});
+/// don't touch, or have no georeference. REQUIRES at least one. `progress` is told the share read
+/// of rasters that are read in larger cells.
+TerrainData read_rasters(const std::vector<std::string>& paths, const ReadOptions& options = {},
+                         const std::function<void(double)>& progress = {});
 
 } // namespace orograph

@@ -80,8 +80,9 @@ TerrainData from_points(MapShapes shapes, const ReadOptions& options) {
   return terrain_from_points(std::move(shapes), std::move(lines), std::move(boundary), options);
 }
 
-TerrainData from_rasters(const std::vector<std::string>& paths, const ReadOptions& options) {
-  TerrainData terrain = read_rasters(paths, options);
+TerrainData from_rasters(const std::vector<std::string>& paths, const ReadOptions& options,
+                         const std::function<void(double)>& progress) {
+  TerrainData terrain = read_rasters(paths, options, progress);
   refuse_survey_options(options, fmt::format("{} is a raster", paths.front()));
   return terrain;
 }
@@ -113,7 +114,8 @@ Kind kind_of(const std::string& path, const ReadOptions& options) {
   return is_vector ? Kind::vector : Kind::raster;
 }
 
-TerrainData read_one(const std::string& path, const ReadOptions& options) {
+TerrainData read_one(const std::string& path, const ReadOptions& options,
+                     const std::function<void(double)>& progress) {
   switch (kind_of(path, options)) {
   case Kind::mesh:
     return from_triangles(read_mesh(path, *mesh_format(path, first_bytes(path))), options);
@@ -126,20 +128,22 @@ TerrainData read_one(const std::string& path, const ReadOptions& options) {
   case Kind::raster:
     break;
   }
-  return from_rasters({path}, options);
+  return from_rasters({path}, options, progress);
 }
 
-TerrainData read_several(const std::vector<std::string>& paths, const ReadOptions& options) {
+TerrainData read_several(const std::vector<std::string>& paths, const ReadOptions& options,
+                         const std::function<void(double)>& progress) {
   for (const std::string& path : paths)
     if (kind_of(path, options) != Kind::raster)
       throw Error(fmt::format("{} isn't a raster, and of several files all must be", path),
                   "give it alone, or rasters only");
-  return from_rasters(paths, options);
+  return from_rasters(paths, options, progress);
 }
 
 } // namespace
 
-TerrainData read_terrain(const std::vector<std::string>& paths, const ReadOptions& options) {
+TerrainData read_terrain(const std::vector<std::string>& paths, const ReadOptions& options,
+                         const std::function<void(double)>& progress) {
   const auto too_large = [&] {
     return Error(fmt::format("{} doesn't fit into memory", in_brief(paths)),
                  "cut it into parts first");
@@ -149,8 +153,8 @@ TerrainData read_terrain(const std::vector<std::string>& paths, const ReadOption
     for (const std::string& beside : {options.breaklines, options.boundary})
       if (!beside.empty()) inputs.push_back(beside);
     const NetworkGate gate(inputs, options.allow_network);
-    TerrainData terrain =
-        paths.size() == 1 ? read_one(paths.front(), options) : read_several(paths, options);
+    TerrainData terrain = paths.size() == 1 ? read_one(paths.front(), options, progress)
+                                            : read_several(paths, options, progress);
     for (std::vector<std::string>* told : {&terrain.doubts, &terrain.notes})
       told->insert(told->end(), gate.doubts().begin(), gate.doubts().end());
     terrain.paths = paths;

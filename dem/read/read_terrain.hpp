@@ -5,6 +5,7 @@
 #include "dem/read/read_options.hpp"
 #include "dem/terrain.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace orograph {
 TerrainData read_terrain(const std::string& path, const ReadOptions& options = {});
 
 /// Of several files, which must be rasters then: they are joined (`read_rasters`).
-/// REQUIRES at least one.
-TerrainData read_terrain(const std::vector<std::string>& paths, const ReadOptions& options = {});
+/// REQUIRES at least one. `progress` as of `read_rasters`.
+TerrainData read_terrain(const std::vector<std::string>& paths, const ReadOptions& options = {},
+                         const std::function<void(double)>& progress = {});
 
 } // namespace orograph

@@ -6,6 +6,7 @@
 #include "dem/levels/part_of_grid.hpp"
 #include "dem/levels/patchwork.hpp"
 #include "dem/levels/refine.hpp"
+#include "placing/cell_on_page.hpp"
 #include "placing/certified_patches.hpp"
 #include "placing/land_part.hpp"
 #include "placing/patches_of_view.hpp"
@@ -22,39 +23,12 @@
 namespace orograph {
 namespace {
 
-// By looking: with half of it a tile of 1200 cells on A4 keeps the noise of satellites' heights;
-// three times as much takes side valleys away.
-constexpr double kCellsOfSpacing = 0.8;
-// Facets show where cells are larger than some lines' spacings; then these are fine enough.
-constexpr double kFinestOfSpacing = 1.6;
 constexpr std::size_t kSummits = 10;
 constexpr int kLeastCells = 16; // along the shorter side
 // Smaller ones show no more: a cell of 4 mm, as a sample of 60 x 90 has on A4, is 0.5 mm then.
 constexpr double kMostParts = 8;
 // A terrain of so many vertices takes a fifth of a second, whatever it shows of them.
 constexpr double kMostRefined = 1e6;
-
-CellSizes asked_size(const Style& style) {
-  if (style.detail.cell_mm) return {*style.detail.cell_mm, *style.detail.cell_mm};
-  const double usual_mm = kPenWidthsApart * style.pen_width_mm;
-  const auto* plan = style.plan ? std::get_if<PageSpacing>(&*style.plan) : nullptr;
-  const double spacing_mm = plan ? plan->mm : usual_mm;
-  return {kCellsOfSpacing * spacing_mm, kFinestOfSpacing * spacing_mm};
-}
-
-bool is_on_page(const PlacedView& placed, Vec3 on_page) {
-  if (!(on_page.z > 0)) return false;
-  const Vec2 at{on_page.x / on_page.z, on_page.y / on_page.z};
-  const Box2& frame = placed.frame_mm;
-  return at.x >= frame.low.x && at.x <= frame.high.x && at.y >= frame.low.y && at.y <= frame.high.y;
-}
-
-bool stands_over(const std::vector<Box3>& boxes, Vec2 eye_m) {
-  return std::ranges::any_of(boxes, [&](const Box3& box) {
-    return box.low.x <= eye_m.x && eye_m.x <= box.high.x && box.low.y <= eye_m.y &&
-           eye_m.y <= box.high.y;
-  });
-}
 
 // Whether an eye that is given stands over the ground, which is told at once: to place a panorama
 // costs as much as to draw one.
@@ -67,29 +41,6 @@ bool stands_over_ground(const ViewSpec& view, const TerrainData& terrain,
   place_eye(request, view, terrain);
   return request.eye_m &&
          stands_over(facts.extent.blocks.boxes, {request.eye_m->x, request.eye_m->y});
-}
-
-// How large a cell is on the page where it is largest; infinite at the eye's feet.
-double greatest_cell_mm(const PlacedView& placed, const Grid& grid) {
-  const View& view = placed.view;
-  if (view.is_perspective() && stands_over(placed.extent.blocks.boxes, view.depth_origin_m))
-    return std::numeric_limits<double>::infinity();
-  const GridSteps steps = steps_of(grid);
-  const auto in_frame = [&](Vec2 step) {
-    return Vec3{dot(step, view.right), dot(step, view.forward), 0};
-  };
-  const Vec3 across = in_frame(steps.column_m), down = in_frame(steps.row_m);
-  double greatest = 0;
-  for (const Box3& box : placed.extent.blocks.boxes)
-    for (const double x : {box.low.x, box.high.x})
-      for (const double y : {box.low.y, box.high.y})
-        for (const double z : {box.low.z, box.high.z}) {
-          const ProfilePoint at = to_profile_frame(view, {x, y, z});
-          if (!is_on_page(placed, placed.on_page(at))) continue;
-          greatest =
-              std::max({greatest, placed.mm_per_step(at, across), placed.mm_per_step(at, down)});
-        }
-  return greatest;
 }
 
 // Whether a vertex is one of a triangle of the set.
@@ -137,7 +88,8 @@ std::shared_ptr<const MadeLevel> made_level(const TerrainData& file, const Grid&
   const Grid& made = level->terrain.surface.emplace<Grid>(level_of(grid, step, water));
   out.departure = step < 1 ? departure_of(grid, made) : departure_of(made, grid);
   level->terrain.surface_error_m += out.departure.greatest_m;
-  out.summits = summits_of(grid, made, kSummits);
+  out.summits =
+      file.larger_cells ? summits_of(*file.larger_cells, made) : summits_of(grid, made, kSummits);
   level->facts = facts_of(level->terrain);
   const double least = static_cast<double>(least_of_water) / (step * step);
   level->facts.water = find_level_ground(made, static_cast<std::size_t>(std::max(2.0, least)));
@@ -157,6 +109,15 @@ void tell_summits(LevelOfDetail& level, const std::vector<Summit>& summits,
         std::max(level.summit_moved_mm,
                  std::hypot(from.x / from.z - to.x / to.z, from.y / from.z - to.y / to.z));
   }
+}
+
+// Cells that were read larger than the raster's come on top of what is made of them; departures
+// are then bounds, by the sum of both.
+void tell_larger_cells(LevelOfDetail& level, const LargerCells& read) {
+  level.step *= read.step;
+  level.most_step = level.step;
+  level.greatest_m += read.departure.greatest_m;
+  level.rms_m += read.departure.rms_m;
 }
 
 bool all_face_up(const Tin& tin) {
@@ -289,10 +250,11 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   if (!whole || terrain.is_cut()) return std::nullopt;
   TerrainFacts own = of_whole ? TerrainFacts{} : facts_of(file);
   const TerrainFacts& of_file = of_whole ? *of_whole : own;
-  const auto stay = [&]() -> std::optional<LevelOfDetail> {
+  const auto stay_with = [&](std::optional<LevelOfDetail> level) {
     if (!of_whole) terrain.take_facts(std::move(own));
-    return std::nullopt;
+    return level;
   };
+  const auto stay = [&] { return stay_with(std::nullopt); };
   if (detail.error_mm) {
     if (needs_lattice(file, spec.style)) return stay();
     const auto level =
@@ -322,8 +284,17 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   const double cell_mm = greatest_cell_mm(placed, grid);
   if (!(cell_mm > 0) || (std::isinf(cell_mm) && !detail.cell_mm)) return stay();
   LevelOfDetail level;
+  const LargerCells* const read = file.larger_cells ? &*file.larger_cells : nullptr;
   level.step = chosen_step(grid, asked_size(spec.style), cell_mm);
-  if (level.step == 1 && !land) return stay();
+  if (read) level.step = std::max(level.step, 1.0); // the raster has smaller ones, which were read
+  if (level.step == 1 && !land) {
+    if (!read) return stay();
+    level.cell_m = facts.cell_m;
+    level.cell_mm = cell_mm;
+    tell_larger_cells(level, *read);
+    tell_summits(level, summits_of(*read, grid), placed);
+    return stay_with(level);
+  }
 
   // A part of the land is of this view alone.
   const bool is_kept = last && !land && terrain.is_whole();
@@ -332,11 +303,12 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
     made = made_level(file, grid, level.step, facts.water.triangles, least_of_water(*whole));
     if (is_kept) last->keep(made);
   }
-  level.most_step = level.step;
   level.cell_m = made->level->facts.cell_m;
   level.cell_mm = level.step * cell_mm;
   level.greatest_m = made->departure.greatest_m;
   level.rms_m = made->departure.rms_m;
+  level.most_step = level.step;
+  if (read) tell_larger_cells(level, *read);
   tell_summits(level, made->summits, placed);
   terrain.take_level(made->level);
   return level;

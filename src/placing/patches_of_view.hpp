@@ -5,17 +5,13 @@
 #include "dem/grid.hpp"
 #include "dem/levels/height_ranges.hpp"
 #include "dem/levels/patches.hpp"
+#include "placing/cell_on_page.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/seen_ground.hpp"
 
 #include <optional>
 
 namespace orograph {
-
-/// Of cells on the page, in mm.
-struct CellSizes {
-  double least_mm, most_mm; ///< smaller ones are made larger, and larger ones smaller
-};
 
 /// How large a metre is on the page at places of a grid, from an eye in the landscape.
 class ScaleOnPage {

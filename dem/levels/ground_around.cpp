@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/levels/ground_around.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace orograph {
+namespace {
+
+// A straight ridge bends by as much as the ground around rises and falls; noise by far less. From
+// the first share on it counts as one, at the second fully.
+constexpr double kSomeRidge = 0.15, kFullRidge = 0.5;
+// How far a ridge goes back to the highest ground: all the way would bring its noise back.
+constexpr double kAddedBack = 0.8;
+
+} // namespace
+
+void RowGathering::begin(const LevelWindow& window) {
+  window_ = window;
+  sum_.clear();
+}
+
+template <class Height>
+void RowGathering::add(std::span<const Height> line, int row) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::size_t width = line.size();
+  if (sum_.empty()) {
+    sum_.assign(width, 0);
+    weights_.assign(width, 0);
+    low_.assign(width, kInfinity);
+    high_.assign(width, -kInfinity);
+  }
+  double* const sum = sum_.data();
+  double* const weights = weights_.data();
+  const double share = window_.weight(row);
+  for (std::size_t c = 0; c < width; ++c) {
+    const double height = line[c];
+    const bool is_there = height == height;
+    sum[c] += is_there ? share * height : 0;
+    weights[c] += is_there ? share : 0;
+  }
+  if (row < window_.first_near || row > window_.last_near) return;
+  double* const low = low_.data();
+  double* const high = high_.data();
+  for (std::size_t c = 0; c < width; ++c) { // comparisons with NaN are false
+    low[c] = line[c] < low[c] ? line[c] : low[c];
+    high[c] = line[c] > high[c] ? line[c] : high[c];
+  }
+}
+
+template <class Height>
+AroundRow RowGathering::around(std::span<const Height> nearest,
+                               const std::vector<LevelWindow>& columns) const {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t across = columns.size();
+  AroundRow out{std::vector<double>(across, kNone), std::vector<double>(across, kNone),
+                std::vector<double>(across, kNone)};
+  for (std::size_t i = 0; i < across; ++i) {
+    const LevelWindow& column = columns[i];
+    if (std::isnan(nearest[static_cast<std::size_t>(column.nearest())])) continue;
+    double total = 0, of_weights = 0;
+    for (int c = column.first; c <= column.last; ++c) {
+      const double share = column.weight(c);
+      total += share * sum_[static_cast<std::size_t>(c)];
+      of_weights += share * weights_[static_cast<std::size_t>(c)];
+    }
+    out.mean[i] = total / of_weights;
+    const auto near = [&](const std::vector<double>& values) {
+      return std::pair(values.begin() + column.first_near, values.begin() + column.last_near + 1);
+    };
+    const auto lows = near(low_), highs = near(high_);
+    out.lowest[i] = *std::min_element(lows.first, lows.second);
+    out.highest[i] = *std::max_element(highs.first, highs.second);
+  }
+  return out;
+}
+
+double height_with_character(const std::vector<AroundRow>& rows, int column, int row) {
+  const auto at = static_cast<std::size_t>(column);
+  const AroundRow& here = rows[static_cast<std::size_t>(row)];
+  const double mean = here.mean[at], lowest = here.lowest[at], highest = here.highest[at];
+  if (!(highest > lowest)) return mean;
+  const auto columns = static_cast<int>(here.mean.size()), down_to = static_cast<int>(rows.size());
+  // By how much it is above what lies on both sides; a slope isn't.
+  double bend = 0;
+  int ways = 0;
+  bool is_summit = true;
+  for (const auto& [across, down] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}}) {
+    bool is_between = true;
+    double beside = 0;
+    for (const int side : {-1, 1}) {
+      const int c = column + side * across, r = row + side * down;
+      const bool is_in = c >= 0 && r >= 0 && c < columns && r < down_to;
+      const AroundRow* const other = is_in ? &rows[static_cast<std::size_t>(r)] : nullptr;
+      const auto i = static_cast<std::size_t>(c);
+      if (!other || std::isnan(other->mean[i])) {
+        is_between = false;
+        continue;
+      }
+      beside += other->mean[i];
+      const bool is_later = std::pair(row, column) < std::pair(r, c);
+      is_summit = is_summit && other->highest[i] <= highest &&
+                  (other->mean[i] < mean || (other->mean[i] == mean && is_later));
+    }
+    if (!is_between) continue;
+    bend += mean - 0.5 * beside;
+    ++ways;
+  }
+  if (ways == 0) return mean;
+  if (is_summit) return highest;
+  bend /= ways * (highest - lowest);
+  const double share =
+      kAddedBack * std::clamp((std::abs(bend) - kSomeRidge) / (kFullRidge - kSomeRidge), 0.0, 1.0);
+  return mean + share * ((bend > 0 ? highest : lowest) - mean);
+}
+
+template void RowGathering::add(std::span<const float>, int);
+template void RowGathering::add(std::span<const double>, int);
+template AroundRow RowGathering::around(std::span<const float>,
+                                        const std::vector<LevelWindow>&) const;
+template AroundRow RowGathering::around(std::span<const double>,
+                                        const std::vector<LevelWindow>&) const;
+
+} // namespace orograph

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the ground is like around the vertices of a level, and what height it gives them.
+#pragma once
+
+#include "dem/levels/level_windows.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace orograph {
+
+/// Around the vertices of a row of a level; NaN where what is nearest to one is a void.
+struct AroundRow {
+  std::vector<double> mean, lowest, highest;
+};
+
+/// Gathers a grid's rows, from the first to the last that a row of the level looks at.
+class RowGathering {
+public:
+  explicit RowGathering(const LevelWindow& window) { begin(window); }
+  RowGathering() = default;
+
+  /// Forgets all, for another row of the level.
+  void begin(const LevelWindow& window);
+  /// A row of the grid, which the window reaches. REQUIRES that they come in order.
+  template <class Height>
+  void add(std::span<const Height> line, int row);
+  /// Once all are there. `nearest` is the grid's row nearest to the window's middle.
+  template <class Height>
+  AroundRow around(std::span<const Height> nearest, const std::vector<LevelWindow>& columns) const;
+
+private:
+  LevelWindow window_{};
+  std::vector<double> sum_, weights_, low_, high_;
+};
+
+/// The height of a vertex of a level, from what is around it and those beside it: a mean, and where
+/// the ground is a ridge or a valley floor something of the highest or the lowest. REQUIRES the
+/// rows above and below, where the level has them.
+double height_with_character(const std::vector<AroundRow>& rows, int column, int row);
+
+} // namespace orograph

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/levels/level_windows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orograph {
+namespace {
+
+// About each of some places among so many vertices, rising from the first to the last.
+std::vector<LevelWindow> windows_about(const std::vector<double>& places, double step,
+                                       int vertices) {
+  std::vector<LevelWindow> windows;
+  const auto within = [&](double at) {
+    return static_cast<int>(std::clamp(at, 0.0, vertices - 1.0));
+  };
+  for (const double middle : places) {
+    const double reach = std::min({step, middle + 1, vertices - middle});
+    windows.push_back({middle, reach, within(std::floor(middle - reach) + 1),
+                       within(std::ceil(middle + reach) - 1), within(std::ceil(middle - reach / 2)),
+                       within(std::floor(middle + reach / 2))});
+  }
+  return windows;
+}
+
+} // namespace
+
+double LevelWindow::weight(int at) const {
+  return 1 - std::abs(at - middle) / reach;
+}
+
+int LevelWindow::nearest() const {
+  return static_cast<int>(std::lround(middle));
+}
+
+int vertices_for(int vertices, int step) {
+  return std::max(2, static_cast<int>(std::lround((vertices - 1.0) / step)) + 1);
+}
+
+std::vector<LevelWindow> stretched_windows(int vertices, int made) {
+  const double step = (vertices - 1.0) / (made - 1);
+  std::vector<double> places;
+  for (int i = 0; i < made; ++i) places.push_back(i == made - 1 ? vertices - 1 : i * step);
+  return windows_about(places, step, vertices);
+}
+
+std::vector<LevelWindow> nested_windows(int vertices, int step) {
+  std::vector<double> places;
+  for (int at = 0; at < vertices - 1; at += step) places.push_back(at);
+  places.push_back(vertices - 1);
+  return windows_about(places, step, vertices);
+}
+
+} // namespace orograph

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which of a grid's rows or columns each vertex of a level looks at.
+#pragma once
+
+#include <vector>
+
+namespace orograph {
+
+/// Rows, or columns, of a grid that a vertex of a level looks at.
+struct LevelWindow {
+  double middle;             ///< in the grid's rows or columns
+  double reach;              ///< to either side; not beyond the border, lest the ground there tilts
+  int first, last;           ///< of the mean
+  int first_near, last_near; ///< of the highest and the lowest
+
+  /// Of a row or column in the mean: 1 in the middle, less beside it.
+  double weight(int at) const;
+  /// The one whose height a lake keeps, and whose void stays one.
+  int nearest() const;
+};
+
+/// As many vertices as cells of about `step` need.
+int vertices_for(int vertices, int step);
+
+/// Of so many vertices at even steps from border to border, each up to half a cell larger or
+/// smaller than `step` would be.
+std::vector<LevelWindow> stretched_windows(int vertices, int made);
+
+/// Of every `step`th vertex, and the last one.
+std::vector<LevelWindow> nested_windows(int vertices, int step);
+
+} // namespace orograph

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/read/read_rows.hpp"
+
+#include "geometry/large_pages.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <variant>
+
+namespace orograph {
+namespace {
+
+template <class Value>
+std::vector<Value> no_heights(std::size_t count) {
+  std::vector<Value> heights;
+  fill_on_large_pages(heights, count, std::numeric_limits<Value>::quiet_NaN());
+  return heights;
+}
+
+RasterWindow common(const RasterWindow& a, const RasterWindow& b) {
+  const int pixel = std::max(a.pixel, b.pixel), line = std::max(a.line, b.line);
+  return {pixel, line, std::min(a.pixel + a.pixels, b.pixel + b.pixels) - pixel,
+          std::min(a.line + a.lines, b.line + b.lines) - line};
+}
+
+} // namespace
+
+ReadHeights read_rows(RasterSet& set, const RowRange& range, const ReadOptions& options,
+                      HeightDifferences& differences) {
+  const RasterWindow window{set.window.pixel, set.window.line + range.first, set.window.pixels,
+                            range.rows};
+  const auto count =
+      static_cast<std::size_t>(window.pixels) * static_cast<std::size_t>(window.lines);
+  ReadHeights heights = set.are_floats() ? ReadHeights(no_heights<float>(count))
+                                         : ReadHeights(no_heights<double>(count));
+  for (const TilePlace& place : set.joined.places) {
+    RasterWindow part = common(place.at, window);
+    if (part.empty()) continue;
+    RasterSource& source = set.sources[place.tile];
+    const bool was_open = source.full != nullptr;
+    if (!was_open) open_again(source, options);
+    const int column = part.pixel - window.pixel, row = part.line - window.line;
+    part.pixel -= place.at.pixel;
+    part.line -= place.at.line;
+    read_part(source, options, part, window.pixels, column, row, heights,
+              set.joined.places.size() > 1 ? &differences : nullptr);
+    if (!was_open) close(source);
+  }
+  return heights;
+}
+
+namespace {
+
+template <class Value>
+void leave_in_box(const RasterSet& set, int first_row, std::span<Value> heights) {
+  const auto columns = static_cast<std::size_t>(set.order.columns);
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const auto column = static_cast<double>(i % columns),
+               row = first_row + static_cast<double>(i / columns);
+    const Vec2 place = set.order.first + column * set.order.column_step + row * set.order.row_step;
+    if (!in_box(set.joined.lattice, place, *set.box))
+      heights[i] = std::numeric_limits<Value>::quiet_NaN();
+  }
+}
+
+} // namespace
+
+void leave_in_box(const RasterSet& set, int first_row, ReadHeights& heights) {
+  if (set.box)
+    std::visit([&](auto& values) { leave_in_box(set, first_row, std::span(values)); }, heights);
+}
+
+void leave_in_box(const RasterSet& set, Grid& grid) {
+  if (set.box)
+    std::visit([&](auto& heights) { leave_in_box(set, 0, heights.own()); }, grid.heights_m);
+}
+
+} // namespace orograph

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Heights of some rows of a terrain of rasters.
+#pragma once
+
+#include "dem/read/open_rasters.hpp"
+#include "dem/read/raster_heights.hpp"
+#include "dem/read/read_options.hpp"
+
+namespace orograph {
+
+/// Rows of a grid: from the first, so many.
+struct RowRange {
+  int first = 0, rows = 0;
+};
+
+/// Rows of the set's grid, from the parts of the files that lie in them; NaN where none does. Adds
+/// what GDAL warns of to the sources' notes. Throws Error where a file can't be read.
+ReadHeights read_rows(RasterSet& set, const RowRange& range, const ReadOptions& options,
+                      HeightDifferences& differences);
+
+/// Leaves the heights in the box that was asked for: of a rotated or sheared raster the window
+/// holds more. They are those of the rows from `first_row` on.
+void leave_in_box(const RasterSet& set, int first_row, ReadHeights& heights);
+void leave_in_box(const RasterSet& set, Grid& grid);
+
+} // namespace orograph

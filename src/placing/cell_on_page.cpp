@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "placing/cell_on_page.hpp"
+
+#include "dem/extent.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace orograph {
+namespace {
+
+// By looking: with half of it a tile of 1200 cells on A4 keeps the noise of satellites' heights;
+// three times as much takes side valleys away.
+constexpr double kCellsOfSpacing = 0.8;
+// Facets show where cells are larger than some lines' spacings; then these are fine enough.
+constexpr double kFinestOfSpacing = 1.6;
+
+} // namespace
+
+CellSizes asked_size(const Style& style) {
+  if (style.detail.cell_mm) return {*style.detail.cell_mm, *style.detail.cell_mm};
+  const double usual_mm = kPenWidthsApart * style.pen_width_mm;
+  const auto* plan = style.plan ? std::get_if<PageSpacing>(&*style.plan) : nullptr;
+  const double spacing_mm = plan ? plan->mm : usual_mm;
+  return {kCellsOfSpacing * spacing_mm, kFinestOfSpacing * spacing_mm};
+}
+
+bool is_on_page(const PlacedView& placed, Vec3 on_page) {
+  if (!(on_page.z > 0)) return false;
+  const Vec2 at{on_page.x / on_page.z, on_page.y / on_page.z};
+  const Box2& frame = placed.frame_mm;
+  return at.x >= frame.low.x && at.x <= frame.high.x && at.y >= frame.low.y && at.y <= frame.high.y;
+}
+
+bool stands_over(const std::vector<Box3>& boxes, Vec2 eye_m) {
+  return std::ranges::any_of(boxes, [&](const Box3& box) {
+    return box.low.x <= eye_m.x && eye_m.x <= box.high.x && box.low.y <= eye_m.y &&
+           eye_m.y <= box.high.y;
+  });
+}
+
+// How large a cell is on the page where it is largest; infinite at the eye's feet.
+double greatest_cell_mm(const PlacedView& placed, const Grid& grid) {
+  const View& view = placed.view;
+  if (view.is_perspective() && stands_over(placed.extent.blocks.boxes, view.depth_origin_m))
+    return std::numeric_limits<double>::infinity();
+  const GridSteps steps = steps_of(grid);
+  const auto in_frame = [&](Vec2 step) {
+    return Vec3{dot(step, view.right), dot(step, view.forward), 0};
+  };
+  const Vec3 across = in_frame(steps.column_m), down = in_frame(steps.row_m);
+  double greatest = 0;
+  for (const Box3& box : placed.extent.blocks.boxes)
+    for (const double x : {box.low.x, box.high.x})
+      for (const double y : {box.low.y, box.high.y})
+        for (const double z : {box.low.z, box.high.z}) {
+          const ProfilePoint at = to_profile_frame(view, {x, y, z});
+          if (!is_on_page(placed, placed.on_page(at))) continue;
+          greatest =
+              std::max({greatest, placed.mm_per_step(at, across), placed.mm_per_step(at, down)});
+        }
+  return greatest;
+}
+
+} // namespace orograph
