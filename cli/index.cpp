@@ -21,7 +21,8 @@ void index(const IndexSettings& settings) {
   std::error_code ignored;
   if (std::filesystem::exists(path, ignored) && !is_index(path))
     throw Error(path + " is there, and is no index", "move it elsewhere");
-  check_writable(path, {.overwrite = true});
+  if (std::filesystem::is_regular_file(settings.inputs.front(), ignored))
+    check_writable(path, {.overwrite = true});
   ProgressBar bar(shows_progress(settings.quiet, settings.progress));
   const RasterIndex made =
       index_of(settings.inputs, settings.reading, [&](double fraction) { bar.show(fraction); });

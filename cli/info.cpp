@@ -3,6 +3,7 @@
 #include "cli/info.hpp"
 
 #include "dem/extent.hpp"
+#include "dem/read/raster_bands.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "placing/terrain_facts.hpp"
 #include "profiles/surface_edges.hpp"
@@ -159,7 +160,13 @@ std::string describe(const TerrainData& terrain) {
 }
 
 void info(const InfoSettings& settings) {
-  const std::string text = describe(read_terrain(settings.inputs, settings.reading));
+  std::string text = describe(read_terrain(settings.inputs, settings.reading));
+  const IndexState index = index_state(settings.inputs, settings.reading);
+  if (!index.steps.empty())
+    add_line(text, "Index",
+             fmt::format("{}: cells {} to {} times as large", index_path(settings.inputs),
+                         index.steps.front(), index.steps.back()));
+  if (!index.why_not.empty()) add_line(text, "Index", index.why_not);
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 

@@ -65,7 +65,8 @@ public:
   /// Of a file, or of several rasters that are joined: whatever GDAL reads as a raster, triangles
   /// in OFF, PLY, OBJ, STL, LandXML or vector layers, points in text or vector layers. Throws Error
   /// where one can't be read, isn't a terrain, or the options don't fit it. Memory: 4 bytes a
-  /// height (8 of files in double precision).
+  /// height (8 of files in double precision); less of a raster of which `options.large` lets larger
+  /// cells be read, of which `control` is told the progress.
   static Terrain read(const std::vector<std::string>& paths, const ReadOptions& options = {},
                       const Control& control = {});
   /// Of heights, or of triangles, in memory: to the bit the terrain of a file that holds the same.

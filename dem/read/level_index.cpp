@@ -209,6 +209,10 @@ ReadHeights read_level(std::ifstream& file, const ToldLevel& level) {
   return heights;
 }
 
+std::string not_used(const std::string& path, const Refused& refused) {
+  return fmt::format("{} isn't used: {}. Make it anew.", path, refused.why);
+}
+
 // A local file's time, to the nanosecond where the disk keeps that.
 std::optional<std::string> state_of_file(const std::string& path) {
   std::error_code unknown;
@@ -306,23 +310,22 @@ IndexFound find_level(const std::string& path, const std::string& state, const R
                                    set.are_floats() ? read_level<float>(file, level)
                                                     : read_level<double>(file, level)};
   } catch (const Refused& refused) {
-    found.why_not = fmt::format("{} isn't used: {}. Make it anew.", path, refused.why);
+    found.why_not = not_used(path, refused);
   }
   return found;
 }
 
-std::vector<int> indexed_steps(const std::string& path, const std::string& state,
-                               const RasterSet& set) {
-  std::vector<int> steps;
+IndexState look_at_index(const std::string& path, const std::string& state, const RasterSet& set) {
+  IndexState found;
   std::ifstream file(path, std::ios::binary);
-  if (!file) return steps;
+  if (!file) return found;
   try {
     for (const ToldLevel& level : read_told(file, path, state, set).levels)
-      steps.push_back(level.cells.step);
-  } catch (const Refused&) {
-    steps.clear();
+      found.steps.push_back(level.cells.step);
+  } catch (const Refused& refused) {
+    found.why_not = not_used(path, refused);
   }
-  return steps;
+  return found;
 }
 
 } // namespace orograph

@@ -48,8 +48,12 @@ struct IndexFound {
 IndexFound find_level(const std::string& path, const std::string& state, const RasterSet& set,
                       int step);
 
-/// What an index holds, for people: steps of its levels; empty where `find_level` wouldn't use it.
-std::vector<int> indexed_steps(const std::string& path, const std::string& state,
-                               const RasterSet& set);
+/// What is told of an index: the steps of its levels, or why `find_level` wouldn't use it; neither
+/// where there is none. Its heights aren't looked at.
+struct IndexState {
+  std::vector<int> steps;
+  std::string why_not;
+};
+IndexState look_at_index(const std::string& path, const std::string& state, const RasterSet& set);
 
 } // namespace orograph

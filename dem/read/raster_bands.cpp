@@ -146,4 +146,12 @@ RasterIndex index_of(const std::vector<std::string>& paths, const ReadOptions& o
   return {*state, read_levels(set, steps, options, differences, progress)};
 }
 
+IndexState index_state(const std::vector<std::string>& paths, const ReadOptions& options) {
+  if (!is_index(index_path(paths))) return {};
+  const GdalMessages unheard;
+  const RasterSet set = open_rasters(paths, options);
+  const auto state = state_of(set, options);
+  return state ? look_at_index(index_path(paths), *state, set) : IndexState{};
+}
+
 } // namespace orograph

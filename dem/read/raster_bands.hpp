@@ -39,4 +39,7 @@ struct RasterIndex {
 RasterIndex index_of(const std::vector<std::string>& paths, const ReadOptions& options,
                      const std::function<void(double)>& progress = {});
 
+/// What is told of these rasters' index. Nothing where they aren't rasters, or aren't on a disk.
+IndexState index_state(const std::vector<std::string>& paths, const ReadOptions& options);
+
 } // namespace orograph

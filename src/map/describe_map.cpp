@@ -128,6 +128,12 @@ InputFacts describe_input(const TerrainData& terrain) {
     const GridSteps steps = steps_of(*grid);
     out.column_step_m = length(steps.column_m);
     out.row_step_m = length(steps.row_m);
+    if (const auto& read = terrain.larger_cells) { // what is in memory isn't what the file has
+      out.column_step_m *= (grid->columns - 1.0) / (read->columns - 1);
+      out.row_step_m *= (grid->rows - 1.0) / (read->rows - 1);
+      out.columns = static_cast<std::uint64_t>(read->columns);
+      out.rows = static_cast<std::uint64_t>(read->rows);
+    }
   } else if (has_ground(terrain.surface)) {
     const Tin& tin = std::get<Tin>(terrain.surface);
     out.vertices = tin.vertices_m.size();
