@@ -44,8 +44,9 @@ Terrain Terrain::read(const std::vector<std::string>& paths, const ReadOptions& 
   if (paths.empty())
     throw Error("no file is named", "name one, or several rasters", ErrorCode::request);
   std::shared_ptr<const TerrainData> data;
-  on_cores(control.jobs, control.stop,
-           [&] { data = std::make_shared<TerrainData>(read_terrain(paths, options, control.progress)); });
+  on_cores(control.jobs, control.stop, [&] {
+    data = std::make_shared<TerrainData>(read_terrain(paths, options, control.progress));
+  });
   return Terrain(std::move(data));
 }
 

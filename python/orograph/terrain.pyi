@@ -22,6 +22,7 @@ class ReadOptions(TypedDict, total=False):
     fill_voids: float | str | None
     height_unit: str | None
     allow_network: bool | None
+    max_memory: str | None
     input_layer: str | None
     repair: bool | None
     columns: Several | None

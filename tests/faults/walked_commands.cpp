@@ -202,6 +202,8 @@ std::vector<WalkedCommand> made_commands() {
     commands.back().before.push_back({"sweep", "hill.asc", "out", "--azimuth", "0,90", "--profiles",
                                       "8", "--no-seconds", "--shard", shard});
   commands.push_back({"info", {"info", "hill.asc"}});
+  commands.push_back({"an index over an older one", {"index", "large.vrt"}});
+  commands.back().older = {{"large.vrt.levels", "orolev01"}};
   commands.push_back({"visible",
                       {"visible", "hill.asc", "points.csv", "--eye", "80,80", "--output",
                        "seen.geojson", "--horizon-table", "skyline.csv", "--horizon-step", "10"},
@@ -235,6 +237,14 @@ void make_inputs(const MadeFolder& folder) {
   folder.write("hill.prj", std::string(kUtm32));
   folder.write("east.prj", std::string(kUtm32));
   folder.write("hill.tif", geotiff(kSize, kSize, height));
+  folder.write(
+      "large.vrt", // the least that has an index
+      R"(<VRTDataset rasterXSize="512" rasterYSize="512"><SRS>EPSG:32632</SRS>)"
+      R"(<GeoTransform>0,10,0,0,0,-10</GeoTransform><VRTRasterBand dataType="Float32" )"
+      R"(band="1"><SimpleSource><SourceFilename relativeToVRT="1">hill.tif</SourceFilename>)"
+      R"(<SourceBand>1</SourceBand><SrcRect xOff="0" yOff="0" xSize="16" ySize="16"/>)"
+      R"(<DstRect xOff="0" yOff="0" xSize="512" ySize="512"/></SimpleSource>)"
+      R"(</VRTRasterBand></VRTDataset>)");
   folder.write("hut.off", "OFF\n5 4 0\n0 0 0\n9 0 1\n9 9 0\n0 9 1\n4 4 8\n3 0 1 4\n3 1 2 4\n3 2 3 "
                           "4\n3 3 0 4\n");
   folder.write("points.csv", "x,y,z\n0,0,1\n90,0,2\n80,95,7\n0,90,3\n40,41,30\n10,60,12\n");

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A raster that isn't read as a whole, from the command line: with an index and without one.
+#include "tests/catch.hpp"
+#include "tests/cli/made_files.hpp"
+#include "tests/cli/run_program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace orograph::large_raster_test {
+namespace {
+
+// Of 4200 x 4200 heights, from a file of 100 x 100.
+void make_large(const MadeFolder& folder) {
+  folder.write("hill.tif", geotiff(100, 100, [](int column, int row) {
+                 return 300 * std::sin(column * 0.07) * std::cos(row * 0.05) + row;
+               }));
+  folder.write("large.vrt", R"(<VRTDataset rasterXSize="4200" rasterYSize="4200">
+  <SRS>EPSG:32632</SRS>
+  <GeoTransform>500000, 10, 0, 5000000, 0, -10</GeoTransform>
+  <VRTRasterBand dataType="Float32" band="1">
+    <SimpleSource resampling="bilinear"><SourceFilename relativeToVRT="1">hill.tif</SourceFilename>
+      <SourceBand>1</SourceBand>
+      <SrcRect xOff="0" yOff="0" xSize="100" ySize="100"/>
+      <DstRect xOff="0" yOff="0" xSize="4200" ySize="4200"/></SimpleSource>
+  </VRTRasterBand>
+</VRTDataset>)");
+}
+
+bool holds(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("a large raster is drawn the same with an index, and without one that has become old") {
+  const MadeFolder folder;
+  make_large(folder);
+  const auto run = [&](std::vector<std::string> arguments) {
+    return run_orograph(arguments, {.folder = folder.path()});
+  };
+  const auto draw = [&](const char* name, std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "large.vrt", name, "--overwrite", "--title", "a"});
+    const auto result = run(options);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return result.err;
+  };
+  draw("without.svg", {"--report", "a.json"});
+  const auto report = nlohmann::json::parse(folder.read("a.json"));
+  CHECK(report["input"]["columns"] == 4200);
+  CHECK(report["level_of_detail"]["step"].get<double>() >= 4);
+  CHECK(report["level_of_detail"]["greatest_departure_m"].get<double>() > 0);
+
+  REQUIRE(run({"index", "large.vrt"}).exit_code == 0);
+  CHECK(holds(run({"info", "large.vrt"}).out, "large.vrt.levels: cells 4 to 32 times as large"));
+  CHECK(!holds(draw("with.svg", {}), ".levels"));
+  CHECK(folder.read("with.svg") == folder.read("without.svg"));
+
+  const std::filesystem::path source = folder.path("hill.tif");
+  std::filesystem::last_write_time(source, std::filesystem::last_write_time(source) +
+                                               std::chrono::seconds(1));
+  CHECK(holds(draw("again.svg", {}), "large.vrt.levels isn't used: the heights have changed"));
+  CHECK(folder.read("again.svg") == folder.read("without.svg"));
+  CHECK(!holds(draw("again.svg", {"--index", "off"}), ".levels"));
+}
+
+TEST_CASE("a raster that takes too much memory is refused, and another's file isn't replaced") {
+  const MadeFolder folder;
+  make_large(folder);
+  const auto refused =
+      run_orograph({"render", "large.vrt", "a.svg", "--detail", "file", "--max-memory", "100MB"},
+                   {.folder = folder.path()});
+  CHECK(refused.exit_code == 1);
+  CHECK(holds(refused.err, "4200 x 4200 heights"));
+  CHECK(holds(refused.err, "--max-memory"));
+  folder.write("hill.tif.levels", "notes of mine");
+  const auto kept = run_orograph({"index", "hill.tif"}, {.folder = folder.path()});
+  CHECK(kept.exit_code == 1);
+  CHECK(holds(kept.err, "is no index"));
+  CHECK(folder.read("hill.tif.levels") == "notes of mine");
+  CHECK(folder.names() == std::vector<std::string>{"hill.tif", "hill.tif.levels", "large.vrt"});
+}
+
+} // namespace orograph::large_raster_test
