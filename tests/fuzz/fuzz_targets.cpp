@@ -8,8 +8,9 @@ constexpr FuzzTarget kTargets[] = {
     {"raster", fuzz_raster},     {"off", fuzz_off},         {"ply", fuzz_ply},
     {"obj", fuzz_obj},           {"stl", fuzz_stl},         {"landxml", fuzz_landxml},
     {"points", fuzz_points},     {"vector", fuzz_vector},   {"overlay", fuzz_overlay},
-    {"places", fuzz_places},     {"view", fuzz_view},       {"views", fuzz_view_list},
-    {"scene", fuzz_scene},       {"pens", fuzz_pens},       {"device", fuzz_device},
+    {"places", fuzz_places},     {"levels", fuzz_levels},   {"view", fuzz_view},
+    {"views", fuzz_view_list},   {"scene", fuzz_scene},     {"pens", fuzz_pens},
+    {"device", fuzz_device},
 #ifdef OROGRAPH_HAS_COMMAND
     {"settings", fuzz_settings}, {"report", fuzz_report},   {"plan", fuzz_plan},
     {"rows", fuzz_rows},         {"options", fuzz_options}, {"values", fuzz_values},

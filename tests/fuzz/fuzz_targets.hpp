@@ -43,6 +43,7 @@ void fuzz_points(FuzzBytes bytes);
 void fuzz_vector(FuzzBytes bytes);
 void fuzz_overlay(FuzzBytes bytes);
 void fuzz_places(FuzzBytes bytes);
+void fuzz_levels(FuzzBytes bytes);
 void fuzz_view(FuzzBytes bytes);
 void fuzz_view_list(FuzzBytes bytes);
 void fuzz_scene(FuzzBytes bytes);

@@ -2,6 +2,7 @@
 // Readers of the library: what they take is a terrain, a scene, pens as they promise, or they
 // refuse it with an Error.
 #include "dem/overlay.hpp"
+#include "dem/read/level_index.hpp"
 #include "dem/read/read_overlay.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "map/layer_table.hpp"
@@ -13,7 +14,11 @@
 
 #include <gdal_priv.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <variant>
 #include <vector>
 
@@ -119,6 +124,45 @@ void fuzz_overlay(FuzzBytes bytes) {
 
 void fuzz_places(FuzzBytes bytes) {
   lay_over(scratch_file("places.csv", bytes));
+}
+
+// Of a raster of 40 x 30 heights. Behind a first byte that is even, the bytes are all that an index
+// tells of its levels, with the right sum over it, and their heights.
+void fuzz_levels(FuzzBytes bytes) {
+  RasterSet set;
+  set.sources.resize(1);
+  set.grid.columns = 40;
+  set.grid.rows = 30;
+  const std::string state = "of this";
+  std::string file;
+  if (!bytes.empty() && bytes[0] % 2 == 0) {
+    const auto number = [](auto of) {
+      return std::string(reinterpret_cast<const char*>(&of), sizeof of);
+    };
+    const std::string told = number(std::uint64_t{state.size()}) + state +
+                             number(std::int32_t{40}) + number(std::int32_t{30}) +
+                             number(std::uint32_t{4}) + std::string(bytes.begin() + 1, bytes.end());
+    std::uint64_t sum = 0xcbf29ce484222325ULL;
+    for (std::size_t at = 0; at < told.size(); at += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, told.data() + at, std::min<std::size_t>(8, told.size() - at));
+      sum = std::rotl((sum ^ word) * 0x100000001b3ULL, 29);
+    }
+    file = "orolev01" + number(std::uint32_t{0x01020304}) + number(std::uint64_t{told.size()}) +
+           number(sum) + told;
+  } else {
+    file.assign(bytes.begin(), bytes.end());
+  }
+  const FuzzBytes all(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());
+  const std::string path = scratch_file("dem.levels", all);
+  const IndexFound found = find_level(path, state, set, 4);
+  expect(!found.level || found.why_not.empty(), "a level that isn't used");
+  if (found.level)
+    expect(std::get<std::vector<float>>(found.level->heights).size() ==
+               static_cast<std::size_t>(found.level->columns * found.level->rows),
+           "a level of another size than its heights");
+  for (const int step : look_at_index(path, state, set).steps)
+    expect(step >= 2 && step <= 30, "a step that the raster hasn't");
 }
 
 void fuzz_view(FuzzBytes bytes) {
