@@ -24,8 +24,10 @@ SheetJudge::Answer SheetJudge::ask(const ProfileLine& line, double t, const Draw
   const double tolerance_m = 1e-5 + 2 * tolerance_.at(plane.x, plane.y) *
                                         (view_->is_perspective() ? at.v : 1 / view_->y_per_z);
   const Sight sight = walk_.sight(at, tolerance_m);
-  // What ends just at the point's ray is a matter of rounding: a little to both sides.
-  const double beside = std::min(1e-4, 1e-5 * std::hypot(at.u, at.v) / size);
+  // What ends just at the point's ray is a matter of rounding: a little to both sides, of short
+  // lines too beyond what the walk takes for the point itself.
+  const double beside = std::max(std::min(1e-4, 1e-5 * std::hypot(at.u, at.v) / size),
+                                 100 * SheetWalk::kAtPoint_m / size);
   const auto is_same = [&](double at_t) {
     return walk_.sight(point_between(a, b, at_t), tolerance_m) == sight;
   };

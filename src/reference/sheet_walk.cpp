@@ -19,8 +19,6 @@ struct Passed {
 
 SheetWalk::Sight SheetWalk::sight(ProfilePoint point, double tolerance_m) const {
   const StraightWay way = StraightWay::to_eye(*view_, point);
-  // What is this close to the point, seen from above, is at it.
-  constexpr double kAtPoint_m = 1e-6;
   const double at_point = kAtPoint_m / std::hypot(way.step.u, way.step.v);
   std::vector<Passed> passed;
   ways_.for_each(*view_, way, 4 * kAtPoint_m, [&](const TrianglePassage& of) {

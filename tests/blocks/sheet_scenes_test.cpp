@@ -189,6 +189,32 @@ void tell(const Tally& sum, std::uint64_t drawn) {
 
 } // namespace
 
+TEST_CASE(
+    "what is nearer to a fold than rounding tells is drawn on neither of its sides for sure") {
+  // Level ground that rises steeply from the middle on, seen from 30 degrees below.
+  Grid grid;
+  grid.columns = grid.rows = 9;
+  grid.lattice = PlaneLattice{{-4, 4}, {1, 0}, {0, -1}};
+  std::vector<double> heights;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) heights.push_back(std::max(0, 4 - row));
+  grid.heights_m = std::move(heights);
+  View view;
+  view.projection = Projection::orthographic;
+  view.y_per_v = -0.5;
+  view.y_per_z = std::sqrt(0.75);
+  const Surface surface = std::move(grid);
+  const SheetJudge judge(surface, view, {.mm = 1, .page = {}, .greatest_y = 1e-3});
+  using Verdict = SheetJudge::Verdict;
+  const SheetJudge::Drawn nowhere{false, false, false}, underneath{false, false, true};
+  const ProfileLine before{{0.3, -0.9, 0}, {0.3, -0.1, 0}},
+      behind{{0.3, 0.1, 0.1}, {0.3, 0.9, 0.9}};
+  CHECK(judge.ask(before, 0.5, nowhere).verdict == Verdict::missing);
+  CHECK(judge.ask(behind, 0.5, underneath).verdict == Verdict::drawn_wrong);
+  const ProfileLine crumb{{0.3, 0, 0}, {0.3, 0.005, 0.005}};
+  CHECK(judge.ask(crumb, 1e-9, nowhere).verdict == Verdict::unsure);
+}
+
 TEST_CASE("both sides of a sheet are drawn where they are seen, and nowhere else") {
   Tally sum;
   std::uint64_t drawn = 0;
