@@ -9,6 +9,12 @@
 #include <cmath>
 
 namespace orograph {
+namespace {
+
+// No line's source has it, nor a profile's, and the near cut's have it.
+constexpr std::uint64_t kFootBit = std::uint64_t{1} << 62U;
+
+} // namespace
 
 SheetInWork::SheetInWork(const SectorInWork& of)
     : work(of), sheet(*of.sheet), all(sheet.triangles), part(of.sheet_part ? *of.sheet_part : all),
@@ -162,7 +168,12 @@ void SheetStrip::run(std::span<const LineAtDepth> which, std::span<const Segment
   const XRange looked_at = pictures_.looked_at();
   for (const Segment& s : near_cut) {
     const double begin = std::max(s.x0, looked_at.begin), end = std::min(s.x1, looked_at.end);
-    if (begin < end) covered_.take(s, begin, end, SheetEnd::opens, false);
+    if (!(begin < end)) continue;
+    if (sheet_.feet) { // the near plane cuts the block from its base up
+      const double y = sheet_.feet->y_at_near_plane();
+      covered_.take({s.x0, y, s.x1, y, s.id ^ kFootBit}, begin, end, SheetEnd::opens, false);
+    }
+    covered_.take(s, begin, end, sheet_.feet ? SheetEnd::turns : SheetEnd::opens, false);
   }
   // The system takes longer to hand out memory than events to be written there.
   thread_local std::vector<Event> events, sorted;
@@ -217,7 +228,6 @@ void SheetStrip::take_line(const Event& event) {
 }
 
 void SheetStrip::take_foot(const Event& event) {
-  constexpr std::uint64_t kFootBit = std::uint64_t{1} << 62U; // no line's source, nor a profile's
   const EdgeLine& edge = pictures_.line(event.number);
   const LinePicture picture = pictures_.picture(event.number, sheet_.feet->below(edge.edge));
   SurfaceLine line = pictures_.surface_line(event.number, picture);
