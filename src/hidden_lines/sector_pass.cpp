@@ -149,7 +149,9 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   Stopwatch watch;
   const View& view = sector.view;
   const bool surface = style.occluder == Occluder::surface;
-  const SurfaceCutter cutter(terrain.surface, view, placed.level.triangles, placed.for_cutters,
+  CutterFacts for_cutter = placed.for_cutters;
+  for_cutter.both_sides = lines.sheet.has_value();
+  const SurfaceCutter cutter(terrain.surface, view, placed.level.triangles, std::move(for_cutter),
                              &placed.extent.box);
   const TieTolerance tolerance = tie_tolerance(sector, style.visibility_tolerance_mm);
   const bool in_list = !surface || instruments.needs_list();

@@ -24,6 +24,16 @@ SheetInWork::SheetInWork(const SectorInWork& of)
   if (of.placed.block_base_m) feet.emplace(of.terrain, of.placed, of.sector.view);
 }
 
+bool SheetInWork::has_place(std::uint32_t triangle) const {
+  if (triangle == kNoTriangle) return false;
+  if (sheet.walls.empty() || !sheet.walls.has(triangle)) return true;
+  const auto corners = sheet.triangles.corners(triangle);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (eye_side(work.sector.view, vertices[corners[k]], vertices[corners[(k + 1) % 3]]) != 0)
+      return true;
+  return false;
+}
+
 SheetStrip::SheetStrip(const SheetInWork& sheet, std::size_t number, const Strip& strip)
     : sheet_(sheet), number_(number), range_(strip.range),
       pictures_(sheet.work.terrain.surface, sheet.work.placed.reach_m, sheet.work.on_ground.points,
@@ -88,16 +98,26 @@ void SheetStrip::add_wall_line(std::uint32_t number) {
 std::optional<SurfaceEdge> SheetStrip::edge_under(const ProfileLine& line,
                                                   std::uint32_t triangle) const {
   const double rounding_m = 4 * pictures_.rounding_m();
+  const bool is_wall = !sheet_.sheet.walls.empty() && sheet_.sheet.walls.has(triangle);
   const auto corner_at = [&](ProfilePoint p) -> std::optional<std::uint32_t> {
     for (const std::uint32_t corner : sheet_.sheet.triangles.corners(triangle))
       if (const ProfilePoint& at = sheet_.vertices[corner];
-          std::abs(p.u - at.u) <= rounding_m && std::abs(p.v - at.v) <= rounding_m)
+          std::abs(p.u - at.u) <= rounding_m && std::abs(p.v - at.v) <= rounding_m &&
+          (!is_wall || std::abs(p.z - at.z) <= rounding_m))
         return corner;
     return std::nullopt;
   };
   const auto from = corner_at(line.from), to = corner_at(line.to);
   if (!from || !to || *from == *to) return std::nullopt;
   return SurfaceEdge{std::min(*from, *to), std::max(*from, *to)};
+}
+
+// Of a wall at an upright edge of it, whether it is on the left of that.
+bool SheetStrip::reaches_left(std::uint32_t triangle, SurfaceEdge edge) const {
+  const auto corners = sheet_.sheet.triangles.corners(triangle);
+  const std::uint32_t apex = *std::ranges::find_if(
+      corners, [&](std::uint32_t corner) { return corner != edge.from && corner != edge.to; });
+  return eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[apex]) > 0;
 }
 
 void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
@@ -120,11 +140,15 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   if (picture.is_upright() || side == 0) {
     if (!line.drawn || (of_upper_side && !is_up(left) && !is_up(right))) return;
     // It is asked before either of its triangles covers anything, beside the first of them.
-    const bool takes_left =
-        right == kNoTriangle || (left != kNoTriangle && place(left) < place(right));
-    events_->emplace_back(turn_of(place(takes_left ? left : right), SheetStep::inside),
-                          SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right),
-                          number, kLine);
+    const bool has_left = sheet_.has_place(left), has_right = sheet_.has_place(right);
+    if (!has_left && !has_right) return;
+    const bool takes_left = !has_right || (has_left && place(left) < place(right));
+    const std::uint32_t taken = takes_left ? left : right;
+    const bool is_up_a_wall = ends.from.u == ends.to.u && ends.from.v == ends.to.v;
+    const bool is_on_left =
+        is_up_a_wall ? reaches_left(taken, edge) : takes_left == (picture.t_left < picture.t_right);
+    events_->emplace_back(turn_of(place(taken), SheetStep::inside), SheetEnd::turns, true,
+                          is_on_left, number, kLine);
     return;
   }
   const std::uint32_t front = side > 0 ? left : right, behind = side > 0 ? right : left;
@@ -159,6 +183,13 @@ void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
       if (of.is_there && (of.is_up || !sheet_.feet)) // a block's underside is within it
         events_->emplace_back(of.turn, SheetEnd::turns, true, true, number, span);
     }
+  }
+  for (const Segment& upright : profile.profile->uprights) {
+    const std::uint32_t span = left_vertex(upright);
+    const SheetSpan& of = profile.spans[span];
+    if (upright.x0 >= range_.begin && upright.x0 < range_.end && of.is_there &&
+        (of.is_up || !sheet_.feet))
+      events_->emplace_back(of.turn, SheetEnd::turns, true, true, number, span);
   }
 }
 
@@ -239,10 +270,14 @@ void SheetStrip::take_foot(const Event& event) {
 void SheetStrip::take_span(const Event& event, const SheetProfile& profile) {
   const ProjectedProfile& of = profile.profile->projected;
   const std::uint32_t i = event.span;
-  const Segment span{of.x[i], of.y[i], of.x[i + 1], of.y[i + 1], i};
   seen_.clear();
-  covered_.add_seen(span, std::max(span.x0, range_.begin), std::min(span.x1, range_.end),
-                    sheet_.work.tolerance, seen_);
+  if (profile.profile->profile.after[i] == Span::wall) {
+    covered_.add_upright_seen({of.x[i], of.y[i], of.x[i], of.y[i + 1], i, 0}, true, seen_);
+  } else {
+    const Segment span{of.x[i], of.y[i], of.x[i + 1], of.y[i + 1], i};
+    covered_.add_seen(span, std::max(span.x0, range_.begin), std::min(span.x1, range_.end),
+                      sheet_.work.tolerance, seen_);
+  }
   if (seen_.empty()) return;
   ProfileInWork& in_work = *profile.profile;
   std::vector<VisibleRun>& runs =

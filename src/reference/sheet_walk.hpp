@@ -30,6 +30,10 @@ public:
   /// triangles near the way to the eye. REQUIRES a view that isn't straight down or up.
   Sight sight(ProfilePoint point, double tolerance_m) const;
 
+  /// Whether the eye is in the plane of a wall that the point is on, to rounding: it has no width
+  /// then. Cost: all walls.
+  bool is_on_wall_edge_on(ProfilePoint point) const;
+
 private:
   WaysOverTin ways_;
   const View* view_;
