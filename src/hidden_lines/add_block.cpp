@@ -85,8 +85,11 @@ public:
     for (std::uint32_t i = 0; i < sides_.size(); ++i) {
       const auto& [from, to, is_towards_eye, is_looked_at] = sides_[i];
       if (draws_rims_ && of_void_[i] && is_looked_at &&
-          !is_hidden(i, ends_[from].top, ends_[to].top))
+          !is_hidden(i, ends_[from].top, ends_[to].top)) {
+        out_.rims.push_back({static_cast<std::uint32_t>(out_.lines.size()), i,
+                             ends_[from].vertex != placed_.border[i].edge.from});
         add_line(rim(from), rim(to), i, feature);
+      }
       if ((sides_[i].has_lines() && !is_hidden(i, ends_[from].foot, ends_[to].foot)) || is_closed_)
         add_line(foot(from), foot(to), i, feature);
       if (!sides_[i].has_lines() || is_hidden(i, ends_[from].top, ends_[to].top)) continue;

@@ -50,8 +50,9 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
   const auto which =
       lines_by_range(work.terrain.surface, work.placed.reach_m, work.on_ground.points, sector,
                      work.lines, work.line_numbers, std::span(&work.range, 1), work.from_m);
-  const LinePictures pictures(work.terrain.surface, work.placed.reach_m, work.on_ground.points,
-                              sector, work.lines, work.range, work.from_m);
+  LinePictures pictures(work.terrain.surface, work.placed.reach_m, work.on_ground.points, sector,
+                        work.lines, work.range, work.from_m);
+  pictures.set_seen_with(work.seen_with);
   LinePass lines(pictures, which.front(), work.tolerance);
   if (instruments.occluders) lines.record(*instruments.occluders);
   const ClipOptions options{surface ? Role::compared : Role::drawn_occluder, work.tolerance,
@@ -188,7 +189,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
           ? nullptr
           : &lines.sheet_parts[static_cast<std::size_t>(&sector - placed.sectors.data())],
       lines.are_more_overlays,
-      whole};
+      whole,
+      lines.seen_with};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and
