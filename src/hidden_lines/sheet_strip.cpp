@@ -112,6 +112,22 @@ std::optional<SurfaceEdge> SheetStrip::edge_under(const ProfileLine& line,
   return SurfaceEdge{std::min(*from, *to), std::max(*from, *to)};
 }
 
+// Most lines are far from it, which is told without dividing: by as many times the rounding of X as
+// its bound, as `LinePictures::picture` has it, may be too small.
+bool SheetStrip::may_be_upright(const ProfileLine& line) const {
+  const auto& [a, b] = line;
+  const View& view = sheet_.work.sector.view;
+  constexpr double kTimes = 2;
+  if (!view.is_perspective())
+    return std::abs(a.u - b.u + view.x_per_v * (a.v - b.v)) <=
+           kTimes * pictures_.rounding_m() * (1 + std::abs(view.x_per_v));
+  const double nearest = std::min(a.v, b.v), farthest = std::max(a.v, b.v),
+               aside = std::max(std::abs(a.u), std::abs(b.u));
+  return nearest <= pictures_.from_m() ||
+         std::abs(a.u * b.v - b.u * a.v) * nearest <=
+             kTimes * pictures_.rounding_m() * farthest * (nearest + aside);
+}
+
 // Of a wall at an upright edge of it, whether it is on the left of that.
 bool SheetStrip::reaches_left(std::uint32_t triangle, SurfaceEdge edge) const {
   const auto corners = sheet_.sheet.triangles.corners(triangle);
@@ -134,10 +150,13 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   };
   const ProfileLine ends{sheet_.vertices[edge.from], sheet_.vertices[edge.to]};
   const int side = eye_side(sheet_.work.sector.view, ends.from, ends.to);
-  const LinePicture picture = pictures_.picture(
-      number, pictures_.is_edge(number) && !pictures_.sector().keeps_strip ? ends : whole(number));
   const auto place = [&](std::uint32_t t) { return sheet_.order.place(t); };
-  if (picture.is_upright() || side == 0) {
+  std::optional<LinePicture> picture; // where the line may be straight away from the eye
+  if (side == 0 || pictures_.sector().keeps_strip || may_be_upright(ends))
+    picture = pictures_.picture(number, pictures_.is_edge(number) && !pictures_.sector().keeps_strip
+                                            ? ends
+                                            : whole(number));
+  if (picture && (picture->is_upright() || side == 0)) {
     if (!line.drawn || (of_upper_side && !is_up(left) && !is_up(right))) return;
     // It is asked before either of its triangles covers anything, beside the first of them.
     const bool has_left = sheet_.has_place(left), has_right = sheet_.has_place(right);
@@ -145,8 +164,8 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
     const bool takes_left = !has_right || (has_left && place(left) < place(right));
     const std::uint32_t taken = takes_left ? left : right;
     const bool is_up_a_wall = ends.from.u == ends.to.u && ends.from.v == ends.to.v;
-    const bool is_on_left =
-        is_up_a_wall ? reaches_left(taken, edge) : takes_left == (picture.t_left < picture.t_right);
+    const bool is_on_left = is_up_a_wall ? reaches_left(taken, edge)
+                                         : takes_left == (picture->t_left < picture->t_right);
     events_->emplace_back(turn_of(place(taken), SheetStep::inside), SheetEnd::turns, true,
                           is_on_left, number, kLine);
     return;

@@ -93,6 +93,7 @@ private:
   void add_ground_line(std::uint32_t number);
   void add_wall_line(std::uint32_t number);
   std::optional<SurfaceEdge> edge_under(const ProfileLine& line, std::uint32_t triangle) const;
+  bool may_be_upright(const ProfileLine& line) const;
   bool reaches_left(std::uint32_t triangle, SurfaceEdge edge) const;
   void add_edge(std::uint32_t number, SurfaceEdge edge);
   void add_spans(std::uint32_t number, const SheetProfile& profile);
