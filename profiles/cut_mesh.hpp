@@ -90,7 +90,8 @@ private:
 ///  (2) Between two vertices the profile lies in one triangle, or there is a gap. An edge that lies
 ///      in the plane is there, and level if either of its triangles is.
 ///  (3) A crossing is reckoned from its edge's vertex of lower index, exact at both ends.
-///  (4) A wall is crossed straight up or down; where it is turned away from the eye there is a gap.
+///  (4) A wall is crossed straight up or down; where it is turned away from the eye there is a gap,
+///      unless both its sides are asked for.
 ///      A wall that lies in the plane isn't crossed: the profile keeps to its foot or its top,
 ///      whichever the ground in front of it has.
 /// Cost a plane: O(segments + border edges of about its depth).
@@ -102,7 +103,7 @@ public:
   /// border's sides; with walls one pass over the triangles.
   TinCutter(const Tin& tin, const View& view, const TriangleSet& level,
             std::shared_ptr<const TinPlaces> places = nullptr,
-            std::shared_ptr<const TinIndex> index = nullptr);
+            std::shared_ptr<const TinIndex> index = nullptr, bool both_sides = false);
 
   void cut(double depth_m, Profile& out) const;
   /// At least the part from the first range's left end to the last one's right end: without an

@@ -68,7 +68,8 @@ private:
   static Cutter cutter_of(const Surface& surface, const View& view, const TriangleSet& level,
                           CutterFacts facts, const Box3* box) {
     if (const Tin* tin = std::get_if<Tin>(&surface))
-      return TinCutter(*tin, view, level, std::move(facts.of_tin), std::move(facts.tin_index));
+      return TinCutter(*tin, view, level, std::move(facts.of_tin), std::move(facts.tin_index),
+                       facts.both_sides);
     const Grid& grid = std::get<Grid>(surface);
     if (grid.is_on_earth())
       return EarthGridCutter(grid, view, level, std::move(facts.of_earth_grid), box);

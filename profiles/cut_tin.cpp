@@ -101,7 +101,8 @@ std::vector<std::uint32_t> numbers(std::size_t count) {
 } // namespace
 
 TinCutter::TinCutter(const Tin& tin, const View& view, const TriangleSet& level,
-                     std::shared_ptr<const TinPlaces> places, std::shared_ptr<const TinIndex> index)
+                     std::shared_ptr<const TinPlaces> places, std::shared_ptr<const TinIndex> index,
+                     bool both_sides)
     : tin_(tin), view_(view), level_(level),
       places_(places ? std::move(places) : std::make_shared<const TinPlaces>(tin_places(tin))),
       index_(std::move(index)), boxes_(numbers(places_->boxes_m.size()), [&](std::uint32_t i) {
@@ -122,6 +123,7 @@ TinCutter::TinCutter(const Tin& tin, const View& view, const TriangleSet& level,
   farthest_m_ = all.high;
   if (places_->walls.empty()) return;
   turned_walls_ = TriangleSet(tin.triangles.size());
+  if (both_sides) return;
   const std::vector<std::uint8_t> facing = facing_of_triangles(tin, view);
   for (std::size_t t = 0; t < facing.size(); ++t)
     if (places_->walls.has(t) && (facing[t] & kMayTurn)) turned_walls_.add(t); // edge-on, too

@@ -16,6 +16,7 @@ struct CutterFacts {
   std::shared_ptr<const TinPlaces> of_tin;
   /// Of a TIN, if parts of its profiles are to be cheap: that costs more than a few whole ones.
   std::shared_ptr<const TinIndex> tin_index;
+  bool both_sides = false; ///< whether walls that are turned away from the eye are crossed
 };
 
 } // namespace orograph

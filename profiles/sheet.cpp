@@ -215,11 +215,36 @@ void find_facing(const Surface& surface, const SheetTriangles& triangles, const 
 
 } // namespace
 
+namespace {
+
+// Whether a wall lacks a neighbour but beside an upright side of it, or ground ends at one place at
+// two heights without a wall between them: then one sees through between pieces that have no order.
+bool has_cracks(const Tin& tin, const TriangleSet& walls) {
+  using Place = std::array<double, 2>;
+  std::vector<std::array<Place, 2>> ends; // of ground, seen from above
+  bool is_free = false;
+  for_each_edge(tin, [&](const TinEdge& of) {
+    if (of.left != kNoTriangle && of.right != kNoTriangle) return;
+    const Vec3 &a = tin.vertices_m[of.edge.from], &b = tin.vertices_m[of.edge.to];
+    const auto [from, to] = std::minmax({Place{a.x, a.y}, Place{b.x, b.y}});
+    if (from == to) return;
+    is_free = is_free || walls.has(of.left != kNoTriangle ? of.left : of.right);
+    ends.push_back({from, to});
+  });
+  std::ranges::sort(ends);
+  return is_free || std::ranges::adjacent_find(ends) != ends.end();
+}
+
+} // namespace
+
 Sheet sheet_of(const Surface& surface, const View& view) {
-  if (const Tin* tin = std::get_if<Tin>(&surface); tin && !walls_of(*tin).empty())
-    throw UsageError("the underside of a terrain with vertical walls isn't drawn",
-                     "leave out `underside`");
-  Sheet sheet{SheetTriangles(surface), {}, {}, {}};
+  Sheet sheet{SheetTriangles(surface), {}, {}, {}, {}};
+  if (const Tin* tin = std::get_if<Tin>(&surface)) {
+    sheet.walls = walls_of(*tin);
+    if (!sheet.walls.empty() && has_cracks(*tin, sheet.walls))
+      throw UsageError("the underside of a terrain whose vertical walls have gaps isn't drawn",
+                       "close the walls, or leave out `underside`");
+  }
   sheet.is_up.resize(sheet.triangles.count());
   const FindTurns turns(sheet, surface, view);
   std::vector<Turns> of_tasks;

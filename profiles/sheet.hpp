@@ -67,14 +67,16 @@ inline int eye_side(const View& view, ProfilePoint from, ProfilePoint to) {
 /// A sheet as an eye sees it.
 struct Sheet {
   SheetTriangles triangles;
+  TriangleSet walls;               ///< vertical ones: beside one edge of theirs is what is below
+                                   ///< it, beside another what is above
   std::vector<std::uint8_t> is_up; ///< by triangle: the eye is on its upper side
   /// Where along a ray the sheet's picture turns from up to down, and from down to up: the upper
   /// side ends there against what is behind it, and the underside. In order.
   std::vector<SurfaceEdge> ridges, valleys;
 };
 
-/// REQUIRES that the surface outlives it. Throws Error where it has walls, which are no part of a
-/// sheet with two sides. Cost: two passes over the triangles.
+/// REQUIRES that the surface outlives it. Throws UsageError where a TIN has walls with gaps. Cost:
+/// two passes over the triangles.
 Sheet sheet_of(const Surface& surface, const View& view);
 
 } // namespace orograph

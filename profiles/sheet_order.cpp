@@ -35,7 +35,9 @@ struct IsNearer {
     // Edges don't cross: where in the X that they share is a matter of rounding alone.
     const double x = 0.5 * (std::max(a.x_begin, b.x_begin) + std::min(a.x_end, b.x_end));
     const double of_a = a.nearness_at(x), of_b = b.nearness_at(x);
-    return of_a != of_b ? of_a > of_b : i < j;
+    if (of_a != of_b) return of_a > of_b;
+    // Of two at one place, as above a crack, the ground in front ends before the other begins.
+    return a.is_behind != b.is_behind ? b.is_behind : i < j;
   }
 };
 

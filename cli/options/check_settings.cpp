@@ -371,7 +371,7 @@ void check_picture_settings(RenderSettings& settings, const GivenOptions& given)
   check_tone(settings.map.style, given);
   check_page(settings, given);
   take_scene(settings, given);
-  check_underside(settings.map, settings.solids != nullptr);
+  check_underside(settings.map);
   if (!settings.map.view.file_name.empty())
     settings.map.view.file = read_view(settings.map.view.file_name);
   if (settings.map.view.curvature == Curvature::on && settings.map.view.file &&

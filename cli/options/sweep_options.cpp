@@ -262,7 +262,7 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
     if (axis.parameter == Parameter::elevation) {
       MapSpec lowest = render.map;
       lowest.view.from_elevation = Angle::degrees(std::ranges::min(axis.values));
-      check_underside(lowest, render.solids != nullptr);
+      check_underside(lowest);
     }
   check_plotting(render, given);
   if (!settings.views_file.empty()) render.map.view.eye_map = GivenPlace(0, 0); // perhaps

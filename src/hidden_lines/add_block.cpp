@@ -85,8 +85,11 @@ public:
     for (std::uint32_t i = 0; i < sides_.size(); ++i) {
       const auto& [from, to, is_towards_eye, is_looked_at] = sides_[i];
       if (draws_rims_ && of_void_[i] && is_looked_at &&
-          !is_hidden(i, ends_[from].top, ends_[to].top))
+          !is_hidden(i, ends_[from].top, ends_[to].top)) {
+        out_.rims.push_back({static_cast<std::uint32_t>(out_.lines.size()), i,
+                             ends_[from].vertex != placed_.border[i].edge.from});
         add_line(rim(from), rim(to), i, feature);
+      }
       if ((sides_[i].has_lines() && !is_hidden(i, ends_[from].foot, ends_[to].foot)) || is_closed_)
         add_line(foot(from), foot(to), i, feature);
       if (!sides_[i].has_lines() || is_hidden(i, ends_[from].top, ends_[to].top)) continue;
@@ -121,21 +124,29 @@ public:
   }
 
   void add_contours(const ContourLevels& levels, bool normal, bool index) {
+    // What each level asks of each side, close together in memory.
+    struct Wall {
+      std::uint32_t side, from, to;
+      double from_m, to_m;
+    };
+    std::vector<Wall> walls;
+    for (std::uint32_t i = 0; i < sides_.size(); ++i)
+      if (sides_[i].has_lines())
+        walls.push_back({i, sides_[i].from, sides_[i].to, ends_[sides_[i].from].height_m,
+                         ends_[sides_[i].to].height_m});
+    std::vector<std::uint32_t> at_level;
     for (std::size_t k = 0; k < levels.heights_m.size(); ++k) {
       if (!(levels.is_index[k] ? index : normal)) continue;
       const double level_m = levels.heights_m[k];
       const auto feature =
           add_feature({levels.is_index[k] ? LineKind::wall_index_contour : LineKind::wall_contour,
                        {{"elevation", levels.heights[k]}}});
-      std::vector<std::uint32_t> at_level(ends_.size(), kNone);
+      at_level.assign(ends_.size(), kNone);
       const auto below = [&](std::uint32_t end) {
         if (at_level[end] == kNone) at_level[end] = add_point(below_end(ends_[end], level_m));
         return at_level[end];
       };
-      for (std::uint32_t i = 0; i < sides_.size(); ++i) {
-        if (!sides_[i].has_lines()) continue;
-        const std::uint32_t from = sides_[i].from, to = sides_[i].to;
-        const double from_m = ends_[from].height_m, to_m = ends_[to].height_m;
+      for (const auto& [i, from, to, from_m, to_m] : walls) {
         if (std::max(from_m, to_m) <= level_m) continue;
         if (std::min(from_m, to_m) >= level_m) {
           if (is_hidden(i, below_end(ends_[from], level_m), below_end(ends_[to], level_m)))

@@ -11,6 +11,9 @@ BlockFeet::BlockFeet(const TerrainData& terrain, const PlacedView& placed, const
     : vertices_(vertices_of(placed.border)) {
   for (const Vec3& foot : block_feet_m(terrain, placed.border, *placed.block_base_m))
     feet_.push_back(to_profile_frame(view, foot));
+  if (view.is_perspective())
+    y_at_near_plane_ =
+        (base_z_m(*placed.block_base_m, view, terrain.map) - view.eye_z_m) / view.near_m;
 }
 
 ProfilePoint BlockFeet::foot(std::uint32_t vertex) const {

@@ -20,12 +20,15 @@ public:
 
   /// The foot of the wall below an edge of the border.
   ProfileLine below(SurfaceEdge edge) const;
+  /// Where the near plane cuts the base, in the visibility plane. REQUIRES a perspective view.
+  double y_at_near_plane() const { return y_at_near_plane_; }
 
 private:
   ProfilePoint foot(std::uint32_t vertex) const;
 
   std::vector<std::uint32_t> vertices_; ///< of the border, rising
   std::vector<ProfilePoint> feet_;
+  double y_at_near_plane_ = 0;
 };
 
 } // namespace orograph

@@ -40,11 +40,14 @@ private:
   std::vector<Kept> kept_ = std::vector<Kept>(std::size_t{1} << 13U);
 };
 
-// Adds lines whose levels are the features from number `first_feature` on.
+// Adds lines whose levels are the features from number `first_feature` on. There is to be room for
+// `more` lines after them, so that they aren't copied.
 void add(const Surface& surface, const View& view, const Isolines& found, std::size_t first_feature,
-         GroundLines& out) {
+         GroundLines& out, std::size_t more = 0) {
   const auto vertices = static_cast<std::uint32_t>(vertex_count(surface));
   const std::size_t points = out.points.size(), lines = out.lines.size();
+  out.points.reserve(points + found.points.size() + more);
+  out.lines.reserve(lines + found.lines.size() + more);
   out.points.resize(points + found.points.size());
   out.lines.resize(lines + found.lines.size());
   const std::size_t most = std::max(found.points.size(), found.lines.size());
@@ -108,8 +111,11 @@ GroundLines ground_lines_of(const TerrainData& terrain, const PlacedView& placed
                               {{"elevation", levels.heights[i]}}});
     out.first_contour = first;
     if (lists_contours) {
+      // About as many as walls have, of which few are seen from top to bottom.
+      const std::size_t of_block = style.asks_for("block") ? 5 * placed.border.size() : 0;
       add(surface, placed.view,
-          isolines(surface, heights_of(terrain), levels.heights_m, {.seen = ground}), first, out);
+          isolines(surface, heights_of(terrain), levels.heights_m, {.seen = ground}), first, out,
+          of_block);
     } else {
       out.levels_to_find_m = levels.heights_m;
     }

@@ -31,10 +31,17 @@ struct GroundFeature {
   double width_mm = 0;  ///< of its lines; 0: the layer's pen
 };
 
+/// A line that is an edge of the view's border, turned or not.
+struct RimLine {
+  std::uint32_t line, border_edge; ///< numbers
+  bool is_turned;
+};
+
 struct GroundLines {
   std::vector<ProfilePoint> points; ///< in the view's profile frame
   std::vector<GroundLine> lines;
   std::vector<GroundFeature> features;
+  std::vector<RimLine> rims;            ///< of voids, of a block
   std::size_t first_contour = 0;        ///< feature, of the lowest level
   std::vector<double> levels_to_find_m; ///< of contours, where they aren't among the lines
   std::size_t draped_in_part = 0, not_draped = 0; ///< of overlays' features, as in Counts

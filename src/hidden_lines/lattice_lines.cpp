@@ -263,7 +263,7 @@ void LatticeLines::add_visible(std::uint32_t number, const LinePicture& picture,
                                bool stands) {
   const std::size_t before = parts_.size();
   for (const auto& [same, t_begin, t_end] : visible_)
-    pictures_.add_part(number, picture, t_begin, t_end, parts_);
+    pictures_.add_seen(number, picture, t_begin, t_end, parts_);
   if (parts_.size() == before + 1 && lattice_.work.marks_whole(parts_.back())) parts_.pop_back();
   // What the strips beside this one look at as well is judged as a whole.
   if (ridges_ && is_found(number) && shown.begin > inner_range_.begin &&

@@ -25,6 +25,7 @@ LatticeStrip::LatticeStrip(const LatticeInWork& lattice, const Strip& strip,
                pictures_.looked_at().end),
       lines_(lattice, range_, which, pictures_, horizon_),
       cursors_(lattice.work.sector.profiles.size(), 0) {
+  pictures_.set_seen_with(lattice.work.seen_with);
   for (const Segment& s : near_cut)
     if (s.x0 <= range_.end && s.x1 >= range_.begin) horizon_.raise({s.x0, s.x1, s, false});
 }

@@ -85,7 +85,7 @@ template void LinePass::begin_slab(double, const BlockedHorizon&);
 void LinePass::add_visible(std::span<const VisibleLinePart> visible) {
   for (const auto& [index, t_begin, t_end] : visible) {
     const SurfaceLine& line = in_slab_[index];
-    pictures_.add_part(line_number(line.source), taken_[line.tag], t_begin, t_end, parts_);
+    pictures_.add_seen(line_number(line.source), taken_[line.tag], t_begin, t_end, parts_);
   }
 }
 

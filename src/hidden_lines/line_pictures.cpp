@@ -140,6 +140,19 @@ void LinePictures::add_part(std::uint32_t line, const LinePicture& p, double t_b
   parts.push_back({line, begin, end});
 }
 
+void LinePictures::add_seen(std::uint32_t line, const LinePicture& p, double t_begin, double t_end,
+                            std::vector<LinePart>& parts) const {
+  add_part(line, p, t_begin, t_end, parts);
+  if (line >= seen_with_.size() || seen_with_[line].line == SeenWith::kNone) return;
+  const auto& [other, is_turned] = seen_with_[line];
+  LinePicture turned = p;
+  if (is_turned) {
+    turned.t_left = 1 - p.t_left;
+    turned.t_right = 1 - p.t_right;
+  }
+  add_part(other, turned, t_begin, t_end, parts);
+}
+
 double LinePictures::along_edge(const LinePicture& p, double share) const {
   if (share <= 0) return p.t_left;
   if (share >= 1) return p.t_right;
@@ -206,6 +219,7 @@ lines_by_range(const Surface& surface, double reach_m, std::span<const ProfilePo
   const double rounding_m = position_rounding_m(reach_m, view);
   const EdgeEnds ends(surface, view, {points, sector.to_view.back()});
   const auto find = [&](std::uint32_t i, std::vector<Found>& found) {
+    if (!lines[i].drawn && !lines[i].hides) return;
     auto [from, to] = line_in(ends, sector, lines[i].edge);
     const auto nearest = static_cast<float>(std::min(from.v, to.v));
     if (std::min(from.v, to.v) < from_m) {

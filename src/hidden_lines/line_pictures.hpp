@@ -69,6 +69,13 @@ struct LinePicture {
   bool is_upright() const { return source.x0 == source.x1; }
 };
 
+/// A line along an edge, turned or not, that is seen where the edge is.
+struct SeenWith {
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  std::uint32_t line = kNone;
+  bool is_turned = false;
+};
+
 /// The lines of a sector within a range of X: those of a list, and behind them in number those that
 /// were found on the way. REQUIRES that surface, points, sector and list
 /// outlive it.
@@ -127,6 +134,11 @@ public:
   /// right.
   void add_part(std::uint32_t line, const LinePicture& picture, double t_begin, double t_end,
                 std::vector<LinePart>& parts) const;
+  /// The same, and of the line that is seen with it, if any is.
+  void add_seen(std::uint32_t line, const LinePicture& picture, double t_begin, double t_end,
+                std::vector<LinePart>& parts) const;
+  /// By the edges' numbers. REQUIRES that it outlives this.
+  void set_seen_with(std::span<const SeenWith> seen_with) { seen_with_ = seen_with; }
   /// From such a share to one along the edge.
   double along_edge(const LinePicture& picture, double share) const;
   /// The parts of silhouettes and the border, voids' too, that `horizon`, the one behind
@@ -154,6 +166,7 @@ private:
   const View& view_;
   const std::vector<EdgeLine>& lines_;
   std::vector<EdgeLine> found_;
+  std::span<const SeenWith> seen_with_;
   std::vector<std::uint32_t> dropped_; ///< numbers of those found that are free
   XRange range_, beside_range_;        ///< the second with what is beside the first by rounding
   double from_m_;

@@ -60,6 +60,33 @@ std::vector<SheetPart> parts_by_sector(const Surface& surface, const Sheet& shee
 
 } // namespace
 
+namespace {
+
+// Rims of a block's voids, where their edges are asked for in any case, as parts of the skyline.
+void see_rims_as_edges(const TerrainData& terrain, const PlacedView& placed, const Style& style,
+                       LinesOfView& out) {
+  const std::vector<RimLine>& rims = out.on_ground.rims;
+  if (rims.empty() || out.sheet || !std::holds_alternative<Grid>(terrain.surface) ||
+      !outlines_terrain(style, placed.view))
+    return;
+  const auto is_of_border = [](const EdgeLine& line) {
+    return line.kind == LineKind::border || line.kind == LineKind::void_edge;
+  };
+  const auto first = std::ranges::find_if(out.listed, is_of_border) - out.listed.begin();
+  const std::size_t first_on_ground = out.listed.size() - out.on_ground.lines.size();
+  for (const auto& [line, border_edge, is_turned] : rims) {
+    const std::size_t of_edge = static_cast<std::size_t>(first) + border_edge;
+    const EdgeLine& edge = out.listed[of_edge];
+    if (!edge.drawn || edge.edge != placed.border[border_edge].edge) continue;
+    EdgeLine& rim = out.listed[first_on_ground + line];
+    rim.drawn = false;
+    if (out.seen_with.size() <= of_edge) out.seen_with.resize(of_edge + 1);
+    out.seen_with[of_edge] = {static_cast<std::uint32_t>(first_on_ground + line), is_turned};
+  }
+}
+
+} // namespace
+
 const SilhouetteMarks* LinesOfView::silhouettes_by(bool rows_are_strips) const {
   for (const std::optional<SilhouetteMarks>* marks : {&silhouettes, &turned_silhouettes})
     if (*marks && (*marks)->rows_are_strips == rows_are_strips) return &**marks;
@@ -104,6 +131,7 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
       out.turned_silhouettes = silhouette_marks(*grid, placed.view, !first, ground);
   }
   append_to(out.listed, out.on_ground);
+  see_rims_as_edges(terrain, placed, style, out);
   if (placed.panorama)
     out.by_sector = lines_by_sector(terrain.surface, out.on_ground.points, placed, out.listed);
   return out;
@@ -115,6 +143,7 @@ bool take_more_overlays(const TerrainData& terrain, const PlacedView& placed, co
   const std::size_t done = *lines.on_ground.overlays_done;
   lines.listed.resize(lines.listed.size() - lines.on_ground.lines.size());
   lines.on_ground = {};
+  lines.seen_with.clear();
   lines.are_more_overlays = true;
   add_overlays(terrain, placed, style.overlay_above_m, lines.on_ground, done,
                instruments.most_draped);

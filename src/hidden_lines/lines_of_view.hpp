@@ -30,6 +30,9 @@ struct LinesOfView {
   std::optional<SilhouetteMarks> turned_silhouettes = {};
   std::optional<Sheet> sheet = {};         ///< the surface, where it has two sides
   std::vector<SheetPart> sheet_parts = {}; ///< by sector, where those don't look at all of it
+  /// Of a block's lines those that are seen where an edge of the border is, which is listed as
+  /// well: they aren't asked for themselves. By that edge's number, up to the last that has one.
+  std::vector<SeenWith> seen_with = {};
   /// For each of a panorama's sectors those listed that may reach into it, by number.
   std::vector<std::vector<std::uint32_t>> by_sector = {};
 

@@ -91,6 +91,7 @@ struct SectorInWork {
   /// For each line on the ground a mark of those that are visible from end to end, which are nearly
   /// all that are seen of millions; none where each has to be a part.
   std::span<std::uint8_t> whole_on_ground = {};
+  std::span<const SeenWith> seen_with = {}; ///< lines that aren't asked for themselves
 
   /// Marks the line of a part, and tells so, if the part is all of a line on the ground. Called
   /// from several threads.

@@ -50,8 +50,9 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
   const auto which =
       lines_by_range(work.terrain.surface, work.placed.reach_m, work.on_ground.points, sector,
                      work.lines, work.line_numbers, std::span(&work.range, 1), work.from_m);
-  const LinePictures pictures(work.terrain.surface, work.placed.reach_m, work.on_ground.points,
-                              sector, work.lines, work.range, work.from_m);
+  LinePictures pictures(work.terrain.surface, work.placed.reach_m, work.on_ground.points, sector,
+                        work.lines, work.range, work.from_m);
+  pictures.set_seen_with(work.seen_with);
   LinePass lines(pictures, which.front(), work.tolerance);
   if (instruments.occluders) lines.record(*instruments.occluders);
   const ClipOptions options{surface ? Role::compared : Role::drawn_occluder, work.tolerance,
@@ -149,7 +150,9 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   Stopwatch watch;
   const View& view = sector.view;
   const bool surface = style.occluder == Occluder::surface;
-  const SurfaceCutter cutter(terrain.surface, view, placed.level.triangles, placed.for_cutters,
+  CutterFacts for_cutter = placed.for_cutters;
+  for_cutter.both_sides = lines.sheet.has_value();
+  const SurfaceCutter cutter(terrain.surface, view, placed.level.triangles, std::move(for_cutter),
                              &placed.extent.box);
   const TieTolerance tolerance = tie_tolerance(sector, style.visibility_tolerance_mm);
   const bool in_list = !surface || instruments.needs_list();
@@ -186,7 +189,8 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
           ? nullptr
           : &lines.sheet_parts[static_cast<std::size_t>(&sector - placed.sectors.data())],
       lines.are_more_overlays,
-      whole};
+      whole,
+      lines.seen_with};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and

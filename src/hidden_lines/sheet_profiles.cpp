@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace orograph {
@@ -72,7 +74,10 @@ public:
   PassagesOfTriangles(const SheetInWork& sheet, std::span<const TimedProfile> profiles,
                       std::span<const double> depths_m, std::vector<Passage>& out)
       : sheet_(sheet), depths_m_(depths_m), depths_(depths_m), out_(out) {
-    for (const TimedProfile& of : profiles) spans_.emplace_back(of.profile.profile.u_m);
+    for (const TimedProfile& of : profiles) {
+      spans_.emplace_back(of.profile.profile.u_m);
+      profiles_.push_back(&of.profile.profile);
+    }
   }
 
   // Of some rows of a grid's cells. Most triangles have all corners between the same two depths.
@@ -103,7 +108,11 @@ public:
     const auto [a, b, c] = sheet_.sheet.triangles.corners(triangle);
     const std::array corners{sheet_.vertices[a], sheet_.vertices[b], sheet_.vertices[c]};
     const auto [nearest, farthest] = std::minmax({corners[0].v, corners[1].v, corners[2].v});
-    add(triangle, corners, among(nearest).first, among(farthest).behind);
+    const std::uint32_t first = among(nearest).first, behind = among(farthest).behind;
+    if (!sheet_.sheet.walls.empty() && sheet_.sheet.walls.has(triangle))
+      add_wall(triangle, corners, first, behind);
+    else
+      add(triangle, corners, first, behind);
   }
 
 private:
@@ -159,10 +168,39 @@ private:
     }
   }
 
+  // A profile crosses it straight up or down, in a span of its own between what it crosses of two
+  // edges.
+  void add_wall(std::uint32_t triangle, const std::array<ProfilePoint, 3>& corners,
+                std::uint32_t first, std::uint32_t behind) {
+    if (!sheet_.has_place(triangle)) return; // it has no width
+    for (std::uint32_t at = first; at < behind; ++at) {
+      const double depth_m = depths_m_[at];
+      double u = 0, low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const ProfilePoint &a = corners[k], &b = corners[(k + 1) % 3];
+        if ((a.v < depth_m) == (b.v < depth_m)) continue;
+        const ProfilePoint crossing = point_between(a, b, (depth_m - a.v) / (b.v - a.v));
+        u = crossing.u;
+        low_m = std::min(low_m, crossing.z);
+        high_m = std::max(high_m, crossing.z);
+      }
+      if (!(low_m < high_m)) continue;
+      const auto& [depth, u_m, z_m, after] = *profiles_[at];
+      const double rounding_m = 0x1p-36 * (std::abs(u) + std::abs(depth_m));
+      for (std::size_t i = spans_[at].behind(u + rounding_m); i-- > 0 && u_m[i] >= u - rounding_m;)
+        if (after[i] == Span::wall) {
+          const double middle_m = 0.5 * (z_m[i] + z_m[i + 1]);
+          if (middle_m >= low_m && middle_m <= high_m)
+            out_.push_back({at, static_cast<std::uint32_t>(i), false, triangle});
+        }
+    }
+  }
+
   const SheetInWork& sheet_;
   std::span<const double> depths_m_;
   Rising depths_;
   std::vector<Rising> spans_; ///< by profile: its vertices' u
+  std::vector<const Profile*> profiles_;
   std::vector<Passage>& out_;
   std::uint32_t columns_ = 0;
   std::vector<ProfilePoint> above_, below_; ///< of a row of cells, by column
@@ -171,13 +209,13 @@ private:
 
 // Slivers that no triangle has been found for go with the span beside them.
 void fill_slivers(const Profile& profile, std::vector<SheetSpan>& spans) {
+  const auto is_ground = [&](std::size_t i) {
+    return profile.after[i] != Span::gap && profile.after[i] != Span::wall;
+  };
   for (std::size_t i = 1; i < spans.size(); ++i)
-    if (!spans[i].is_there && profile.after[i] != Span::gap && profile.after[i - 1] != Span::gap)
-      spans[i] = spans[i - 1];
+    if (!spans[i].is_there && is_ground(i) && is_ground(i - 1)) spans[i] = spans[i - 1];
   for (std::size_t i = spans.size(); i-- > 1;)
-    if (!spans[i - 1].is_there && profile.after[i - 1] != Span::gap &&
-        profile.after[i] != Span::gap)
-      spans[i - 1] = spans[i];
+    if (!spans[i - 1].is_there && is_ground(i - 1) && is_ground(i)) spans[i - 1] = spans[i];
 }
 
 } // namespace

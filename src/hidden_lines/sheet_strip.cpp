@@ -9,6 +9,12 @@
 #include <cmath>
 
 namespace orograph {
+namespace {
+
+// No line's source has it, nor a profile's, and the near cut's have it.
+constexpr std::uint64_t kFootBit = std::uint64_t{1} << 62U;
+
+} // namespace
 
 SheetInWork::SheetInWork(const SectorInWork& of)
     : work(of), sheet(*of.sheet), all(sheet.triangles), part(of.sheet_part ? *of.sheet_part : all),
@@ -16,6 +22,16 @@ SheetInWork::SheetInWork(const SectorInWork& of)
       order(of.terrain.surface, sheet.triangles, part, of.placed.border, of.sector.view,
             of.from_m) {
   if (of.placed.block_base_m) feet.emplace(of.terrain, of.placed, of.sector.view);
+}
+
+bool SheetInWork::has_place(std::uint32_t triangle) const {
+  if (triangle == kNoTriangle) return false;
+  if (sheet.walls.empty() || !sheet.walls.has(triangle)) return true;
+  const auto corners = sheet.triangles.corners(triangle);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (eye_side(work.sector.view, vertices[corners[k]], vertices[corners[(k + 1) % 3]]) != 0)
+      return true;
+  return false;
 }
 
 SheetStrip::SheetStrip(const SheetInWork& sheet, std::size_t number, const Strip& strip)
@@ -82,16 +98,42 @@ void SheetStrip::add_wall_line(std::uint32_t number) {
 std::optional<SurfaceEdge> SheetStrip::edge_under(const ProfileLine& line,
                                                   std::uint32_t triangle) const {
   const double rounding_m = 4 * pictures_.rounding_m();
+  const bool is_wall = !sheet_.sheet.walls.empty() && sheet_.sheet.walls.has(triangle);
   const auto corner_at = [&](ProfilePoint p) -> std::optional<std::uint32_t> {
     for (const std::uint32_t corner : sheet_.sheet.triangles.corners(triangle))
       if (const ProfilePoint& at = sheet_.vertices[corner];
-          std::abs(p.u - at.u) <= rounding_m && std::abs(p.v - at.v) <= rounding_m)
+          std::abs(p.u - at.u) <= rounding_m && std::abs(p.v - at.v) <= rounding_m &&
+          (!is_wall || std::abs(p.z - at.z) <= rounding_m))
         return corner;
     return std::nullopt;
   };
   const auto from = corner_at(line.from), to = corner_at(line.to);
   if (!from || !to || *from == *to) return std::nullopt;
   return SurfaceEdge{std::min(*from, *to), std::max(*from, *to)};
+}
+
+// Most lines are far from it, which is told without dividing: by as many times the rounding of X as
+// its bound, as `LinePictures::picture` has it, may be too small.
+bool SheetStrip::may_be_upright(const ProfileLine& line) const {
+  const auto& [a, b] = line;
+  const View& view = sheet_.work.sector.view;
+  constexpr double kTimes = 2;
+  if (!view.is_perspective())
+    return std::abs(a.u - b.u + view.x_per_v * (a.v - b.v)) <=
+           kTimes * pictures_.rounding_m() * (1 + std::abs(view.x_per_v));
+  const double nearest = std::min(a.v, b.v), farthest = std::max(a.v, b.v),
+               aside = std::max(std::abs(a.u), std::abs(b.u));
+  return nearest <= pictures_.from_m() ||
+         std::abs(a.u * b.v - b.u * a.v) * nearest <=
+             kTimes * pictures_.rounding_m() * farthest * (nearest + aside);
+}
+
+// Of a wall at an upright edge of it, whether it is on the left of that.
+bool SheetStrip::reaches_left(std::uint32_t triangle, SurfaceEdge edge) const {
+  const auto corners = sheet_.sheet.triangles.corners(triangle);
+  const std::uint32_t apex = *std::ranges::find_if(
+      corners, [&](std::uint32_t corner) { return corner != edge.from && corner != edge.to; });
+  return eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[apex]) > 0;
 }
 
 void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
@@ -108,17 +150,24 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   };
   const ProfileLine ends{sheet_.vertices[edge.from], sheet_.vertices[edge.to]};
   const int side = eye_side(sheet_.work.sector.view, ends.from, ends.to);
-  const LinePicture picture = pictures_.picture(
-      number, pictures_.is_edge(number) && !pictures_.sector().keeps_strip ? ends : whole(number));
   const auto place = [&](std::uint32_t t) { return sheet_.order.place(t); };
-  if (picture.is_upright() || side == 0) {
+  std::optional<LinePicture> picture; // where the line may be straight away from the eye
+  if (side == 0 || pictures_.sector().keeps_strip || may_be_upright(ends))
+    picture = pictures_.picture(number, pictures_.is_edge(number) && !pictures_.sector().keeps_strip
+                                            ? ends
+                                            : whole(number));
+  if (picture && (picture->is_upright() || side == 0)) {
     if (!line.drawn || (of_upper_side && !is_up(left) && !is_up(right))) return;
     // It is asked before either of its triangles covers anything, beside the first of them.
-    const bool takes_left =
-        right == kNoTriangle || (left != kNoTriangle && place(left) < place(right));
-    events_->emplace_back(turn_of(place(takes_left ? left : right), SheetStep::inside),
-                          SheetEnd::turns, true, takes_left == (picture.t_left < picture.t_right),
-                          number, kLine);
+    const bool has_left = sheet_.has_place(left), has_right = sheet_.has_place(right);
+    if (!has_left && !has_right) return;
+    const bool takes_left = !has_right || (has_left && place(left) < place(right));
+    const std::uint32_t taken = takes_left ? left : right;
+    const bool is_up_a_wall = ends.from.u == ends.to.u && ends.from.v == ends.to.v;
+    const bool is_on_left = is_up_a_wall ? reaches_left(taken, edge)
+                                         : takes_left == (picture->t_left < picture->t_right);
+    events_->emplace_back(turn_of(place(taken), SheetStep::inside), SheetEnd::turns, true,
+                          is_on_left, number, kLine);
     return;
   }
   const std::uint32_t front = side > 0 ? left : right, behind = side > 0 ? right : left;
@@ -154,6 +203,13 @@ void SheetStrip::add_spans(std::uint32_t number, const SheetProfile& profile) {
         events_->emplace_back(of.turn, SheetEnd::turns, true, true, number, span);
     }
   }
+  for (const Segment& upright : profile.profile->uprights) {
+    const std::uint32_t span = left_vertex(upright);
+    const SheetSpan& of = profile.spans[span];
+    if (upright.x0 >= range_.begin && upright.x0 < range_.end && of.is_there &&
+        (of.is_up || !sheet_.feet))
+      events_->emplace_back(of.turn, SheetEnd::turns, true, true, number, span);
+  }
 }
 
 void SheetStrip::run(std::span<const LineAtDepth> which, std::span<const Segment> near_cut,
@@ -162,7 +218,12 @@ void SheetStrip::run(std::span<const LineAtDepth> which, std::span<const Segment
   const XRange looked_at = pictures_.looked_at();
   for (const Segment& s : near_cut) {
     const double begin = std::max(s.x0, looked_at.begin), end = std::min(s.x1, looked_at.end);
-    if (begin < end) covered_.take(s, begin, end, SheetEnd::opens, false);
+    if (!(begin < end)) continue;
+    if (sheet_.feet) { // the near plane cuts the block from its base up
+      const double y = sheet_.feet->y_at_near_plane();
+      covered_.take({s.x0, y, s.x1, y, s.id ^ kFootBit}, begin, end, SheetEnd::opens, false);
+    }
+    covered_.take(s, begin, end, sheet_.feet ? SheetEnd::turns : SheetEnd::opens, false);
   }
   // The system takes longer to hand out memory than events to be written there.
   thread_local std::vector<Event> events, sorted;
@@ -217,7 +278,6 @@ void SheetStrip::take_line(const Event& event) {
 }
 
 void SheetStrip::take_foot(const Event& event) {
-  constexpr std::uint64_t kFootBit = std::uint64_t{1} << 62U; // no line's source, nor a profile's
   const EdgeLine& edge = pictures_.line(event.number);
   const LinePicture picture = pictures_.picture(event.number, sheet_.feet->below(edge.edge));
   SurfaceLine line = pictures_.surface_line(event.number, picture);
@@ -229,10 +289,14 @@ void SheetStrip::take_foot(const Event& event) {
 void SheetStrip::take_span(const Event& event, const SheetProfile& profile) {
   const ProjectedProfile& of = profile.profile->projected;
   const std::uint32_t i = event.span;
-  const Segment span{of.x[i], of.y[i], of.x[i + 1], of.y[i + 1], i};
   seen_.clear();
-  covered_.add_seen(span, std::max(span.x0, range_.begin), std::min(span.x1, range_.end),
-                    sheet_.work.tolerance, seen_);
+  if (profile.profile->profile.after[i] == Span::wall) {
+    covered_.add_upright_seen({of.x[i], of.y[i], of.x[i], of.y[i + 1], i, 0}, true, seen_);
+  } else {
+    const Segment span{of.x[i], of.y[i], of.x[i + 1], of.y[i + 1], i};
+    covered_.add_seen(span, std::max(span.x0, range_.begin), std::min(span.x1, range_.end),
+                      sheet_.work.tolerance, seen_);
+  }
   if (seen_.empty()) return;
   ProfileInWork& in_work = *profile.profile;
   std::vector<VisibleRun>& runs =

@@ -31,6 +31,9 @@ struct SheetInWork {
   std::optional<BlockFeet> feet; ///< of a block that is closed below
 
   explicit SheetInWork(const SectorInWork& of);
+  /// Whether a triangle is there, and is in front of something or behind it: a wall that is seen
+  /// edge-on is neither, and has any place in the order.
+  bool has_place(std::uint32_t triangle) const;
 };
 
 /// When something has its turn: what has the lesser one comes first.
@@ -90,6 +93,8 @@ private:
   void add_ground_line(std::uint32_t number);
   void add_wall_line(std::uint32_t number);
   std::optional<SurfaceEdge> edge_under(const ProfileLine& line, std::uint32_t triangle) const;
+  bool may_be_upright(const ProfileLine& line) const;
+  bool reaches_left(std::uint32_t triangle, SurfaceEdge edge) const;
   void add_edge(std::uint32_t number, SurfaceEdge edge);
   void add_spans(std::uint32_t number, const SheetProfile& profile);
   void take_line(const Event& event);

@@ -4,6 +4,7 @@
 #include "dem/triangles_over.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "hidden_lines/sheet_shadows.hpp"
+#include "placing/block.hpp"
 #include "profiles/slab_lines.hpp"
 
 #include <algorithm>
@@ -89,6 +90,13 @@ void add_buried(const TerrainData& terrain, const PlacedView& placed, const Soli
   });
 }
 
+void add_near_cut(std::span<const Segment> near_cut, const EdgeShadows& shadows, const View& view,
+                  std::vector<Found>& found) {
+  for (const Segment& s : near_cut)
+    shadows.add({s.x0 * view.near_m, view.near_m, s.y0 * view.near_m + view.eye_z_m},
+                {s.x1 * view.near_m, view.near_m, s.y1 * view.near_m + view.eye_z_m}, found);
+}
+
 // For each solid the shadows of ground that may reach it: of lines, of the near cut, and of the
 // triangles about it that bury it.
 std::vector<GroundShadows> ground_shadows(const HidingGround& ground, const SolidsInView& solids) {
@@ -102,6 +110,13 @@ std::vector<GroundShadows> ground_shadows(const HidingGround& ground, const Soli
     for (const GroundShadows& of : out) touching_m.push_back(of.touching_m);
     auto shadows = sheet_shadows(ground, solids, touching_m);
     for (std::size_t i = 0; i < out.size(); ++i) out[i].of_sheet = std::move(shadows[i]);
+    // An eye on a closed block is in the plane of what it stands on, which hides nothing then.
+    if (placed.block_base_m && view.is_perspective() &&
+        view.eye_z_m > base_z_m(*placed.block_base_m, view, terrain.map)) {
+      std::vector<Found> found;
+      add_near_cut(near_cut, EdgeShadows(solids, view), view, found);
+      for (const auto& [solid, edge] : found) out[solid].edges.push_back(edge);
+    }
     return out;
   }
   add_buried(terrain, placed, solids, out);
@@ -126,10 +141,7 @@ std::vector<GroundShadows> ground_shadows(const HidingGround& ground, const Soli
                   point_between(line.from, line.to, hiding[i].t_end), of_tasks[task]);
     }
   });
-  for (const Segment& s : near_cut)
-    shadows.add({s.x0 * view.near_m, view.near_m, s.y0 * view.near_m + view.eye_z_m},
-                {s.x1 * view.near_m, view.near_m, s.y1 * view.near_m + view.eye_z_m},
-                of_tasks.back());
+  add_near_cut(near_cut, shadows, view, of_tasks.back());
   for (const auto& found : of_tasks)
     for (const auto& [solid, edge] : found) out[solid].edges.push_back(edge);
   return out;

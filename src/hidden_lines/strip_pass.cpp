@@ -24,6 +24,7 @@ StripPass::StripPass(const SectorInWork& work, const Strip& strip,
       horizon_(strip.core.begin, strip.core.end, strip.blocks, pictures_.looked_at().begin,
                pictures_.looked_at().end),
       planes_(work) {
+  pictures_.set_seen_with(work.seen_with);
   for (const Segment& s : near_cut)
     if (s.x0 <= range_.end && s.x1 >= range_.begin) horizon_.raise({s.x0, s.x1, s, false});
 }

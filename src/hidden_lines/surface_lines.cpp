@@ -124,8 +124,9 @@ std::vector<bool> open_water(const TerrainData& terrain, const PlacedView& place
 
 // Silhouettes are in order.
 std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
-                                 std::span<const SurfaceEdge> valleys, const TerrainData& terrain,
-                                 const PlacedView& placed, const Style& style) {
+                                 std::span<const SurfaceEdge> valleys, bool is_sheet,
+                                 const TerrainData& terrain, const PlacedView& placed,
+                                 const Style& style) {
   // With the seed's occluders only what is drawn of the profiles hides.
   const bool surface = style.occluder == Occluder::surface;
   const bool border = style.asks_for("border"), voids = style.asks_for("voids");
@@ -154,7 +155,9 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
     drawn.insert(drawn.end(), news.begin(), news.end());
     merge_drawn(middle);
   };
-  const std::vector<SurfaceEdge> behind_walls = edges_behind_walls(terrain.surface, placed.view);
+  // A sheet's walls have two sides as well, and a place of their own in its order.
+  const std::vector<SurfaceEdge> behind_walls =
+      is_sheet ? std::vector<SurfaceEdge>() : edges_behind_walls(terrain.surface, placed.view);
   const std::vector<SurfaceEdge> all_brinks = brinks(terrain.surface, placed.border, placed.view);
   const bool draws_more = style.asks_for("shores") || style.asks_for("edges");
   std::vector<bool> hides(all_brinks.size()); // of brinks: is there as another line, too
@@ -200,7 +203,7 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
     merge_drawn(middle);
   }
   // The foot of a wall that the eye sees hides nothing, but what may hang there beneath it.
-  if (surface)
+  if (surface && !is_sheet)
     for (std::size_t i = 0; i < all_brinks.size(); ++i)
       if (!hides[i]) {
         throw_if_stopped(lines.size());
@@ -215,12 +218,12 @@ std::vector<EdgeLine> lines_with(const std::vector<SurfaceEdge>& silhouettes,
 
 std::vector<EdgeLine> lines_but_silhouettes(const TerrainData& terrain, const PlacedView& placed,
                                             const Style& style) {
-  return lines_with({}, {}, terrain, placed, style);
+  return lines_with({}, {}, false, terrain, placed, style);
 }
 
 std::vector<EdgeLine> lines_of_sheet(const TerrainData& terrain, const PlacedView& placed,
                                      const Style& style, const Sheet& sheet) {
-  return lines_with(sheet.ridges, sheet.valleys, terrain, placed, style);
+  return lines_with(sheet.ridges, sheet.valleys, true, terrain, placed, style);
 }
 
 std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& placed,
@@ -228,7 +231,7 @@ std::vector<EdgeLine> lines_of(const TerrainData& terrain, const PlacedView& pla
   std::vector<SurfaceEdge> silhouettes;
   if (style.occluder == Occluder::surface || draws_silhouettes(style))
     silhouettes = silhouette_edges(terrain.surface, placed.view, ground);
-  return lines_with(silhouettes, {}, terrain, placed, style);
+  return lines_with(silhouettes, {}, false, terrain, placed, style);
 }
 
 } // namespace orograph

@@ -203,7 +203,7 @@ void check_page(const PageRequest& page) {
 
 } // namespace
 
-void check_underside(const MapSpec& spec, bool has_solids) {
+void check_underside(const MapSpec& spec) {
   const Style& style = spec.style;
   if (style.underside == Underside::omit) {
     const double elevation_deg = spec.view.from_elevation.in_degrees();
@@ -228,9 +228,6 @@ void check_underside(const MapSpec& spec, bool has_solids) {
       throw UsageError(
           fmt::format("the layer '{}' has no meaning where a block is closed below", layer.name),
           "leave out `block`, or the layer");
-  if (has_solids)
-    throw UsageError("solids don't go with a block that is closed below",
-                     "leave out `solids`, `block` or `underside`");
 }
 
 void check_furniture(const MapSpec& spec) {
@@ -298,7 +295,7 @@ void check_spec(const MapSpec& spec, bool has_solids) {
   check_page(spec.page);
   check_furniture(spec);
   check_labels(spec.labels);
-  check_underside(spec, has_solids);
+  check_underside(spec);
   if (spec.ground_points && spec.style.asks_for("pen-up"))
     throw UsageError(
         "the layer 'pen-up' has no meaning where lines keep their places on the ground",

@@ -16,7 +16,7 @@ void check_spec(const MapSpec& spec, bool has_solids);
 
 /// Of the underside: a view from below shows nothing else, and not everything goes with it. Throws
 /// UsageError.
-void check_underside(const MapSpec& spec, bool has_solids);
+void check_underside(const MapSpec& spec);
 
 /// Sizes, and whether each piece has a meaning in this view. Throws UsageError.
 void check_furniture(const MapSpec& spec);

@@ -67,10 +67,22 @@ std::vector<Vec3> block_feet_m(const TerrainData& terrain, const std::vector<Bor
   return feet;
 }
 
+namespace {
+
+double exaggeration_of_heights(const View& view, const MapFrame& map) {
+  return map.earth ? map.earth->exaggeration : view.exaggeration;
+}
+
+} // namespace
+
+// On the ellipsoid the frame lies below the eye, and heights went there exaggerated.
+double base_z_m(double base_m, const View& view, const MapFrame& map) {
+  return base_m * exaggeration_of_heights(view, map);
+}
+
 void check_outside_block(const View& view, double ground_z_m, double base_m, const MapFrame& map) {
-  // On the ellipsoid the frame lies below the eye, and heights went there exaggerated.
-  const double exaggeration = map.earth ? map.earth->exaggeration : view.exaggeration;
-  if (view.eye_z_m >= ground_z_m || view.eye_z_m < base_m * exaggeration) return;
+  if (view.eye_z_m >= ground_z_m || view.eye_z_m < base_z_m(base_m, view, map)) return;
+  const double exaggeration = exaggeration_of_heights(view, map);
   throw Error(fmt::format("the eye is in the block, {:.6g} m under the ground",
                           (ground_z_m - view.eye_z_m) / exaggeration),
               "raise the eye, lower it below the block's base, or leave out `block`");

@@ -31,6 +31,9 @@ std::vector<std::uint32_t> vertices_of(const std::vector<BorderEdge>& border);
 std::vector<Vec3> block_feet_m(const TerrainData& terrain, const std::vector<BorderEdge>& border,
                                double base_m);
 
+/// Where the base is in the profile frame below the eye of a view.
+double base_z_m(double base_m, const View& view, const MapFrame& map);
+
 /// Of an eye over the ground at a height, exaggerated: throws Error where it is in the block.
 void check_outside_block(const View& view, double ground_z_m, double base_m, const MapFrame& map);
 

@@ -17,10 +17,26 @@ struct Passed {
 
 } // namespace
 
+bool SheetWalk::is_on_wall_edge_on(ProfilePoint point) const {
+  const double along = u_along_ray(*view_, point), rounding_m = 1e-9 * std::hypot(point.u, point.v);
+  return std::ranges::any_of(ways_.tin().triangles, [&](const auto& corners) {
+    double across_low = 0, across_high = 0, away_low = 0,
+           away_high = 0; // of the ray, seen from above
+    for (const std::uint32_t corner : corners) {
+      const ProfilePoint p = to_profile_frame(*view_, ways_.tin().vertices_m[corner]);
+      const double across = (p.u - point.u - along * (p.v - point.v)) / std::hypot(along, 1);
+      across_low = std::min(across_low, across);
+      across_high = std::max(across_high, across);
+      away_low = std::min(away_low, p.v - point.v);
+      away_high = std::max(away_high, p.v - point.v);
+    }
+    return across_high - across_low <= 2 * (kAtPoint_m + rounding_m) &&
+           away_high - away_low > kAtPoint_m;
+  });
+}
+
 SheetWalk::Sight SheetWalk::sight(ProfilePoint point, double tolerance_m) const {
   const StraightWay way = StraightWay::to_eye(*view_, point);
-  // What is this close to the point, seen from above, is at it.
-  constexpr double kAtPoint_m = 1e-6;
   const double at_point = kAtPoint_m / std::hypot(way.step.u, way.step.v);
   std::vector<Passed> passed;
   ways_.for_each(*view_, way, 4 * kAtPoint_m, [&](const TrianglePassage& of) {

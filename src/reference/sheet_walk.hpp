@@ -24,9 +24,15 @@ public:
     edge,  ///< seen; no ground in front of it meets it
     unsure ///< the way to the eye passes the sheet, or leads along it, within a tolerance
   };
+  /// What is this close to a point, seen from above, is at it.
+  static constexpr double kAtPoint_m = 1e-7;
   /// Of a point on the sheet, in the view's profile frame. `tolerance_m` is a height. Cost: the
   /// triangles near the way to the eye. REQUIRES a view that isn't straight down or up.
   Sight sight(ProfilePoint point, double tolerance_m) const;
+
+  /// Whether the eye is in the plane of a wall that the point is on, to rounding: it has no width
+  /// then. Cost: all walls.
+  bool is_on_wall_edge_on(ProfilePoint point) const;
 
 private:
   WaysOverTin ways_;

@@ -3,6 +3,7 @@
 #include "dem/approximate/tin_of_grid.hpp"
 #include "geometry/error.hpp"
 #include "hidden_lines/instruments.hpp"
+#include "hidden_lines/lines_of_view.hpp"
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/terrain_of_view.hpp"
@@ -43,6 +44,7 @@ void draw_both_sides(Style& style) {
 
 struct Tally {
   std::uint64_t asked = 0, unsure = 0, upper = 0, underside = 0, drawn_wrong = 0, missing = 0;
+  std::uint64_t upright = 0; ///< seen, on lines up a wall
 };
 
 void add(const Tally& of, Tally& sum) {
@@ -52,6 +54,7 @@ void add(const Tally& of, Tally& sum) {
   sum.underside += of.underside;
   sum.drawn_wrong += of.drawn_wrong;
   sum.missing += of.missing;
+  sum.upright += of.upright;
 }
 
 class SheetCheck : public LineObserver {
@@ -136,7 +139,7 @@ private:
   // seen on the underside. Of an edge both are the same.
   void ask(XRange clipped, ProfilePoint a, ProfilePoint b, double t, bool in_upper,
            bool in_underside, On on) {
-    if (std::hypot(b.u - a.u, b.v - a.v) < 1e-6) return; // a crumb at a vertex
+    if (std::hypot(b.u - a.u, b.v - a.v, b.z - a.z) < 1e-6) return; // a crumb at a vertex
     const ProfilePoint at = point_between(a, b, t);
     const double from_m = std::max(kNearPlanesAhead * view_->near_m, view_->drawn_from_m);
     if (view_->is_perspective() && at.v <= 1.01 * from_m) return;
@@ -151,6 +154,7 @@ private:
       ++tally.unsure;
       return;
     }
+    if (sight != Sight::hidden && a.u == b.u && a.v == b.v) ++tally.upright;
     if (sight == Sight::upper) ++tally.upper;
     if (sight == Sight::underside) ++tally.underside;
     if (verdict == Found::drawn_wrong) ++tally.drawn_wrong;
@@ -188,6 +192,32 @@ void tell(const Tally& sum, std::uint64_t drawn) {
 }
 
 } // namespace
+
+TEST_CASE(
+    "what is nearer to a fold than rounding tells is drawn on neither of its sides for sure") {
+  // Level ground that rises steeply from the middle on, seen from 30 degrees below.
+  Grid grid;
+  grid.columns = grid.rows = 9;
+  grid.lattice = PlaneLattice{{-4, 4}, {1, 0}, {0, -1}};
+  std::vector<double> heights;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) heights.push_back(std::max(0, 4 - row));
+  grid.heights_m = std::move(heights);
+  View view;
+  view.projection = Projection::orthographic;
+  view.y_per_v = -0.5;
+  view.y_per_z = std::sqrt(0.75);
+  const Surface surface = std::move(grid);
+  const SheetJudge judge(surface, view, {.mm = 1, .page = {}, .greatest_y = 1e-3});
+  using Verdict = SheetJudge::Verdict;
+  const SheetJudge::Drawn nowhere{false, false, false}, underneath{false, false, true};
+  const ProfileLine before{{0.3, -0.9, 0}, {0.3, -0.1, 0}},
+      behind{{0.3, 0.1, 0.1}, {0.3, 0.9, 0.9}};
+  CHECK(judge.ask(before, 0.5, nowhere).verdict == Verdict::missing);
+  CHECK(judge.ask(behind, 0.5, underneath).verdict == Verdict::drawn_wrong);
+  const ProfileLine crumb{{0.3, 0, 0}, {0.3, 0.005, 0.005}};
+  CHECK(judge.ask(crumb, 1e-9, nowhere).verdict == Verdict::unsure);
+}
 
 TEST_CASE("both sides of a sheet are drawn where they are seen, and nowhere else") {
   Tally sum;
@@ -281,6 +311,7 @@ TEST_CASE("and all round an eye, in degrees and as TINs, where each sector looks
 TEST_CASE("and of surveys, whose triangles have any shape and order") {
   Tally sum;
   std::uint64_t drawn = 0;
+  std::uint64_t with_walls = 0;
   for (std::uint64_t seed = 1; seed <= kScenes / 2; ++seed) {
     Random random(seed);
     RandomTinScene scene = random_tin_scene(seed, false);
@@ -288,20 +319,37 @@ TEST_CASE("and of surveys, whose triangles have any shape and order") {
     if (!scene.spec.view.has_eye())
       scene.spec.view.from_elevation = Angle::degrees(random.between(-80, 80));
     INFO("seed " << seed << ": " << scene.what);
-    try {
-      if (const auto tally = check(scene.terrain, scene.spec, random)) {
-        add(*tally, sum);
-        ++drawn;
-      }
-    } catch (const UsageError&) { // it has walls
-      CHECK(!walls_of(std::get<Tin>(scene.terrain.surface)).empty());
+    if (const auto tally = check(scene.terrain, scene.spec, random)) {
+      add(*tally, sum);
+      ++drawn;
+      if (!walls_of(std::get<Tin>(scene.terrain.surface)).empty()) ++with_walls;
     }
   }
   tell(sum, drawn);
+  WARN(with_walls << " with walls, " << sum.upright << " seen up a wall");
   CHECK(drawn > kScenes / 10);
+  CHECK(with_walls >= enough<kScenes / 20>);
+  CHECK(sum.upright >= enough<kScenes / 4>);
   CHECK(sum.upper > 5 * drawn);
   CHECK(sum.underside > 5 * drawn);
   CHECK(sum.unsure < sum.asked / 5);
+}
+
+TEST_CASE("walls with gaps are refused, and no others") {
+  int refused = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 10; ++seed) {
+    RandomTinScene scene = random_tin_scene(seed);
+    draw_both_sides(scene.spec.style);
+    INFO("seed " << seed << ": " << scene.what);
+    try {
+      const std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+      if (placed) lines_of_view(scene.terrain, *placed, scene.spec.style, {}, nullptr);
+    } catch (const UsageError&) {
+      CHECK(!walls_of(std::get<Tin>(scene.terrain.surface)).empty());
+      ++refused;
+    }
+  }
+  CHECK(refused >= enough<3>);
 }
 
 } // namespace orograph::sheet_scenes_test
