@@ -180,6 +180,13 @@ Isolines of_grid(const Grid& grid, const VertexValues& values, const IsolineLeve
   });
   Isolines out;
   std::vector<Isoline> along_edges;
+  std::size_t points = 0, lines = 0;
+  for (const GridRows& found : rows) {
+    points += found.points.size();
+    lines += found.lines.size() + found.along_edges.size();
+  }
+  out.points.reserve(points);
+  out.lines.reserve(lines);
   for (GridRows& found : rows) {
     append(found, static_cast<std::uint32_t>(grid.size()), out, along_edges);
     found.points = {};
