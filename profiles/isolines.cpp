@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "profiles/isolines.hpp"
 
+#include "geometry/for_each_marked.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "profiles/surface_edges.hpp"
 #include "profiles/triangle_isolines.hpp"
@@ -63,96 +64,138 @@ public:
 private:
   struct Row {
     std::vector<double> values;
-    std::vector<LevelStanding> standings;
-    std::vector<std::uint8_t> cells; // behind it: whether each is asked for
+    std::vector<std::int32_t> levels;   // as `LevelStanding` has them; nowhere behind the last
+    std::vector<std::uint8_t> is_level; // that the last of those is the value
+    // Behind it, from number 1 on: whether each is asked for. Before and behind them there is none.
+    std::vector<std::uint8_t> cells;
   };
 
   void read_cells(int row, std::vector<std::uint8_t>& cells) const {
-    cells.assign(width_, 0);
+    cells.assign(width_ + 1, 0);
     if (row < 0 || row + 1 >= grid_.rows) return;
     if (!ground_.seen) {
-      std::fill(cells.begin(), cells.end() - 1, std::uint8_t{1});
+      std::fill(cells.begin() + 1, cells.end() - 1, std::uint8_t{1});
       return;
     }
     std::vector<std::pair<int, int>> ranges;
     ground_.seen->cells_in_row(row / SeenGround::kSide, grid_.columns - 1, ranges);
     for (const auto& [first, end] : ranges)
-      std::fill(cells.begin() + first, cells.begin() + end, std::uint8_t{1});
+      std::fill(cells.begin() + 1 + first, cells.begin() + 1 + end, std::uint8_t{1});
   }
-  void read(int row, Row& out) const {
+  void read(int row, Row& out) {
     read_cells(row, out.cells);
     out.values.resize(width_);
-    out.standings.resize(width_);
+    out.levels.assign(width_ + 1, LevelStanding::kNowhere);
+    out.is_level.assign(width_, 0);
     values_(grid_.index(0, row), out.values);
-    std::transform(out.values.begin(), out.values.end(), out.standings.begin(),
-                   [&](double value) { return levels_.standing_of(value); });
+    levels_.count_most(out.values, std::span(out.levels).first(width_), near_level_);
+    for (const std::uint32_t column : near_level_) {
+      const LevelStanding standing = levels_.standing_of(out.values[column]);
+      out.levels[column] = standing.levels;
+      out.is_level[column] = standing.on_level ? 1 : 0;
+    }
   }
   IsolineEnd end(const Row& row, int r, std::size_t column) const {
     return {static_cast<std::uint32_t>(grid_.index(static_cast<int>(column), r)),
-            row.standings[column]};
+            {row.values[column], row.levels[column], row.is_level[column] != 0}};
   }
   std::uint32_t next_point() const { return vertices_ + static_cast<std::uint32_t>(points.size()); }
 
-  // By column the number of the first point on the edge to the next one. `stored`: here, and not
-  // with the rows beyond.
+  // Calls take(c) with the columns that are marked, of which there are few: by a loop over all
+  // that the compiler turns into vector instructions.
+  template <class Mark, class Take>
+  void for_each_column(std::size_t count, const Mark& mark, const Take& take) {
+    marks_.resize(width_);
+    std::uint8_t* const marks = marks_.data();
+    const int columns = static_cast<int>(count);
+    for (int c = 0; c < columns; ++c) marks[c] = mark(c);
+    for_each_marked(marks_, 0, columns, kDown | kDiagonal,
+                    [&](int c) { take(static_cast<std::size_t>(c)); });
+  }
+
+  // By column the number of the first point on the edge to the next one, if it has any. `stored`:
+  // here, and not with the rows beyond.
   void number_along(const Row& row, const std::vector<std::uint8_t>& cells_above, int r,
                     bool stored, std::vector<std::uint32_t>& first) {
     first.resize(width_);
     std::uint32_t next = next_point();
-    for (std::size_t c = 0; c + 1 < width_; ++c) {
-      first[c] = next;
-      const LevelStanding &a = row.standings[c], &b = row.standings[c + 1];
-      if (a.levels == b.levels || (row.cells[c] | cells_above[c]) == 0) continue;
-      next += crossed_within(a, b).count();
-      if (stored) add_edge_points(end(row, r, c), end(row, r, c + 1), levels_, points);
-    }
+    const std::int32_t* const levels = row.levels.data();
+    const std::uint8_t *const cells = row.cells.data(), *const above = cells_above.data();
+    for_each_column(
+        width_ - 1,
+        [=](int c) -> std::uint8_t {
+          return levels[c] != levels[c + 1] ? cells[c + 1] | above[c + 1] : 0;
+        },
+        [&](std::size_t c) {
+          const IsolineEnd a = end(row, r, c), b = end(row, r, c + 1);
+          first[c] = next;
+          next += crossed_within(a.standing, b.standing).count();
+          if (stored) add_edge_points(a, b, levels_, points);
+        });
   }
   void number_between(const Row& row, const Row& below, int r) {
     down_.resize(width_);
     diagonal_.resize(width_);
-    for (std::size_t c = 0; c < width_; ++c) {
-      const bool here = row.cells[c] != 0, before = c > 0 && row.cells[c - 1] != 0;
-      down_[c] = next_point();
-      if ((here || before) && row.standings[c].levels != below.standings[c].levels)
-        add_edge_points(end(row, r, c), end(below, r + 1, c), levels_, points);
-      diagonal_[c] = next_point();
-      if (here && row.standings[c].levels != below.standings[c + 1].levels)
-        add_edge_points(end(row, r, c), end(below, r + 1, c + 1), levels_, points);
-    }
+    const std::int32_t *const levels = row.levels.data(), *const under = below.levels.data();
+    const std::uint8_t* const cells = row.cells.data();
+    for_each_column(
+        width_,
+        [=](int c) -> std::uint8_t {
+          const int down = levels[c] != under[c] ? cells[c] | cells[c + 1] : 0,
+                    diagonal = levels[c] != under[c + 1] ? cells[c + 1] : 0;
+          return static_cast<std::uint8_t>(down * kDown | diagonal * kDiagonal);
+        },
+        [&](std::size_t c) {
+          down_[c] = next_point();
+          if (marks_[c] & kDown)
+            add_edge_points(end(row, r, c), end(below, r + 1, c), levels_, points);
+          diagonal_[c] = next_point();
+          if (marks_[c] & kDiagonal)
+            add_edge_points(end(row, r, c), end(below, r + 1, c + 1), levels_, points);
+        });
   }
 
   void add_lines(const Row& row, const Row& below, int r) {
     const auto take = [&](const Isoline& line) {
       (line.to < vertices_ ? along_edges : lines).push_back(line);
     };
-    for (std::size_t c = 0; c + 1 < width_; ++c) {
-      if (row.cells[c] == 0) continue;
-      const std::int32_t levels = row.standings[c].levels;
-      if (levels == row.standings[c + 1].levels && levels == below.standings[c].levels &&
-          levels == below.standings[c + 1].levels)
-        continue;
-      const IsolineEnd nw = end(row, r, c), ne = end(row, r, c + 1), sw = end(below, r + 1, c),
-                       se = end(below, r + 1, c + 1);
-      const auto triangle = [&](Half half) {
-        return grid_triangle(grid_, static_cast<int>(c), r, half);
-      };
-      const std::size_t lower = triangle(Half::lower), upper = triangle(Half::upper);
-      if (!ground_.triangles || ground_.triangles->has(lower))
-        for_each_isoline({{nw, sw, se}, {along_below_[c], diagonal_[c], down_[c]}}, lower, take);
-      if (!ground_.triangles || ground_.triangles->has(upper))
-        for_each_isoline({{nw, ne, se}, {down_[c + 1], diagonal_[c], along_[c]}}, upper, take);
-    }
+    const std::int32_t *const levels = row.levels.data(), *const under = below.levels.data();
+    const std::uint8_t* const cells = row.cells.data();
+    for_each_column(
+        width_ - 1,
+        [=](int c) -> std::uint8_t {
+          const std::int32_t level = levels[c];
+          const std::int32_t crossed =
+              (level ^ levels[c + 1]) | (level ^ under[c]) | (level ^ under[c + 1]);
+          return crossed != 0 ? cells[c + 1] : 0;
+        },
+        [&](std::size_t c) {
+          const IsolineEnd nw = end(row, r, c), ne = end(row, r, c + 1), sw = end(below, r + 1, c),
+                           se = end(below, r + 1, c + 1);
+          const auto triangle = [&](Half half) {
+            return grid_triangle(grid_, static_cast<int>(c), r, half);
+          };
+          const std::size_t lower = triangle(Half::lower), upper = triangle(Half::upper);
+          if (!ground_.triangles || ground_.triangles->has(lower))
+            for_each_isoline({{nw, sw, se}, {along_below_[c], diagonal_[c], down_[c]}}, lower,
+                             take);
+          if (!ground_.triangles || ground_.triangles->has(upper))
+            for_each_isoline({{nw, ne, se}, {down_[c + 1], diagonal_[c], along_[c]}}, upper, take);
+        });
   }
 
+  static constexpr std::uint8_t kDown = 1, kDiagonal = 2;
   const Grid& grid_;
   const VertexValues& values_;
   const IsolineLevels& levels_;
   const IsolineGround& ground_;
   std::size_t width_;
   std::uint32_t vertices_;
-  // By column the number of the first point on an edge: along the present row and the one below,
-  // and from the one to the other.
+  // By column the number of the first point on an edge that has any: along the present row and the
+  // one below, and from the one to the other.
   std::vector<std::uint32_t> along_, along_below_, down_, diagonal_;
+  std::vector<std::uint8_t> marks_;       // columns
+  std::vector<std::uint32_t> near_level_; // columns that may be on a level
 };
 
 // What was found with points numbered from 0 on goes behind what there is.
@@ -180,6 +223,13 @@ Isolines of_grid(const Grid& grid, const VertexValues& values, const IsolineLeve
   });
   Isolines out;
   std::vector<Isoline> along_edges;
+  std::size_t points = 0, lines = 0;
+  for (const GridRows& found : rows) {
+    points += found.points.size();
+    lines += found.lines.size() + found.along_edges.size();
+  }
+  out.points.reserve(points);
+  out.lines.reserve(lines);
   for (GridRows& found : rows) {
     append(found, static_cast<std::uint32_t>(grid.size()), out, along_edges);
     found.points = {};

@@ -91,7 +91,7 @@ public:
 
 private:
   // Half a megabyte.
-  static constexpr std::size_t kMost = std::size_t{1} << 14U;
+  static constexpr std::size_t kMost = std::size_t{1} << 12U;
   using Beside = std::array<std::uint32_t, 2>;
   void walk(std::uint32_t first, std::vector<bool>& taken, ContourRuns& out) const;
 

@@ -36,7 +36,7 @@ void PlaceContours::find(const LatticeOrder::Place& place, const ShownOfPlace& s
   for (auto& found : found_) found.clear();
   if (shown.empty()) return;
   // They stay where they are for some places, and in the cache.
-  constexpr std::size_t kMostPoints = 2048;
+  constexpr std::size_t kMostPoints = 512;
   const bool moves_points = points_.size() > kMostPoints;
   if (moves_points) {
     points_.swap(points_before_);
@@ -192,15 +192,12 @@ void PlaceContours::add_point(std::uint64_t number, ProfilePoint at) {
   points_.push_back({at, number, picture.x, picture.y});
 }
 
-// Tells the number of the first.
-std::uint32_t PlaceContours::add_points(EdgeOfCell edge, const Line& line_from, int from,
-                                        const Line& line_to, int to) {
-  const auto first = static_cast<std::uint32_t>(points_.size());
+void PlaceContours::add_crossings(EdgeOfCell edge, const Line& line_from, int from,
+                                  const Line& line_to, int to) {
   const std::size_t i = line_from.index(from), k = line_to.index(to);
-  if (line_from.levels[i] == line_to.levels[k]) return first;
   const LevelStanding a = standing(line_from, from), b = standing(line_to, to);
   const CrossedLevels crossed = crossed_within(a, b);
-  if (crossed.first >= crossed.last) return first;
+  if (crossed.first >= crossed.last) return;
   const ProfilePoint at_a{line_from.u[i], line_from.v[i], line_from.z[i]},
       at_b{line_to.u[k], line_to.v[k], line_to.z[k]};
   // Row by row, those along a row before those between it and the next.
@@ -212,7 +209,6 @@ std::uint32_t PlaceContours::add_points(EdgeOfCell edge, const Line& line_from, 
       (is_along_row ? column : columns_ + 2 * column + (edge == EdgeOfCell::diagonal ? 1 : 0));
   for (std::int32_t level = crossed.first; level < crossed.last; ++level)
     add_point(number, point_between(at_a, at_b, (levels_[level] - a.value) / (b.value - a.value)));
-  return first;
 }
 
 void PlaceContours::add_points_of_cells() {

@@ -76,8 +76,15 @@ private:
   void add_points_of_cells();
   void add_points_along(Line& line, int cell);
   enum class EdgeOfCell { along, upright, diagonal };
+  // Tells the number of the first. Most edges have none.
   std::uint32_t add_points(EdgeOfCell edge, const Line& line_from, int from, const Line& line_to,
-                           int to);
+                           int to) {
+    const auto first = static_cast<std::uint32_t>(points_.size());
+    if (line_from.levels[line_from.index(from)] != line_to.levels[line_to.index(to)])
+      add_crossings(edge, line_from, from, line_to, to);
+    return first;
+  }
+  void add_crossings(EdgeOfCell edge, const Line& line_from, int from, const Line& line_to, int to);
   void add_point(std::uint64_t number, ProfilePoint at);
   std::uint32_t add_vertex(std::uint32_t vertex);
   void add_pieces(PlacePart part, const Cell& cell);

@@ -82,6 +82,8 @@ SectorParts parts_of(const SectorInWork& work, const std::vector<std::unique_ptr
     out.skyline.insert(out.skyline.end(), skyline.begin(), skyline.end());
   }
   join(out.visible);
+  // Most lines on the ground are in two slabs.
+  std::erase_if(out.visible, [&](const LinePart& part) { return work.marks_whole(part); });
   join(out.skyline);
   out.skyline = shared(out.skyline, out.visible);
   return out;

@@ -166,15 +166,21 @@ void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t 
   if (!(low < high)) return;
   const double nearer_low = nearness_at(f, low) - nearness_at(b, low),
                nearer_high = nearness_at(f, high) - nearness_at(b, high);
-  const auto at_one_place = [&](double x, double nearer) {
-    return std::abs(nearer) <= nearness_rounding_at(f, x) + nearness_rounding_at(b, x);
-  };
   // Where a line comes close to the plane beside the eye, rounding is more than all else at that
   // end, so the middle of the line in depth is asked as well.
-  const double x = middle_in_depth(f, low, high);
-  const bool one_place = at_one_place(low, nearer_low) && at_one_place(high, nearer_high) &&
-                         at_one_place(x, nearness_at(f, x) - nearness_at(b, x));
+  const auto are_at_one_place = [&](double from, double to) {
+    for (const double x : {from, to, middle_in_depth(f, from, to)})
+      if (!(std::abs(nearness_at(f, x) - nearness_at(b, x)) <=
+            nearness_rounding_at(f, x) + nearness_rounding_at(b, x)))
+        return false;
+    return true;
+  };
+  bool one_place = are_at_one_place(low, high);
   if (one_place && !f.covers) return;
+  // A line that runs nearly straight away from the eye, whose depth at an X is known to decimetres,
+  // may end at `f`, and the slab hold less than that of it.
+  one_place = one_place && are_at_one_place(std::max(f.source.x0, b.source.x0),
+                                            std::min(f.source.x1, b.source.x1));
   Stretch stretch = one_place ? Stretch{0, 1} : positive(nearer_low, nearer_high);
   const bool one_line = !one_place && f.drawn && tolerance.mm > 0 &&
                         compare(b.source, f.source, tolerance).kind == Standing::Kind::tied;

@@ -201,13 +201,13 @@ private:
 
 SeenContours take_contours(const Surface& surface, const View& view,
                            const std::vector<EdgeLine>& lines, const GroundLines& on_ground,
-                           std::size_t first_line, std::vector<LinePart>& parts) {
+                           std::size_t first_line, std::span<const std::uint8_t> whole,
+                           std::vector<LinePart>& parts) {
   const EdgeEnds ends(surface, view, {on_ground.points});
   WholePieces whole_pieces(on_ground.points, vertex_count(surface));
   ContourRuns runs;
-  std::size_t step = 0;
-  std::erase_if(parts, [&](const LinePart& part) {
-    throw_if_stopped(step++);
+  // Tells whether it is none of a tick.
+  const auto takes = [&](const LinePart& part) {
     const std::uint32_t feature = on_ground.lines[part.line - first_line].feature;
     if (on_ground.features[feature].is_tick) return false;
     const auto level = feature - static_cast<std::uint32_t>(on_ground.first_contour);
@@ -216,16 +216,29 @@ SeenContours take_contours(const Surface& surface, const View& view,
       whole_pieces.add(edge, level);
       return true;
     }
-    const ProfileLine whole = ends(edge);
+    const ProfileLine line = ends(edge);
     const auto add = [&](double t, bool is_node, std::uint32_t node) {
       runs.points.push_back({is_node ? ContourNode(level, node) : ContourNode::loose(level),
-                             point_between(whole.from, whole.to, t)});
+                             point_between(line.from, line.to, t)});
     };
     add(part.t_begin, part.t_begin <= 0, edge.from);
     add(part.t_end, part.t_end >= 1, edge.to);
     runs.end_run();
     return true;
+  };
+  std::size_t step = 0;
+  std::erase_if(parts, [&](const LinePart& part) {
+    throw_if_stopped(step++);
+    return takes(part);
   });
+  std::vector<std::uint8_t> ticks;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    throw_if_stopped(i);
+    if (whole[i] == 0 || takes({static_cast<std::uint32_t>(first_line + i), 0, 1})) continue;
+    ticks.resize(whole.size());
+    ticks[i] = 1;
+  }
+  if (!ticks.empty()) parts = with_whole(parts, first_line, ticks);
   whole_pieces.add_runs(runs);
   return seen_contours({std::move(runs)}, {});
 }

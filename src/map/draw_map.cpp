@@ -48,14 +48,15 @@ struct LineLayer {
   Layer layer;
   LineKind kind{};
   std::vector<LinePart> parts;
-  bool of_solids = false;         ///< the parts
-  bool is_on_ground = false;      ///< its lines
-  bool is_rounded = false;        ///< stroke by stroke
-  bool is_joined = false;         ///< across small gaps
-  bool is_skyline = false;        ///< which is drawn whole
-  bool is_shore = false;          ///< which is drawn smoothly, on paper
-  std::optional<LineShade> shade; ///< light and haze on its lines
-  Layer to_label;                 ///< its lines again, with places in the view's profile frame
+  std::vector<std::uint8_t> whole; ///< of contours: marks of what is seen from end to end
+  bool of_solids = false;          ///< the parts
+  bool is_on_ground = false;       ///< its lines
+  bool is_rounded = false;         ///< stroke by stroke
+  bool is_joined = false;          ///< across small gaps
+  bool is_skyline = false;         ///< which is drawn whole
+  bool is_shore = false;           ///< which is drawn smoothly, on paper
+  std::optional<LineShade> shade;  ///< light and haze on its lines
+  Layer to_label;                  ///< its lines again, with places in the view's profile frame
   double left_out_mm = 0;
   RoundingCounts dropped = {};
 };
@@ -162,8 +163,10 @@ std::vector<LineLayer> layers_of(const FoundParts& found, const PlacedView& plac
       added.is_shore = row.kind == LineKind::shore || row.kind == LineKind::waterline;
       break;
     case LineSource::ground:
-      added.parts = row.is_hidden() ? of_kind(found.lines(), hidden, row.kind)
-                                    : found.visible_of(row.kind, visible);
+      added.parts = row.is_hidden()        ? of_kind(found.lines(), hidden, row.kind)
+                    : is_contour(row.kind) ? of_kind(found.lines(), visible, row.kind)
+                                           : found.visible_of(row.kind, visible);
+      if (is_contour(row.kind) && !row.is_hidden()) added.whole = found.whole_of(row.kind);
       added.is_on_ground = true;
       if (row.kind == LineKind::drape)
         for (const Overlay& overlay : placed.overlays)
@@ -286,16 +289,14 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
                             Layer& to) {
         StrokeSettings of_ticks = settings; // a tick that is longer than it is wide is no crumb
         of_ticks.min_stroke_mm = std::min(settings.min_stroke_mm, to.pen_width_mm);
-        const bool is_contour =
-            task.kind == LineKind::contour || task.kind == LineKind::index_contour;
         double left_out_mm = 0;
-        if (is_contour && !to.is_hidden) {
-          std::optional<SeenContours> listed;
-          if (lines.on_ground.levels_to_find_m.empty())
-            listed = take_contours(terrain.surface, placed.view, found.lines(), lines.on_ground,
-                                   first_on_ground, parts);
-          left_out_mm = draw_contours(placed.view, listed ? *listed : contours, lines.on_ground,
-                                      task.kind, settings, to);
+        if (is_contour(task.kind) && !to.is_hidden) {
+          const SeenContours listed =
+              take_contours(terrain.surface, placed.view, found.lines(), lines.on_ground,
+                            first_on_ground, task.whole, parts);
+          left_out_mm = draw_contours(placed.view,
+                                      lines.on_ground.levels_to_find_m.empty() ? listed : contours,
+                                      lines.on_ground, task.kind, settings, to);
         }
         return left_out_mm + draw_features(terrain.surface, placed.view, found.lines(),
                                            lines.on_ground, first_on_ground, std::move(parts),

@@ -85,12 +85,18 @@ std::vector<LinePart> FoundParts::of(std::vector<LinePart> SectorLines::*kind) c
 std::vector<LinePart> FoundParts::visible_of(LineKind kind,
                                              const std::vector<LinePart>& visible) const {
   std::vector<LinePart> parts = of_kind(lines_, visible, kind);
-  if (!is_on_ground(kind) || sectors_.size() != 1) return parts;
+  if (!is_on_ground(kind)) return parts;
+  const std::vector<std::uint8_t> whole = whole_of(kind);
+  return whole.empty() ? parts : with_whole(parts, listed_ - whole.size(), whole);
+}
+
+std::vector<std::uint8_t> FoundParts::whole_of(LineKind kind) const {
+  if (sectors_.size() != 1) return {};
   std::vector<std::uint8_t> whole = sectors_.front().whole_on_ground;
   const std::size_t first = listed_ - whole.size();
   for (std::size_t i = 0; i < whole.size(); ++i)
     if (lines_[first + i].kind != kind) whole[i] = 0;
-  return with_whole(parts, first, whole);
+  return whole;
 }
 
 std::vector<LinePart> FoundParts::hidden() const {

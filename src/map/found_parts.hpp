@@ -6,6 +6,7 @@
 #include "hidden_lines/sector_pass.hpp"
 #include "placing/placed_view.hpp"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,9 @@ public:
   std::vector<LinePart> of(std::vector<LinePart> SectorLines::*kind) const;
   /// Of a kind of lines, all: `visible` are those of all kinds as `of` has them.
   std::vector<LinePart> visible_of(LineKind kind, const std::vector<LinePart>& visible) const;
+  /// A mark for each line on the ground, where those of a kind that are visible from end to end are
+  /// marked instead of being parts; none where none is.
+  std::vector<std::uint8_t> whole_of(LineKind kind) const;
   /// Of lines: what two sectors show of one, and what they hide, meets in the strip between them.
   std::vector<LinePart> hidden() const;
   std::vector<LinePart> of(std::vector<LinePart> SolidParts::*kind) const;
