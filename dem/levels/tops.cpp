@@ -94,8 +94,8 @@ void TopsInRows::add(int row, std::span<const Height> above, std::span<const Hei
   for (int first = 0; first < width; first += side_) {
     Highest& square = squares[first / side_];
     const auto begin = line.begin() + first, end = line.begin() + std::min(first + side_, width);
-    double highest = square.at.height_m;
-    for (auto at = begin; at != end; ++at) highest = *at > highest ? *at : highest;
+    Height highest = -std::numeric_limits<Height>::infinity();
+    for (auto at = begin; at != end; ++at) highest = *at > highest ? *at : highest; // none for NaN
     if (!(highest > square.at.height_m)) continue;
     const auto column = static_cast<int>(std::find(begin, end, highest) - line.begin());
     square = {{highest, column, row}, none_is_higher(column, highest)};

@@ -6,9 +6,11 @@
 #include "dem/read/asked_window.hpp"
 #include "dem/read/read_rows.hpp"
 #include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <fmt/format.h>
 #include <gdal_priv.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <utility>
@@ -52,21 +54,46 @@ std::vector<RowRange> bands_of(const RasterSet& set, const ReadOptions& options)
   return bands;
 }
 
+// Tasks must have ended before what they work on goes, whatever is thrown meanwhile.
+class WaitAtEnd {
+public:
+  explicit WaitAtEnd(tbb::task_group& tasks) : tasks_(tasks) {}
+  ~WaitAtEnd() {
+    try {
+      tasks_.wait();
+    } catch (...) { // another error is on its way
+    }
+  }
+  WaitAtEnd(const WaitAtEnd&) = delete;
+  WaitAtEnd& operator=(const WaitAtEnd&) = delete;
+
+private:
+  tbb::task_group& tasks_;
+};
+
 template <class Height>
 std::vector<IndexedLevel> read_levels(RasterSet& set, const std::vector<int>& steps,
                                       const ReadOptions& options, HeightDifferences& differences,
                                       const std::function<void(double)>& progress) {
   std::vector<LevelInBands<Height>> levels;
   for (const int step : steps) levels.emplace_back(set.grid.columns, set.grid.rows, step);
+  // Of one band levels are made while the next is read, by the thread in which GDAL has its
+  // settings.
+  tbb::task_group making;
+  const WaitAtEnd at_end(making);
   for (const RowRange& range : bands_of(set, options)) {
     ReadHeights read = read_rows(set, range, options, differences);
     leave_in_box(set, range.first, read);
     const Band<Height> band{range.first, range.rows,
                             std::make_shared<const std::vector<Height>>(
                                 std::get<std::vector<Height>>(std::move(read)))};
-    for (LevelInBands<Height>& level : levels) level.take(band);
+    making.wait();
+    making.run(stopped_with_caller([&levels, band] {
+      for (LevelInBands<Height>& level : levels) level.take(band);
+    }));
     if (progress) progress(static_cast<double>(range.first + range.rows) / set.grid.rows);
   }
+  making.wait();
   std::vector<IndexedLevel> out;
   for (LevelInBands<Height>& level : levels)
     out.push_back(
