@@ -4,7 +4,6 @@
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -24,44 +23,21 @@ template <class Height>
 RowDeparture departure_of_row(std::span<const Height> row, std::span<const Height> upper,
                               std::span<const Height> lower, double share,
                               const std::vector<PlaceInLevel>& across) {
-  // Cells are looked at one by one, so that the loops over their columns have no branches.
-  constexpr std::size_t kMost = 256;
-  std::array<double, kMost> apart;
   RowDeparture sum;
   const double y = share;
   // What has no share in it may be missing.
   const auto part = [](double of, double height) { return of == 0 ? 0 : of * height; };
-  for (std::size_t first = 0, end = 0; first < across.size(); first = end) {
-    const auto cell = static_cast<std::size_t>(across[first].cell);
-    const auto in_cell = [&](std::size_t i) {
-      return i < across.size() && i - first < kMost && across[i].cell == across[first].cell;
-    };
-    end = first + 1;
-    std::size_t middle = first; // columns before it are in the lower triangle, x <= y
-    while (middle < across.size() && in_cell(middle) && across[middle].share <= y) ++middle;
-    end = std::max(end, middle);
-    while (in_cell(end)) ++end;
-    const double nw = upper[cell], ne = upper[cell + 1], sw = lower[cell], se = lower[cell + 1];
-    const bool are_there = nw == nw && ne == ne && sw == sw && se == se;
-    for (std::size_t i = first; i < middle; ++i) {
-      const double x = across[i].share;
-      const double drawn = are_there ? (1 - y) * nw + (y - x) * sw + x * se
-                                     : part(1 - y, nw) + part(y - x, sw) + part(x, se);
-      apart[i - first] = std::abs(drawn - row[i]);
-    }
-    for (std::size_t i = middle; i < end; ++i) {
-      const double x = across[i].share;
-      const double drawn = are_there ? (1 - x) * nw + (x - y) * ne + y * se
-                                     : part(1 - x, nw) + part(x - y, ne) + part(y, se);
-      apart[i - first] = std::abs(drawn - row[i]);
-    }
-    for (std::size_t i = 0; i < end - first; ++i) {
-      const bool is_there = apart[i] == apart[i];
-      const double distance = is_there ? apart[i] : 0;
-      sum.greatest_m = distance > sum.greatest_m ? distance : sum.greatest_m;
-      sum.squares += distance * distance;
-      sum.count += is_there ? 1 : 0;
-    }
+  for (std::size_t i = 0; i < across.size(); ++i) {
+    const double x = across[i].share;
+    const auto cell = static_cast<std::size_t>(across[i].cell);
+    const double drawn =
+        x > y ? part(1 - x, upper[cell]) + part(x - y, upper[cell + 1]) + part(y, lower[cell + 1])
+              : part(1 - y, upper[cell]) + part(y - x, lower[cell]) + part(x, lower[cell + 1]);
+    const double apart = std::abs(drawn - row[i]);
+    if (std::isnan(apart)) continue;
+    sum.greatest_m = std::max(sum.greatest_m, apart);
+    sum.squares += apart * apart;
+    ++sum.count;
   }
   return sum;
 }
