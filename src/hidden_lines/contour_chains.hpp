@@ -90,7 +90,7 @@ public:
   std::vector<ContourRuns>& runs() { return runs_; }
 
 private:
-  // Half a megabyte.
+  // An eighth of a megabyte with what they are linked to: it stays in the nearer cache.
   static constexpr std::size_t kMost = std::size_t{1} << 12U;
   using Beside = std::array<std::uint32_t, 2>;
   void walk(std::uint32_t first, std::vector<bool>& taken, ContourRuns& out) const;
