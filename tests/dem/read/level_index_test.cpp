@@ -91,8 +91,10 @@ TEST_CASE("an index that is damaged anywhere is left aside with a word") {
     REQUIRE(read.doubts.size() == 1);
     CHECK(read.doubts[0].find(path + " isn't used: ") == 0);
   };
-  for (int i = 0; i < 60; ++i) {
-    const int place = i < 30 ? i * 2 : random.whole(60, static_cast<int>(whole.size()) - 1);
+  const int flips = rounds(60);
+  for (int i = 0; i < flips; ++i) {
+    const int place =
+        i < flips / 2 ? i * 120 / flips : random.whole(60, static_cast<int>(whole.size()) - 1);
     INFO("byte " << place);
     std::string bytes = whole;
     bytes[static_cast<std::size_t>(place)] =
