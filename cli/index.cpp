@@ -30,10 +30,11 @@ void index(const IndexSettings& settings) {
   write_index(place.temporary_path(), made.state, made.levels);
   place.commit();
   bar.finish();
-  if (!settings.quiet)
-    say("{}: cells {} to {} times as large as the raster's, {:.3g} MB", path,
-        made.levels.front().cells.step, made.levels.back().cells.step,
-        1e-6 * static_cast<double>(std::filesystem::file_size(path)));
+  if (settings.quiet) return;
+  for (const std::string& doubt : made.doubts) say_line(doubt);
+  say("{}: cells {} to {} times as large as the raster's, {:.3g} MB", path,
+      made.levels.front().cells.step, made.levels.back().cells.step,
+      1e-6 * static_cast<double>(std::filesystem::file_size(path)));
 }
 
 } // namespace orograph

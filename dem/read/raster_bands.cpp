@@ -4,6 +4,7 @@
 #include "dem/levels/level_in_bands.hpp"
 #include "dem/levels/stretched_lattice.hpp"
 #include "dem/read/asked_window.hpp"
+#include "dem/read/network.hpp"
 #include "dem/read/read_rows.hpp"
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
@@ -23,7 +24,7 @@ constexpr std::int64_t kHeightsOfBand = 1 << 23;
 constexpr std::size_t kTopsKept = 10; // as many as drawings tell of
 // Blocks are mostly of 256 or 512 rows, or of one.
 constexpr int kUsualBlock = 512;
-// Twice as large cells are read from the file as fast as from an index that had them.
+// Twice as large cells would be a quarter of the file.
 constexpr int kLeastIndexed = 4;
 constexpr int kLeastCells = 128; // along the shorter side: pages show more
 
@@ -153,6 +154,7 @@ void read_larger_cells(RasterSet& set, int step, const ReadOptions& options,
 
 RasterIndex index_of(const std::vector<std::string>& paths, const ReadOptions& options,
                      const std::function<void(double)>& progress) {
+  const NetworkGate gate(paths, options.allow_network);
   const GdalMessages unheard;
   RasterSet set = open_rasters(paths, options);
   if (set.box || options.fill_voids)
@@ -170,11 +172,12 @@ RasterIndex index_of(const std::vector<std::string>& paths, const ReadOptions& o
     throw Error(set.terrain.source + " isn't a file on a disk",
                 "an index is known to be right by the file's size and time: fetch it first");
   HeightDifferences differences;
-  return {*state, read_levels(set, steps, options, differences, progress)};
+  return {*state, read_levels(set, steps, options, differences, progress), gate.doubts()};
 }
 
 IndexState index_state(const std::vector<std::string>& paths, const ReadOptions& options) {
   if (!is_index(index_path(paths))) return {};
+  const NetworkGate gate(paths, options.allow_network);
   const GdalMessages unheard;
   const RasterSet set = open_rasters(paths, options);
   const auto state = state_of(set, options);

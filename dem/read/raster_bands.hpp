@@ -31,6 +31,7 @@ void read_larger_cells(RasterSet& set, int step, const ReadOptions& options,
 struct RasterIndex {
   std::string state;
   std::vector<IndexedLevel> levels; ///< of 4, 8, 16 ... cells to one
+  std::vector<std::string> doubts;  ///< as a terrain's, about what the files name
 };
 
 /// The index of rasters, in one pass over them. Throws Error as `read_rasters` does, where only a

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files don't lead GDAL to the network, nor unheard to other folders.
 #include "dem/read/network.hpp"
+#include "dem/read/raster_bands.hpp"
 #include "dem/read/read_line.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
@@ -42,13 +43,13 @@ public:
     REQUIRE(getsockname(socket_, any, &size) == 0);
     url_ = "http://127.0.0.1:" + std::to_string(ntohs(address.sin_port)) + "/heights.tif";
     thread_ = std::thread([this] {
-      for (int caller; (caller = accept(socket_, nullptr, nullptr)) >= 0; close(caller)) ++calls_;
+      for (int caller; (caller = accept(socket_, nullptr, nullptr)) >= 0; ::close(caller)) ++calls_;
     });
   }
   ~Server() {
     shutdown(socket_, SHUT_RDWR);
     thread_.join();
-    close(socket_);
+    ::close(socket_);
   }
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
@@ -157,6 +158,7 @@ TEST_CASE("a file that reads from the network is refused before anyone is called
     INFO(path);
     CHECK(error_of([&] { read_terrain(path); }).starts_with(path + " reads from the network ("));
     CHECK(error_of([&] { read_line(path); }).starts_with(path + " reads from the network ("));
+    CHECK(error_of([&] { index_of({path}, {}); }).starts_with(path + " reads from the network ("));
     CHECK(server.calls() == 0);
   }
   // That is all that stands between them and the server.
