@@ -56,11 +56,15 @@ private:
   std::vector<TinSides> edges_; ///< of a TIN, in order
 };
 
-/// Where the eye is of the line from -> to, seen from above: 1 left, -1 right, 0 on it to rounding.
-/// The same, but for its sign, of to -> from.
+/// By how much the line from -> to goes to the left, seen from the eye: positive where the eye is
+/// on its left, seen from above. The same, but for its sign, of to -> from.
+inline double way_to_left(const View& view, ProfilePoint from, ProfilePoint to) {
+  return view.is_perspective() ? from.u * to.v - from.v * to.u
+                               : (from.u - to.u) + view.x_per_v * (from.v - to.v);
+}
+/// Where the eye is of that line: 1 left, -1 right, 0 on it to rounding.
 inline int eye_side(const View& view, ProfilePoint from, ProfilePoint to) {
-  const double turn = view.is_perspective() ? from.u * to.v - from.v * to.u
-                                            : (from.u - to.u) + view.x_per_v * (from.v - to.v);
+  const double turn = way_to_left(view, from, to);
   return turn > 0 ? 1 : turn < 0 ? -1 : 0;
 }
 

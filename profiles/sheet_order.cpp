@@ -10,6 +10,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace orograph {
@@ -18,6 +19,7 @@ namespace {
 // An edge of the border over X, with the triangle that it belongs to.
 struct Rim {
   double x_begin, x_end, nearness_begin, nearness_end; // nearness is linear in X
+  double rounding_begin, rounding_end;                 // of X
   std::uint32_t triangle;                              ///< its place in the part
   bool is_behind;                                      // the triangle is
 
@@ -57,11 +59,18 @@ std::vector<Rim> rims_of(const SheetTriangles& triangles, const SheetPart& part,
     if (std::min(from.v, to.v) < from_m)
       (from.v < to.v ? from : to) = point_between(from, to, (from_m - from.v) / (to.v - from.v));
     const auto nearness = [&](ProfilePoint p) { return view.is_perspective() ? 1 / p.v : -p.v; };
-    Rim rim{project(view, from).x, project(view, to).x, nearness(from), nearness(to), 0, false};
-    if (rim.x_begin == rim.x_end) continue;
+    const auto rounding = [&](ProfilePoint p, double x) {
+      return 16 * std::numeric_limits<double>::epsilon() *
+             (std::hypot(p.u, p.v) + 2 * length(view.depth_origin_m)) *
+             (view.is_perspective() ? (1 + std::abs(x)) / p.v : 1 + std::abs(view.x_per_v));
+    };
+    const double x_from = project(view, from).x, x_to = project(view, to).x;
+    Rim rim{x_from, x_to, nearness(from), nearness(to), rounding(from, x_from), rounding(to, x_to),
+            0,      false};
     if (rim.x_begin > rim.x_end) {
       std::swap(rim.x_begin, rim.x_end);
       std::swap(rim.nearness_begin, rim.nearness_end);
+      std::swap(rim.rounding_begin, rim.rounding_end);
     }
     rim.triangle = place;
     rim.is_behind = of.left != (side > 0);
@@ -76,17 +85,31 @@ using Relation = std::pair<std::uint32_t, std::uint32_t>; // in front, behind
 // in order of their nearness.
 std::vector<Relation> across_gaps(const std::vector<Rim>& rims) {
   struct Event {
-    double x;
+    double x, rounding;
     bool begins;
     std::uint32_t rim;
+    std::uint32_t place = 0; ///< over X; the same of what is nearer than rounding
   };
   std::vector<Event> events;
   for (std::uint32_t i = 0; i < rims.size(); ++i) {
-    events.push_back({rims[i].x_begin, true, i});
-    events.push_back({rims[i].x_end, false, i});
+    events.push_back({rims[i].x_begin, rims[i].rounding_begin, true, i});
+    events.push_back({rims[i].x_end, rims[i].rounding_end, false, i});
   }
-  std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
-    return a.x != b.x ? a.x < b.x : a.begins != b.begins ? !a.begins : a.rim < b.rim;
+  std::ranges::sort(events, {}, &Event::x);
+  // Edges that end at one vertex, and others that begin there, share no X but by rounding, at which
+  // nothing would tell which of them is nearer.
+  std::vector<std::uint32_t> begins_at(rims.size()), ends_at(rims.size());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    Event& event = events[i];
+    if (i > 0) {
+      const Event& before = events[i - 1];
+      event.place =
+          before.place + (event.x - before.x > std::max(event.rounding, before.rounding) ? 1 : 0);
+    }
+    (event.begins ? begins_at : ends_at)[event.rim] = event.place;
+  }
+  std::ranges::sort(events, {}, [](const Event& event) {
+    return std::tuple(event.place, event.begins, event.rim);
   });
   std::vector<Relation> out;
   std::set<std::uint32_t, IsNearer> active(IsNearer{&rims});
@@ -98,6 +121,7 @@ std::vector<Relation> across_gaps(const std::vector<Rim>& rims) {
   std::size_t step = 0;
   for (const Event& event : events) {
     throw_if_stopped(step++);
+    if (begins_at[event.rim] == ends_at[event.rim]) continue; // no width
     if (event.begins) {
       const auto [at, is_new] = active.insert(event.rim);
       places[event.rim] = at;

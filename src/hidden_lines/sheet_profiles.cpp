@@ -17,15 +17,16 @@ namespace {
 // Where a profile passes a triangle.
 struct Passage {
   std::uint32_t profile;
-  std::uint32_t span : 31, on_rim : 1; ///< along its nearer edge
+  std::uint32_t span : 30, on_rim : 1; ///< along its nearer edge
+  std::uint32_t takes_left : 1;        ///< as a span has it
   std::uint32_t triangle;
 };
 
 // The middle of what a plane cuts of a triangle whose corners are in front of it or not; none where
-// it only touches it.
+// it only touches it, to rounding.
 template <class InFront>
 std::optional<double> middle_of_cut(const std::array<ProfilePoint, 3>& corners, double depth_m,
-                                    const InFront& in_front) {
+                                    double rounding_m, const InFront& in_front) {
   std::array<double, 2> u{};
   std::size_t count = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -33,7 +34,7 @@ std::optional<double> middle_of_cut(const std::array<ProfilePoint, 3>& corners, 
     if (in_front(a) == in_front(b)) continue;
     u[count++] = a.u + (depth_m - a.v) / (b.v - a.v) * (b.u - a.u);
   }
-  if (count < 2 || u[0] == u[1]) return std::nullopt;
+  if (count < 2 || std::abs(u[0] - u[1]) <= rounding_m) return std::nullopt;
   return 0.5 * (u[0] + u[1]);
 }
 
@@ -73,7 +74,9 @@ class PassagesOfTriangles {
 public:
   PassagesOfTriangles(const SheetInWork& sheet, std::span<const TimedProfile> profiles,
                       std::span<const double> depths_m, std::vector<Passage>& out)
-      : sheet_(sheet), depths_m_(depths_m), depths_(depths_m), out_(out) {
+      : sheet_(sheet), depths_m_(depths_m), depths_(depths_m),
+        rounding_m_(4 * position_rounding_m(sheet.work.placed.reach_m, sheet.work.sector.view)),
+        out_(out) {
     for (const TimedProfile& of : profiles) {
       spans_.emplace_back(of.profile.profile.u_m);
       profiles_.push_back(&of.profile.profile);
@@ -158,13 +161,14 @@ private:
     for (std::uint32_t at = first; at < behind; ++at) {
       const double depth_m = depths_m_[at];
       const bool on_rim = depth_m == nearest;
-      const auto middle =
-          on_rim ? middle_of_cut(corners, depth_m, [&](ProfilePoint of) { return of.v <= depth_m; })
-                 : middle_of_cut(corners, depth_m, [&](ProfilePoint of) { return of.v < depth_m; });
+      const auto middle = on_rim ? middle_of_cut(corners, depth_m, rounding_m_,
+                                                 [&](ProfilePoint of) { return of.v <= depth_m; })
+                                 : middle_of_cut(corners, depth_m, rounding_m_,
+                                                 [&](ProfilePoint of) { return of.v < depth_m; });
       if (!middle) continue;
       const std::size_t right = spans_[at].behind(*middle);
       if (right == 0 || right == spans_[at].count()) continue;
-      out_.push_back({at, static_cast<std::uint32_t>(right) - 1, on_rim, triangle});
+      out_.push_back({at, static_cast<std::uint32_t>(right) - 1, on_rim, false, triangle});
     }
   }
 
@@ -175,23 +179,33 @@ private:
     if (!sheet_.has_place(triangle)) return; // it has no width
     for (std::uint32_t at = first; at < behind; ++at) {
       const double depth_m = depths_m_[at];
-      double u = 0, low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
+      ProfilePoint at_wall;
+      double low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
       for (std::size_t k = 0; k < 3; ++k) {
         const ProfilePoint &a = corners[k], &b = corners[(k + 1) % 3];
         if ((a.v < depth_m) == (b.v < depth_m)) continue;
         const ProfilePoint crossing = point_between(a, b, (depth_m - a.v) / (b.v - a.v));
-        u = crossing.u;
+        at_wall = crossing;
         low_m = std::min(low_m, crossing.z);
         high_m = std::max(high_m, crossing.z);
       }
       if (!(low_m < high_m)) continue;
+      // At an end of the wall there is none of it on one side.
+      double to_left = 0, to_right = 0;
+      for (const ProfilePoint& corner : corners) {
+        const double way = way_to_left(sheet_.work.sector.view, at_wall, corner);
+        to_left = std::max(to_left, way);
+        to_right = std::max(to_right, -way);
+      }
+      const double u = at_wall.u;
       const auto& [depth, u_m, z_m, after] = *profiles_[at];
       const double rounding_m = 0x1p-36 * (std::abs(u) + std::abs(depth_m));
       for (std::size_t i = spans_[at].behind(u + rounding_m); i-- > 0 && u_m[i] >= u - rounding_m;)
         if (after[i] == Span::wall) {
           const double middle_m = 0.5 * (z_m[i] + z_m[i + 1]);
           if (middle_m >= low_m && middle_m <= high_m)
-            out_.push_back({at, static_cast<std::uint32_t>(i), false, triangle});
+            out_.push_back(
+                {at, static_cast<std::uint32_t>(i), false, to_left >= to_right, triangle});
         }
     }
   }
@@ -199,6 +213,7 @@ private:
   const SheetInWork& sheet_;
   std::span<const double> depths_m_;
   Rising depths_;
+  double rounding_m_;         ///< of what is between two crossings
   std::vector<Rising> spans_; ///< by profile: its vertices' u
   std::vector<const Profile*> profiles_;
   std::vector<Passage>& out_;
@@ -228,12 +243,12 @@ std::vector<SheetProfile> sheet_profiles(const SheetInWork& sheet,
   for (TimedProfile& of : profiles)
     out.push_back({&of.profile, std::vector<SheetSpan>(of.profile.profile.size())});
   const auto take = [&](const std::vector<Passage>& passages) {
-    for (const auto& [profile, number, is_on_rim, triangle] : passages) {
+    for (const auto& [profile, number, is_on_rim, takes_left, triangle] : passages) {
       SheetSpan& span = out[profile].spans[number];
       if (span.is_there && (is_on_rim || has_front(span.turn))) continue;
       const SheetStep step = is_on_rim ? SheetStep::on_rim : SheetStep::inside;
       span = SheetSpan(turn_of(sheet.order.place(triangle), step), true,
-                       sheet.sheet.is_up[triangle] != 0);
+                       sheet.sheet.is_up[triangle] != 0, takes_left != 0);
     }
   };
   // Rows of cells, or triangles of a TIN; so many at a time, so that passages need little memory.

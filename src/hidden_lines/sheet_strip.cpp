@@ -27,10 +27,16 @@ SheetInWork::SheetInWork(const SectorInWork& of)
 bool SheetInWork::has_place(std::uint32_t triangle) const {
   if (triangle == kNoTriangle) return false;
   if (sheet.walls.empty() || !sheet.walls.has(triangle)) return true;
+  const View& view = work.sector.view;
+  const double rounding_m = 2 * position_rounding_m(work.placed.reach_m, view);
   const auto corners = sheet.triangles.corners(triangle);
-  for (std::size_t k = 0; k < 3; ++k)
-    if (eye_side(work.sector.view, vertices[corners[k]], vertices[corners[(k + 1) % 3]]) != 0)
-      return true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ProfilePoint &a = vertices[corners[k]], &b = vertices[corners[(k + 1) % 3]];
+    const double times = view.is_perspective()
+                             ? std::abs(a.u) + std::abs(a.v) + std::abs(b.u) + std::abs(b.v)
+                             : 1 + std::abs(view.x_per_v);
+    if (std::abs(way_to_left(view, a, b)) > rounding_m * times) return true;
+  }
   return false;
 }
 
@@ -79,19 +85,22 @@ void SheetStrip::add_wall_line(std::uint32_t number) {
   const auto [left, right] = sheet_.sheet.triangles.sides_of(edge);
   const std::uint32_t triangle = is_left ? left : right;
   if (sheet_.part.place_of(triangle) == kNoTriangle) return;
-  const int side =
-      eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[edge.to]);
+  const ProfileLine ends{sheet_.vertices[edge.from], sheet_.vertices[edge.to]};
+  int side = eye_side(sheet_.work.sector.view, ends.from, ends.to);
+  if (may_be_upright(ends) && pictures_.picture(ends).is_upright()) side = 0;
   SheetStep step = SheetStep::on_rim;
   if (side == 0 || (side > 0) == is_left) {
     const View& view = sheet_.work.sector.view;
     const double from_z = pictures_.whole(number).from.z;
-    const bool is_rim = from_z >= sheet_.vertices[is_left ? edge.from : edge.to].z;
+    const bool is_rim = from_z >= (is_left ? ends.from : ends.to).z;
     const bool is_below = view.is_perspective() ? view.eye_z_m < from_z : view.y_per_v < 0;
     if (is_rim ? sheet_.sheet.is_up[triangle] == 0 : side == 0 && !is_below) return;
     step = side == 0 ? SheetStep::inside : is_rim ? SheetStep::behind : SheetStep::foot;
   }
-  events_->emplace_back(turn_of(sheet_.order.place(triangle), step), SheetEnd::turns, true, true,
-                        number, kLine);
+  // Straight away from the eye it is beside its own triangle that it is seen.
+  const bool takes_left = side != 0 || is_left == (ends.from.v < ends.to.v);
+  events_->emplace_back(turn_of(sheet_.order.place(triangle), step), SheetEnd::turns, true,
+                        takes_left, number, kLine);
 }
 
 // The side of a triangle that a line runs along from vertex to vertex.
@@ -136,6 +145,44 @@ bool SheetStrip::reaches_left(std::uint32_t triangle, SurfaceEdge edge) const {
   return eye_side(sheet_.work.sector.view, sheet_.vertices[edge.from], sheet_.vertices[apex]) > 0;
 }
 
+// Up a step of a closed block's border, whose wall in the ground isn't seen: it bounds the block's
+// own wall below the edge of the border that goes on from its upper end.
+void SheetStrip::add_upright_of_border(std::uint32_t number, SurfaceEdge edge, std::uint32_t wall) {
+  const bool rises = sheet_.vertices[edge.from].z < sheet_.vertices[edge.to].z;
+  std::uint32_t upper = rises ? edge.to : edge.from, before = rises ? edge.from : edge.to,
+                triangle = wall;
+  for (;;) { // around the upper end, from the wall to the border
+    const auto corners = sheet_.sheet.triangles.corners(triangle);
+    std::size_t beside = 0;
+    while (corners[beside] != before) ++beside;
+    std::size_t next = 0;
+    while (corners[next] == before || corners[next] == upper) ++next;
+    const std::uint32_t vertex = corners[next],
+                        other = sheet_.sheet.triangles.across(triangle, beside);
+    if (other != kNoTriangle) {
+      before = vertex;
+      triangle = other;
+      continue;
+    }
+    const ProfilePoint &from = sheet_.vertices[upper], &to = sheet_.vertices[vertex];
+    if (from.u == to.u && from.v == to.v) {
+      if (to.z < from.z) return;
+      before = upper; // up the next step
+      upper = vertex;
+      continue;
+    }
+    if (sheet_.part.place_of(triangle) == kNoTriangle) return;
+    const int side = eye_side(sheet_.work.sector.view, from, to);
+    const auto [left, right] =
+        sheet_.sheet.triangles.sides_of({std::min(upper, vertex), std::max(upper, vertex)});
+    const bool is_left = (upper < vertex ? left : right) == triangle;
+    if (side == 0 || (side > 0) == is_left) return; // turned away
+    events_->emplace_back(turn_of(sheet_.order.place(triangle), SheetStep::on_rim), SheetEnd::turns,
+                          true, side > 0, number, kLine);
+    return;
+  }
+}
+
 void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
   const EdgeLine& line = pictures_.line(number);
   const auto [left, right] = sheet_.sheet.triangles.sides_of(edge);
@@ -157,13 +204,21 @@ void SheetStrip::add_edge(std::uint32_t number, SurfaceEdge edge) {
                                             ? ends
                                             : whole(number));
   if (picture && (picture->is_upright() || side == 0)) {
-    if (!line.drawn || (of_upper_side && !is_up(left) && !is_up(right))) return;
+    if (!line.drawn) return;
     // It is asked before either of its triangles covers anything, beside the first of them.
     const bool has_left = sheet_.has_place(left), has_right = sheet_.has_place(right);
-    if (!has_left && !has_right) return;
-    const bool takes_left = !has_right || (has_left && place(left) < place(right));
-    const std::uint32_t taken = takes_left ? left : right;
     const bool is_up_a_wall = ends.from.u == ends.to.u && ends.from.v == ends.to.v;
+    const bool is_seen = (is_up(left) && has_left) || (is_up(right) && has_right);
+    if (is_up_a_wall && sheet_.feet && !is_seen && (left == kNoTriangle || right == kNoTriangle)) {
+      add_upright_of_border(number, edge, left == kNoTriangle ? right : left);
+      return;
+    }
+    // Of the two that of which the upper side is seen, where it lies on that alone.
+    const bool left_is_asked = has_left && (!of_upper_side || is_up(left)),
+               right_is_asked = has_right && (!of_upper_side || is_up(right));
+    if (!left_is_asked && !right_is_asked) return;
+    const bool takes_left = !right_is_asked || (left_is_asked && place(left) < place(right));
+    const std::uint32_t taken = takes_left ? left : right;
     const bool is_on_left = is_up_a_wall ? reaches_left(taken, edge)
                                          : takes_left == (picture->t_left < picture->t_right);
     events_->emplace_back(turn_of(place(taken), SheetStep::inside), SheetEnd::turns, true,
@@ -262,7 +317,8 @@ void SheetStrip::take_line(const Event& event) {
     seen_.clear();
     bool changes_nothing = true;
     if (line.upright())
-      covered_.add_upright_seen(line.source, event.takes_left, seen_);
+      covered_.add_upright_seen(
+          line.source, line.source.x0 + (event.takes_left ? -line.beside : line.beside), seen_);
     else
       changes_nothing =
           covered_.add_seen(line.source, line.begin, line.end, sheet_.work.tolerance, seen_);
@@ -291,7 +347,9 @@ void SheetStrip::take_span(const Event& event, const SheetProfile& profile) {
   const std::uint32_t i = event.span;
   seen_.clear();
   if (profile.profile->profile.after[i] == Span::wall) {
-    covered_.add_upright_seen({of.x[i], of.y[i], of.x[i], of.y[i + 1], i, 0}, true, seen_);
+    const double beside = pictures_.rounding(std::abs(of.x[i]), profile.profile->planned.depth_m);
+    covered_.add_upright_seen({of.x[i], of.y[i], of.x[i], of.y[i + 1], i, 0},
+                              of.x[i] + (profile.spans[i].takes_left ? -beside : beside), seen_);
   } else {
     const Segment span{of.x[i], of.y[i], of.x[i + 1], of.y[i + 1], i};
     covered_.add_seen(span, std::max(span.x0, range_.begin), std::min(span.x1, range_.end),

@@ -53,8 +53,9 @@ inline bool has_front(SheetTurn turn) {
 
 /// A span of a profile, in the triangle that it lies in.
 struct SheetSpan {
-  SheetTurn turn : 62 = 0;
+  SheetTurn turn : 61 = 0;
   bool is_there : 1 = false, is_up : 1 = false;
+  bool takes_left : 1 = false; ///< up a wall: which is on the left of it, seen from the eye
 };
 
 /// A profile with its spans, by left vertex.
@@ -95,6 +96,7 @@ private:
   std::optional<SurfaceEdge> edge_under(const ProfileLine& line, std::uint32_t triangle) const;
   bool may_be_upright(const ProfileLine& line) const;
   bool reaches_left(std::uint32_t triangle, SurfaceEdge edge) const;
+  void add_upright_of_border(std::uint32_t number, SurfaceEdge edge, std::uint32_t wall);
   void add_edge(std::uint32_t number, SurfaceEdge edge);
   void add_spans(std::uint32_t number, const SheetProfile& profile);
   void take_line(const Event& event);

@@ -61,8 +61,8 @@ public:
   bool add_seen(const Segment& line, double x_begin, double x_end, const TieTolerance& tolerance,
                 std::vector<Shares>& seen) const;
   /// The same of a line straight away from the eye, up or down at the X of its source (x0 == x1);
-  /// what is covered beside it on the left counts, or on the right.
-  void add_upright_seen(const Segment& upright, bool left, std::vector<Shares>& seen) const;
+  /// what is covered at the abscissa `beside` counts, a little to its left or right.
+  void add_upright_seen(const Segment& upright, double beside, std::vector<Shares>& seen) const;
 
   /// The upper ends of what is covered.
   Horizon top() const;

@@ -122,22 +122,20 @@ bool Covered::add_seen_in(std::span<const Band> bands, std::uint32_t open, const
   return false;
 }
 
-void Covered::add_upright_seen(const Segment& upright, bool left, std::vector<Shares>& seen) const {
+void Covered::add_upright_seen(const Segment& upright, double beside,
+                               std::vector<Shares>& seen) const {
   const double x = upright.x0, y0 = upright.y0, y1 = upright.y1;
   if (y0 == y1) return;
-  std::size_t at = column_at(x);
-  if (left && at > 0 && columns_[at].x_begin >= x) --at;
-  const Column& column = columns_[at];
-  auto cell = std::ranges::find_if(
-      column.cells, [&](const CoveredCell& of) { return left ? x <= of.x_end : x < of.x_end; });
-  if (cell == column.cells.end()) --cell;
+  const Column& column = columns_[column_at(beside)];
+  const std::size_t at = std::min(column.cell_at(beside), column.cells.size() - 1);
+  const CoveredCell& cell = column.cells[at];
   const auto share = [&](std::uint32_t number) {
     const Segment& s = sources_[number].line;
     return std::clamp((height_at(s, std::clamp(x, s.x0, s.x1)) - y0) / (y1 - y0), 0.0, 1.0);
   };
   thread_local std::vector<Shares> hidden;
   hidden.clear();
-  for (const Band& band : column.bands_of(*cell)) {
+  for (const Band& band : column.bands_of(cell)) {
     const auto [low, high] = std::minmax({share(band.bottom), share(band.top)});
     hidden.push_back({low, high});
   }

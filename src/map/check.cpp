@@ -62,12 +62,12 @@ Check::Check(const TerrainData& terrain, const PlacedView& placed, double tolera
 void Check::begin(const Sector& sector) {
   if (sector_ == &sector) return;
   sector_ = &sector;
-  const TieTolerance tolerance = tie_tolerance(sector, tolerance_mm_);
+  tolerance_ = tie_tolerance(sector, tolerance_mm_);
   const auto turn = [&](auto& judge, const auto&... of) {
     if (judge)
-      judge->set_view(sector.view, tolerance);
+      judge->set_view(sector.view, tolerance_);
     else
-      judge.emplace(of..., sector.view, tolerance);
+      judge.emplace(of..., sector.view, tolerance_);
   };
   if (both_sides_ && block_base_m_)
     turn(block_judge_, terrain_, *block_base_m_);
@@ -109,20 +109,25 @@ void Check::judge(const ProfileLine& line, double t, bool on_edge, bool drawn) {
 void Check::judge(const ProfileLine& line, double t, const SheetJudge::Drawn& drawn) {
   throw_if_stopped();
   ++counts_.asked;
+  const auto add_missing = [&] { // until it is known what is drawn there
+    ++counts_.missing;
+    const Vec2 place = project(sector_->view, point_between(line.from, line.to, t));
+    undrawn_.add(place, tolerance_.at(place.x, place.y));
+  };
   if (block_judge_) {
     using Sight = ClosedBlockJudge::Sight;
     const Sight sight = block_judge_->sight(line, t);
     const bool is_drawn = drawn.as_upper || drawn.as_underside;
     if (sight == Sight::unsure) ++counts_.ties;
     if (sight == Sight::hidden && is_drawn) ++counts_.hidden;
-    if (sight == Sight::seen && !is_drawn) ++counts_.missing;
+    if (sight == Sight::seen && !is_drawn) add_missing();
     return;
   }
   using Found = SheetJudge::Verdict;
   const Found found = sheet_judge_->ask(line, t, drawn).verdict;
   if (found == Found::unsure) ++counts_.ties;
   if (found == Found::drawn_wrong) ++counts_.hidden;
-  if (found == Found::missing) ++counts_.missing;
+  if (found == Found::missing) add_missing();
 }
 
 void Check::see(const SeenProfile& seen) {
@@ -228,6 +233,9 @@ void Check::see(const SeenLines& seen) {
   for (std::uint64_t i = 0; i < a_sector_; ++i)
     for (int tries = 0; tries < kTries && !ask_one(i % 2 == 0); ++tries) {
     }
+  const std::uint64_t tied = undrawn_.count(seen);
+  counts_.missing -= tied;
+  counts_.ties += tied;
 }
 
 std::vector<Judge> judges_of(const Surface& surface, const PlacedView& placed,

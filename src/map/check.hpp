@@ -4,6 +4,7 @@
 
 #include "hidden_lines/instruments.hpp"
 #include "map/map_facts.hpp"
+#include "map/tied_with_drawn.hpp"
 #include "reference/closed_block_judge.hpp"
 #include "reference/judge.hpp"
 #include "reference/sheet_judge.hpp"
@@ -55,6 +56,8 @@ private:
   std::optional<Judge> judge_;                  ///< of that sector
   std::optional<SheetJudge> sheet_judge_;       ///< the same of a sheet
   std::optional<ClosedBlockJudge> block_judge_; ///< and of a closed block
+  TieTolerance tolerance_;                      ///< in the sector
+  TiedWithDrawn undrawn_;                       ///< what both sides show and isn't drawn
   std::vector<Piece> upper_; ///< of the sheet's profile: what shows the upper side
   std::mt19937_64 engine_;
   CheckCounts counts_;

@@ -38,7 +38,8 @@ SheetJudge::Answer SheetJudge::ask(const ProfileLine& line, double t, const Draw
     return {Verdict::unsure, sight};
   // A line straight away from the eye may be seen from one side alone, beside a wall above it; and
   // so may one up a wall, at its corner, or where the wall is seen edge-on.
-  const double along = u_along_ray(*view_, at), aside_m = 1e-6 * std::hypot(at.u, at.v, 1);
+  const double along = u_along_ray(*view_, at),
+               aside_m = std::max(1e-6, 1e-8 * std::hypot(at.u, at.v));
   if (is_upright || std::abs(b.u - a.u - along * (b.v - a.v)) <= 1e-9 * size) {
     const double nearer_m = is_upright ? 20 * aside_m : 0; // in front of the wall
     for (const double way : {-aside_m, aside_m})

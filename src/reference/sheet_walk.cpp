@@ -39,10 +39,13 @@ SheetWalk::Sight SheetWalk::sight(ProfilePoint point, double tolerance_m) const 
   const StraightWay way = StraightWay::to_eye(*view_, point);
   const double at_point = kAtPoint_m / std::hypot(way.step.u, way.step.v);
   std::vector<Passed> passed;
+  bool is_unsure = false;
   ways_.for_each(*view_, way, 4 * kAtPoint_m, [&](const TrianglePassage& of) {
     const auto above = [&](double s) { return of.height_m(s) - way.z_m(s); };
     if (of.low + at_point < of.high) // not only touched
       passed.push_back({of.low, of.high, above(of.low), above(of.high)});
+    else if (std::abs(above(of.high) - above(of.low)) > tolerance_m)
+      is_unsure = true; // a wall that is as good as upright
   });
   std::sort(passed.begin(), passed.end(),
             [](const Passed& a, const Passed& b) { return a.begin < b.begin; });
@@ -50,7 +53,6 @@ SheetWalk::Sight SheetWalk::sight(ProfilePoint point, double tolerance_m) const 
     return above > tolerance_m ? 1 : above < -tolerance_m ? -1 : 0;
   };
   Sight seen = Sight::edge;
-  bool is_unsure = false;
   for (std::size_t first = 0, end = 0; first < passed.size(); first = end) {
     // As far as the ground goes on.
     for (end = first + 1;

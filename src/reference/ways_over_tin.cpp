@@ -9,6 +9,17 @@
 #include <limits>
 
 namespace orograph {
+namespace {
+
+// Whether a triangle is upright, to the rounding of its corners' differences: where it has been
+// turned into a view's frame it may seem to have an area that is nothing but rounding.
+bool is_upright(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double ab_ac = (b.x - a.x) * (c.y - a.y), ac_ab = (b.y - a.y) * (c.x - a.x);
+  return std::abs(ab_ac - ac_ab) <=
+         4 * std::numeric_limits<double>::epsilon() * (std::abs(ab_ac) + std::abs(ac_ab));
+}
+
+} // namespace
 
 StraightWay StraightWay::to_eye(const View& view, ProfilePoint point) {
   const Spatial from = of(point);
@@ -42,12 +53,15 @@ void WaysOverTin::for_each(const View& view, const StraightWay& way, double besi
       view.is_perspective() ? end : (length(at) + reach_m_) / std::hypot(step.u, step.v);
   index_->along(at, ground(far), beside_m, near_);
   for (const std::uint32_t t : near_) {
+    std::array<Vec3, 3> places_m{};
     std::array<Spatial, 3> corners{};
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = of(to_profile_frame(view, tin_->vertices_m[tin_->triangles[t][k]]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      places_m[k] = tin_->vertices_m[tin_->triangles[t][k]];
+      corners[k] = of(to_profile_frame(view, places_m[k]));
+    }
     const Spatial a = corners[0], ab = corners[1] - a, ac = corners[2] - a;
     const double area = plan_cross(ab, ac);
-    if (area == 0) continue;
+    if (area == 0 || is_upright(places_m[0], places_m[1], places_m[2])) continue;
     double low = 0, high = end;
     const auto keep = [&](double at_0, double per_s) { // where it isn't negative
       if (per_s > 0)

@@ -5,6 +5,7 @@
 #include "hidden_lines/instruments.hpp"
 #include "hidden_lines/lines_of_view.hpp"
 #include "map/draw_map.hpp"
+#include "map/tied_with_drawn.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/terrain_of_view.hpp"
 #include "profiles/slab_lines.hpp"
@@ -118,6 +119,9 @@ public:
       const bool of_upper_side = is_on_ground(kind) || kind == LineKind::shore;
       ask(seen.clipped, from, to, t, is_drawn, is_drawn, of_upper_side ? On::upper_side : On::both);
     }
+    const std::uint64_t tied = undrawn_.count(seen);
+    tally.missing -= tied;
+    tally.unsure += tied;
   }
 
   Tally tally;
@@ -128,7 +132,8 @@ private:
     sector_ = &sector;
     view_ = &sector.view;
     can_ask_ = view_->is_perspective() || view_->y_per_z > 1e-3; // not from straight above or below
-    judge_.emplace(terrain_.surface, *view_, tie_tolerance(sector, 1e-4));
+    tolerance_ = tie_tolerance(sector, 1e-4);
+    judge_.emplace(terrain_.surface, *view_, tolerance_);
     return can_ask_;
   }
 
@@ -158,7 +163,10 @@ private:
     if (sight == Sight::upper) ++tally.upper;
     if (sight == Sight::underside) ++tally.underside;
     if (verdict == Found::drawn_wrong) ++tally.drawn_wrong;
-    if (verdict == Found::missing) ++tally.missing;
+    if (verdict == Found::missing) {
+      ++tally.missing;
+      undrawn_.add(plane, tolerance_.at(plane.x, plane.y));
+    }
   }
 
   const TerrainData& terrain_;
@@ -166,7 +174,9 @@ private:
   const Sector* sector_ = nullptr;
   const View* view_ = nullptr;
   bool can_ask_ = false;
+  TieTolerance tolerance_;
   std::optional<SheetJudge> judge_;
+  TiedWithDrawn undrawn_; ///< what is seen and not drawn
   std::vector<Piece> upper_;
 };
 
@@ -222,7 +232,10 @@ TEST_CASE(
 TEST_CASE("both sides of a sheet are drawn where they are seen, and nowhere else") {
   Tally sum;
   std::uint64_t drawn = 0;
-  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+  // The first was wrong: an edge straight away from the eye, beside what rounding leaves uncovered.
+  std::vector<std::uint64_t> seeds{1095};
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) seeds.push_back(seed);
+  for (const std::uint64_t seed : seeds) {
     Random random(seed);
     RandomScene scene = scene_with_voids(seed, random);
     look_anywhere(scene.spec, scene.terrain, random);
@@ -312,7 +325,10 @@ TEST_CASE("and of surveys, whose triangles have any shape and order") {
   Tally sum;
   std::uint64_t drawn = 0;
   std::uint64_t with_walls = 0;
-  for (std::uint64_t seed = 1; seed <= kScenes / 2; ++seed) {
+  // The first was wrong: rims that meet at a void's corner, of which rounding made neighbours.
+  std::vector<std::uint64_t> seeds{1226};
+  for (std::uint64_t seed = 1; seed <= kScenes / 2; ++seed) seeds.push_back(seed);
+  for (const std::uint64_t seed : seeds) {
     Random random(seed);
     RandomTinScene scene = random_tin_scene(seed, false);
     draw_both_sides(scene.spec.style);

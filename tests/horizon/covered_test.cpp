@@ -95,7 +95,7 @@ Segment level(double y, std::uint64_t id, double begin = 0, double end = 1) {
 
 std::vector<double> seen_of_upright(const Covered& covered, double x, double low, double high) {
   std::vector<Shares> seen;
-  covered.add_upright_seen({x, low, x, high, 99, 0}, true, seen);
+  covered.add_upright_seen({x, low, x, high, 99, 0}, x - 1e-9, seen);
   std::vector<double> out;
   for (const Shares& part : seen) {
     out.push_back(low + part.begin * (high - low));
