@@ -3,6 +3,7 @@
 // doesn't, so that no more is asked of the pass than that its lines are compared before that edge
 // rises; the others are seen from within, and have no lines.
 #include "geometry/on_all_cores.hpp"
+#include "hidden_lines/close_uprights.hpp"
 #include "hidden_lines/ground_lines.hpp"
 #include "hidden_lines/void_walls.hpp"
 #include "placing/block.hpp"
@@ -29,7 +30,6 @@ struct Side {
   std::uint32_t from, to; ///< numbers of ends
   bool is_towards_eye;
   bool is_looked_at; ///< its ground is: else nothing of the wall below shows
-
   bool has_lines() const { return is_towards_eye && is_looked_at; }
 };
 
@@ -43,20 +43,18 @@ struct End {
   std::uint32_t leaving, coming, foot_point, rim_point;
 };
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
 // What a corner is told by: how many edges to either side make a direction, and how much that has
 // to turn.
 constexpr int kEdgesOfChord = 4;
 const double kCorner = std::cos(35 * std::numbers::pi / 180);
-
 constexpr std::size_t kOfTask = std::size_t{1} << 12U;
-
 class Walls {
 public:
   Walls(const TerrainData& terrain, const PlacedView& placed, const Style& style,
         const SeenGround* ground, GroundLines& out)
       : terrain_(terrain), placed_(placed), view_(placed.view), is_all_looked_at_(!ground),
-        is_closed_(style.underside == Underside::draw),
+        is_closed_(style.underside == Underside::draw), range_(page_range(placed.sectors.front())),
+        by_azimuth_(placed.panorama || !std::isfinite(range_.begin) || !std::isfinite(range_.end)),
         first_point_(static_cast<std::uint32_t>(vertex_count(terrain.surface))), out_(out) {
     const std::size_t count = placed.border.size();
     find_ends();
@@ -80,7 +78,8 @@ public:
     find_hidden(tie_tolerance(placed.sectors.front(), style.visibility_tolerance_mm).greatest_y);
   }
 
-  void add_outline() {
+  void add_outline(double apart_mm) {
+    find_uprights(apart_mm);
     const auto feature = add_feature({LineKind::block, {}});
     for (std::uint32_t i = 0; i < sides_.size(); ++i) {
       const auto& [from, to, is_towards_eye, is_looked_at] = sides_[i];
@@ -92,9 +91,8 @@ public:
       }
       if ((sides_[i].has_lines() && !is_hidden(i, ends_[from].foot, ends_[to].foot)) || is_closed_)
         add_line(foot(from), foot(to), i, feature);
-      if (!sides_[i].has_lines() || is_hidden(i, ends_[from].top, ends_[to].top)) continue;
-      if (is_corner(i, false)) add_upright(i, 0, feature);
-      if (is_corner(i, true)) add_upright(i, 1, feature);
+      for (const int at_end : {0, 1})
+        if (uprights_[at_end][i] != Upright::none) add_upright(i, at_end, feature);
     }
   }
 
@@ -102,22 +100,15 @@ public:
   void add_hatching(double spacing_mm) {
     const auto feature = add_feature({LineKind::wall, {}});
     constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-    const XRange range = page_range(placed_.sectors.front());
-    const bool by_azimuth =
-        placed_.panorama || !std::isfinite(range.begin) || !std::isfinite(range.end);
-    constexpr double kAroundEye = 0.02; // radians, where the page shows what is beneath the eye
-    const double step = placed_.panorama ? spacing_mm / placed_.panorama->page.radius_mm
-                        : by_azimuth
-                            ? kAroundEye
-                            : spacing_mm * (range.end - range.begin) / placed_.frame_mm.width();
+    const double step = step_of(spacing_mm);
     // A wall near the eye may be many pages wide.
-    const XRange within = is_all_looked_at_ || by_azimuth
+    const XRange within = is_all_looked_at_ || by_azimuth_
                               ? XRange{-kAnywhere, kAnywhere}
-                              : XRange{range.begin - step, range.end + step};
+                              : XRange{range_.begin - step, range_.end + step};
     for (std::uint32_t i = 0; i < sides_.size(); ++i) {
       if (!sides_[i].has_lines()) continue;
       const ProfilePoint a = ends_[sides_[i].from].top, b = ends_[sides_[i].to].top;
-      for_each_step(a, b, by_azimuth, step, within, [&](double t) {
+      for_each_step(a, b, step, within, [&](double t) {
         if (t >= 0 && t < 1) add_upright(i, t, feature);
       });
     }
@@ -127,13 +118,12 @@ public:
     // What each level asks of each side, close together in memory.
     struct Wall {
       std::uint32_t side, from, to;
-      double from_m, to_m;
+      double from_m, to_m, hidden_to_m;
     };
     std::vector<Wall> walls;
     for (std::uint32_t i = 0; i < sides_.size(); ++i)
-      if (sides_[i].has_lines())
-        walls.push_back({i, sides_[i].from, sides_[i].to, ends_[sides_[i].from].height_m,
-                         ends_[sides_[i].to].height_m});
+      if (const auto& [from, to, is_towards_eye, is_looked_at] = sides_[i]; sides_[i].has_lines())
+        walls.push_back({i, from, to, ends_[from].height_m, ends_[to].height_m, hidden_to_m(i)});
     std::vector<std::uint32_t> at_level;
     for (std::size_t k = 0; k < levels.heights_m.size(); ++k) {
       if (!(levels.is_index[k] ? index : normal)) continue;
@@ -146,11 +136,10 @@ public:
         if (at_level[end] == kNone) at_level[end] = add_point(below_end(ends_[end], level_m));
         return at_level[end];
       };
-      for (const auto& [i, from, to, from_m, to_m] : walls) {
+      for (const auto& [i, from, to, from_m, to_m, hidden_to_m] : walls) {
         if (std::max(from_m, to_m) <= level_m) continue;
         if (std::min(from_m, to_m) >= level_m) {
-          if (is_hidden(i, below_end(ends_[from], level_m), below_end(ends_[to], level_m)))
-            continue;
+          if (level_m < hidden_to_m) continue;
           add_line(below(from), below(to), i, feature);
           continue;
         }
@@ -184,9 +173,8 @@ private:
     return a.v * b.u - a.u * b.v > kEdgeOn * size * away;
   }
 
-  // Shares of the way from a to b at which the page shows whole steps, of those that are within.
-  // Most of the walls of voids, whose near rim hides them. A block that is closed below may be seen
-  // from there.
+  // Most of voids' walls, behind the near rim. A block that is closed below is seen from there,
+  // too.
   void find_hidden(double slack_y) {
     if (is_closed_ || placed_.panorama || placed_.sectors.size() > 1) return;
     std::vector<ProfilePoint> tops(ends_.size());
@@ -204,45 +192,85 @@ private:
     return !hidden_below_y_.empty() &&
            std::max(project(view_, a).y, project(view_, b).y) < hidden_below_y_[side];
   }
+  // Below which height level lines across its wall are hidden as well: Y is linear in it.
+  double hidden_to_m(std::uint32_t side) const {
+    if (hidden_below_y_.empty()) return -std::numeric_limits<double>::infinity();
+    const auto at_end = [&](const End& end) {
+      const double top_y = project(view_, end.top).y, foot_y = project(view_, end.foot).y;
+      return end.height_m + (top_y - hidden_below_y_[side]) / (top_y - foot_y) * (1 + 1e-9) *
+                                (*placed_.block_base_m - end.height_m);
+    };
+    return std::min(at_end(ends_[sides_[side].from]), at_end(ends_[sides_[side].to]));
+  }
 
+  // Shares of the way from a to b at which the page shows whole steps, of those that are within.
   template <class Take>
-  void for_each_step(ProfilePoint a, ProfilePoint b, bool by_azimuth, double step, XRange within,
+  void for_each_step(ProfilePoint a, ProfilePoint b, double step, XRange within,
                      const Take& take) const {
     const auto steps = [&](double from, double to, const auto& share_at) {
       const double low = std::max(std::min(from, to), within.begin),
                    high = std::min(std::max(from, to), within.end);
-      constexpr double kMost = 1e5;
-      if (!((high - low) / step < kMost)) return;
+      if (!((high - low) / step < 1e5)) return;
       for (double k = std::ceil(low / step); k * step < high; ++k) take(share_at(k * step));
     };
     if (!view_.is_perspective()) {
-      const double x_a = project(view_, a).x, x_b = project(view_, b).x;
+      const double x_a = position(a), x_b = position(b);
       steps(x_a, x_b, [&](double x) { return (x - x_a) / (x_b - x_a); });
       return;
     }
     const double du = b.u - a.u, dv = b.v - a.v;
-    if (!by_azimuth) {
+    if (!by_azimuth_) {
       if (std::min(a.v, b.v) <= view_.near_m) return;
       steps(a.u / a.v, b.u / b.v, [&](double x) { return (x * a.v - a.u) / (du - x * dv); });
       return;
     }
-    const double begin = std::atan2(a.u, a.v);
-    const double turn = std::remainder(std::atan2(b.u, b.v) - begin, 2 * std::numbers::pi);
+    const double begin = position(a);
+    const double turn = std::remainder(position(b) - begin, 2 * std::numbers::pi);
     steps(begin, begin + turn, [&](double azimuth) {
       const double s = std::sin(azimuth), c = std::cos(azimuth);
       return (s * a.v - c * a.u) / (c * du - s * dv);
     });
   }
 
-  // Whether an upright line is drawn where a wall begins or ends: where the border has a corner, or
+  double step_of(double spacing_mm) const {
+    if (placed_.panorama) return spacing_mm / placed_.panorama->page.radius_mm;
+    if (by_azimuth_) return 0.02; // radians
+    return spacing_mm * (range_.end - range_.begin) / placed_.frame_mm.width();
+  }
+  double position(ProfilePoint at) const {
+    return by_azimuth_ ? std::atan2(at.u, at.v) : project(view_, at).x;
+  }
+
+  void find_uprights(double apart_mm) {
+    for (const bool at_end : {false, true}) {
+      std::vector<Upright>& uprights = uprights_[at_end ? 1 : 0];
+      uprights.assign(sides_.size(), Upright::none);
+      std::vector<bool> is_done(sides_.size());
+      for (std::uint32_t first = 0; first < sides_.size(); ++first) {
+        std::vector<TurnedAway> along;
+        for (std::uint32_t i = first; i != kNone && !is_done[i]; i = ends_[sides_[i].to].leaving) {
+          is_done[i] = true;
+          const ProfilePoint &from = ends_[sides_[i].from].top, &to = ends_[sides_[i].to].top;
+          if (!sides_[i].has_lines() || is_hidden(i, from, to)) continue;
+          uprights[i] = upright_of(i, at_end);
+          if (uprights[i] == Upright::turned_away)
+            along.push_back({i, position(at_end ? to : from)});
+        }
+        for (const std::uint32_t i : too_close(along, step_of(apart_mm), at_end))
+          uprights[i] = Upright::none;
+      }
+    }
+  }
+
+  // Which upright line is drawn where a wall begins or ends: where the border has a corner, or
   // turns away from the eye. What a border does within a few edges is no corner.
-  bool is_corner(std::uint32_t side, bool at_end) const {
+  Upright upright_of(std::uint32_t side, bool at_end) const {
     const std::uint32_t at = at_end ? sides_[side].to : sides_[side].from;
     const std::uint32_t next = at_end ? ends_[at].leaving : ends_[at].coming;
-    if (next == kNone) return true;
+    if (next == kNone) return Upright::corner;
     const Side& other = sides_[next];
     // Both walls of a corner would draw it.
-    if (other.is_towards_eye && !at_end) return false;
+    if (other.is_towards_eye && !at_end) return Upright::none;
     const auto way = [&](std::uint32_t from, std::uint32_t to) {
       const ProfilePoint a = ends_[from].top, b = ends_[to].top;
       return Vec2{b.u - a.u, b.v - a.v};
@@ -252,12 +280,14 @@ private:
     };
     if (other.is_towards_eye &&
         !turns(way(sides_[side].from, sides_[side].to), way(other.from, other.to)))
-      return false;
+      return Upright::none;
     const std::uint32_t before = walked(at, &End::coming, &Side::from),
                         behind = walked(at, &End::leaving, &Side::to);
-    return turns(way(before, at), way(at, behind)) ||
-           is_towards_eye(ends_[before].top, ends_[at].top) !=
-               is_towards_eye(ends_[at].top, ends_[behind].top);
+    if (turns(way(before, at), way(at, behind))) return Upright::corner;
+    return is_towards_eye(ends_[before].top, ends_[at].top) ==
+                   is_towards_eye(ends_[at].top, ends_[behind].top)
+               ? Upright::none
+               : Upright::turned_away;
   }
 
   std::uint32_t walked(std::uint32_t from, std::uint32_t End::*side_of,
@@ -340,14 +370,17 @@ private:
   const View& view_;
   bool is_all_looked_at_;
   bool is_closed_; ///< below: its base is seen as well
+  XRange range_;
+  bool by_azimuth_; ///< tells what the page shows to the right, in a panorama or beneath the eye
   std::uint32_t first_point_;
   GroundLines& out_;
   std::vector<std::uint32_t> vertices_; ///< of the border, rising
   std::vector<End> ends_;               ///< of these
   std::vector<Side> sides_;             ///< one for each edge of the border
   std::vector<bool> of_void_;
-  bool draws_rims_ = false;            ///< of voids, which have no other layer
-  std::vector<double> hidden_below_y_; ///< by side; empty: nothing is known
+  std::array<std::vector<Upright>, 2> uprights_; ///< by side: where it begins, and where it ends
+  bool draws_rims_ = false;                      ///< of voids, which have no other layer
+  std::vector<double> hidden_below_y_;           ///< by side; empty: nothing is known
 };
 
 } // namespace
@@ -355,8 +388,9 @@ private:
 void add_block(const TerrainData& terrain, const PlacedView& placed, const Style& style,
                const SeenGround* ground, GroundLines& out) {
   Walls walls(terrain, placed, style, ground, out);
-  walls.add_outline();
-  if (style.hatches_block()) walls.add_hatching(kPenWidthsApart * style.pen_width_mm);
+  const double apart_mm = kPenWidthsApart * style.pen_width_mm;
+  walls.add_outline(apart_mm);
+  if (style.hatches_block()) walls.add_hatching(apart_mm);
   const bool contours = style.asks_for("contours"), index = style.draws_index_contours();
   if (contours || index)
     walls.add_contours(contour_levels(terrain, style.contours, placed.block_base_m), contours,
