@@ -269,6 +269,14 @@ void refuse_unread_crs(GDALDataset& dataset, const std::string& path) {
   }
 }
 
+double bytes_of_block(GDALDataset& dataset, GDALRasterBand& band) {
+  int pixels = 0, lines = 0;
+  band.GetBlockSize(&pixels, &lines);
+  const char* order = dataset.GetMetadataItem("INTERLEAVE", "IMAGE_STRUCTURE");
+  const int bands = order && std::string_view(order) == "PIXEL" ? dataset.GetRasterCount() : 1;
+  return 1.0 * pixels * lines * bands * GDALGetDataTypeSizeBytes(band.GetRasterDataType());
+}
+
 GDALRasterBand& band_of(const RasterSource& source, const ReadOptions& options) {
   const Dataset& dataset = source.overview ? source.overview : source.full;
   return *dataset->GetRasterBand(options.band);
@@ -308,6 +316,7 @@ RasterSource open_source(const std::string& path, const ReadOptions& options,
   source.lattice = raster_lattice(*source.full, path, source.doubts);
   source.order = grid_order(source.lattice);
   source.in_float = fits_float(band);
+  source.block_bytes = bytes_of_block(*source.full, band);
   if (on_lattice) on_lattice(source);
   source.map = raster_map_frame(*source.full, band, path, box_of(source.lattice).centre(),
                                 options.height_unit, source.notes);

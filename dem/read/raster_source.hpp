@@ -23,7 +23,10 @@ struct RasterSource {
   GridOrder order;                ///< of the whole of it
   MapFrame map;                   ///< without its origin
   HeightCode code;
-  bool in_float = true;   ///< float holds all its heights
+  bool in_float = true; ///< float holds all its heights
+  /// What GDAL has in memory at once to read one height: a block, of all bands where the file has
+  /// them side by side.
+  double block_bytes = 0;
   bool has_place = false; ///< its georeference is told
   std::vector<std::string> notes;
   std::vector<std::string> doubts; ///< as a terrain's: they are among the notes too

@@ -94,13 +94,25 @@ std::uint64_t bytes_to_draw(std::size_t heights, bool in_float) {
   return 2 * heights * (in_float ? sizeof(float) : sizeof(double));
 }
 
+bool has_block_above(const RasterSource& source, const ReadOptions& options) {
+  return options.max_memory && source.block_bytes > static_cast<double>(*options.max_memory);
+}
+
 void check_memory(const RasterSet& set, int step, const ReadOptions& options) {
   if (!options.max_memory) return;
+  const auto gigabytes = [](auto of) { return static_cast<double>(of) / 1e9; };
+  for (const RasterSource& source : set.sources)
+    if (has_block_above(source, options))
+      throw Error(fmt::format("{} is in blocks of which one, with all bands side by side, takes "
+                              "{:.2g} GB of memory, and {:.2g} GB may be taken",
+                              source.path, gigabytes(source.block_bytes),
+                              gigabytes(*options.max_memory)),
+                  "take out the band of heights, in tiles: gdal_translate -b 1 -co TILED=YES, or "
+                  "let it take more with `max_memory`");
   const Grid& grid = set.grid;
   const std::uint64_t bytes =
       step > 1 ? bytes_in_bands(set, step) : bytes_to_draw(grid.size(), set.are_floats());
   if (bytes <= *options.max_memory) return;
-  const auto gigabytes = [](std::uint64_t of) { return static_cast<double>(of) / 1e9; };
   throw Error(fmt::format("{} has {} x {} heights, for which {:.2g} GB of memory are needed, and "
                           "{:.2g} GB may be taken",
                           set.terrain.source, grid.columns, grid.rows, gigabytes(bytes),
@@ -116,7 +128,8 @@ TerrainData read_listening(const std::vector<std::string>& paths, const ReadOpti
     const auto heights = static_cast<std::size_t>(source.order.columns) *
                          static_cast<std::size_t>(source.order.rows);
     const bool may_be_refused =
-        options.max_memory && bytes_to_draw(heights, false) > *options.max_memory;
+        has_block_above(source, options) ||
+        (options.max_memory && bytes_to_draw(heights, false) > *options.max_memory);
     const bool may_be_large = options.large && heights > options.large->most_heights;
     if (paths.size() == 1 && !may_be_large && !may_be_refused) early.begin(source, options);
   });

@@ -65,7 +65,9 @@ void check_surface(const Tin& tin) {
 void read_as(const char* name, FuzzBytes bytes) {
   const std::string path = scratch_file(name, bytes);
   read_or_refuse([&] {
-    const TerrainData terrain = read_terrain(path);
+    ReadOptions options;
+    options.max_memory = 1'000'000'000;
+    const TerrainData terrain = read_terrain(path, options);
     std::visit([](const auto& surface) { check_surface(surface); }, terrain.surface);
   });
 }

@@ -9,6 +9,9 @@
 #include "tests/support/grid_of.hpp"
 #include "tests/support/random.hpp"
 
+#include <cpl_string.h>
+#include <gdal_priv.h>
+
 #include <cmath>
 #include <cstring>
 #include <variant>
@@ -125,6 +128,26 @@ TEST_CASE("a raster that would take more memory than it may is refused before it
   CHECK(message.find("`max_memory`") != std::string::npos);
   options.max_memory = 4'000'000; // heights of 4 bytes, and as much to draw them
   CHECK(grid_of(read_raster(folder.file("dem.tif"), options)).size() == 500'000);
+}
+
+// A TIFF of 447 bytes told of 16,385 bands, of which GDAL takes 4.3 GB to read a row of 65,535.
+TEST_CASE("bands side by side, of which a block takes more memory than it may, are refused") {
+  const TempFolder folder;
+  const std::string path = folder.file("bands.tif");
+  GDALAllRegister();
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+  CPLStringList layout;
+  layout.SetNameValue("INTERLEAVE", "PIXEL");
+  for (const char* const option : {"TILED=YES", "BLOCKXSIZE=16", "BLOCKYSIZE=16"})
+    layout.AddString(option);
+  Dataset(driver->Create(path.c_str(), 10, 10, 100, GDT_Float32, layout.List()));
+  ReadOptions options;
+  options.max_memory = 102'399;
+  const std::string message = message_of(path, options);
+  CHECK(message.find("bands side by side") != std::string::npos);
+  CHECK(message.find("gdal_translate -b 1") != std::string::npos);
+  options.max_memory = 102'400; // 16 x 16 pixels, 100 bands, 4 bytes
+  CHECK(grid_of(read_raster(path, options)).size() == 100);
 }
 
 } // namespace orograph::large_rasters_test
