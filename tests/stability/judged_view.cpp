@@ -131,12 +131,23 @@ private:
     return drawn ? above >= -by : above <= by;
   }
 
+  // A line that runs straight away from the eye, to within the rounding of its ends, is in front of
+  // itself or beside it by that alone: a crest that falls away is hidden by its nearer end, or
+  // shows beside it.
+  bool is_straight_away(const ProfileLine& line, long double r) const {
+    const View& view = sector_.view;
+    const double x0 = project(view, line.from).x, x1 = project(view, line.to).x;
+    const double nearest = view.is_perspective() ? std::min(line.from.v, line.to.v) : 1;
+    return std::abs(x0 - x1) * nearest <= r * (1 + std::max(std::abs(x0), std::abs(x1)));
+  }
+
   // Along the line, as a share of it, and across the ray.
   bool turns_within_rounding(const ProfileLine& line, double t, Standing standing) const {
     const double length = std::hypot(line.to.u - line.from.u, line.to.v - line.from.v);
     const LongPlace at = place_on(line, t);
     const long double r = 2 * sight_.rounding_m(); // what is nearer by less isn't in front
-    if (mm_per_share(line, t) <= tolerance_mm_ || length <= r) return true;
+    if (mm_per_share(line, t) <= tolerance_mm_ || length <= r || is_straight_away(line, r))
+      return true;
     if (length > 0)
       for (const long double by : {-r / length, r / length})
         if (standing_of(place_on(line, std::clamp(t + by, 0.0L, 1.0L))) != standing) return true;
