@@ -56,6 +56,13 @@ LatticeOrder::LatticeOrder(int columns, int rows, const EyeInCells& eye, bool is
   cells_ = outwards(rows_are_strips ? at.column : at.row, (rows_are_strips ? columns : rows) - 1);
 }
 
+LatticeOrder::LatticeOrder(const EarthStrips& strips)
+    : columns_(
+          static_cast<std::uint32_t>((strips.are_rows() ? strips.cells() : strips.strips()) + 1)),
+      rows_are_strips_(strips.are_rows()), earth_(&strips),
+      strips_(outwards(strips.own() + 0.5, strips.strips())), cells_(outwards(-1, strips.cells())) {
+}
+
 LatticeOrder::Outwards LatticeOrder::outwards(double eye, int count) {
   if (eye < 0) return {eye, count, 0, -1};
   const int own = eye >= count ? count : static_cast<int>(std::floor(eye));
@@ -98,16 +105,30 @@ LatticeOrder::Turn LatticeOrder::turn(SurfaceEdge edge) const {
   const bool along_row = step == 1, along_column = step == columns_;
   const int strip = rows_are_strips_ ? row : column, cell = rows_are_strips_ ? column : row;
   if (!along_row && !along_column)
-    return turn_at(strips_.place_of_cell(strip), cells_.place_of_cell(cell), Step::diagonal);
+    return turn_at(strips_.place_of_cell(strip), place_of_cell(strip, cell), Step::diagonal);
   if (along_row == rows_are_strips_)
     return (Turn{strips_.place_of_line(strip)} << kPlaceBits) | cells_.place_of_cell(cell);
-  return turn_at(strips_.place_of_cell(strip), cells_.place_of_line(cell), Step::upright);
+  return turn_of_upright(strip, cell);
+}
+
+LatticeOrder::Turn LatticeOrder::turn_of_upright(int strip, int cell) const {
+  const std::uint32_t place = strips_.place_of_cell(strip);
+  if (!earth_) return turn_at(place, cells_.place_of_line(cell), Step::upright);
+  // The cells before it and behind it in number, one of which is in front of it.
+  const bool falls = earth_->falls(strip, cell);
+  if (cell == 0)
+    return turn_at(place, earth_->place(strip, 0), falls ? Step::upright_behind : Step::upright);
+  if (cell == earth_->cells())
+    return turn_at(place, earth_->place(strip, cell - 1),
+                   falls ? Step::other_upright : Step::upright_behind);
+  return falls ? turn_at(place, earth_->place(strip, cell - 1), Step::other_upright)
+               : turn_at(place, earth_->place(strip, cell), Step::upright);
 }
 
 LatticeOrder::Turn LatticeOrder::turn(int column, int row, Half half) const {
   const int strip = rows_are_strips_ ? row : column, cell = rows_are_strips_ ? column : row;
   const bool is_near = (half == Half::lower) == is_lower_near(column, row);
-  return turn_at(strips_.place_of_cell(strip), cells_.place_of_cell(cell),
+  return turn_at(strips_.place_of_cell(strip), place_of_cell(strip, cell),
                  is_near ? Step::near : Step::far);
 }
 

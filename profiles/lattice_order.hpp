@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order in which the triangles and edges of a grid on a map plane may hide each other: that of
-// its own rows and columns, outwards from the eye (docs/lattice-order.md).
+// The order in which the triangles and edges of a grid may hide each other: that of its own rows
+// and columns, outwards from the eye (docs/lattice-order.md).
 #pragma once
 
 #include "dem/grid.hpp"
+#include "profiles/earth_strips.hpp"
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
@@ -24,7 +25,8 @@ EyeInCells eye_in_cells(const Grid& grid, const View& view);
 /// first.)
 ///
 /// Cells are taken strip by strip, rows or columns of cells, those nearer to the eye first, and
-/// within a strip those nearer to the eye first.
+/// within a strip those nearer to the eye first. On the earth cells of a strip come in the order of
+/// `EarthStrips`, and all are taken outwards.
 class LatticeOrder {
 public:
   /// Strips are the rows if `rows_are_strips`, otherwise the columns. The order is right with
@@ -33,13 +35,15 @@ public:
                bool rows_are_strips);
   /// Takes the better one. REQUIRES a grid on a map plane.
   LatticeOrder(const Grid& grid, const View& view);
+  /// REQUIRES that the strips outlive it.
+  explicit LatticeOrder(const EarthStrips& strips);
 
   using Turn = std::uint64_t;
   Turn turn(SurfaceEdge edge) const;
   Turn turn(int column, int row, Half half) const;
   /// Of the nearer triangle of a cell: its strip, and its number in that.
   Turn turn_of_nearer(int strip, int cell) const {
-    return turn_at(strips_.place_of_cell(strip), cells_.place_of_cell(cell), Step::near);
+    return turn_at(strips_.place_of_cell(strip), place_of_cell(strip, cell), Step::near);
   }
 
   /// Of the farther one, from that.
@@ -50,8 +54,11 @@ public:
   bool rows_are_strips() const { return rows_are_strips_; }
   /// Whether the lower triangle of a cell is in front of its diagonal.
   bool is_lower_near(int column, int row) const {
-    return eye_across_ < static_cast<double>(column - row);
+    return earth_ ? earth_->is_lower_near(column, row)
+                  : eye_across_ < static_cast<double>(column - row);
   }
+  /// None on a map plane.
+  const EarthStrips* earth() const { return earth_; }
 
   /// A place in the order: first the edges along a line of the lattice, then what is in the strip
   /// of cells behind it. The eye's own strip comes without a line, a side's last line without a
@@ -80,13 +87,19 @@ public:
   int first_outwards() const { return cells_.first_plus; }
   /// Whether the line between a cell and the one before it is taken with rising numbers.
   bool is_outwards(int line) const { return line > cells_.eye; }
-  bool goes_back(Turn turn) const {
-    return static_cast<std::uint32_t>(turn >> 2U & kCellMask) >= cells_.minus_place();
+  bool goes_back(Turn turn) const { return !earth_ && cell_place(turn) >= cells_.minus_place(); }
+  /// Of what is in a strip: the place of its cell in the strip's order.
+  static std::uint32_t cell_place(Turn turn) {
+    return static_cast<std::uint32_t>(turn >> kStepBits & kCellMask);
   }
-  static bool is_upright(Turn turn) { return (turn & 3U) == static_cast<Turn>(Step::upright); }
+  static bool is_upright(Turn turn) { return step(turn) == Step::upright; }
   /// Of what is in a strip: whether it is a triangle's turn.
-  static bool is_of_triangle(Turn turn) { return (turn & 1U) != 0; }
-  static bool is_diagonal(Turn turn) { return (turn & 3U) == static_cast<Turn>(Step::diagonal); }
+  static bool is_of_triangle(Turn turn) {
+    return step(turn) == Step::near || step(turn) == Step::far;
+  }
+  static bool is_diagonal(Turn turn) { return step(turn) == Step::diagonal; }
+  /// Of what is in a strip: whether it comes behind all of its cell.
+  static bool is_behind_cell(Turn turn) { return step(turn) > Step::far; }
 
 private:
   // Of cells in a row about the eye: places of the eye's own and of those with rising numbers, one
@@ -114,18 +127,32 @@ private:
   };
   static Outwards outwards(double eye, int count);
 
-  static constexpr unsigned kInsideBit = 33, kPlaceBits = 34;
-  static constexpr Turn kCellMask = (Turn{1} << (kInsideBit - 2U)) - 1;
-  enum class Step : std::uint64_t { upright = 0, near = 1, diagonal = 2, far = 3 };
+  static constexpr unsigned kStepBits = 3, kInsideBit = 34, kPlaceBits = 35;
+  static constexpr Turn kCellMask = (Turn{1} << (kInsideBit - kStepBits)) - 1;
+  // On the earth both of a cell's uprights may be in front of it, or at the strip's ends behind.
+  enum class Step : std::uint64_t {
+    upright = 0,
+    other_upright = 1,
+    near = 2,
+    diagonal = 3,
+    far = 4,
+    upright_behind = 5
+  };
+  static Step step(Turn turn) { return static_cast<Step>(turn & ((Turn{1} << kStepBits) - 1)); }
   static Turn turn_at(std::uint32_t place, std::uint32_t cell, Step step) {
-    return (Turn{place} << kPlaceBits) | (Turn{1} << kInsideBit) | (Turn{cell} << 2U) |
+    return (Turn{place} << kPlaceBits) | (Turn{1} << kInsideBit) | (Turn{cell} << kStepBits) |
            static_cast<Turn>(step);
   }
+  std::uint32_t place_of_cell(int strip, int cell) const {
+    return earth_ ? earth_->place(strip, cell) : cells_.place_of_cell(cell);
+  }
+  Turn turn_of_upright(int strip, int cell) const;
 
   std::uint32_t columns_;
   bool rows_are_strips_;
-  double eye_across_; ///< columns less rows
-  Outwards strips_, cells_;
+  const EarthStrips* earth_ = nullptr;
+  double eye_across_ = 0;   ///< columns less rows
+  Outwards strips_, cells_; ///< on the earth just the strips
 };
 
 } // namespace orograph

@@ -26,6 +26,7 @@ void put_in_order(Profile& from, std::vector<Run>& runs, Profile& out) {
     std::swap(from.u_m, out.u_m);
     std::swap(from.z_m, out.z_m);
     std::swap(from.after, out.after);
+    std::swap(from.triangles, out.triangles);
     return;
   }
   std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
@@ -37,6 +38,7 @@ void put_in_order(Profile& from, std::vector<Run>& runs, Profile& out) {
       if (run.u_last <= out.u_m.back() && run.u_first < out.u_m.back()) continue;
       if (from.u_m[i] == out.u_m.back() && from.z_m[i] == out.z_m.back()) {
         out.after.back() = from.after[i];
+        if (!from.triangles.empty()) out.triangles.back() = from.triangles[i];
         ++i;
       }
     }
@@ -45,6 +47,7 @@ void put_in_order(Profile& from, std::vector<Run>& runs, Profile& out) {
       out.u_m.push_back(out.size() > 0 ? std::max(u, out.u_m.back()) : u);
       out.z_m.push_back(from.z_m[i]);
       out.after.push_back(from.after[i]);
+      if (!from.triangles.empty()) out.triangles.push_back(from.triangles[i]);
     }
   }
 }

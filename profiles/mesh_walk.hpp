@@ -48,6 +48,7 @@ struct CrossedEdges {
   std::array<double, kMost + 2> u, v, z;     ///< of vertices
   std::array<std::uint16_t, kMost> from, to; ///< the vertex of the lower index first
   std::array<Span, kMost> before;
+  std::array<std::uint32_t, kMost> triangles; ///< before
   std::size_t count = 0;
 
   void put(std::size_t vertex, ProfilePoint at) {
@@ -114,18 +115,23 @@ private:
     return far_at_plane_ ? p.at.v >= depth_m_ : p.at.v > depth_m_;
   }
 
-  void add(double u, double z, Span before, std::size_t begin) {
+  static constexpr bool kTellsTriangles = requires(Mesh mesh) { mesh.lattice; };
+
+  void add(double u, double z, Span before, std::size_t begin,
+           [[maybe_unused]] std::uint32_t triangle = kNoTriangle) {
     if (out_.size() > begin) {
       // Around a vertex in the plane all edges cross at that vertex: it is there once, and the
       // triangles that only touch it don't matter.
       if (u == out_.u_m.back() && z == out_.z_m.back()) return;
       out_.after.back() = before;
+      if constexpr (kTellsTriangles) out_.triangles.back() = triangle;
       // Crossings an ulp apart may round to the wrong order, and a wall's differ by as much.
       u = before == Span::wall ? out_.u_m.back() : std::max(u, out_.u_m.back());
     }
     out_.u_m.push_back(u);
     out_.z_m.push_back(z);
     out_.after.push_back(Span::gap);
+    if constexpr (kTellsTriangles) out_.triangles.push_back(kNoTriangle);
   }
 
   void add_crossing(const MeshVertex& near, const MeshVertex& far, Span before, std::size_t begin) {
@@ -151,7 +157,7 @@ private:
 
   // From a side of the border inwards, or from any.
   void go_in(const Side& side, const MeshVertex& far, const MeshVertex& near) {
-    if constexpr (requires { mesh_.lattice; })
+    if constexpr (kTellsTriangles)
       run_over_lattice(side, far, near);
     else
       run(side, far, near);
@@ -207,6 +213,7 @@ private:
       if (!mesh_.level.empty())
         edges.before[edges.count] = span_between(near.place, far.place, next, edges.v[near.number],
                                                  edges.v[far.number], at.v);
+      edges.triangles[edges.count] = triangle_of(near.place, far.place, next);
       const CellVertex behind = goes_beside_near ? far.place : near.place;
       near = goes_beside_near ? near : ahead;
       far = goes_beside_near ? ahead : far;
@@ -243,11 +250,22 @@ private:
     }
     const bool has_level = !mesh_.level.empty();
     for (std::size_t i = 0; i < edges.count; ++i) {
-      add(u[i], z[i], has_level ? edges.before[i] : Span::slope, begin);
+      add(u[i], z[i], has_level ? edges.before[i] : Span::slope, begin, edges.triangles[i]);
       if (out_.u_m.back() > high_m_) return false;
     }
     edges.count = 0;
     return true;
+  }
+
+  // Of the upper triangle's corners two are in the east, of the lower one's one is.
+  std::uint32_t triangle_of(CellVertex a, CellVertex b, CellVertex c) const {
+    const int column = std::min({a.column, b.column, c.column}),
+              row = std::min({a.row, b.row, c.row}),
+              in_the_east = a.column + b.column + c.column - 3 * column;
+    return 2 * (static_cast<std::uint32_t>(row) *
+                    (static_cast<std::uint32_t>(mesh_.grid.columns) - 1) +
+                static_cast<std::uint32_t>(column)) +
+           static_cast<std::uint32_t>(in_the_east - 1);
   }
 
   // What the plane meets on its way through a lattice's triangle, as span_of.
@@ -277,8 +295,12 @@ private:
     const std::size_t begin = out_.size();
     if (left.u > right.u) std::swap(left, right);
     add(left.u, left.z, Span::gap, begin);
+    std::uint32_t triangle = kNoTriangle;
+    if constexpr (kTellsTriangles)
+      triangle = triangle_of(mesh_.corner(side.triangle, 0), mesh_.corner(side.triangle, 1),
+                             mesh_.corner(side.triangle, 2));
     add(right.u, right.z, mesh_.is_wall(side.triangle) ? Span::slope : mesh_.span_in(side.triangle),
-        begin);
+        begin, triangle);
   }
 
   const Mesh& mesh_;

@@ -37,6 +37,8 @@ struct Profile {
   std::vector<double> u_m; ///< never falling
   std::vector<double> z_m; ///< exaggerated
   std::vector<Span> after;
+  /// Of a grid on the earth: the triangle of each span that is none of the gaps.
+  std::vector<std::uint32_t> triangles;
 
   std::size_t size() const { return u_m.size(); }
   /// What is beyond the size so far is left to be filled.
@@ -49,6 +51,7 @@ struct Profile {
     u_m.clear();
     z_m.clear();
     after.clear();
+    triangles.clear();
   }
 };
 

@@ -44,7 +44,7 @@ struct GroundPoints {
 };
 
 /// `line_of`, for who asks it of millions of edges: with what is the same for all edges of a grid
-/// on a map plane decided beforehand: a fifth of its time.
+/// decided beforehand: on a map plane a fifth of its time.
 /// Vertices from the surface's count of them on are those of `points`: lines on the ground.
 class EdgeEnds {
 public:
@@ -54,8 +54,9 @@ public:
     const Grid* grid = std::get_if<Grid>(&surface);
     first_point_ =
         static_cast<std::uint32_t>(grid ? grid->size() : std::get<Tin>(surface).vertices_m.size());
-    if (!grid || grid->is_on_earth()) return;
-    lattice_ = &grid->plane();
+    if (!grid) return;
+    lattice_ = std::get_if<PlaneLattice>(&grid->lattice);
+    earth_ = std::get_if<EarthLattice>(&grid->lattice);
     columns_ = static_cast<std::uint32_t>(grid->columns);
     rows_an_index_ = 1.0 / columns_;
     if (const auto* heights = std::get_if<Heights<float>>(&grid->heights_m))
@@ -103,15 +104,17 @@ private:
   }
 
   ProfilePoint at(std::uint32_t column, std::uint32_t row, std::uint32_t index) const {
-    return to_profile_frame(view_, lattice_->vertex_m(static_cast<int>(column),
-                                                      static_cast<int>(row), heights_[index]));
+    const auto c = static_cast<int>(column), r = static_cast<int>(row);
+    return to_profile_frame(view_, lattice_ ? lattice_->vertex_m(c, r, heights_[index])
+                                            : earth_->vertex_m(c, r, heights_[index]));
   }
 
   const Surface& surface_;
   const View& view_;
   GroundPoints points_;
   std::uint32_t first_point_;
-  const PlaneLattice* lattice_ = nullptr;
+  const PlaneLattice* lattice_ = nullptr; ///< of a grid one of the two
+  const EarthLattice* earth_ = nullptr;
   const float* heights_ = nullptr; ///< where the quick way is to be gone
   std::uint32_t columns_ = 0;
   double rows_an_index_ = 0;

@@ -59,7 +59,7 @@ void LatticeContours::take_exactly(const PlaceContours::Piece& piece) {
     add_above_height(line, 0,
                      is_edge ? uprights_.in_front({static_cast<std::uint32_t>(from->number),
                                                    static_cast<std::uint32_t>(to->number)},
-                                                  picture.t_left < picture.t_right)
+                                                  picture.t_left < picture.t_right, line, horizon_)
                              : height_in_front(line, horizon_),
                      visible_);
   } else {

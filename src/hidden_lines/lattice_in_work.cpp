@@ -23,10 +23,12 @@ AcrossLattice across(const Grid& grid, const View& view, bool columns) {
 
 } // namespace
 
-SectorLattice::SectorLattice(const Grid& of_grid, const View& of_view)
-    : grid(of_grid), view(of_view), order(grid, view),
-      strip(across(grid, view, !order.rows_are_strips())),
-      cell(across(grid, view, order.rows_are_strips())) {
+SectorLattice::SectorLattice(const Grid& of_grid, const View& of_view, const EarthStrips* strips)
+    : grid(of_grid), view(of_view),
+      order(strips ? LatticeOrder(*strips) : LatticeOrder(of_grid, of_view)) {
+  if (strips) return;
+  strip = across(grid, view, !order.rows_are_strips());
+  cell = across(grid, view, order.rows_are_strips());
   const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
   const double reach = reach_m(grid) + length(view.depth_origin_m);
   const double area = std::abs(cross(column_step_m, row_step_m));
@@ -35,7 +37,9 @@ SectorLattice::SectorLattice(const Grid& of_grid, const View& of_view)
 }
 
 LatticeInWork::LatticeInWork(const SectorInWork& in_work)
-    : SectorLattice(std::get<Grid>(in_work.terrain.surface), in_work.sector.view), work(in_work) {}
+    : SectorLattice(std::get<Grid>(in_work.terrain.surface), in_work.sector.view,
+                    in_work.earth_strips),
+      work(in_work) {}
 
 LatticeOrder::Turn LatticeInWork::turn_of(const LinePictures& pictures, std::uint32_t line) const {
   SurfaceEdge edge = pictures.line(line).edge;
@@ -61,6 +65,7 @@ LatticeOrder::Turn LatticeInWork::turn_of(const LinePictures& pictures, std::uin
 }
 
 LatticeOrder::Places SectorLattice::places_of(double depth_m, const URange& shown) const {
+  if (order.earth()) return places_of_depth(depth_m);
   const auto frame = [&](int column, int row) {
     const Vec2 at = grid.plane().position_m(column, row) - view.depth_origin_m;
     return Vec2{dot(at, view.right), dot(at, view.forward)};
@@ -89,6 +94,18 @@ LatticeOrder::Places SectorLattice::places_of(double depth_m, const URange& show
   constexpr double kBeside = 1.5; // cells: a span may begin in the strip beside
   return order.places_between(static_cast<int>(std::floor(low - kBeside)),
                               static_cast<int>(std::ceil(high + kBeside)));
+}
+
+LatticeOrder::Places SectorLattice::places_of_depth(double depth_m) const {
+  LatticeOrder::Places out{order.place_count(), 0};
+  for (std::uint32_t number = 0; number < order.place_count(); ++number) {
+    const int number_of_strip = order.place(number).strip;
+    if (number_of_strip == LatticeOrder::Place::kNone) continue;
+    const auto [nearest_m, farthest_m] = order.earth()->depths_of(number_of_strip);
+    if (depth_m < nearest_m || depth_m > farthest_m) continue;
+    out = {std::min(out.first, number), std::max(out.last, number)};
+  }
+  return out.first > out.last ? LatticeOrder::Places{0, 0} : out;
 }
 
 } // namespace orograph

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sector of a grid on a map plane, and the order of its lattice.
+// A sector of a grid, and the order of its lattice.
 #pragma once
 
 #include "hidden_lines/line_pictures.hpp"
@@ -17,20 +17,23 @@ struct AcrossLattice {
   double at(double u, double v) const { return at_origin + per_u * u + per_v * v; }
 };
 
-/// The lattice of a grid on a map plane as a sector's view sees it.
+/// The lattice of a grid as a sector's view sees it.
 struct SectorLattice {
   const Grid& grid;
   const View& view;
   LatticeOrder order;
-  AcrossLattice strip, cell; ///< by the order's strips
-  double rounding;           ///< of both
+  AcrossLattice strip{}, cell{}; ///< by the order's strips; on a map plane
+  double rounding = 0;           ///< of both
 
-  /// REQUIRES that both outlive this.
-  SectorLattice(const Grid& grid, const View& view);
+  /// `strips`: on the earth. REQUIRES that all outlive this.
+  SectorLattice(const Grid& grid, const View& view, const EarthStrips* strips);
 
   /// The places that hold something of the profile at a depth, as far as it is shown, and perhaps
   /// some beside them.
   LatticeOrder::Places places_of(double depth_m, const URange& shown) const;
+
+private:
+  LatticeOrder::Places places_of_depth(double depth_m) const; // on the earth
 };
 
 /// The same of a sector in work.

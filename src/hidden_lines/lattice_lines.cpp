@@ -71,6 +71,7 @@ void LatticeLines::order_lines(std::span<const LineAtDepth> which) {
 
 void LatticeLines::begin_place(std::uint32_t place, const ShownOfPlace& shown) {
   place_ = place;
+  taken_to_m_ = shown.farthest_m;
   if (silhouettes_) silhouettes_->find(lattice_.order.place(place), shown, horizon_);
   if (contours_) contours_->begin_place(lattice_.order.place(place), shown);
 }
@@ -84,6 +85,10 @@ void LatticeLines::begin_part(PlacePart part) {
 void LatticeLines::end_place() {
   const LatticeOrder::Place place = lattice_.order.place(place_);
   if (!ridges_ || place.strip == LatticeOrder::Place::kNone) return;
+  if (lattice_.order.earth()) {
+    ridges_->judge_early(horizon_, [&](double) { return taken_to_m_; });
+    return;
+  }
   const View& view = lattice_.view;
   const auto& [at_origin, per_u, per_v] = lattice_.strip;
   // Strips on this side of the eye are taken with rising numbers, or with falling ones.
@@ -239,12 +244,12 @@ void LatticeLines::take_group() {
     if (!line.drawn) continue;
     visible_.clear();
     if (line.upright())
-      add_above_height(
-          line, number,
-          pictures_.is_edge(number)
-              ? uprights_.in_front(pictures_.line(number).edge, picture.t_left < picture.t_right)
-              : height_in_front(line, horizon_),
-          visible_);
+      add_above_height(line, number,
+                       pictures_.is_edge(number)
+                           ? uprights_.in_front(pictures_.line(number).edge,
+                                                picture.t_left < picture.t_right, line, horizon_)
+                           : height_in_front(line, horizon_),
+                       visible_);
     else
       add_above_horizon(line, number, horizon_, lattice_.work.tolerance, visible_);
     if (!visible_.empty())

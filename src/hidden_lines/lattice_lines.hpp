@@ -86,6 +86,7 @@ private:
   std::optional<PlaceSilhouettes> silhouettes_;
   std::optional<LatticeContours> contours_;
   std::uint32_t place_ = 0;                              ///< the present one
+  double taken_to_m_ = 0;                                ///< depth of all that it holds
   PlacePart part_{};                                     ///< of it
   std::span<const PlaceSilhouettes::Found> found_;       ///< of that, left to take
   std::vector<LookedAt> looked_at_;                      ///< the lines on an edge

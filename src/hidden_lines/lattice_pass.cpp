@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <memory>
 
 namespace orograph {
@@ -65,11 +66,12 @@ public:
       end_profiles(round);
       const bool clips = round >= 1 && round <= bands;
       const std::size_t strip_tasks = clips ? strips_.size() : 0;
+      if (clips && lattice_.order.earth()) find_spans((round - 1) * band_);
       on_all_cores(strip_tasks + cutting_.size() + laying_.size(), [&](std::size_t task) {
         if (task < strip_tasks)
           clip(task, (round - 1) * band_);
         else if (task < strip_tasks + cutting_.size())
-          stages_.cut(*slots_[cutting_[task - strip_tasks]], cutting_[task - strip_tasks]);
+          cut(cutting_[task - strip_tasks]);
         else
           stages_.lay_out(*slots_[laying_[task - strip_tasks - cutting_.size()]]);
       });
@@ -129,6 +131,13 @@ private:
     }
   }
 
+  void cut(std::size_t index) {
+    stages_.cut(*slots_[index], index);
+    ProfileInWork& profile = slots_[index]->profile;
+    if (const EarthStrips* strips = lattice_.order.earth())
+      profile.on_earth = spans_by_strip(profile.profile, *strips);
+  }
+
   // Those whose last band was clipped in the last round.
   void end_profiles(std::uint32_t round) {
     laying_.clear();
@@ -143,8 +152,38 @@ private:
     Stopwatch watch;
     const std::uint32_t end = std::min(first_place + band_, lattice_.order.place_count());
     for (std::uint32_t place = first_place; place < end; ++place)
-      strips_[number]->take(place, active_);
+      strips_[number]->take(place, {active_, spans_[place - first_place]});
     watch.mark(seconds_[number]);
+  }
+
+  // Of all profiles what a band of places holds.
+  void find_spans(std::uint32_t first_place) {
+    for (auto& spans : spans_) spans.clear();
+    const std::uint32_t end = std::min(first_place + band_, lattice_.order.place_count());
+    int low = std::numeric_limits<int>::max(), high = -1;
+    for (std::uint32_t place = first_place; place < end; ++place)
+      if (const int strip = lattice_.order.place(place).strip;
+          strip != LatticeOrder::Place::kNone) {
+        low = std::min(low, strip);
+        high = std::max(high, strip);
+      }
+    for (ProfileInWork* profile : active_) {
+      const std::vector<SpansByStrip::Run>& runs = profile->on_earth.runs;
+      const std::vector<double>& x = profile->projected.x;
+      for (auto run = std::ranges::lower_bound(runs, low, {}, &SpansByStrip::Run::strip);
+           run != runs.end() && run->strip <= high; ++run) {
+        const std::uint32_t place =
+            LatticeOrder::place_of(lattice_.order.turn_of_nearer(run->strip, 0));
+        if (place >= first_place && place < end)
+          spans_[place - first_place].push_back(
+              {profile, run->first, run->end, x[run->first], x[run->end], 0});
+      }
+    }
+    for (auto& spans : spans_) {
+      std::ranges::stable_sort(spans, {}, &SpansOfPlace::x_begin);
+      double last = -std::numeric_limits<double>::infinity();
+      for (SpansOfPlace& of : spans) of.x_last = last = std::max(last, of.x_end);
+    }
   }
 
   void show_finished(const Show& show, Counts& counts) {
@@ -165,7 +204,8 @@ private:
   std::size_t next_waiting_ = 0, next_shown_ = 0;
   std::vector<std::unique_ptr<TimedProfile>> slots_; ///< by profile, of those in work
   std::vector<std::unique_ptr<TimedProfile>> free_;
-  std::vector<ProfileInWork*> active_; ///< that are clipped, by depth
+  std::vector<ProfileInWork*> active_;                  ///< that are clipped, by depth
+  std::vector<std::vector<SpansOfPlace>> spans_{band_}; ///< by place of the band; on the earth
   std::vector<std::size_t> cutting_, laying_;
   std::vector<std::uint32_t> last_band_ =
       std::vector<std::uint32_t>(lattice_.work.sector.profiles.size());
@@ -174,8 +214,8 @@ private:
 
 } // namespace
 
-bool pays_in_order(const Grid& grid, const Sector& sector) {
-  const SectorLattice lattice(grid, sector.view);
+bool pays_in_order(const Grid& grid, const Sector& sector, const EarthStrips* strips) {
+  const SectorLattice lattice(grid, sector.view, strips);
   const XRange range = page_range(sector);
   double pieces = 0;
   for (const PlannedProfile& profile : sector.profiles) {
@@ -183,8 +223,9 @@ bool pays_in_order(const Grid& grid, const Sector& sector) {
         lattice.places_of(profile.depth_m, u_range(sector.view, profile.depth_m, range));
     pieces += last - first;
   }
-  constexpr double kCellsAPiece = 8;
-  return pieces * kCellsAPiece <= static_cast<double>(grid.size());
+  // On the earth slabs cost more, and the contours that are asked for there most.
+  constexpr double kCellsAPiece = 8, kOnEarth = 1;
+  return pieces * (strips ? kOnEarth : kCellsAPiece) <= static_cast<double>(grid.size());
 }
 
 SectorParts lattice_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,

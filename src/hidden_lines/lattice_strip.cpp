@@ -30,7 +30,7 @@ LatticeStrip::LatticeStrip(const LatticeInWork& lattice, const Strip& strip,
     if (s.x0 <= range_.end && s.x1 >= range_.begin) horizon_.raise({s.x0, s.x1, s, false});
 }
 
-void LatticeStrip::take(std::uint32_t number, std::span<ProfileInWork* const> profiles) {
+void LatticeStrip::take(std::uint32_t number, const ProfilesOfPlace& profiles) {
   throw_if_stopped();
   const LatticeOrder::Place place = lattice_.order.place(number);
   const ShownOfPlace shown = shown_of(lattice_, place, pictures_.looked_at());
@@ -46,10 +46,15 @@ void LatticeStrip::take(std::uint32_t number, std::span<ProfileInWork* const> pr
 }
 
 void LatticeStrip::find_profiles(const LatticeOrder::Place& place, const ShownOfPlace& shown,
-                                 std::span<ProfileInWork* const> profiles) {
+                                 const ProfilesOfPlace& of_place) {
   outwards_.clear();
   backwards_.clear();
   if (shown.empty()) return;
+  if (const EarthStrips* earth = lattice_.order.earth()) {
+    find_spans(*earth, place.strip, of_place.spans);
+    return;
+  }
+  const std::span<ProfileInWork* const> profiles = of_place.by_depth;
   auto at = std::partition_point(profiles.begin(), profiles.end(), [&](const ProfileInWork* p) {
     return p->planned.depth_m < shown.nearest_m;
   });
@@ -153,6 +158,67 @@ void LatticeStrip::add_profile(const LatticeOrder::Place& place, ProfileInWork& 
   }
 }
 
+// What of them is in the strip of X.
+void LatticeStrip::find_spans(const EarthStrips& earth, int strip,
+                              std::span<const SpansOfPlace> spans) {
+  for (auto of = std::ranges::lower_bound(spans, range_.begin, {}, &SpansOfPlace::x_last);
+       of != spans.end() && of->x_begin <= range_.end; ++of) {
+    if (of->x_end < range_.begin) continue;
+    const std::vector<double>& x = of->profile->projected.x;
+    const auto begin = x.begin() + of->first, end = x.begin() + of->end;
+    const auto first = std::partition_point(
+        begin, end, [&](const double& left) { return (&left)[1] < range_.begin; });
+    const auto last =
+        std::partition_point(first, end, [&](double left) { return left <= range_.end; });
+    if (first != last)
+      add_in_order(earth, strip, *of->profile, static_cast<std::uint32_t>(first - x.begin()),
+                   static_cast<std::uint32_t>(last - x.begin()));
+  }
+}
+
+// Spans that a profile has one after another in a strip of cells pass those one after another, too.
+void LatticeStrip::add_in_order(const EarthStrips& earth, int strip, ProfileInWork& profile,
+                                std::uint32_t first, std::uint32_t last) {
+  if (is_hidden(profile, first, last)) return;
+  profile.horizon_sizes[number_] = horizon_.size();
+  const SpansByStrip& spans = profile.on_earth;
+  const bool rises = spans.cell(first) <= spans.cell(last - 1);
+  const auto add = [&](std::uint32_t from, std::uint32_t to, double first_place, int per_cell) {
+    const auto begin = static_cast<std::ptrdiff_t>(from), end = static_cast<std::ptrdiff_t>(to);
+    if (begin == end) return;
+    if ((per_cell > 0) == rises)
+      outwards_.push_back({&profile, begin, end, 1, first_place, per_cell * 1.0, true});
+    else
+      outwards_.push_back({&profile, end - 1, begin - 1, -1, first_place, per_cell * 1.0, true});
+  };
+  // The spans up to a cell, as they come.
+  const auto parting = [&](int cell, bool with_it) {
+    const auto begin = spans.cells.begin() + first, end = spans.cells.begin() + last;
+    const auto is_before = [&](std::uint32_t twice) {
+      const int of = static_cast<int>(twice / 2);
+      return of == cell ? with_it : (of < cell) == rises;
+    };
+    return static_cast<std::uint32_t>(std::partition_point(begin, end, is_before) -
+                                      spans.cells.begin());
+  };
+  std::uint32_t from = rises ? first : last;
+  for (const EarthStrips::Run& run : earth.runs_of(strip)) {
+    const std::uint32_t a = parting(rises ? run.first : run.last, false),
+                        b = parting(rises ? run.last : run.first, true);
+    if (a == b) continue;
+    if (rises)
+      add(from, a, 0, 1);
+    else
+      add(b, from, 0, 1);
+    add(a, b, run.first + run.last, -1);
+    from = rises ? b : a;
+  }
+  if (rises)
+    add(from, last, 0, 1);
+  else
+    add(first, from, 0, 1);
+}
+
 // By bounds alone, as they stand before the strip's own lines rise: they never fall.
 bool LatticeStrip::is_hidden(const ProfileInWork& profile, std::uint32_t first,
                              std::uint32_t last) const {
@@ -189,42 +255,52 @@ void LatticeStrip::take_side(PlacePart part) {
       lines_.take();
       continue;
     }
-    const std::uint32_t from = next->edge.from;
-    const auto column = static_cast<int>(from % columns), row = static_cast<int>(from / columns);
-    const int cell = lattice_.order.rows_are_strips() ? column : row;
     // What lies on the edge itself is taken before that hides.
-    take_up_to((!back                                  ? cell
-                : LatticeOrder::is_upright(next->turn) ? -cell
-                                                       : -(cell + 1)) +
-               lattice_.rounding);
+    const double cell = first_not_taken(*next, back);
+    take_up_to(cell + lattice_.rounding);
+    const std::uint32_t from = next->edge.from;
     if (LatticeOrder::is_diagonal(next->turn))
-      take_diagonal(column, row, back);
+      take_diagonal(static_cast<int>(from % columns), static_cast<int>(from / columns), cell + 1);
     else
       lines_.take();
   }
   take_up_to(kInfinity);
 }
 
-// The cell of a diagonal: its near triangle, the diagonal, its far one.
-void LatticeStrip::take_diagonal(int column, int row, bool back) {
-  const bool rows = lattice_.order.rows_are_strips(),
-             lower_near = lattice_.order.is_lower_near(column, row);
-  const int cell = rows ? column : row;
-  const double end = back ? -cell : cell + 1;
-  const auto column_less_row = [&](const ProfileInWork& profile, double u) {
-    const double v = profile.planned.depth_m;
-    const double at_strip = lattice_.strip.at(u, v), at_cell = lattice_.cell.at(u, v);
-    return rows ? at_cell - at_strip : at_strip - at_cell;
-  };
+// The cell, as it counts on a side, from which on nothing is in front of an edge.
+double LatticeStrip::first_not_taken(const LatticeLines::EdgeAtTurn& edge, bool back) const {
+  if (lattice_.order.earth())
+    return LatticeOrder::cell_place(edge.turn) + (LatticeOrder::is_behind_cell(edge.turn) ? 1 : 0);
+  const auto columns = static_cast<std::uint32_t>(lattice_.grid.columns);
+  const auto cell = static_cast<int>(lattice_.order.rows_are_strips() ? edge.edge.from % columns
+                                                                      : edge.edge.from / columns);
+  return !back ? cell : LatticeOrder::is_upright(edge.turn) ? -cell : -(cell + 1);
+}
+
+// Whether the part's next span is in front of the diagonal of its cell, or on it.
+bool LatticeStrip::is_near(const ProfilePart& part, int column, int row, bool lower_near) const {
+  const ProfileInWork& profile = *part.profile;
+  if (lattice_.order.earth())
+    return profile.on_earth.is_lower(static_cast<std::size_t>(part.next)) == lower_near;
+  const double u = part.middle(part.next), v = profile.planned.depth_m;
+  const double at_strip = lattice_.strip.at(u, v), at_cell = lattice_.cell.at(u, v);
+  const double column_less_row =
+      lattice_.order.rows_are_strips() ? at_cell - at_strip : at_strip - at_cell;
+  const double aside = column_less_row - (column - row);
+  return lower_near ? aside <= lattice_.rounding : aside >= -lattice_.rounding;
+}
+
+// The cell of a diagonal: its near triangle, the diagonal, its far one. The cell's end counts
+// `end`.
+void LatticeStrip::take_diagonal(int column, int row, double end) {
+  const bool lower_near = lattice_.order.is_lower_near(column, row);
   far_.clear();
   for (; begun_ < side_->size() && (*side_)[begun_].cell((*side_)[begun_].next) < end; ++begun_) {
   }
   for (std::size_t i = done_; i < begun_; ++i) {
     ProfilePart& part = (*side_)[i];
     for (; !part.done() && part.cell(part.next) < end; part.next += part.step) {
-      const double aside = column_less_row(*part.profile, part.middle(part.next)) - (column - row);
-      const bool is_near = lower_near ? aside <= lattice_.rounding : aside >= -lattice_.rounding;
-      if (is_near)
+      if (is_near(part, column, row, lower_near))
         clip(*part.profile, part.next, part.next + 1);
       else
         far_.push_back({part.profile, part.next});

@@ -17,6 +17,22 @@
 
 namespace orograph {
 
+/// Spans of a profile in a strip of a lattice's cells on the earth, from `first` on, `end` not
+/// included.
+struct SpansOfPlace {
+  ProfileInWork* profile;
+  std::uint32_t first, end;
+  double x_begin, x_end;
+  double x_last; ///< the greatest end up to these
+};
+
+/// The profiles that a place may hold something of, by depth; on the earth the spans that it holds,
+/// by where they begin.
+struct ProfilesOfPlace {
+  std::span<ProfileInWork* const> by_depth;
+  std::span<const SpansOfPlace> spans;
+};
+
 /// Takes place after place of the order: compares what is drawn with the horizon, and raises the
 /// horizon by what hides.
 class LatticeStrip {
@@ -29,9 +45,8 @@ public:
   LatticeStrip& operator=(const LatticeStrip&) = delete;
 
   /// What is at a place; of the profiles what is visible there goes to their runs of this strip,
-  /// in no particular order. `profiles`: by depth, at least those that the place may hold something
-  /// of. REQUIRES that places are taken in order.
-  void take(std::uint32_t place, std::span<ProfileInWork* const> profiles);
+  /// in no particular order. REQUIRES that places are taken in order.
+  void take(std::uint32_t place, const ProfilesOfPlace& profiles);
 
   /// Once everything was taken.
   void finish() { lines_.finish(); }
@@ -49,21 +64,31 @@ private:
     ProfileInWork* profile;
     std::ptrdiff_t next, end, step;
     double first_cell, cell_per_u;
+    bool by_number = false; ///< cells are told by it, and not by u
 
     bool done() const { return next == end; }
     double middle(std::ptrdiff_t span) const {
       const auto i = static_cast<std::size_t>(span);
       return 0.5 * (profile->profile.u_m[i] + profile->profile.u_m[i + 1]);
     }
-    double cell(std::ptrdiff_t span) const { return first_cell + cell_per_u * middle(span); }
+    double cell(std::ptrdiff_t span) const {
+      return first_cell + cell_per_u * (by_number
+                                            ? profile->on_earth.cell(static_cast<std::size_t>(span))
+                                            : middle(span));
+    }
   };
 
   void find_profiles(const LatticeOrder::Place& place, const ShownOfPlace& shown,
-                     std::span<ProfileInWork* const> profiles);
+                     const ProfilesOfPlace& profiles);
   void add_profile(const LatticeOrder::Place& place, ProfileInWork& profile);
+  void find_spans(const EarthStrips& earth, int strip, std::span<const SpansOfPlace> spans);
+  void add_in_order(const EarthStrips& earth, int strip, ProfileInWork& profile,
+                    std::uint32_t first, std::uint32_t last);
+  double first_not_taken(const LatticeLines::EdgeAtTurn& edge, bool back) const;
+  bool is_near(const ProfilePart& part, int column, int row, bool lower_near) const;
   bool is_hidden(const ProfileInWork& profile, std::uint32_t first, std::uint32_t last) const;
   void take_side(PlacePart part);
-  void take_diagonal(int column, int row, bool back);
+  void take_diagonal(int column, int row, double end);
   void take_up_to(double cell);
   void clip(ProfileInWork& profile, std::ptrdiff_t first, std::ptrdiff_t last);
 

@@ -8,6 +8,7 @@
 #include "hidden_lines/instruments.hpp"
 #include "hidden_lines/line_pictures.hpp"
 #include "placing/placed_view.hpp"
+#include "profiles/earth_strips.hpp"
 #include "profiles/seen_ground.hpp"
 #include "profiles/sheet.hpp"
 #include "profiles/sheet_part.hpp"
@@ -39,6 +40,9 @@ struct LinesOfView {
   /// Of overlays those that an earlier pass hasn't taken, alone: all else was drawn by that.
   bool are_more_overlays = false;
 
+  /// On the earth: the strips of the view's sector, where they have an order and that pays.
+  std::optional<EarthStrips> earth_strips = {};
+
   const SilhouetteMarks* silhouettes_by(bool rows_are_strips) const;
 };
 /// `ground`: what any sector looks at, where that isn't all. Hidden silhouettes need a list.
@@ -52,10 +56,12 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
 bool take_more_overlays(const TerrainData& terrain, const PlacedView& placed, const Style& style,
                         const Instruments& instruments, LinesOfView& lines);
 
-/// The grid, if its sectors may be taken in the lattice's order; and whether one of them is.
+/// The grid, if its sectors may be taken in the lattice's order; and whether one of them is, with
+/// its strips if the grid is on the earth.
 const Grid* grid_in_order(const TerrainData& terrain, const Style& style,
                           const Instruments& instruments);
-bool goes_in_order(const Grid& grid, const Sector& sector, const Instruments& instruments);
+bool goes_in_order(const Grid& grid, const Sector& sector, const EarthStrips* strips,
+                   const Instruments& instruments);
 
 /// What of X a sector is asked for; `in_list`: with the horizon in one list.
 XRange asked_range(const Sector& sector, bool in_list, const Instruments& instruments);

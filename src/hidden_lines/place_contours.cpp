@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <ranges>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -56,11 +57,17 @@ void PlaceContours::find(const LatticeOrder::Place& place, const ShownOfPlace& s
   if (place.line != kNowhere) add_edges_along(place.line == place.strip ? near_ : far_, shown);
   find_cells(shown, horizon);
   add_points_of_cells();
-  const int own = lattice_.order.first_outwards();
-  for (const Cell& cell : cells_)
-    if (cell.number >= own) add_pieces(PlacePart::outwards, cell);
-  for (const Cell& cell : std::views::reverse(cells_))
-    if (cell.number < own) add_pieces(PlacePart::backwards, cell);
+  if (const EarthStrips* earth = lattice_.order.earth()) {
+    earth->for_each_in_order(
+        place.strip, std::span(std::as_const(cells_)), [](const Cell& cell) { return cell.number; },
+        [&](const Cell& cell) { add_pieces(PlacePart::outwards, cell); });
+  } else {
+    const int own = lattice_.order.first_outwards();
+    for (const Cell& cell : cells_)
+      if (cell.number >= own) add_pieces(PlacePart::outwards, cell);
+    for (const Cell& cell : std::views::reverse(cells_))
+      if (cell.number < own) add_pieces(PlacePart::backwards, cell);
+  }
   if (!near_.on_level.empty() && !far_.on_level.empty()) add_edges_within();
 }
 
@@ -115,13 +122,26 @@ void PlaceContours::read(Line& line, std::size_t count) {
       },
       lattice_.grid.heights_m);
   find_levels(line);
-  // Loops that the compiler turns into vector instructions.
+  std::visit([&](const auto& lattice) { put_in_place(lattice, line); }, lattice_.grid.lattice);
   const View view = lattice_.view;
-  const PlaneLattice plane = lattice_.grid.plane();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 picture = project(view, {line.u[i], line.v[i], line.z[i]});
+    line.x[i] = picture.x;
+    line.y[i] = picture.y;
+  }
+}
+
+// Loops that the compiler turns into vector instructions.
+template <class Lattice>
+void PlaceContours::put_in_place(const Lattice& of_grid, Line& line) const {
+  const View view = lattice_.view;
+  // A small one is copied, so that it is known to stay what it is.
+  const std::conditional_t<std::is_trivially_copyable_v<Lattice>, Lattice, const Lattice&> lattice =
+      of_grid;
   const auto place = [&](const auto& place_of) {
     const double* const height_m = line.heights_m.data();
     double *const u = line.u.data(), *const v = line.v.data(), *const z = line.z.data();
-    for (int i = 0; i < static_cast<int>(count); ++i) {
+    for (int i = 0; i < static_cast<int>(line.u.size()); ++i) {
       const ProfilePoint at = to_profile_frame(view, place_of(i, height_m[i]));
       u[i] = at.u;
       v[i] = at.v;
@@ -130,14 +150,9 @@ void PlaceContours::read(Line& line, std::size_t count) {
   };
   const int first = line.first, number = line.number;
   if (rows_)
-    place([&](int i, double height_m) { return plane.vertex_m(first + i, number, height_m); });
+    place([&](int i, double height_m) { return lattice.vertex_m(first + i, number, height_m); });
   else
-    place([&](int i, double height_m) { return plane.vertex_m(number, first + i, height_m); });
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2 picture = project(view, {line.u[i], line.v[i], line.z[i]});
-    line.x[i] = picture.x;
-    line.y[i] = picture.y;
-  }
+    place([&](int i, double height_m) { return lattice.vertex_m(number, first + i, height_m); });
 }
 
 void PlaceContours::find_cells(const ShownOfPlace& shown, const BlockedHorizon& horizon) {
@@ -161,8 +176,10 @@ void PlaceContours::find_cells(const ShownOfPlace& shown, const BlockedHorizon& 
 
 bool PlaceContours::is_ahead(int cell) const {
   const std::size_t near = near_.index(cell), far = far_.index(cell);
+  // On the earth what isn't there has no place.
   return std::min({near_.v[near], near_.v[near + 1], far_.v[far], far_.v[far + 1]}) >
-         lattice_.work.from_m;
+             lattice_.work.from_m &&
+         !std::isnan(near_.v[near] + near_.v[near + 1] + far_.v[far] + far_.v[far + 1]);
 }
 
 // By bounds of all of the cell.
@@ -235,8 +252,12 @@ void PlaceContours::add_points_along(Line& line, int cell) {
 void PlaceContours::add_pieces(PlacePart part, const Cell& cell) {
   const int column = this->column(near_.number, cell.number),
             row = this->row(near_.number, cell.number);
-  const bool far_first = lattice_.order.is_lower_near(column, row) == rows_;
   const std::size_t near = near_.index(cell.number), far = far_.index(cell.number);
+  const EarthStrips* const earth = lattice_.order.earth();
+  const bool is_lower_near =
+      earth ? earth->is_lower_near(place_of(near_, near), place_of(far_, far + 1))
+            : lattice_.order.is_lower_near(column, row);
+  const bool far_first = is_lower_near == rows_;
   const std::int32_t first = near_.levels[near], last = far_.levels[far + 1];
   const bool is_plain = (near_.is_level[near] | near_.is_level[near + 1] | far_.is_level[far] |
                          far_.is_level[far + 1]) == 0;

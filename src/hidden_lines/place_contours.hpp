@@ -69,6 +69,8 @@ private:
 
   void take_line(Line& line, int number, const ShownOfPlace& shown, bool moves_points);
   void read(Line& line, std::size_t count);
+  template <class Lattice>
+  void put_in_place(const Lattice& of_grid, Line& line) const;
   void find_levels(Line& line);
   void find_cells(const ShownOfPlace& shown, const BlockedHorizon& horizon);
   bool is_ahead(int cell) const;
@@ -97,6 +99,9 @@ private:
   bool is_level(const Line& line_a, std::size_t a, const Line& line_b, std::size_t b) const;
   bool cell_falls(std::int32_t levels, int strip, int cell, int line, int at) const;
 
+  static ProfilePoint place_of(const Line& line, std::size_t i) {
+    return {line.u[i], line.v[i], line.z[i]};
+  }
   LevelStanding standing(const Line& line, int cell) const {
     const std::size_t i = line.index(cell);
     return {line.heights_m[i], line.levels[i], line.is_level[i] != 0};

@@ -44,6 +44,10 @@ void PlaceSilhouettes::find(const LatticeOrder::Place& place, const ShownOfPlace
   for (auto& found : found_) found.clear();
   if (shown.empty()) return;
   const LatticeOrder& order = lattice_.order;
+  if (order.earth()) {
+    find_on_earth(place, shown, horizon);
+    return;
+  }
   const int strips = (order.rows_are_strips() ? lattice_.grid.rows : lattice_.grid.columns) - 1;
   const int own = order.first_outwards(); // the eye's own cell, or the first behind it
   const auto from_own = [&](auto&& take_rising, auto&& take_falling) {
@@ -83,6 +87,26 @@ void PlaceSilhouettes::find(const LatticeOrder::Place& place, const ShownOfPlace
         if (cell < own || !order.is_outwards(cell))
           add_if(PlacePart::backwards, cell, SilhouetteMarks::kUpright);
       });
+}
+
+// All outwards.
+void PlaceSilhouettes::find_on_earth(const LatticeOrder::Place& place, const ShownOfPlace& shown,
+                                     const BlockedHorizon& horizon) {
+  const int strips = lattice_.order.earth()->strips();
+  if (place.line > 0 && place.line < strips) {
+    find_marked(marks_.of_strip(place.line), shown, SilhouetteMarks::kAlong);
+    for (const int cell : cells_)
+      add(PlacePart::line, edge_at(place.line, cell, SilhouetteMarks::kAlong), horizon);
+  }
+  if (place.strip == LatticeOrder::Place::kNone) return;
+  const std::span<const std::uint8_t> marks = marks_.of_strip(place.strip);
+  find_marked(marks, shown, SilhouetteMarks::kUpright | SilhouetteMarks::kDiagonal);
+  for (const int cell : cells_)
+    for (const std::uint8_t mark : {SilhouetteMarks::kUpright, SilhouetteMarks::kDiagonal})
+      if (marks[static_cast<std::size_t>(cell)] & mark)
+        add(PlacePart::outwards, edge_at(place.strip, cell, mark), horizon);
+  auto& found = found_[static_cast<std::size_t>(PlacePart::outwards)];
+  if (!std::ranges::is_sorted(found, {}, &Found::turn)) std::ranges::sort(found, {}, &Found::turn);
 }
 
 std::vector<SurfaceEdge> PlaceSilhouettes::moved(int line) const {

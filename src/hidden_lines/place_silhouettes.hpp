@@ -44,6 +44,8 @@ public:
   std::vector<SurfaceEdge> moved(int line) const;
 
 private:
+  void find_on_earth(const LatticeOrder::Place& place, const ShownOfPlace& shown,
+                     const BlockedHorizon& horizon);
   void find_marked(std::span<const std::uint8_t> marks, const ShownOfPlace& shown,
                    std::uint8_t which);
   SurfaceEdge edge_at(int strip, int cell, std::uint8_t mark) const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -72,6 +73,31 @@ void add_pieces(const std::vector<Segment>& segments, const std::vector<VisibleR
 }
 
 } // namespace
+
+SpansByStrip spans_by_strip(Profile& profile, const EarthStrips& strips) {
+  SpansByStrip out;
+  out.cells = std::move(profile.triangles);
+  profile.triangles.clear();
+  int strip_before = -1;
+  for (std::size_t i = 0; i < out.cells.size(); ++i) {
+    const std::uint32_t triangle = out.cells[i];
+    if (profile.after[i] == Span::gap) {
+      strip_before = -1;
+      continue;
+    }
+    const auto [strip, cell] = strips.cell_of(triangle);
+    out.cells[i] = 2 * static_cast<std::uint32_t>(cell) + triangle % 2;
+    const auto span = static_cast<std::uint32_t>(i);
+    if (strip != strip_before) out.runs.push_back({strip, span, span});
+    out.runs.back().end = span + 1;
+    strip_before = strip;
+  }
+  const auto by_strip = [](const SpansByStrip::Run& a, const SpansByStrip::Run& b) {
+    return a.strip != b.strip ? a.strip < b.strip : a.first < b.first;
+  };
+  if (!std::ranges::is_sorted(out.runs, by_strip)) std::ranges::sort(out.runs, by_strip);
+  return out;
+}
 
 void join_strips(ProfileInWork& work) {
   join(work, work.by_strip, work.visible);

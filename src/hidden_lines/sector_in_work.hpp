@@ -15,6 +15,7 @@
 #include "horizon/clip_profile.hpp"
 #include "placing/placed_view.hpp"
 #include "profiles/cut_surface.hpp"
+#include "profiles/earth_strips.hpp"
 #include "profiles/profile.hpp"
 #include "profiles/seen_ground.hpp"
 #include "profiles/sheet.hpp"
@@ -31,6 +32,21 @@
 #include <vector>
 
 namespace orograph {
+/// Where spans of a profile are among a lattice's strips of cells.
+struct SpansByStrip {
+  /// One after another in one strip: from `first` on, `end` not included.
+  struct Run {
+    int strip;
+    std::uint32_t first, end;
+  };
+  std::vector<Run> runs; ///< by strip, then from left to right
+  std::vector<std::uint32_t>
+      cells; ///< of each span: twice the cell's number, and its triangle's half
+
+  int cell(std::size_t span) const { return static_cast<int>(cells[span] / 2); }
+  bool is_lower(std::size_t span) const { return cells[span] % 2 == 0; }
+};
+
 /// A profile and what is found of it. Memory is reused from profile to profile.
 struct ProfileInWork {
   PlannedProfile planned{};
@@ -38,6 +54,7 @@ struct ProfileInWork {
   Profile profile;
   ProjectedProfile projected;
   std::vector<Segment> uprights;                 ///< along walls
+  SpansByStrip on_earth;                         ///< where it is taken in the order of strips there
   std::vector<std::vector<VisibleRun>> by_strip; ///< in each strip's range
   std::vector<std::size_t> horizon_sizes;        ///< of each strip, in front of the profile
   std::vector<VisibleRun> visible;               ///< along all of the profile
@@ -50,6 +67,9 @@ struct ProfileInWork {
   double left_out_mm = 0;
   std::size_t dropped_strokes = 0;
 };
+
+/// Of a profile whose triangles are known; they are forgotten.
+SpansByStrip spans_by_strip(Profile& profile, const EarthStrips& strips);
 
 /// Puts the strips' visible runs together: what is cut where two strips meet is one again.
 void join_strips(ProfileInWork& work);
@@ -85,9 +105,10 @@ struct SectorInWork {
   bool hidden_profiles = false; ///< whether what isn't visible of profiles is drawn as well
   /// Of the lines that may reach into the range, where those aren't all.
   const std::vector<std::uint32_t>* line_numbers = nullptr;
-  const Sheet* sheet = nullptr;          ///< the surface, where it has two sides
-  const SheetPart* sheet_part = nullptr; ///< what of it is looked at, where that isn't all
-  bool passes_over_profiles = false;     ///< they are neither cut nor drawn
+  const Sheet* sheet = nullptr;              ///< the surface, where it has two sides
+  const SheetPart* sheet_part = nullptr;     ///< what of it is looked at, where that isn't all
+  const EarthStrips* earth_strips = nullptr; ///< of a grid on the earth that has such an order
+  bool passes_over_profiles = false;         ///< they are neither cut nor drawn
   /// For each line on the ground a mark of those that are visible from end to end, which are nearly
   /// all that are seen of millions; none where each has to be a part.
   std::span<std::uint8_t> whole_on_ground = {};

@@ -159,9 +159,12 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   const bool watched = !instruments.observers.empty();
   const Folds folds(terrain.surface, placed, sector, style.silhouette_jump);
   const Grid* grid = grid_in_order(terrain, style, instruments);
+  const EarthStrips* strips = lines.earth_strips ? &*lines.earth_strips : nullptr;
   const SilhouetteMarks* silhouettes =
-      grid && lines.silhouettes ? lines.silhouettes_by(LatticeOrder(*grid, view).rows_are_strips())
-                                : nullptr;
+      grid && lines.silhouettes
+          ? lines.silhouettes_by(strips ? strips->are_rows()
+                                        : LatticeOrder(*grid, view).rows_are_strips())
+          : nullptr;
   std::vector<std::uint8_t> whole(lines.on_ground.lines.size(), 0);
   const SectorInWork work{
       terrain,
@@ -188,6 +191,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
       lines.sheet_parts.empty()
           ? nullptr
           : &lines.sheet_parts[static_cast<std::size_t>(&sector - placed.sectors.data())],
+      strips,
       lines.are_more_overlays,
       whole,
       lines.seen_with};
@@ -271,7 +275,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     profile_done();
   };
   watch.mark(seconds.facing);
-  const bool in_order = grid && goes_in_order(*grid, sector, instruments);
+  const bool in_order = grid && goes_in_order(*grid, sector, strips, instruments);
   SectorParts found_parts =
       work.sheet ? sheet_pass(work, lay_out, show, counts, seconds)
       : in_list  ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)

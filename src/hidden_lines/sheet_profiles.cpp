@@ -198,10 +198,11 @@ private:
         to_right = std::max(to_right, -way);
       }
       const double u = at_wall.u;
-      const auto& [depth, u_m, z_m, after] = *profiles_[at];
+      const Profile& profile = *profiles_[at];
+      const std::vector<double>&u_m = profile.u_m, &z_m = profile.z_m;
       const double rounding_m = 0x1p-36 * (std::abs(u) + std::abs(depth_m));
       for (std::size_t i = spans_[at].behind(u + rounding_m); i-- > 0 && u_m[i] >= u - rounding_m;)
-        if (after[i] == Span::wall) {
+        if (profile.after[i] == Span::wall) {
           const double middle_m = 0.5 * (z_m[i] + z_m[i + 1]);
           if (middle_m >= low_m && middle_m <= high_m)
             out_.push_back(

@@ -60,6 +60,11 @@ ShownOfPlace shown_of(const LatticeInWork& lattice, const LatticeOrder::Place& p
   const int first = line != kNone && (strip == kNone || line < strip) ? line : strip,
             last = strip == kNone ? line : std::max(line, strip + 1);
   if (first == kNone) return {};
+  if (const EarthStrips* earth = lattice.order.earth()) {
+    const auto [cells, nearest_m, farthest_m] = earth->shown(first, last, range);
+    return cells.empty() ? ShownOfPlace{}
+                         : ShownOfPlace{nearest_m, farthest_m, cells.first, cells.end};
+  }
   const bool rows = lattice.order.rows_are_strips();
   const int cells = rows ? lattice.grid.columns - 1 : lattice.grid.rows - 1;
   const View& view = lattice.work.sector.view;

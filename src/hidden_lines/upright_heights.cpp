@@ -48,7 +48,9 @@ bool is_edge(const Mesh& mesh, CellVertex a, CellVertex b) {
 
 } // namespace
 
-double UprightHeights::in_front(SurfaceEdge edge, bool from_is_nearer) {
+double UprightHeights::in_front(SurfaceEdge edge, bool from_is_nearer, const SurfaceLine& line,
+                                const BlockedHorizon& horizon) {
+  if (grid_.is_on_earth()) return lower_height_beside(line, horizon);
   return std::visit([&](const auto& heights) { return in_front(heights, edge, from_is_nearer); },
                     grid_.heights_m);
 }

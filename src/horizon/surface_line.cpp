@@ -133,6 +133,11 @@ double height_in_front(const SurfaceLine& upright, const BlockedHorizon& horizon
   return height_before(upright, horizon);
 }
 
+double lower_height_beside(const SurfaceLine& upright, const BlockedHorizon& horizon) {
+  const double x = upright.source.x0;
+  return std::min(height_of(horizon, x - upright.beside), height_of(horizon, x + upright.beside));
+}
+
 template <class AnyHorizon>
 void add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
                        const TieTolerance& tolerance, std::vector<VisibleLinePart>& parts) {

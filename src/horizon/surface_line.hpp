@@ -56,6 +56,8 @@ void add_above_height(const SurfaceLine& line, std::uint32_t number, double heig
 /// What a line straight away from the eye has in front of it at its X, where the horizon is made of
 /// all of that and of nothing else.
 double height_in_front(const SurfaceLine& upright, const BlockedHorizon& horizon);
+/// The same where on one side of it the horizon may hold what is farther: that of the lower side.
+double lower_height_beside(const SurfaceLine& upright, const BlockedHorizon& horizon);
 
 /// Finds, slab by slab, what is visible of lines on the surface, and raises a horizon by those that
 /// hide. Memory is reused from slab to slab.

@@ -10,7 +10,8 @@ namespace {
 const Profile profile{100,
                       {-10, 0, 0, 20, 30, 40},
                       {1, 2, 5, 8, 9, 0},
-                      {Span::slope, Span::slope, Span::level, Span::gap, Span::slope, Span::gap}};
+                      {Span::slope, Span::slope, Span::level, Span::gap, Span::slope, Span::gap},
+                      {}};
 
 } // namespace
 
@@ -52,7 +53,7 @@ TEST_CASE("runs and uprights are what lies after the vertices, one by one") {
   for (std::uint64_t seed = 1; seed <= last_seed(3000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
-    Profile made{50, {}, {}, {}};
+    Profile made{50, {}, {}, {}, {}};
     const int count = random.whole(0, 12);
     for (int i = 0; i < count; ++i) {
       made.u_m.push_back(i);

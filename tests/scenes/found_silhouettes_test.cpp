@@ -2,9 +2,12 @@
 // Silhouettes that the pass through the lattice finds itself, and the folds that it leaves out on
 // the way, against the same pass with a list of all silhouettes and folds judged behind it: the
 // same drawing.
+#include "hidden_lines/lines_of_view.hpp"
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
 #include "tests/catch.hpp"
+#include "tests/scenes/random_earth_scene.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/scenes/same_drawing.hpp"
 #include "tests/scenes/vary_view.hpp"
@@ -36,56 +39,93 @@ Map drawn(const RandomScene& scene, const PlacedView& placed, double vertices_a_
       scene.terrain, placed, scene.spec, [](double) {}, instruments);
 }
 
+struct Tally {
+  std::size_t strokes = 0;
+  double folded_mm = 0;
+  std::uint64_t refused = 0, two_sectors = 0, slivers = 0, found = 0;
+};
+
+void vary_style(Style& style, Random& random) {
+  style.join_mm = 0; // each of the lines for itself
+  style.min_stroke_mm = 0;
+  style.silhouette_jump = random.pick({0.0, 0.003, 0.02, 0.3});
+  style.layers = random.pick({Layers{"profiles", "silhouettes", "skyline", "border", "shores"},
+                              Layers{"silhouettes", "edges"}, Layers{"profiles", "skyline"},
+                              Layers{"profiles", "shores", "voids"}});
+}
+
+void compare(const RandomScene& scene, Tally& tally) {
+  std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
+  if (!placed) {
+    ++tally.refused;
+    return;
+  }
+  tally.two_sectors += placed->sectors.size() > 1 ? 1 : 0;
+  tally.found +=
+      lines_of_view(scene.terrain, *placed, scene.spec.style, {.order_always = true}, nullptr)
+          .silhouettes.has_value();
+  for (const double vertices_a_strip : {600.0, 5.0}) {
+    INFO(vertices_a_strip << " vertices a strip");
+    const Map found = drawn(scene, *placed, vertices_a_strip, false),
+              listed = drawn(scene, *placed, vertices_a_strip, true);
+    const double mm = found.facts.left_out.silhouette_jump_mm,
+                 listed_mm = listed.facts.left_out.silhouette_jump_mm;
+    const bool same = difference(found.drawing, listed.drawing).empty() &&
+                      std::abs(mm - listed_mm) <= 1e-9 * (1 + listed_mm);
+    // Seen edge-on, what hides a sliver of a level ridge may be the ridge itself, to rounding.
+    constexpr double kSliver_mm = 0.01;
+    if (!same && std::abs(mm - listed_mm) < kSliver_mm)
+      ++tally.slivers;
+    else
+      CHECK(same);
+    tally.strokes += found.facts.counts.strokes;
+    tally.folded_mm += mm;
+  }
+}
+
+void report(const Tally& tally) {
+  WARN(tally.strokes << " strokes, " << tally.folded_mm << " mm of folds; " << tally.two_sectors
+                     << " of two sectors, " << tally.found << " in order, " << tally.refused
+                     << " refused, " << tally.slivers << " differ by a sliver");
+}
+
 } // namespace
 
 TEST_CASE("silhouettes found on the way are drawn as those of a list") {
-  std::size_t strokes = 0;
-  double folded_mm = 0;
-  std::uint64_t refused = 0, two_sectors = 0, slivers = 0;
+  Tally tally;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     RandomScene scene = random_scene(seed);
     Random random(seed);
-    scene.spec.style.join_mm = 0; // each of the lines for itself
-    scene.spec.style.min_stroke_mm = 0;
-    scene.spec.style.silhouette_jump = random.pick({0.0, 0.003, 0.02, 0.3});
-    scene.spec.style.layers =
-        random.pick({Layers{"profiles", "silhouettes", "skyline", "border", "shores"},
-                     Layers{"silhouettes", "edges"}, Layers{"profiles", "skyline"},
-                     Layers{"profiles", "shores", "voids"}});
+    vary_style(scene.spec.style, random);
     vary_view(seed, scene.terrain, scene.spec, random);
     INFO("seed " << seed << ": " << scene.what << ", jump " << scene.spec.style.silhouette_jump);
-    std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
-    if (!placed) {
-      ++refused;
-      continue;
-    }
-    two_sectors += placed->sectors.size() > 1 ? 1 : 0;
-    for (const double vertices_a_strip : {600.0, 5.0}) {
-      INFO(vertices_a_strip << " vertices a strip");
-      const Map found = drawn(scene, *placed, vertices_a_strip, false),
-                listed = drawn(scene, *placed, vertices_a_strip, true);
-      const double mm = found.facts.left_out.silhouette_jump_mm,
-                   listed_mm = listed.facts.left_out.silhouette_jump_mm;
-      const bool same = difference(found.drawing, listed.drawing).empty() &&
-                        std::abs(mm - listed_mm) <= 1e-9 * (1 + listed_mm);
-      // Seen edge-on, what hides a sliver of a level ridge may be the ridge itself, to rounding.
-      constexpr double kSliver_mm = 0.01;
-      if (!same && std::abs(mm - listed_mm) < kSliver_mm)
-        ++slivers;
-      else
-        CHECK(same);
-      strokes += found.facts.counts.strokes;
-      folded_mm += mm;
-    }
+    compare(scene, tally);
   }
-  WARN(strokes << " strokes, " << folded_mm << " mm of folds; " << two_sectors
-               << " of two sectors, " << refused << " refused, " << slivers
-               << " differ by a sliver");
-  CHECK(slivers <= kScenes / 500);
-  CHECK(refused < kScenes / 4);
-  CHECK(two_sectors > kScenes / 20);
-  CHECK(strokes > 30 * kScenes);
-  CHECK(folded_mm > 10.0 * static_cast<double>(kScenes));
+  report(tally);
+  CHECK(tally.slivers <= kScenes / 500);
+  CHECK(tally.refused < kScenes / 4);
+  CHECK(tally.two_sectors > kScenes / 20);
+  CHECK(tally.strokes > 30 * kScenes);
+  CHECK(tally.folded_mm > 10.0 * static_cast<double>(kScenes));
+}
+
+TEST_CASE("so they are in degrees, where strips of cells have an order") {
+  constexpr std::uint64_t kOnEarth = last_seed(160);
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= kOnEarth; ++seed) {
+    RandomScene scene = random_earth_scene(seed, seed % 2 == 0   ? Stand::frames_terrain
+                                                 : seed % 4 == 1 ? Stand::on_ground
+                                                                 : Stand::in_air);
+    Random random(seed);
+    vary_style(scene.spec.style, random);
+    INFO("seed " << seed << ": " << scene.what << ", jump " << scene.spec.style.silhouette_jump);
+    stand_on_earth(scene.terrain, scene.spec.view);
+    compare(scene, tally);
+  }
+  report(tally);
+  CHECK(tally.slivers <= kOnEarth / 100);
+  CHECK(tally.found > kOnEarth / 2);
+  CHECK(tally.strokes > 20 * kOnEarth);
 }
 
 } // namespace orograph::found_silhouettes_test

@@ -5,7 +5,9 @@
 #include "hidden_lines/strips.hpp"
 #include "map/draw_map.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/terrain_of_view.hpp"
 #include "tests/catch.hpp"
+#include "tests/scenes/random_earth_scene.hpp"
 #include "tests/scenes/random_scene.hpp"
 #include "tests/scenes/random_tin_scene.hpp"
 #include "tests/scenes/visible_parts.hpp"
@@ -50,9 +52,9 @@ void check_strips(const TerrainData& terrain, const MapSpec& spec, Tally& tally)
 }
 
 template <class SceneOf>
-void check_scenes(const SceneOf& scene_of) {
+void check_scenes(std::uint64_t scenes, const SceneOf& scene_of) {
   Tally tally;
-  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
     const auto scene = scene_of(seed);
     INFO(scene.what);
     check_strips(scene.terrain, scene.spec, tally);
@@ -60,13 +62,13 @@ void check_scenes(const SceneOf& scene_of) {
   WARN(tally.strips << " strips, " << tally.lines << " lines; " << tally.tied
                     << " stretches differ and are tied, " << tally.wrong << " are wrong");
   CHECK(tally.tied <= tally.lines / 1000);
-  CHECK(tally.strips > 6 * kScenes);
+  CHECK(tally.strips > 6 * scenes);
 }
 
 } // namespace
 
 TEST_CASE("strips leave no trace in drawings of grids", "[slow]") {
-  check_scenes([](std::uint64_t seed) {
+  check_scenes(kScenes, [](std::uint64_t seed) {
     RandomScene scene = random_scene(seed);
     scene.spec.style.simplify_mm = seed % 2 ? 0.02 : 0;
     scene.spec.style.layers = {"profiles", "silhouettes", "skyline", "border", "shores", "edges"};
@@ -75,7 +77,16 @@ TEST_CASE("strips leave no trace in drawings of grids", "[slow]") {
 }
 
 TEST_CASE("nor in those of TINs with walls") {
-  check_scenes([](std::uint64_t seed) { return random_tin_scene(seed); });
+  check_scenes(kScenes, [](std::uint64_t seed) { return random_tin_scene(seed); });
+}
+
+TEST_CASE("nor in those of grids in degrees") {
+  check_scenes(last_seed(60), [](std::uint64_t seed) {
+    RandomScene scene = random_earth_scene(seed, Stand::frames_terrain);
+    stand_on_earth(scene.terrain, scene.spec.view);
+    scene.spec.style.layers = {"profiles", "silhouettes", "skyline", "border", "shores", "edges"};
+    return scene;
+  });
 }
 
 } // namespace orograph::strips_test

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether strips of cells on the earth have an order: a scan of all lines of the lattice.
+#include "geometry/on_all_cores.hpp"
+#include "profiles/earth_strips.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace orograph {
+
+// Takes some lines at a time.
+class EarthStripsScan {
+public:
+  EarthStripsScan(const Grid& grid, const View& view, const LookedAt& looked, bool are_rows)
+      : grid_(grid), out_(grid, view, looked, are_rows) {
+    const DegreeLattice& degrees = grid.earth().degrees();
+    const bool is_mirrored = (degrees.lon_step_deg > 0) == (degrees.lat_step_deg > 0);
+    // Rows run to the right of the way to the next row, columns to the left, seen from above.
+    next_is_left_ = are_rows == is_mirrored;
+    out_.lower_is_right_ = !is_mirrored;
+  }
+
+  std::optional<EarthStrips> found() {
+    const int tasks = (out_.strips() + kStripsOfTask - 1) / kStripsOfTask;
+    std::vector<Found> found(static_cast<std::size_t>(tasks));
+    on_all_cores(found.size(), [&](std::size_t task) {
+      const int first = static_cast<int>(task) * kStripsOfTask;
+      if (grid_.heights_m.index() == 0)
+        scan(std::get<0>(grid_.heights_m), first, found[task]);
+      else
+        scan(std::get<1>(grid_.heights_m), first, found[task]);
+    });
+    if (!join(found) || !choose_own()) return std::nullopt;
+    return std::move(out_);
+  }
+
+private:
+  static constexpr int kStripsOfTask = 64;
+  static constexpr double kInfinity = EarthStrips::kInfinity;
+  // Which sides of what is looked at a vertex is beyond.
+  static constexpr std::uint8_t kBehind = 1, kLeft = 2, kRight = 4;
+  // On which side of an edge the eye is: that of higher lines, or of lower ones.
+  static constexpr std::uint8_t kHigh = 1, kLow = 2;
+
+  struct OfLine {
+    int first = std::numeric_limits<int>::max(), last = -1; // edges looked at
+    bool any_high = false, any_low = false; // the eye is on the side of higher numbers, or lower
+  };
+  struct Found {
+    bool is_right = true;
+    std::vector<OfLine> lines; // from the first of the task's
+    std::vector<EarthStrips::Run> falling;
+    std::vector<std::uint32_t> runs; // by strip
+  };
+  // Vertices along a line, and the sides of the edges between them.
+  struct Vertices {
+    std::vector<double> heights_m, u, v, z;
+    std::vector<std::uint8_t> beyond, sides;
+    bool is_filled = false;
+  };
+
+  // 1 if the eye is on the side of higher lines of an edge, -1: of lower ones, as a turn's sign.
+  double turn(double a_u, double a_v, double b_u, double b_v) const {
+    const View& view = out_.view_;
+    const double left =
+        view.is_perspective() ? a_u * b_v - a_v * b_u : (a_u - b_u) + view.x_per_v * (a_v - b_v);
+    return next_is_left_ ? left : -left;
+  }
+
+  template <class Height>
+  void read(const Heights<Height>& heights, int line, Vertices& out) const {
+    const auto count = static_cast<std::size_t>(out_.vertices_);
+    for (std::vector<double>* of : {&out.heights_m, &out.u, &out.v, &out.z}) of->resize(count);
+    for (std::vector<std::uint8_t>* of : {&out.beyond, &out.sides}) of->resize(count);
+    const std::size_t step = out_.are_rows_ ? 1 : static_cast<std::size_t>(grid_.columns);
+    const Height* const from =
+        heights.data() + (out_.are_rows_ ? grid_.index(0, line) : grid_.index(line, 0));
+    double* const height_m = out.heights_m.data();
+    out.is_filled = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      height_m[i] = from[i * step];
+      out.is_filled = out.is_filled | std::isnan(height_m[i]);
+    }
+    if (out.is_filled) fill(out.heights_m);
+    double *const u = out.u.data(), *const v = out.v.data();
+    const EarthLattice& earth = grid_.earth();
+    if (out_.are_rows_) {
+      earth.row_vertices_m(line, out.heights_m, out.u, out.v, out.z);
+    } else {
+      for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 at = earth.vertex_m(line, static_cast<int>(i), height_m[i]);
+        u[i] = at.x;
+        v[i] = at.y;
+      }
+    }
+    // As `to_profile_frame`.
+    const Vec2 origin = out_.view_.depth_origin_m, right = out_.view_.right,
+               forward = out_.view_.forward;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec2 at = Vec2{u[i], v[i]} - origin;
+      u[i] = dot(at, right);
+      v[i] = dot(at, forward);
+    }
+    judge(out);
+  }
+
+  // Where it isn't there the ground goes on as high as before, or else as it begins.
+  static void fill(std::vector<double>& heights_m) {
+    const auto first =
+        std::ranges::find_if(heights_m, [](double height) { return !std::isnan(height); });
+    double last = first == heights_m.end() ? 0 : *first;
+    for (double& height : heights_m) last = height = std::isnan(height) ? last : height;
+  }
+
+  void judge(Vertices& out) const {
+    const View& view = out_.view_;
+    const auto& [range, from_m] = out_.looked_;
+    const double* const u = out.u.data();
+    const double* const v = out.v.data();
+    const std::size_t count = out.u.size();
+    std::uint8_t* const beyond = out.beyond.data();
+    const bool has_left = !std::isinf(range.begin), has_right = !std::isinf(range.end);
+    const double begin = has_left ? range.begin : 0, end = has_right ? range.end : 0;
+    const std::uint8_t left = has_left ? kLeft : 0, right = has_right ? kRight : 0;
+    const bool is_perspective = view.is_perspective();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double aside = is_perspective ? u[i] : u[i] + v[i] * view.x_per_v,
+                   scale = is_perspective ? v[i] : 1;
+      beyond[i] = static_cast<std::uint8_t>((v[i] <= from_m ? kBehind : 0) |
+                                            (aside < begin * scale ? left : 0) |
+                                            (aside > end * scale ? right : 0));
+    }
+    std::uint8_t* const sides = out.sides.data();
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      const double side = turn(u[i], v[i], u[i + 1], v[i + 1]);
+      sides[i] = static_cast<std::uint8_t>((side > 0 ? kHigh : 0) | (side < 0 ? kLow : 0));
+    }
+  }
+
+  template <class Height>
+  void scan(const Heights<Height>& heights, int first, Found& out) {
+    const int end = std::min(first + kStripsOfTask, out_.strips());
+    out.lines.resize(static_cast<std::size_t>(end - first + 1));
+    thread_local Vertices before, behind;
+    read(heights, first, before);
+    put_blocks(first, before);
+    for (int strip = first; strip < end && out.is_right; ++strip) {
+      throw_if_stopped();
+      read(heights, strip + 1, behind);
+      if (strip + 1 < end || end == out_.strips()) put_blocks(strip + 1, behind);
+      take(strip, before, behind, &out.lines[static_cast<std::size_t>(strip - first)], out);
+      std::swap(before, behind);
+    }
+  }
+
+  void put_blocks(int line, const Vertices& of) {
+    const View& view = out_.view_;
+    EarthStrips::Block* block =
+        &out_.block_[static_cast<std::size_t>(line) * static_cast<std::size_t>(out_.blocks_)];
+    for (std::size_t i = 0; i < of.u.size(); i += EarthStrips::kBlock, ++block) {
+      const std::size_t end = std::min(of.u.size(), i + EarthStrips::kBlock);
+      double nearest = of.v[i], farthest = nearest;
+      for (std::size_t k = i + 1; k < end; ++k) {
+        nearest = std::min(nearest, of.v[k]);
+        farthest = std::max(farthest, of.v[k]);
+      }
+      // Rounded to float outwards.
+      constexpr double kFloat = 1e-6;
+      *block = {view.is_perspective() ? of.u[i] / of.v[i] : of.u[i] + of.v[i] * view.x_per_v,
+                static_cast<float>(nearest - kFloat * std::abs(nearest)),
+                static_cast<float>(farthest + kFloat * std::abs(farthest))};
+    }
+    EarthStrips::Line& ahead = out_.line_[static_cast<std::size_t>(line)];
+    const auto is_ahead = [](std::uint8_t beyond) { return (beyond & kBehind) == 0; };
+    const auto first = std::ranges::find_if(of.beyond, is_ahead);
+    const auto last = std::find_if_not(first, of.beyond.end(), is_ahead);
+    ahead.first_ahead = static_cast<int>(first - of.beyond.begin());
+    ahead.last_ahead = static_cast<int>(last - of.beyond.begin()) - 1;
+    // In one piece, if it is to be looked at.
+    if (std::find_if(last, of.beyond.end(), is_ahead) != of.beyond.end())
+      ahead.last_ahead = kBroken;
+  }
+
+  // What is in a strip of cells, and the lines on both sides of it.
+  void take(int strip, const Vertices& a, const Vertices& b, OfLine* lines, Found& out) {
+    const auto cells = static_cast<std::size_t>(out_.cells());
+    const auto is_looked_at = [&](std::size_t i) {
+      return (a.beyond[i] & a.beyond[i + 1] & b.beyond[i] & b.beyond[i + 1]) == 0;
+    };
+    std::size_t first = 0, end = cells;
+    while (first < cells && !is_looked_at(first)) ++first;
+    while (end > first && !is_looked_at(end - 1)) --end;
+    out.runs.push_back(0);
+    if (first == end) return;
+    std::uint8_t of_a = 0, of_b = 0, broken = 0;
+    for (std::size_t i = first; i < end; ++i) {
+      of_a |= a.sides[i];
+      of_b |= b.sides[i];
+      broken |= is_looked_at(i) ? 0 : 1;
+    }
+    if (broken) {
+      out.is_right = false;
+      return;
+    }
+    out_.looked_at_[static_cast<std::size_t>(strip)] = {static_cast<int>(first),
+                                                        static_cast<int>(end)};
+    for (const auto& [line, sides] : {std::pair{lines, of_a}, std::pair{lines + 1, of_b}}) {
+      line->first = std::min(line->first, static_cast<int>(first));
+      line->last = std::max(line->last, static_cast<int>(end) - 1);
+      line->any_high = line->any_high || (sides & kHigh) != 0;
+      line->any_low = line->any_low || (sides & kLow) != 0;
+      if (line->any_high && line->any_low) out.is_right = false;
+    }
+    if (!out.is_right) return;
+    if ((a.is_filled || b.is_filled) && !are_apart(a, b, first, end)) {
+      out.is_right = false;
+      return;
+    }
+    // An upright has the cell with the higher number on the side that the next line is on of
+    // an edge along the strip, turned.
+    thread_local std::vector<std::uint8_t> falls;
+    falls.resize(cells);
+    for (std::size_t i = first + 1; i < end; ++i)
+      falls[i] = turn(a.u[i], a.v[i], b.u[i], b.v[i]) < 0 ? 1 : 0;
+    const auto begin = falls.begin();
+    for (auto at = begin + static_cast<std::ptrdiff_t>(first) + 1,
+              last = begin + static_cast<std::ptrdiff_t>(end);
+         (at = std::find(at, last, 1)) < last;) {
+      const auto behind = std::find(at, last, 0);
+      out.falling.push_back(
+          {static_cast<int>(at - begin) - 1, static_cast<int>(behind - begin) - 1});
+      ++out.runs.back();
+      at = behind;
+    }
+  }
+
+  // Whether no triangle of the cells is turned over.
+  bool are_apart(const Vertices& a, const Vertices& b, std::size_t first, std::size_t end) const {
+    const double sign = next_is_left_ ? 1 : -1;
+    for (std::size_t i = first; i < end; ++i) {
+      const double au = a.u[i], av = a.v[i], du = b.u[i + 1] - au, dv = b.v[i + 1] - av;
+      const double along = (a.u[i + 1] - au) * dv - (a.v[i + 1] - av) * du,
+                   across = du * (b.v[i] - av) - dv * (b.u[i] - au);
+      if (!(sign * along > 0) || !(sign * across > 0)) return false;
+    }
+    return true;
+  }
+
+  bool join(std::vector<Found>& found) {
+    lines_.resize(static_cast<std::size_t>(out_.lines_));
+    out_.first_run_.assign(1, 0);
+    for (std::size_t task = 0; task < found.size(); ++task) {
+      const Found& of = found[task];
+      if (!of.is_right) return false;
+      for (std::size_t i = 0; i < of.lines.size(); ++i) {
+        OfLine& line = lines_[task * kStripsOfTask + i];
+        const OfLine& more = of.lines[i];
+        line.first = std::min(line.first, more.first);
+        line.last = std::max(line.last, more.last);
+        line.any_high = line.any_high || more.any_high;
+        line.any_low = line.any_low || more.any_low;
+        if (line.any_high && line.any_low) return false;
+      }
+      out_.falling_.insert(out_.falling_.end(), of.falling.begin(), of.falling.end());
+      for (const std::uint32_t runs : of.runs)
+        out_.first_run_.push_back(out_.first_run_.back() + runs);
+    }
+    return true;
+  }
+
+  // The lines with the eye on the side of higher numbers come first in number, and no ray meets any
+  // of them and any of the others as well.
+  bool choose_own() {
+    constexpr XRange kNone{kInfinity, -kInfinity};
+    int last_high = -1, first_low = out_.lines_;
+    XRange of_high = kNone, of_low = kNone, before = kNone;
+    for (int i = 0; i < out_.lines_; ++i) {
+      const OfLine& line = lines_[static_cast<std::size_t>(i)];
+      EarthStrips::Line& of = out_.line_[static_cast<std::size_t>(i)];
+      if (line.last < 0) {
+        of.last_ahead = of.first_ahead - 1;
+        before = kNone;
+        continue;
+      }
+      if (of.last_ahead == kBroken) return false;
+      of.first = line.first;
+      of.last = line.last + 1;
+      of.first_ahead = std::max(of.first_ahead, of.first);
+      of.last_ahead = std::min(of.last_ahead, of.last);
+      // Whether the next line is on the left of it as the eye sees it is as X rises.
+      of.rises = line.any_high != next_is_left_;
+      if (line.any_high && last_high < i - 1) before = kNone;
+      if (line.any_low && first_low == out_.lines_) before = kNone;
+      if (line.any_high) last_high = i;
+      if (line.any_low) first_low = std::min(first_low, i);
+      const XRange x = x_of_line(i);
+      if (!(x.begin < x.end)) {
+        before = kNone;
+        continue;
+      }
+      XRange& side = line.any_high ? of_high : of_low;
+      side = {std::min(side.begin, x.begin), std::max(side.end, x.end)};
+      // Where one shares no X with the next there would be no order between them.
+      if (before.begin < before.end && (before.end <= x.begin || x.end <= before.begin))
+        return false;
+      before = x;
+    }
+    if (last_high > first_low) return false;
+    if (of_high.begin < of_low.end && of_low.begin < of_high.end) return false;
+    out_.own_ = last_high;
+    for (int strip = 0; strip < out_.strips(); ++strip) {
+      const EarthStrips::Cells cells = out_.cells_of(strip);
+      if (cells.empty()) continue;
+      const auto a = out_.depths_of(strip, cells), b = out_.depths_of(strip + 1, cells);
+      out_.depths_[static_cast<std::size_t>(strip)] = {std::min(a.nearest_m, b.nearest_m),
+                                                       std::max(a.farthest_m, b.farthest_m)};
+    }
+    return true;
+  }
+
+  // Of what is looked at of a line, as far as that is ahead and in the range.
+  XRange x_of_line(int line) const {
+    const EarthStrips::Line& of = out_.line_[static_cast<std::size_t>(line)];
+    if (of.first_ahead > of.last_ahead) return {kInfinity, -kInfinity};
+    const auto x_at_end = [&](int ahead, int beyond) {
+      ProfilePoint p = out_.filled_vertex(line, ahead);
+      if (beyond >= of.first && beyond <= of.last) { // behind
+        const ProfilePoint q = out_.filled_vertex(line, beyond);
+        p = point_between(p, q, (out_.looked_.from_m - p.v) / (q.v - p.v));
+      }
+      return out_.x_of(p);
+    };
+    const auto [begin, end] = std::minmax(
+        {x_at_end(of.first_ahead, of.first_ahead - 1), x_at_end(of.last_ahead, of.last_ahead + 1)});
+    return {std::max(begin, out_.looked_.range.begin), std::min(end, out_.looked_.range.end)};
+  }
+
+  static constexpr int kBroken = -2;
+  const Grid& grid_;
+  EarthStrips out_;
+  bool next_is_left_;
+  std::vector<OfLine> lines_;
+};
+
+std::optional<EarthStrips> EarthStrips::of(const Grid& grid, const View& view,
+                                           const LookedAt& looked, bool are_rows) {
+  return EarthStripsScan(grid, view, looked, are_rows).found();
+}
+
+std::optional<EarthStrips> EarthStrips::of(const Grid& grid, const View& view,
+                                           const LookedAt& looked) {
+  const int column = grid.columns / 2, row = grid.rows / 2;
+  const auto at = [&](int c, int r) {
+    const ProfilePoint p = to_profile_frame(view, grid.earth().vertex_m(c, r, 0));
+    return Vec2{p.u, p.v};
+  };
+  const Vec2 along_row = at(column, row) - at(column - 1, row),
+             along_column = at(column, row) - at(column, row - 1);
+  // Depth changes less along those that are crossed more steeply.
+  const bool rows_first =
+      std::abs(along_row.y) * length(along_column) <= std::abs(along_column.y) * length(along_row);
+  std::optional<EarthStrips> out = of(grid, view, looked, rows_first);
+  return out ? std::move(out) : of(grid, view, looked, !rows_first);
+}
+
+} // namespace orograph
