@@ -131,14 +131,14 @@ private:
     return drawn ? above >= -by : above <= by;
   }
 
-  // A line that runs straight away from the eye, to within the rounding of its ends, is in front of
-  // itself or beside it by that alone: a crest that falls away is hidden by its nearer end, or
-  // shows beside it.
-  bool is_straight_away(const ProfileLine& line, long double r) const {
+  // By how much of the line its X may be off, as its ends are off by r. Of one that runs nearly
+  // straight away from the eye that may be metres; if it is all of it, rounding alone tells whether
+  // a crest that falls away is hidden by its nearer end or shows beside it.
+  long double rounding_of_x(const ProfileLine& line, long double r) const {
     const View& view = sector_.view;
     const double x0 = project(view, line.from).x, x1 = project(view, line.to).x;
     const double nearest = view.is_perspective() ? std::min(line.from.v, line.to.v) : 1;
-    return std::abs(x0 - x1) * nearest <= r * (1 + std::max(std::abs(x0), std::abs(x1)));
+    return r * (1 + std::max(std::abs(x0), std::abs(x1))) / (std::abs(x0 - x1) * nearest);
   }
 
   // Along the line, as a share of it, and across the ray.
@@ -146,10 +146,10 @@ private:
     const double length = std::hypot(line.to.u - line.from.u, line.to.v - line.from.v);
     const LongPlace at = place_on(line, t);
     const long double r = 2 * sight_.rounding_m(); // what is nearer by less isn't in front
-    if (mm_per_share(line, t) <= tolerance_mm_ || length <= r || is_straight_away(line, r))
-      return true;
+    const long double of_x = rounding_of_x(line, r);
+    if (mm_per_share(line, t) <= tolerance_mm_ || length <= r || !(of_x < 1)) return true;
     if (length > 0)
-      for (const long double by : {-r / length, r / length})
+      for (const long double by : {-r / length, r / length, -of_x, of_x})
         if (standing_of(place_on(line, std::clamp(t + by, 0.0L, 1.0L))) != standing) return true;
     for (const LongPlace& by : {LongPlace{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}})
       if (standing_of({at.u + by.u, at.v + by.v, at.z}) != standing) return true;
