@@ -105,13 +105,12 @@ bool asks_contours(const TerrainData& terrain, const Style& style, const PlacedV
          contour_levels(terrain, style.contours).heights_m.size() >= kLeastLevels;
 }
 
-// A block's walls lean, and where there is a sector behind another lines lie between the two:
-// neither has a place in the order. Each of a panorama's sectors would be looked through anew.
+// Where there is a sector behind another, lines lie between the two, and have no place in the
+// order. Each of a panorama's sectors would be looked through anew.
 std::optional<EarthStrips> earth_strips_of(const Grid& grid, const TerrainData& terrain,
                                            const PlacedView& placed,
                                            const Instruments& instruments) {
-  if (placed.extent.turned_over > 0 || placed.block_base_m || placed.sectors.size() != 1)
-    return std::nullopt;
+  if (placed.extent.turned_over > 0 || placed.sectors.size() != 1) return std::nullopt;
   const Sector& sector = placed.sectors.front();
   const View& view = sector.view;
   const double from_m =
