@@ -61,10 +61,6 @@ std::vector<SheetPart> parts_by_sector(const Surface& surface, const Sheet& shee
   return parts_in_wedges(surface, sheet.triangles, view, wedges);
 }
 
-} // namespace
-
-namespace {
-
 // Rims of a block's voids, where their edges are asked for in any case, as parts of the skyline.
 void see_rims_as_edges(const TerrainData& terrain, const PlacedView& placed, const Style& style,
                        LinesOfView& out) {
@@ -87,10 +83,6 @@ void see_rims_as_edges(const TerrainData& terrain, const PlacedView& placed, con
     out.seen_with[of_edge] = {static_cast<std::uint32_t>(first_on_ground + line), is_turned};
   }
 }
-
-} // namespace
-
-namespace {
 
 // Whether there are contours enough that the pass may find itself, unless somebody watches it. To
 // find out whether there is an order takes some nanoseconds a vertex, as much as slabs cost on

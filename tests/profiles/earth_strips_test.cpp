@@ -187,8 +187,8 @@ TEST_CASE("strips of cells on the earth are in order along every ray that is loo
              << " of them with the eye over a strip, " << restless
              << " strips whose cells turn more than twice; " << none << " without");
   CHECK(asked > enough<std::uint64_t{1'000'000}>);
-  CHECK(over > 10);
-  CHECK(restless > 20);
+  CHECK(over > enough<std::uint64_t{10}>);
+  CHECK(restless > enough<std::uint64_t{20}>);
 }
 
 } // namespace orograph::earth_strips_test
