@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// From the point (0) towards the eye: to it (1) in perspective, without end else.
+// From the point (0) towards the eye (1): to the near plane, in front of which ground is cut away,
+// in perspective, without end else. An eye on the ground may be a millimetre below it.
 struct Way {
   Spatial from, to_eye;
   double end;
@@ -25,7 +26,8 @@ struct Way {
 };
 
 Way way_to_eye(const View& view, ProfilePoint p) {
-  if (view.is_perspective()) return {of(p), Spatial{0, 0, view.eye_z_m} - of(p), 1};
+  if (view.is_perspective())
+    return {of(p), Spatial{0, 0, view.eye_z_m} - of(p), 1 - view.near_m / p.v};
   return {of(p), {view.x_per_v, -1, view.y_per_v / view.y_per_z}, kInfinity};
 }
 
