@@ -28,7 +28,7 @@ bool EarthStrips::falls(int strip, int cell) const {
     return run != runs.end() && run->first < cell;
   }
   // At the strip's end, where rounding doesn't matter.
-  const double left = turn(vertex(strip, cell), vertex(strip + 1, cell));
+  const double left = way_to_left(view_, vertex(strip, cell), vertex(strip + 1, cell));
   return lower_is_right_ == are_rows_ ? left > 0 : left < 0;
 }
 

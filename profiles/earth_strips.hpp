@@ -6,6 +6,7 @@
 #include "dem/grid.hpp"
 #include "geometry/profile_point.hpp"
 #include "geometry/segment.hpp"
+#include "profiles/eye_side.hpp"
 #include "view/view.hpp"
 
 #include <cstddef>
@@ -66,7 +67,7 @@ public:
   bool is_lower_near(int column, int row) const;
   /// The same, told the diagonal's ends: the first in number, and the last.
   bool is_lower_near(ProfilePoint first, ProfilePoint last) const {
-    const double left = turn(first, last);
+    const double left = way_to_left(view_, first, last);
     return lower_is_right_ ? left < 0 : left > 0;
   }
 
@@ -129,11 +130,6 @@ private:
   friend class EarthStripsScan;
   EarthStrips(const Grid& grid, const View& view, const LookedAt& looked, bool are_rows);
 
-  // Above 0 where the eye is on the left of a line from a to b.
-  double turn(ProfilePoint a, ProfilePoint b) const {
-    return view_.is_perspective() ? a.u * b.v - a.v * b.u
-                                  : (a.u - b.u) + view_.x_per_v * (a.v - b.v);
-  }
   ProfilePoint vertex(int line, int at) const;
   ProfilePoint filled_vertex(int line, int at) const;
   double x_of(ProfilePoint p) const {

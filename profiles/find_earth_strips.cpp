@@ -63,9 +63,7 @@ private:
 
   // 1 if the eye is on the side of higher lines of an edge, -1: of lower ones, as a turn's sign.
   double turn(double a_u, double a_v, double b_u, double b_v) const {
-    const View& view = out_.view_;
-    const double left =
-        view.is_perspective() ? a_u * b_v - a_v * b_u : (a_u - b_u) + view.x_per_v * (a_v - b_v);
+    const double left = way_to_left(out_.view_, {a_u, a_v, 0}, {b_u, b_v, 0});
     return next_is_left_ ? left : -left;
   }
 

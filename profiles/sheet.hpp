@@ -5,6 +5,7 @@
 
 #include "dem/surface.hpp"
 #include "geometry/profile_point.hpp"
+#include "profiles/eye_side.hpp"
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
 
@@ -55,18 +56,6 @@ private:
   };
   std::vector<TinSides> edges_; ///< of a TIN, in order
 };
-
-/// By how much the line from -> to goes to the left, seen from the eye: positive where the eye is
-/// on its left, seen from above. The same, but for its sign, of to -> from.
-inline double way_to_left(const View& view, ProfilePoint from, ProfilePoint to) {
-  return view.is_perspective() ? from.u * to.v - from.v * to.u
-                               : (from.u - to.u) + view.x_per_v * (from.v - to.v);
-}
-/// Where the eye is of that line: 1 left, -1 right, 0 on it to rounding.
-inline int eye_side(const View& view, ProfilePoint from, ProfilePoint to) {
-  const double turn = way_to_left(view, from, to);
-  return turn > 0 ? 1 : turn < 0 ? -1 : 0;
-}
 
 /// A sheet as an eye sees it.
 struct Sheet {
