@@ -11,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -75,77 +76,101 @@ bool meets_ray(double upwards, const Mesh& mesh, const Beyond& beyond, const Pro
   return false;
 }
 
-// The same on a map plane, where the lattice is alike everywhere: of two triangles at an edge the
-// apexes are, added up, where its two ends are; so is all that is linear, and needn't be reckoned.
+// The rows, the columns or the diagonals of a lattice on a map plane, which a ray passes at equal
+// steps. A diagonal has the number of the column in which it meets row 0.
+struct LinesPassed {
+  double begin, per_m;             // which line the ray is at, and by how many it goes on
+  double begin_along, along_per_m; // where on that line, in edges
+  Vec2 edge;                       // in the profile frame
+  std::ptrdiff_t of_line, of_edge; // what a vertex's index grows by
+  int first, last;                 // vertices of a line; of line 0, where they are diagonals
+  bool are_diagonals;
+  int last_row;
+
+  int first_of(int line) const { return are_diagonals ? std::max(first, line) : first; }
+  int last_of(int line) const { return are_diagonals ? std::min(last, last_row + line) : last; }
+};
+
+// The same on a map plane, where nothing has to be walked: what the ray passes can be reckoned.
 template <class Height>
 bool meets_on_plane(double upwards, const Grid& grid, const Heights<Height>& heights,
-                    const View& view, SurfaceEdge edge, ProfilePoint from, double reach_m) {
-  struct Vertex {
-    int column, row;
-    double side;      // how far to the right of the ray it is, in some measure
-    double u, v;      // from the ray's begin
-    double above = 0; // the ray, by more than rounding
-    double z = 0;
+                    const View& view, ProfilePoint from, double reach_m) {
+  const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
+  const auto in_cells = [&, area = cross(column_step_m, row_step_m)](Vec2 m) {
+    return Vec2{cross(m, row_step_m) / area, cross(column_step_m, m) / area};
   };
-  const PlaneLattice& lattice = grid.plane();
-  const auto columns = static_cast<std::uint32_t>(grid.columns);
-  const Height* const height = heights.data();
-  const double z_per_m = z_along_ray(view, from);
-  const Vec2 along_ray = view.is_perspective() ? Vec2{from.u, from.v} : Vec2{-view.x_per_v, 1};
-  const bool sinks = view.drop.any();
-  // False where there is no ground.
-  const auto stand = [&](Vertex& p) {
-    if (p.column < 0 || p.row < 0 || p.column >= grid.columns || p.row >= grid.rows) return false;
-    p.z = height[grid.index(p.column, p.row)] * view.exaggeration;
-    if (sinks) p.z -= view.drop.at(from.u + p.u, from.v + p.v);
-    const double fall = p.v * z_per_m;
-    // Rounding is a few ulp.
-    p.above = upwards * (p.z - from.z - fall) +
-              1e-12 * (std::abs(p.z) + std::abs(from.z) + std::abs(fall));
-    return !std::isnan(p.z);
-  };
-  const auto place = [&](int column, int row) {
-    const Vec2 at = lattice.position_m(column, row) - view.depth_origin_m;
-    const Vec2 away{dot(at, view.right) - from.u, dot(at, view.forward) - from.v};
-    return Vertex{column, row, cross(away, along_ray), away.x, away.y};
-  };
+  const double u_per_m = u_along_ray(view, from), z_per_m = z_along_ray(view, from);
+  const Vec2 ground_m = view.depth_origin_m + from.u * view.right + from.v * view.forward;
+  const Vec2 begin = in_cells(ground_m - first_vertex_m),
+             per_m = in_cells(view.forward + u_per_m * view.right);
+  const int columns = grid.columns, last_column = columns - 1, last_row = grid.rows - 1;
 
-  const auto column = static_cast<int>(edge.from % columns),
-             row = static_cast<int>(edge.from / columns);
-  const std::uint32_t step = edge.to - edge.from;
-  const int to_column = column + (step == columns ? 0 : 1), to_row = row + (step == 1 ? 0 : 1);
-  Vertex left = place(column, row), right = place(to_column, to_row);
-  if (!stand(left) || !stand(right)) return false;
-  const bool turned = left.side > right.side;
-  if (turned) std::swap(left, right);
-  // The apex on the edge's left, with columns to the east and rows to the south; and its right.
-  const int left_column = column + (step == 1 ? 0 : 1), left_row = row + (step == 1         ? -1
-                                                                          : step == columns ? 1
-                                                                                            : 0);
-  Vertex behind = turned == lattice.is_mirrored()
-                      ? place(column + to_column - left_column, row + to_row - left_row)
-                      : place(left_column, left_row);
-  // No line passes more triangles, but one whose numbers have overflowed.
-  const int most = 2 * (grid.columns + grid.rows);
-  for (int passes = 0; passes < most; ++passes) {
-    Vertex ahead{left.column + right.column - behind.column, left.row + right.row - behind.row,
-                 left.side + right.side - behind.side, left.u + right.u - behind.u,
-                 left.v + right.v - behind.v};
-    if (!stand(ahead)) return false;
-    // Of three corners one or two are on the right.
-    Vertex& passed = ahead.side > 0 ? right : left;
-    behind = passed;
-    passed = ahead;
-    // Nothing of an edge that is below comes up to the ray, as nearly everywhere.
-    if (left.above < 0 && right.above < 0 && std::max(left.v, right.v) <= reach_m) continue;
-    const double share =
-        left.side == right.side ? 0.5 : std::clamp(left.side / (left.side - right.side), 0.0, 1.0);
-    const double distance = left.v + share * (right.v - left.v);
-    if (distance > reach_m) return false;
-    // The silhouette's own edge is in reach of rounding: a thousandth of an edge is not behind it.
-    const double least_m = 1e-3 * std::max(std::abs(right.u - left.u), std::abs(right.v - left.v));
-    const double z = left.z + share * (right.z - left.z);
-    if (distance > least_m && upwards * z >= upwards * (from.z + distance * z_per_m)) return true;
+  // Where the ray leaves the lattice, by a little more than rounding.
+  constexpr double kRounding = 1e-6; // of a cell
+  const auto border_m = [](double at, double at_per_m, int last) {
+    if (at_per_m == 0) return std::numeric_limits<double>::infinity();
+    return ((at_per_m > 0 ? last : 0) - at) / at_per_m + kRounding / std::abs(at_per_m);
+  };
+  const double end_m = std::min(
+      {reach_m, border_m(begin.x, per_m.x, last_column), border_m(begin.y, per_m.y, last_row)});
+  const double most_per_m = std::max(std::abs(per_m.x), std::abs(per_m.y));
+  // False where numbers have overflowed as well.
+  const auto is_inside = [](double at, int last) { return at > -0.5 && at < last + 0.5; };
+  if (!is_inside(begin.x, last_column) || !is_inside(begin.y, last_row) ||
+      !std::isfinite(most_per_m))
+    return false;
+
+  const auto in_frame = [&](Vec2 m) { return Vec2{dot(m, view.right), dot(m, view.forward)}; };
+  const std::array<LinesPassed, 3> families{
+      {{begin.y, per_m.y, begin.x, per_m.x, in_frame(column_step_m), columns, 1, 0, last_column,
+        false, last_row},
+       {begin.x, per_m.x, begin.y, per_m.y, in_frame(row_step_m), 1, columns, 0, last_row, false,
+        last_row},
+       {begin.x - begin.y, per_m.x - per_m.y, begin.x, per_m.x,
+        in_frame(column_step_m + row_step_m), -columns, columns + 1, 0, last_column, true,
+        last_row}}};
+  std::array<int, 3> next{};
+  for (std::size_t i = 0; i < families.size(); ++i)
+    next[i] = static_cast<int>(families[i].per_m > 0 ? std::floor(families[i].begin) + 1
+                                                     : std::ceil(families[i].begin) - 1);
+
+  // What is met first decides, so all three go on by some cells at once.
+  constexpr double kCellsAtOnce = 8;
+  for (double to_m = 0; to_m < end_m;) {
+    to_m = std::min(to_m + kCellsAtOnce / most_per_m, end_m);
+    double met_m = to_m;
+    std::optional<bool> meets;
+    for (std::size_t i = 0; i < families.size(); ++i) {
+      const LinesPassed& lines = families[i];
+      if (lines.per_m == 0) continue;
+      const double m_per_line = 1 / lines.per_m;
+      const double least_m = 1e-3 * std::max(std::abs(lines.edge.x), std::abs(lines.edge.y));
+      const double bend_m = view.drop.at(lines.edge.x, lines.edge.y);
+      for (int& line = next[i];; line += lines.per_m > 0 ? 1 : -1) {
+        const double m = (line - lines.begin) * m_per_line;
+        if (!(m <= met_m)) break;
+        const int first = lines.first_of(line), last = lines.last_of(line);
+        if (first >= last) continue; // the lattice's corner
+        const double along = lines.begin_along + m * lines.along_per_m;
+        const int edge = std::clamp(static_cast<int>(along), first, last - 1);
+        const double share = along - edge;
+        const Height* const at = heights.data() + line * lines.of_line + edge * lines.of_edge;
+        const double height = at[0] + share * (static_cast<double>(at[lines.of_edge]) - at[0]);
+        // An edge is straight between its ends, which sink more than what is between them would.
+        const double drop =
+            view.drop.at(from.u + m * u_per_m, from.v + m) + share * (1 - share) * bend_m;
+        const double z = height * view.exaggeration - drop;
+        const bool is_ground = !std::isnan(height);
+        // The silhouette's own edge is in reach of rounding: a thousandth of an edge is not behind
+        // it.
+        if (is_ground && !(m > least_m && upwards * z >= upwards * (from.z + m * z_per_m)))
+          continue;
+        met_m = m;
+        meets = is_ground;
+        break;
+      }
+    }
+    if (meets) return *meets;
   }
   return false;
 }
@@ -177,7 +202,7 @@ bool GroundBehind::meets(double upwards, SurfaceEdge edge, ProfilePoint from,
   return std::visit(
       [&](const auto& heights) {
         if (!grid.is_on_earth())
-          return meets_on_plane(upwards, grid, heights, view_, edge, from, reach_m);
+          return meets_on_plane(upwards, grid, heights, view_, from, reach_m);
         const GridMesh mesh{grid, std::get<EarthLattice>(grid.lattice), heights, view_};
         const auto beyond = [&](std::uint32_t left, std::uint32_t right) {
           return mesh.if_there(side_of(grid, edge, left < right));

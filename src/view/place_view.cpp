@@ -139,36 +139,88 @@ void put_eye_at_distance(View& view, double distance) {
 // else take in all from straight down to the eye's own height.
 enum class Fitted { width_in_front, longer_side };
 
-double picture_size(View& view, const TerrainShape& terrain, double distance, Fitted fitted,
-                    PictureEnds& ends) {
+// Of the picture from a distance; `most_of` tells the most of a picture coordinate.
+template <class MostOf>
+double size_from(View& view, double distance, Fitted fitted, const MostOf& most_of) {
   put_eye_at_distance(view, distance);
   const bool in_front = fitted == Fitted::width_in_front;
   const double nearest_m = in_front ? view.near_m : -kInfinity;
   const auto extent = [&](int row) {
-    const double most = greatest(terrain, PictureCoordinate{view, nearest_m, row, 1}, ends);
+    const double most = most_of(PictureCoordinate{view, nearest_m, row, 1});
     if (most == kInfinity) return kInfinity;
-    return most + greatest(terrain, PictureCoordinate{view, nearest_m, row, -1}, ends);
+    return most + most_of(PictureCoordinate{view, nearest_m, row, -1});
   };
   return in_front ? extent(0) : std::max(extent(0), extent(1));
 }
+
+double picture_size(View& view, const TerrainShape& terrain, double distance, Fitted fitted,
+                    PictureEnds& ends) {
+  return size_from(view, distance, fitted, [&](const PictureCoordinate& coordinate) {
+    return greatest(terrain, coordinate, ends);
+  });
+}
+
+// No more than that: the picture of the points that bounded it last.
+double size_of_ends(View& view, double distance, Fitted fitted, PictureEnds& ends) {
+  return size_from(view, distance, fitted, [&](const PictureCoordinate& coordinate) {
+    const std::optional<Vec3>& end = ends.of(coordinate);
+    return end ? coordinate(*end) : -kInfinity;
+  });
+}
+
+// Whether pictures are larger than asked, as they are from nearer than some distance. Nearly always
+// that is told without a look at the terrain: by the points that bound the picture, or by a picture
+// from nearer by that was no larger.
+struct LargerThan {
+  double size;
+  View& view;
+  const TerrainShape& terrain;
+  Fitted fitted;
+  PictureEnds& ends;
+  double fits_from = kInfinity; // distances from which the picture is known not to be larger
+
+  bool operator()(double distance) {
+    if (distance >= fits_from) return false;
+    if (size_of_ends(view, distance, fitted, ends) > size) return true;
+    if (picture_size(view, terrain, distance, fitted, ends) > size) return true;
+    fits_from = distance;
+    // From where the points that bound it now just fit, others mostly fit as well; where not, they
+    // bound it farther away.
+    for (double from = nearest_of_ends(0.5 * distance); from < fits_from;
+         from = nearest_of_ends(from))
+      if (picture_size(view, terrain, from, fitted, ends) <= size) fits_from = from;
+    return false;
+  }
+
+  // About the least distance, between one and `fits_from`, from which the ends aren't too large.
+  double nearest_of_ends(double low) {
+    double high = fits_from;
+    while (high > low * (1 + 1e-10)) {
+      const double middle = 0.5 * (low + high);
+      (size_of_ends(view, middle, fitted, ends) > size ? low : high) = middle;
+    }
+    return high;
+  }
+};
 
 // The distance at which the picture is as large as asked, or none if it would be larger even where
 // all ground is just in front of the eye. Size falls with distance; bisection on its logarithm.
 std::optional<double> distance_for_size(View& view, const TerrainShape& terrain, double size,
                                         Fitted fitted, PictureEnds& ends) {
-  const auto size_at = [&](double distance) {
-    return picture_size(view, terrain, distance, fitted, ends);
-  };
+  LargerThan is_larger{size, view, terrain, fitted, ends};
   double low = 0.5 * terrain.cell_m, high = terrain.cell_m;
-  while (size_at(high) > size) {
+  while (is_larger(high)) {
     low = high;
     high *= 2;
     if (!(high < 1e300)) return std::nullopt;
   }
+  const auto size_at = [&](double distance) {
+    return picture_size(view, terrain, distance, fitted, ends);
+  };
   if (size_at(low) < size) return low; // less than a cell wide
   for (int step = 0; step < 60 && high > low * (1 + 1e-9); ++step) {
     const double middle = std::sqrt(low * high);
-    (size_at(middle) > size ? low : high) = middle;
+    (is_larger(middle) ? low : high) = middle;
   }
   // Where the size jumps from infinite to less than asked, ground was behind the near plane, not
   // too wide.

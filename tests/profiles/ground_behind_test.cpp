@@ -76,10 +76,16 @@ TEST_CASE("the ground behind a grid's silhouettes is that behind its triangles'"
       const ProfilePoint from = point_between(line.from, line.to, random.between(0.01, 0.99));
       if (view.is_perspective() && !(from.v > 1)) continue;
       const double reach_m = random.pick({10.0, 100.0, 1e5});
+      const SurfaceEdge in_its_tin{in_tin(edge.from), in_tin(edge.to)};
       const bool found = behind.rises_within(edge, from, reach_m);
       CAPTURE(seed, edge.from, edge.to, from.u, from.v, from.z, reach_m);
-      REQUIRE(found ==
-              behind_tin.rises_within({in_tin(edge.from), in_tin(edge.to)}, from, reach_m));
+      REQUIRE(found == behind_tin.rises_within(in_its_tin, from, reach_m));
+      // Of a silhouette the ground falls away; a point above it has the ray come from above.
+      const ProfilePoint above{from.u, from.v, from.z + random.between(0, 30)};
+      REQUIRE(behind.falls_within(edge, above, reach_m) ==
+              behind_tin.falls_within(in_its_tin, above, reach_m));
+      REQUIRE(behind.rises_within(edge, above, reach_m) ==
+              behind_tin.rises_within(in_its_tin, above, reach_m));
       ++(found ? rises : falls);
     }
   }
