@@ -18,13 +18,14 @@
 #include "placing/level_of_detail.hpp"
 #include "placing/observer.hpp"
 #include "placing/placed_view.hpp"
-#include "placing/read_for_map.hpp"
 #include "placing/read_overlays.hpp"
 #include "placing/terrain_of_view.hpp"
+#include "placing/terrains_for_maps.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -99,10 +100,12 @@ void render(const RenderSettings& settings) {
     read_share = kReadShare;
     bar.show(kReadShare * fraction);
   };
-  const TerrainData whole = stands_on_nothing(settings)
-                                ? read_ground(settings)
-                                : read_for_map(settings.inputs, settings.reading, settings.map,
-                                               settings.solids.get(), show_reading);
+  const std::shared_ptr<const TerrainData> read =
+      stands_on_nothing(settings)
+          ? std::make_shared<const TerrainData>(read_ground(settings))
+          : TerrainsForMaps(settings.inputs, settings.reading, settings.solids.get())
+                .of(settings.map, show_reading);
+  const TerrainData& whole = *read;
   if (!settings.quiet) {
     tell_doubts(whole);
     tell_eye_move(settings.map.view, whole);

@@ -12,6 +12,8 @@ namespace orograph {
 
 /// Whether INPUT is a scene, which is drawn alone.
 bool is_scene(const std::string& input);
+/// Whether it is the only one.
+bool stands_on_nothing(const RenderSettings& settings);
 
 /// The terrain that the settings name; of a scene alone one without ground (`has_ground`). Throws
 /// Error as `read_terrain` does.

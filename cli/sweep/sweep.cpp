@@ -8,17 +8,16 @@
 #include "cli/report/run_report.hpp"
 #include "cli/sweep/columns.hpp"
 #include "cli/sweep/folder.hpp"
+#include "cli/sweep/grounds.hpp"
 #include "cli/sweep/journal.hpp"
 #include "cli/sweep/ranks.hpp"
 #include "cli/tell_placing.hpp"
-#include "dem/terrain.hpp"
 #include "geometry/error.hpp"
 #include "map/describe_map.hpp"
 #include "map/draw_level.hpp"
 #include "map/name_places.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/placed_view.hpp"
-#include "placing/read_overlays.hpp"
 #include "placing/terrain_of_view.hpp"
 
 #include <fmt/format.h>
@@ -42,14 +41,10 @@ namespace {
 // What all views share.
 struct SweepRun {
   const SweepSettings& settings;
-  const TerrainData& terrain;
+  Grounds& grounds;
   const ViewList& views;
   const Columns& columns;
   const Plan& plan;
-  const std::vector<Overlay>& overlays;
-  const Overlay* names;                     ///< of places, to be printed; null: none
-  const std::optional<TerrainFacts>& facts; ///< of the terrain as it was read, if views use it so
-  LastLevel& level;                         ///< that views show
 };
 
 using Clock = std::chrono::steady_clock;
@@ -68,7 +63,7 @@ struct Undrawn {
 };
 
 template <class Draw>
-auto drawn_or_why(const Draw& draw) {
+decltype(auto) drawn_or_why(const Draw& draw) {
   try {
     return draw();
   } catch (const Error& error) {
@@ -85,24 +80,25 @@ void draw_view(const SweepRun& run, std::size_t view) {
   RenderSettings settings = run.views.settings(view);
   const std::string file = run.plan.file(view);
   settings.output = (std::filesystem::path(run.settings.out_dir) / file).string();
-  settings.map = with_room_for_names(settings.map, run.names);
   settings.write.overwrite = true; // a drawing without a row: the sweep ended between the two
   try {
+    Ground& ground = drawn_or_why([&]() -> Ground& { return run.grounds.of(settings.map); });
+    const Overlay* const names = ground.names.empty() ? nullptr : &ground.names.front();
+    settings.map = with_room_for_names(settings.map, names);
     const auto terrain = drawn_or_why(
-        [&] { return std::make_unique<TerrainOfView>(run.terrain, settings.map.view); });
+        [&] { return std::make_unique<TerrainOfView>(*ground.terrain, settings.map.view); });
     std::optional<LevelOfDetail> level;
     PlacedView placed = drawn_or_why([&] {
-      level = choose_level(*terrain, settings.map, settings.solids.get(),
-                           run.facts ? &*run.facts : nullptr, &run.level);
-      return placed_view(*terrain, settings.map, settings.solids.get(),
-                         run.facts ? &*run.facts : nullptr);
+      const TerrainFacts* const facts = ground.facts ? &*ground.facts : nullptr;
+      level = choose_level(*terrain, settings.map, settings.solids.get(), facts, &ground.level);
+      return placed_view(*terrain, settings.map, settings.solids.get(), facts);
     });
-    placed.overlays = run.overlays;
-    placed.names = run.names;
-    GroundMeter ground(placed);
+    placed.overlays = ground.overlays;
+    placed.names = names;
+    GroundMeter meter(placed);
     Map map = drawn_or_why([&] {
-      Map out = draw_level(*terrain, placed, settings.map, level, [](double) {},
-                           {.observers = {&ground}});
+      Map out =
+          draw_level(*terrain, placed, settings.map, level, [](double) {}, {.observers = {&meter}});
       check_not_empty(out, settings);
       finish_drawing(out, settings);
       return out;
@@ -111,7 +107,7 @@ void draw_view(const SweepRun& run, std::size_t view) {
     describe_map(map, *terrain, placed, settings.map);
     const RunReport report = run_report(map, settings);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    const DrawnView facts{report, ground, seconds};
+    const DrawnView facts{report, meter, seconds};
     write_record(run.settings.out_dir, run.plan, view, run.columns.row(view, file, "", &facts),
                  preview_of(map.drawing));
   } catch (const Undrawn& undrawn) {
@@ -144,9 +140,7 @@ void draw_views(const SweepRun& run, int jobs, ViewQueue& queue,
 }
 
 // Of a sweep round the terrain; none where eyes are given, and where no view can be chosen.
-std::optional<ChosenDirection> chosen_direction(const TerrainData& terrain,
-                                                const std::optional<TerrainFacts>& facts,
-                                                const ViewList& views) {
+std::optional<ChosenDirection> chosen_direction(const Ground& ground, const ViewList& views) {
   const bool goes_round = std::ranges::any_of(views.axes(), [](const Axis& axis) {
     return axis.values.size() > 1 &&
            (axis.parameter == Parameter::azimuth || axis.parameter == Parameter::elevation);
@@ -155,9 +149,9 @@ std::optional<ChosenDirection> chosen_direction(const TerrainData& terrain,
   if (!goes_round || settings.map.view.has_eye()) return std::nullopt;
   settings.map.view.from_auto = true;
   try {
-    const TerrainOfView of_view(terrain, settings.map.view);
-    const auto placed =
-        placed_view(of_view, settings.map, settings.solids.get(), facts ? &*facts : nullptr);
+    const TerrainOfView of_view(*ground.terrain, settings.map.view);
+    const auto placed = placed_view(of_view, settings.map, settings.solids.get(),
+                                    ground.facts ? &*ground.facts : nullptr);
     if (!placed.chosen_view) return std::nullopt;
     return ChosenDirection{placed.chosen_view->azimuth.in_degrees(),
                            placed.chosen_view->elevation.in_degrees()};
@@ -169,24 +163,16 @@ std::optional<ChosenDirection> chosen_direction(const TerrainData& terrain,
 // What is made once of the settings; its parts refer to each other.
 struct Prepared {
   explicit Prepared(const SweepSettings& settings)
-      : terrain(read_ground(settings.render)),
-        overlays(read_overlays(settings.render.overlays, terrain)),
-        names(settings.render.labels.path.empty()
-                  ? std::vector<Overlay>()
-                  : read_overlays({&settings.render.labels, 1}, terrain)),
-        views(settings, terrain.map), columns(settings, views) {
-    // In degrees each view has a frame of its own.
-    if (!terrain.map.earth) facts = facts_of(terrain);
-    plan = make_plan(settings, views, columns, terrain, chosen_direction(terrain, facts, views));
-  }
+      : grounds(settings.render), first(grounds.before_views()),
+        views(settings, first.terrain->map), columns(settings, views),
+        plan(make_plan(settings, views, columns, *first.terrain, chosen_direction(first, views))) {}
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
 
-  TerrainData terrain;
-  std::vector<Overlay> overlays, names;
+  Grounds grounds;
+  const Ground& first;
   ViewList views;
   Columns columns;
-  std::optional<TerrainFacts> facts;
   Plan plan;
 };
 
@@ -206,20 +192,12 @@ void sweep(const SweepSettings& settings) {
       [&] { return first ? open_folder(settings, prepared->plan) : std::vector<std::size_t>(); });
 
   if (first && !settings.render.quiet) {
-    tell_doubts(prepared->terrain);
-    tell_notes(prepared->overlays);
-    tell_notes(prepared->names);
+    tell_doubts(*prepared->first.terrain);
+    tell_notes(prepared->first.overlays);
+    tell_notes(prepared->first.names);
   }
-  LastLevel level;
-  const SweepRun run{settings,
-                     prepared->terrain,
-                     prepared->views,
-                     prepared->columns,
-                     prepared->plan,
-                     prepared->overlays,
-                     prepared->names.empty() ? nullptr : &prepared->names.front(),
-                     prepared->facts,
-                     level};
+  const SweepRun run{settings, prepared->grounds, prepared->views, prepared->columns,
+                     prepared->plan};
   ProgressBar bar(first && shows_progress(settings.render.quiet, settings.render.progress));
   ranks.together([&] {
     ranks.share(waiting, [&](ViewQueue& queue) {

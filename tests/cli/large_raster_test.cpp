@@ -70,6 +70,28 @@ TEST_CASE("a large raster is drawn the same with an index, and without one that 
   CHECK(!holds(draw("again.svg", {"--index", "off"}), ".levels"));
 }
 
+TEST_CASE("a sweep over a large raster draws what render does, in what memory render takes") {
+  const MadeFolder folder;
+  make_large(folder);
+  const auto run = [&](const std::vector<std::string>& arguments) {
+    const auto result = run_orograph(arguments, {.folder = folder.path()});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+  };
+  // As a whole it would take 70 MB and its drawing as much again.
+  const std::vector<std::string> options{"--page", "a5",           "--title", "a",
+                                         "-q",     "--max-memory", "100MB"};
+  const auto with = [&](std::vector<std::string> words) {
+    words.insert(words.end(), options.begin(), options.end());
+    return words;
+  };
+  run(with({"sweep", "large.vrt", "turn", "--azimuth", "120,210", "--elevation", "12"}));
+  for (const std::string azimuth : {"120", "210"}) {
+    run(with({"render", "large.vrt", "a.svg", "--view-from", azimuth + "/12", "--overwrite"}));
+    CHECK(folder.read("a.svg") == folder.read("turn/azimuth-" + azimuth + ".svg"));
+  }
+}
+
 TEST_CASE("a raster that takes too much memory is refused, and another's file isn't replaced") {
   const MadeFolder folder;
   make_large(folder);

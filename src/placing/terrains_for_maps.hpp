@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Terrains in cells as small as maps need them, and no smaller.
+#pragma once
+
+#include "dem/read/read_options.hpp"
+#include "dem/terrain.hpp"
+#include "placing/map_spec.hpp"
+#include "solids/scene_file.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace orograph {
+
+/// The terrain of some files, read as often as maps of it need other cells. Several threads may use
+/// it at a time.
+class TerrainsForMaps {
+public:
+  /// REQUIRES that `solids`, which may be null, outlives this.
+  TerrainsForMaps(std::vector<std::string> paths, ReadOptions options, const SceneFile* solids);
+
+  /// For the map; of a raster of more than 16 million heights, whose page shows it whole, larger
+  /// cells: not larger than those that `choose_level` draws, which are half as large mostly. The
+  /// whole raster where `spec` draws its own surface, looks from an eye or a file's view, or is
+  /// checked against the file. Throws the Errors of `read_terrain`, and of placing the view;
+  /// `progress` as of the first.
+  std::shared_ptr<const TerrainData> of(const MapSpec& spec,
+                                        const std::function<void(double)>& progress = {});
+
+  /// The same before it is known from where the terrain is looked at: as if the page shows it whole
+  /// as large as it can.
+  std::shared_ptr<const TerrainData> before_views(const MapSpec& spec);
+
+private:
+  std::shared_ptr<const TerrainData> read(int least_cells,
+                                          const std::function<void(double)>& progress);
+
+  const std::vector<std::string> paths_;
+  const ReadOptions options_;
+  const SceneFile* const solids_;
+  std::mutex mutex_;
+  /// By how many cells at least are left along the shorter side; 0: all.
+  std::map<int, std::shared_ptr<const TerrainData>> by_cells_;
+  std::shared_ptr<const TerrainData> not_large_; ///< once it is known: serves all maps
+};
+
+} // namespace orograph
