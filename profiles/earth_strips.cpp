@@ -5,6 +5,7 @@
 #include <cmath>
 
 namespace orograph {
+
 EarthStrips::EarthStrips(const Grid& grid, const View& view, const LookedAt& looked, bool are_rows)
     : grid_(&grid), view_(view), looked_(looked), are_rows_(are_rows),
       lines_(are_rows ? grid.rows : grid.columns), vertices_(are_rows ? grid.columns : grid.rows),
@@ -14,19 +15,8 @@ EarthStrips::EarthStrips(const Grid& grid, const View& view, const LookedAt& loo
       depths_(looked_at_.size(), Depths{kInfinity, -kInfinity}),
       block_(static_cast<std::size_t>(lines_) * static_cast<std::size_t>(blocks_)) {}
 
-std::uint32_t EarthStrips::place(int strip, int cell) const {
-  const std::span<const Run> runs = runs_of(strip);
-  const auto run = std::ranges::lower_bound(runs, cell, {}, &Run::last);
-  const bool falls = run != runs.end() && run->first <= cell;
-  return static_cast<std::uint32_t>(falls ? run->first + run->last - cell : cell);
-}
-
 bool EarthStrips::falls(int strip, int cell) const {
-  if (cell > 0 && cell < cells()) {
-    const std::span<const Run> runs = runs_of(strip);
-    const auto run = std::ranges::lower_bound(runs, cell, {}, &Run::last);
-    return run != runs.end() && run->first < cell;
-  }
+  if (cell > 0 && cell < cells()) return falling_.falls(strip, cell);
   // At the strip's end, where rounding doesn't matter.
   const double left = way_to_left(view_, vertex(strip, cell), vertex(strip + 1, cell));
   return lower_is_right_ == are_rows_ ? left > 0 : left < 0;

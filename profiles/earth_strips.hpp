@@ -7,6 +7,7 @@
 #include "geometry/profile_point.hpp"
 #include "geometry/segment.hpp"
 #include "profiles/eye_side.hpp"
+#include "profiles/falling_runs.hpp"
 #include "view/view.hpp"
 
 #include <cstddef>
@@ -59,7 +60,7 @@ public:
   }
 
   /// The place of a cell in its strip's order.
-  std::uint32_t place(int strip, int cell) const;
+  std::uint32_t place(int strip, int cell) const { return falling_.place(strip, cell); }
   /// Whether of the cells at the upright before a cell the one with the higher number is in front.
   bool falls(int strip, int cell) const;
   /// Whether a cell's triangle on the left of its diagonal, columns east and rows south, is in
@@ -95,7 +96,7 @@ public:
   void for_each_in_order(int strip, std::span<Thing> things, const CellOf& cell_of,
                          const Take& take) const {
     auto at = things.begin();
-    for (const Run& run : runs_of(strip)) {
+    for (const FallingRun& run : runs_of(strip)) {
       for (; at != things.end() && cell_of(*at) < run.first; ++at) take(*at);
       const auto begin = at;
       while (at != things.end() && cell_of(*at) <= run.last) ++at;
@@ -104,14 +105,7 @@ public:
     for (; at != things.end(); ++at) take(*at);
   }
 
-  /// Cells of a strip with falling numbers, both ends included.
-  struct Run {
-    int first, last;
-  };
-  std::span<const Run> runs_of(int strip) const {
-    const auto i = static_cast<std::size_t>(strip);
-    return {falling_.data() + first_run_[i], falling_.data() + first_run_[i + 1]};
-  }
+  std::span<const FallingRun> runs_of(int strip) const { return falling_.of_strip(strip); }
 
 private:
   // Of a line the vertices of what is looked at, and of those the ones ahead.
@@ -153,8 +147,7 @@ private:
   std::vector<Cells> looked_at_; ///< by strip
   std::vector<Depths> depths_;
   std::vector<Block> block_; ///< line after line
-  std::vector<Run> falling_;
-  std::vector<std::uint32_t> first_run_;
+  FallingRuns falling_;
 };
 
 } // namespace orograph

@@ -51,8 +51,7 @@ private:
   struct Found {
     bool is_right = true;
     std::vector<OfLine> lines; // from the first of the task's
-    std::vector<EarthStrips::Run> falling;
-    std::vector<std::uint32_t> runs; // by strip
+    FallingRuns falling;       // of the task's strips
   };
   // Vertices along a line, and the sides of the edges between them.
   struct Vertices {
@@ -190,7 +189,7 @@ private:
     std::size_t first = 0, end = cells;
     while (first < cells && !is_looked_at(first)) ++first;
     while (end > first && !is_looked_at(end - 1)) --end;
-    out.runs.push_back(0);
+    out.falling.begin_strip();
     if (first == end) return;
     std::uint8_t of_a = 0, of_b = 0, broken = 0;
     for (std::size_t i = first; i < end; ++i) {
@@ -227,9 +226,7 @@ private:
               last = begin + static_cast<std::ptrdiff_t>(end);
          (at = std::find(at, last, 1)) < last;) {
       const auto behind = std::find(at, last, 0);
-      out.falling.push_back(
-          {static_cast<int>(at - begin) - 1, static_cast<int>(behind - begin) - 1});
-      ++out.runs.back();
+      out.falling.add({static_cast<int>(at - begin) - 1, static_cast<int>(behind - begin) - 1});
       at = behind;
     }
   }
@@ -248,7 +245,6 @@ private:
 
   bool join(std::vector<Found>& found) {
     lines_.resize(static_cast<std::size_t>(out_.lines_));
-    out_.first_run_.assign(1, 0);
     for (std::size_t task = 0; task < found.size(); ++task) {
       const Found& of = found[task];
       if (!of.is_right) return false;
@@ -261,9 +257,7 @@ private:
         line.any_low = line.any_low || more.any_low;
         if (line.any_high && line.any_low) return false;
       }
-      out_.falling_.insert(out_.falling_.end(), of.falling.begin(), of.falling.end());
-      for (const std::uint32_t runs : of.runs)
-        out_.first_run_.push_back(out_.first_run_.back() + runs);
+      out_.falling_.append(of.falling);
     }
     return true;
   }

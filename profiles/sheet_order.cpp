@@ -209,19 +209,14 @@ std::vector<std::uint32_t> sorted_places(const SheetTriangles& triangles, const 
   return places;
 }
 
-// Of cells side by side the runs that come with falling numbers.
-struct FallingRuns {
-  std::vector<StripsOfCells::Run> runs;
-
-  // Edge k is between cells k - 1 and k. `side`: above 0 where k is the one in front.
-  void take(std::uint32_t edge, int side, std::uint32_t cells) {
-    if (side <= 0 || edge == 0 || edge == cells) return;
-    if (!runs.empty() && runs.back().last + 1 == edge)
-      runs.back().last = edge;
-    else
-      runs.push_back({edge - 1, edge});
-  }
-};
+// Cells k - 1 and k of a strip on either side of an edge. `side`: above 0 where k is in front.
+void take_edge(int k, int side, int cells, std::vector<FallingRun>& runs) {
+  if (side <= 0 || k == 0 || k == cells) return;
+  if (!runs.empty() && runs.back().last + 1 == k)
+    runs.back().last = k;
+  else
+    runs.push_back({k - 1, k});
+}
 
 // Whether the triangles of the cells between two rows lie side by side, none turned over.
 bool are_apart(std::span<const ProfilePoint> above, std::span<const ProfilePoint> below,
@@ -253,7 +248,7 @@ std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const SheetVert
                                                double from_m) {
   const auto columns = static_cast<std::uint32_t>(grid.columns),
              rows = static_cast<std::uint32_t>(grid.rows);
-  std::vector<FallingRuns> in_row(rows - 1), in_column(columns - 1);
+  std::vector<std::vector<FallingRun>> in_row(rows - 1), in_column(columns - 1);
   SidesOfLines of_rows, of_columns;
   FilledRows filled(grid, view, vertices);
   std::vector<std::uint8_t> upper_is_near(part.count() / 2);
@@ -281,13 +276,13 @@ std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const SheetVert
       // The eye is north of it where the row before is in front.
       const int side = -eye_side(view, row[c], row[c + 1]);
       of_rows.take(side);
-      if (of_columns.is_one()) in_column[c].take(r, side, rows - 1);
+      if (of_columns.is_one()) take_edge(static_cast<int>(r), side, grid.rows - 1, in_column[c]);
     }
     for (std::uint32_t c = north.first; c <= north.behind && north.behind > 0; ++c) {
       if ((c > 0 && !north.has(c - 1)) || (c + 1 < columns && !north.has(c))) continue;
       const int side = eye_side(view, above[c], row[c]);
       of_columns.take(side);
-      if (of_rows.is_one()) in_row[r - 1].take(c, side, columns - 1);
+      if (of_rows.is_one()) take_edge(static_cast<int>(c), side, grid.columns - 1, in_row[r - 1]);
     }
     for (std::uint32_t c = north.first; c < north.behind; ++c)
       upper_is_near[north.place + c - north.first] = eye_side(view, above[c], row[c + 1]) > 0;
@@ -298,11 +293,11 @@ std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const SheetVert
     north = south;
   }
   const auto made = [&](bool are_rows, const SidesOfLines& lines,
-                        const std::vector<FallingRuns>& in_strip, std::uint32_t cells) {
-    StripsOfCells out{are_rows, !lines.any_in_front, cells, {}, {0}, std::move(upper_is_near)};
-    for (const FallingRuns& of : in_strip) {
-      out.falling.insert(out.falling.end(), of.runs.begin(), of.runs.end());
-      out.first_run.push_back(static_cast<std::uint32_t>(out.falling.size()));
+                        const std::vector<std::vector<FallingRun>>& in_strip, std::uint32_t cells) {
+    StripsOfCells out{are_rows, !lines.any_in_front, cells, {}, std::move(upper_is_near)};
+    for (const std::vector<FallingRun>& runs : in_strip) {
+      out.falling.begin_strip();
+      for (const FallingRun run : runs) out.falling.add(run);
     }
     return out;
   };
@@ -312,13 +307,10 @@ std::optional<StripsOfCells> StripsOfCells::of(const Grid& grid, const SheetVert
 }
 
 std::uint32_t StripsOfCells::place(std::uint32_t column, std::uint32_t row) const {
-  const std::uint32_t strip = are_rows ? row : column, cell = are_rows ? column : row;
-  const auto strips = static_cast<std::uint32_t>(first_run.size()) - 1;
-  const std::span runs(falling.data() + first_run[strip], falling.data() + first_run[strip + 1]);
-  const auto run = std::ranges::lower_bound(runs, cell, {}, &Run::last);
-  const bool falls = run != runs.end() && run->first <= cell;
-  return (rises ? strip : strips - 1 - strip) * cells +
-         (falls ? run->first + run->last - cell : cell);
+  const std::uint32_t cell = are_rows ? column : row;
+  const auto strip = static_cast<int>(are_rows ? row : column);
+  const int before = rises ? strip : falling.strips() - 1 - strip;
+  return static_cast<std::uint32_t>(before) * cells + falling.place(strip, static_cast<int>(cell));
 }
 
 SheetOrder::SheetOrder(const Surface& surface, const SheetTriangles& triangles,

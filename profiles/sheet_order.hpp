@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/surface.hpp"
+#include "profiles/falling_runs.hpp"
 #include "profiles/lattice_order.hpp"
 #include "profiles/outline.hpp"
 #include "profiles/sheet.hpp"
@@ -19,15 +20,9 @@ namespace orograph {
 /// Strips of a lattice's cells, rows or columns, in an order in which what is in front along a ray
 /// comes first, within each strip as well. Also where its lines are curves on the map plane.
 struct StripsOfCells {
-  struct Run {
-    std::uint32_t first, last;
-  };
   bool are_rows, rises;
   std::uint32_t cells; ///< of a strip
-  /// Cells of a strip come with rising numbers, but for those of such runs; all strips' one after
-  /// another.
-  std::vector<Run> falling;
-  std::vector<std::uint32_t> first_run; ///< by strip, and behind the last
+  FallingRuns falling;
   /// By the cells' places in the part: whether the triangle on the left of the diagonal comes
   /// first.
   std::vector<std::uint8_t> upper_is_near;

@@ -202,7 +202,7 @@ void LatticeStrip::add_in_order(const EarthStrips& earth, int strip, ProfileInWo
                                       spans.cells.begin());
   };
   std::uint32_t from = rises ? first : last;
-  for (const EarthStrips::Run& run : earth.runs_of(strip)) {
+  for (const FallingRun& run : earth.runs_of(strip)) {
     const std::uint32_t a = parting(rises ? run.first : run.last, false),
                         b = parting(rises ? run.last : run.first, true);
     if (a == b) continue;

@@ -82,8 +82,8 @@ TEST_CASE("strips of cells in degrees are in order along every ray") {
       ++sorted;
       continue;
     }
-    for (std::size_t i = 0; i + 1 < strips->first_run.size(); ++i)
-      if (strips->first_run[i + 1] - strips->first_run[i] > 1) ++restless;
+    for (int strip = 0; strip < strips->falling.strips(); ++strip)
+      if (strips->falling.of_strip(strip).size() > 1) ++restless;
     const std::vector<BorderEdge> border = border_edges(grid, false);
     const SheetOrder order(surface, triangles, all, border, view, kFrom_m);
     for (int ray = 0; ray < 40; ++ray) {
