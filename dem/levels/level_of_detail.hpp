@@ -12,7 +12,8 @@ struct LevelOfDetail {
   double cell_m = 0, cell_mm = 0;   ///< on the ground; on the page at most
   double greatest_m = 0, rms_m = 0; ///< departure of heights from the file's: at most, where they
                                     ///< were read in larger cells already
-  double greatest_mm = 0; ///< of patches: on the page where each is nearest, but for the eye's feet
+  /// On the page where the ground is nearest; of patches where each is, but for the eye's feet.
+  double greatest_mm = 0;
   std::size_t summits = 0;    ///< of the ten highest, those on the page
   double summit_moved_mm = 0; ///< on the page, at most of these
 };

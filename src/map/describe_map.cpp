@@ -229,6 +229,7 @@ void describe_map(Map& map, const TerrainOfView& of_view, const PlacedView& plac
   facts.view.curvature = describe_curvature(placed, spec.view.curvature);
   facts.profiles = {spacing_text(placed.plan), placed.depths_m};
   facts.error_budget = error_budget(terrain, placed, spec, facts.level);
+  if (facts.level) facts.level->greatest_mm = level_of_detail_mm(terrain, placed, facts.level);
   const std::vector<PenTravel> by_layer = pen_travel_by_layer(map.drawing);
   facts.layers.clear();
   for (std::size_t i = 0; i < by_layer.size(); ++i) {

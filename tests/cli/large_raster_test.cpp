@@ -56,6 +56,9 @@ TEST_CASE("a large raster is drawn the same with an index, and without one that 
   CHECK(report["input"]["columns"] == 4200);
   CHECK(report["level_of_detail"]["step"].get<double>() >= 4);
   CHECK(report["level_of_detail"]["greatest_departure_m"].get<double>() > 0);
+  CHECK(report["level_of_detail"]["greatest_departure_mm"].get<double>() > 0);
+  CHECK(report["level_of_detail"]["greatest_departure_mm"] ==
+        report["error_budget_mm"]["level_of_detail"]);
 
   REQUIRE(run({"index", "large.vrt"}).exit_code == 0);
   CHECK(holds(run({"info", "large.vrt"}).out, "large.vrt.levels: cells 4 to 32 times as large"));
