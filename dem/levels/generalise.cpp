@@ -6,6 +6,8 @@
 #include "dem/levels/stretched_lattice.hpp"
 #include "geometry/on_all_cores.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,14 +15,18 @@
 namespace orograph {
 namespace {
 
-// The ground around each vertex, in rows of the level.
+// The ground around each vertex, in rows of the level: of some of its columns and rows.
 template <class Height>
 std::vector<AroundRow> around_all(const Grid& grid, const Heights<Height>& heights,
-                                  const std::vector<LevelWindow>& columns,
+                                  std::vector<LevelWindow> columns,
                                   const std::vector<LevelWindow>& rows) {
   std::vector<AroundRow> out(rows.size());
+  // No other columns of the grid are gathered.
+  const int first = columns.front().first, end = columns.back().last + 1;
+  for (LevelWindow& window : columns) window = window.from(first);
   const auto line = [&](int row) {
-    return std::span(heights.data() + grid.index(0, row), static_cast<std::size_t>(grid.columns));
+    return std::span(heights.data() + grid.index(first, row),
+                     static_cast<std::size_t>(end - first));
   };
   on_all_cores(rows.size(), [&](std::size_t j) {
     thread_local RowGathering gathering;
@@ -31,20 +37,33 @@ std::vector<AroundRow> around_all(const Grid& grid, const Heights<Height>& heigh
   return out;
 }
 
+// Of a part of a level with so many columns and rows.
 template <class Height, class Is>
 void generalise(const Grid& grid, const Heights<Height>& heights,
                 const std::vector<LevelWindow>& across, const std::vector<LevelWindow>& down,
-                const Is& is_kept, std::vector<Height>& out) {
-  const std::vector<AroundRow> around = around_all(grid, heights, across, down);
-  out.resize(across.size() * down.size());
-  on_all_cores(down.size(), [&](std::size_t j) {
-    const int nearest_row = down[j].nearest();
-    for (std::size_t i = 0; i < across.size(); ++i) {
-      const int nearest = across[i].nearest();
-      out[j * across.size() + i] = is_kept(nearest, nearest_row)
-                                       ? heights[grid.index(nearest, nearest_row)]
-                                       : static_cast<Height>(height_with_character(
-                                             around, static_cast<int>(i), static_cast<int>(j)));
+                const LevelPart& part, const Is& is_kept, std::vector<Height>& out) {
+  // A height looks at the ground around those beside it.
+  const auto with_those_beside = [](const std::vector<LevelWindow>& windows, std::size_t first,
+                                    std::size_t count) {
+    const std::size_t from = first - std::min<std::size_t>(first, 1),
+                      to = std::min(first + count + 1, windows.size());
+    return std::vector<LevelWindow>(windows.begin() + static_cast<std::ptrdiff_t>(from),
+                                    windows.begin() + static_cast<std::ptrdiff_t>(to));
+  };
+  const std::vector<AroundRow> around =
+      around_all(grid, heights, with_those_beside(across, part.first_column, part.columns),
+                 with_those_beside(down, part.first_row, part.rows));
+  const int first_column = part.first_column > 0 ? 1 : 0, first_row = part.first_row > 0 ? 1 : 0;
+  out.resize(part.columns * part.rows);
+  on_all_cores(part.rows, [&](std::size_t j) {
+    const int nearest_row = down[part.first_row + j].nearest();
+    for (std::size_t i = 0; i < part.columns; ++i) {
+      const int nearest = across[part.first_column + i].nearest();
+      out[j * part.columns + i] =
+          is_kept(nearest, nearest_row)
+              ? heights[grid.index(nearest, nearest_row)]
+              : static_cast<Height>(height_with_character(
+                    around, first_column + static_cast<int>(i), first_row + static_cast<int>(j)));
     }
   });
 }
@@ -58,23 +77,28 @@ Grid generalised(const Grid& grid, int step, const std::function<bool(int, int)>
       [&]<class Height>(const Heights<Height>& heights) {
         std::vector<Height> lower;
         generalise(grid, heights, stretched_windows(grid.columns, columns),
-                   stretched_windows(grid.rows, rows), is_kept, lower);
+                   stretched_windows(grid.rows, rows),
+                   {0, 0, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)},
+                   is_kept, lower);
         out.heights_m = Heights<Height>(std::move(lower));
       },
       grid.heights_m);
   return out;
 }
 
-NestedHeights nested_heights(const Grid& grid, int step,
-                             const std::function<bool(int, int)>& is_kept) {
-  NestedHeights out;
-  const std::vector<LevelWindow> across = nested_windows(grid.columns, step);
-  out.columns = across.size();
+LevelPart whole_level(const Grid& grid, int step) {
+  return {0, 0, nested_windows(grid.columns, step).size(), nested_windows(grid.rows, step).size()};
+}
+
+std::vector<double> nested_heights(const Grid& grid, int step, const LevelPart& part,
+                                   const std::function<bool(int, int)>& is_kept) {
+  std::vector<double> out;
   std::visit(
       [&]<class Height>(const Heights<Height>& heights) {
         std::vector<Height> lower;
-        generalise(grid, heights, across, nested_windows(grid.rows, step), is_kept, lower);
-        out.heights_m.assign(lower.begin(), lower.end());
+        generalise(grid, heights, nested_windows(grid.columns, step),
+                   nested_windows(grid.rows, step), part, is_kept, lower);
+        out.assign(lower.begin(), lower.end());
       },
       grid.heights_m);
   return out;

@@ -21,14 +21,17 @@ namespace orograph {
 Grid generalised(const Grid& grid, int step,
                  const std::function<bool(int column, int row)>& is_kept);
 
-/// Heights at every `step`th column and row of a grid and at its last ones, row-major.
-struct NestedHeights {
-  std::size_t columns = 0;
-  std::vector<double> heights_m; ///< NaN where there is none
+/// Vertices of a level: of every `step`th column and row of a grid, and its last ones.
+struct LevelPart {
+  std::size_t first_column = 0, first_row = 0, columns = 0, rows = 0;
 };
 
-/// The same heights as those of `generalised`, but at the grid's own vertices.
-NestedHeights nested_heights(const Grid& grid, int step,
-                             const std::function<bool(int column, int row)>& is_kept);
+/// All of them.
+LevelPart whole_level(const Grid& grid, int step);
+
+/// The same heights as those of `generalised`, but at the grid's own vertices, and of a part alone:
+/// row-major, NaN where there is none. To the bit those of the whole level.
+std::vector<double> nested_heights(const Grid& grid, int step, const LevelPart& part,
+                                   const std::function<bool(int column, int row)>& is_kept);
 
 } // namespace orograph

@@ -33,6 +33,11 @@ int LevelWindow::nearest() const {
   return static_cast<int>(std::lround(middle));
 }
 
+LevelWindow LevelWindow::from(int start) const {
+  return {middle - start,   reach, first - start, last - start, first_near - start,
+          last_near - start};
+}
+
 int vertices_for(int vertices, int step) {
   return std::max(2, static_cast<int>(std::lround((vertices - 1.0) / step)) + 1);
 }

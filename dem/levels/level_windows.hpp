@@ -17,6 +17,8 @@ struct LevelWindow {
   double weight(int at) const;
   /// The one whose height a lake keeps, and whose void stays one.
   int nearest() const;
+  /// The same, counted from a later row or column on.
+  LevelWindow from(int start) const;
 };
 
 /// As many vertices as cells of about `step` need.

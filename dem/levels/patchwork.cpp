@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/levels/patchwork.hpp"
 
-#include "dem/levels/generalise.hpp"
-#include "dem/levels/part_of_grid.hpp"
-#include "dem/levels/refine.hpp"
+#include "dem/levels/patch_heights.hpp"
 #include "dem/levels/stretched_lattice.hpp"
 #include "dem/mesh/neighbours.hpp"
 #include "geometry/on_all_cores.hpp"
@@ -23,101 +21,12 @@ namespace {
 constexpr std::uint32_t kNoVertex = 0xffffffff;
 constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
 
-using Place = std::array<std::int64_t, 2>; // column and row, in cells of the finest level
-
-// Of one patch: its lattice's columns and rows, and its own heights there.
-struct PatchHeights {
-  std::vector<std::int64_t> columns, rows;
-  std::vector<double> heights_m;
-
-  double at(std::size_t i, std::size_t j) const { return heights_m[j * columns.size() + i]; }
-};
-
-std::vector<std::int64_t> lattice_of(std::int64_t number, std::int64_t cell, std::int64_t end) {
-  std::vector<std::int64_t> places;
-  for (std::int64_t k = 0; k <= kPatchCells; ++k) {
-    const std::int64_t at = std::min((number * kPatchCells + k) * cell, end);
-    if (places.empty() || at > places.back()) places.push_back(at);
-  }
-  return places;
-}
-
-// The heights of all levels.
-class LevelHeights {
-public:
-  LevelHeights(const Grid& grid, const Patches& patches,
-               const std::function<bool(int, int)>& is_kept)
-      : grid_(grid), patches_(patches) {
-    std::vector<bool> has(static_cast<std::size_t>(patches.levels().coarsest) + 1, false);
-    for (const Patch& patch : patches.patches())
-      if (patch.level > 0) has[static_cast<std::size_t>(patch.level)] = true;
-    nested_.resize(has.size());
-    for (std::size_t level = 1; level < has.size(); ++level)
-      if (has[level] && is_kept) nested_[level] = nested_heights(grid, 1 << level, is_kept);
-  }
-
-  // Of a level from the file's on, at a vertex of its lattice.
-  double at(int level, Place place) const {
-    const std::int64_t file = patches_.cell(0);
-    const int column = static_cast<int>(place[0] / file), row = static_cast<int>(place[1] / file);
-    if (level <= 0) return grid_.height_m(column, row);
-    const NestedHeights& heights = nested_[static_cast<std::size_t>(level)];
-    if (heights.heights_m.empty()) return grid_.height_m(column, row);
-    const auto number = [&](int at) {
-      return static_cast<std::size_t>((at + (1 << level) - 1) >> level);
-    };
-    return heights.heights_m[number(row) * heights.columns + number(column)];
-  }
-
-  PatchHeights of(const Patch& patch) const {
-    const std::int64_t cell = patches_.cell(patch.level);
-    PatchHeights out{lattice_of(patch.column, cell, patches_.columns()),
-                     lattice_of(patch.row, cell, patches_.rows()),
-                     {}};
-    out.heights_m.reserve(out.columns.size() * out.rows.size());
-    if (patch.level >= 0) {
-      for (const std::int64_t row : out.rows)
-        for (const std::int64_t column : out.columns)
-          out.heights_m.push_back(at(patch.level, {column, row}));
-      return out;
-    }
-    // A refined height looks at its cell and at those beside it.
-    const std::int64_t file = patches_.cell(0);
-    const auto first = [&](std::int64_t place) {
-      return static_cast<int>(std::max<std::int64_t>(0, place / file - 1));
-    };
-    const auto end = [&](std::int64_t place, int vertices) {
-      return std::min(vertices, static_cast<int>((place + file - 1) / file) + 2);
-    };
-    GridPart part{first(out.columns.front()), first(out.rows.front()), 0, 0};
-    part.columns = end(out.columns.back(), grid_.columns) - part.first_column;
-    part.rows = end(out.rows.back(), grid_.rows) - part.first_row;
-    const Grid fine = refined(part_of_grid(grid_, part), 1 << -patch.level);
-    for (const std::int64_t row : out.rows)
-      for (const std::int64_t column : out.columns)
-        out.heights_m.push_back(
-            fine.height_m(static_cast<int>((column - part.first_column * file) / cell),
-                          static_cast<int>((row - part.first_row * file) / cell)));
-    return out;
-  }
-
-private:
-  const Grid& grid_;
-  const Patches& patches_;
-  std::vector<NestedHeights> nested_;
-};
-
-struct HashOfPlace {
-  std::size_t operator()(const Place& place) const {
-    return static_cast<std::size_t>(place[0]) * 0x9e3779b97f4a7c15U ^
-           static_cast<std::size_t>(place[1]) * 0xc2b2ae3d27d4eb4fU;
-  }
-};
+using Place = PatchworkPlace;
 
 // Vertices and triangles, patch after patch.
 class Sewing {
 public:
-  Sewing(const Grid& grid, const Patches& patches, const LevelHeights& heights)
+  Sewing(const Grid& grid, const Patches& patches, const HeightsOfPatches& heights)
       : patches_(patches), heights_(heights),
         lattice_(stretched_lattice(grid, static_cast<int>(patches.columns()) + 1,
                                    static_cast<int>(patches.rows()) + 1)),
@@ -208,8 +117,7 @@ private:
     const auto [west, east] = ends(place[0], patches_.columns());
     const auto [north, south] = ends(place[1], patches_.rows());
     if (west == east && north == south)
-      return in_place(place,
-                      coarsest == level || coarsest <= 0 ? own() : heights_.at(coarsest, place));
+      return in_place(place, coarsest == level ? own() : heights_.at(coarsest, place));
     const Vertex from = end_of_edge({west, north}), to = end_of_edge({east, south});
     const double share =
         west < east ? static_cast<double>(place[0] - west) / static_cast<double>(east - west)
@@ -222,24 +130,10 @@ private:
   Vertex end_of_edge(Place place) {
     const int coarsest = patches_.coarsest_at(place[0], place[1]);
     const std::uint32_t number = shared(
-        place, [&] { return height_of(coarsest, place); }, coarsest);
+        place, [&] { return heights_.at(coarsest, place); }, coarsest);
     return number == kNoVertex ? Vertex{{}, kNoHeight}
                                : Vertex{out_.tin.vertices_m[number], out_.heights_m[number]};
   }
-  double height_of(int level, Place place) {
-    if (level >= 0) return heights_.at(level, place);
-    const std::int64_t side = kPatchCells * patches_.cell(level);
-    const auto number = [&](std::int64_t at, std::int64_t end) {
-      return std::min(at, end - 1) / side;
-    };
-    const PatchHeights own = heights_.of(
-        {level, number(place[0], patches_.columns()), number(place[1], patches_.rows())});
-    const auto at = [](const std::vector<std::int64_t>& places, std::int64_t value) {
-      return static_cast<std::size_t>(std::ranges::lower_bound(places, value) - places.begin());
-    };
-    return own.at(at(own.columns, place[0]), at(own.rows, place[1]));
-  }
-
   void add_cell(const Patch& patch, const PatchHeights& own, std::size_t i, std::size_t j) {
     const std::size_t across = own.columns.size();
     const std::uint32_t nw = numbers_[j * across + i], ne = numbers_[j * across + i + 1],
@@ -292,7 +186,7 @@ private:
   }
 
   const Patches& patches_;
-  const LevelHeights& heights_;
+  const HeightsOfPatches& heights_;
   std::variant<PlaneLattice, EarthLattice> lattice_;
   bool is_turned_;
   Patchwork out_;
@@ -351,15 +245,13 @@ Departure departure_in(const Grid& grid, std::int64_t file, const Patch& patch,
 
 Patchwork patchwork(const Grid& grid, const Patches& patches,
                     const std::function<bool(int, int)>& is_kept) {
-  const LevelHeights heights(grid, patches, is_kept);
+  const HeightsOfPatches own(grid, patches, is_kept);
   const std::vector<Patch>& all = patches.patches();
-  std::vector<PatchHeights> own(all.size());
   std::vector<Departure> departures(all.size());
   on_all_cores(all.size(), [&](std::size_t i) {
-    own[i] = heights.of(all[i]);
     departures[i] = departure_in(grid, patches.cell(0), all[i], own[i]);
   });
-  Sewing sewing(grid, patches, heights);
+  Sewing sewing(grid, patches, own);
   for (std::size_t i = 0; i < all.size(); ++i) {
     throw_if_stopped();
     sewing.add(all[i], own[i]);

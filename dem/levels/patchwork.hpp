@@ -28,7 +28,7 @@ struct Patchwork {
 /// ground frame, and parts the coarse triangle too. So each edge has its triangles on both sides.
 /// A triangle that misses a height isn't there. `is_kept` as of `generalised`; where it is empty,
 /// larger cells aren't generalised but have the file's heights at their vertices. Cost: some 0.5 us
-/// a vertex, and 5 ns a height of the grid for each level that is coarser than the file's.
+/// a vertex, and that of `HeightsOfPatches`.
 Patchwork patchwork(const Grid& grid, const Patches& patches,
                     const std::function<bool(int column, int row)>& is_kept);
 

@@ -137,10 +137,6 @@ void place_panorama(PlacedView& placed, const TerrainData& terrain, const MapSpe
   Panorama panorama = panorama_asked(spec.view, request);
   View& view = placed.view;
   view = level_view(request, placed.cell_m);
-  // Each of many sectors asks for its own part of each profile.
-  if (const Tin* tin = std::get_if<Tin>(&terrain.surface);
-      tin && has_ground(terrain.surface) && !placed.for_cutters.tin_index)
-    placed.for_cutters.tin_index = std::make_shared<const TinIndex>(*tin);
   std::vector<GroundAhead> about;
   if (has_ground(terrain.surface))
     about = ground_about(panorama, view, cut_surface(placed, terrain.surface));
@@ -280,6 +276,10 @@ Picture place_picture(const TerrainData& terrain, TerrainFacts facts, const MapS
   placed.level = std::move(facts.water);
 
   const bool on_ground = has_ground(surface);
+  // From an eye the page shows a part of each profile, and so does each sector of a panorama.
+  if (const Tin* tin = std::get_if<Tin>(&surface);
+      tin && on_ground && spec.view.has_eye() && !placed.for_cutters.tin_index)
+    placed.for_cutters.tin_index = std::make_shared<const TinIndex>(*tin);
   placed.exaggeration_chosen = on_ground && !spec.view.exaggeration && !spec.view.file;
   const std::optional<EarthFrame>& earth = terrain.map.earth;
   placed.exaggeration = earth ? earth->exaggeration : exaggeration_of(spec.view, placed.extent.box);

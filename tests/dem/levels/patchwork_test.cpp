@@ -94,7 +94,8 @@ public:
     for (int level = patches.levels().finest; level <= patches.levels().coarsest; ++level) {
       if (level < 0) fine_.push_back(refined(grid, 1 << -level));
       if (level > 0)
-        nested_.push_back(nested_heights(grid, 1 << level, [](int, int) { return false; }));
+        nested_.push_back(nested_heights(grid, 1 << level, whole_level(grid, 1 << level),
+                                         [](int, int) { return false; }));
     }
   }
   // NaN where there is none.
@@ -105,16 +106,16 @@ public:
       return fine_[static_cast<std::size_t>(level - patches_.levels().finest)].height_m(
           number(column), number(row));
     if (level == 0) return grid_.height_m(number(column), number(row));
-    const NestedHeights& heights = nested_[static_cast<std::size_t>(level - 1)];
-    return heights.heights_m[static_cast<std::size_t>(number(row)) * heights.columns +
-                             static_cast<std::size_t>(number(column))];
+    return nested_[static_cast<std::size_t>(level - 1)]
+                  [static_cast<std::size_t>(number(row)) * whole_level(grid_, 1 << level).columns +
+                   static_cast<std::size_t>(number(column))];
   }
 
 private:
   const Grid& grid_;
   const Patches& patches_;
   std::vector<Grid> fine_;
-  std::vector<NestedHeights> nested_;
+  std::vector<std::vector<double>> nested_; ///< row-major
 };
 
 double area_of(const Tin& tin, std::size_t t) {
