@@ -37,33 +37,25 @@ std::vector<AroundRow> around_all(const Grid& grid, const Heights<Height>& heigh
   return out;
 }
 
-// Of a part of a level with so many columns and rows.
+// At vertices of a level, from the first columns and rows of the windows on; there are windows on
+// all sides of them, but where the level ends.
 template <class Height, class Is>
 void generalise(const Grid& grid, const Heights<Height>& heights,
                 const std::vector<LevelWindow>& across, const std::vector<LevelWindow>& down,
                 const LevelPart& part, const Is& is_kept, std::vector<Height>& out) {
-  // A height looks at the ground around those beside it.
-  const auto with_those_beside = [](const std::vector<LevelWindow>& windows, std::size_t first,
-                                    std::size_t count) {
-    const std::size_t from = first - std::min<std::size_t>(first, 1),
-                      to = std::min(first + count + 1, windows.size());
-    return std::vector<LevelWindow>(windows.begin() + static_cast<std::ptrdiff_t>(from),
-                                    windows.begin() + static_cast<std::ptrdiff_t>(to));
-  };
-  const std::vector<AroundRow> around =
-      around_all(grid, heights, with_those_beside(across, part.first_column, part.columns),
-                 with_those_beside(down, part.first_row, part.rows));
-  const int first_column = part.first_column > 0 ? 1 : 0, first_row = part.first_row > 0 ? 1 : 0;
+  const std::vector<AroundRow> around = around_all(grid, heights, across, down);
   out.resize(part.columns * part.rows);
   on_all_cores(part.rows, [&](std::size_t j) {
-    const int nearest_row = down[part.first_row + j].nearest();
+    const std::size_t row = part.first_row + j;
+    const int nearest_row = down[row].nearest();
     for (std::size_t i = 0; i < part.columns; ++i) {
-      const int nearest = across[part.first_column + i].nearest();
+      const std::size_t column = part.first_column + i;
+      const int nearest = across[column].nearest();
       out[j * part.columns + i] =
           is_kept(nearest, nearest_row)
               ? heights[grid.index(nearest, nearest_row)]
-              : static_cast<Height>(height_with_character(
-                    around, first_column + static_cast<int>(i), first_row + static_cast<int>(j)));
+              : static_cast<Height>(
+                    height_with_character(around, static_cast<int>(column), static_cast<int>(row)));
     }
   });
 }
@@ -87,17 +79,26 @@ Grid generalised(const Grid& grid, int step, const std::function<bool(int, int)>
 }
 
 LevelPart whole_level(const Grid& grid, int step) {
-  return {0, 0, nested_windows(grid.columns, step).size(), nested_windows(grid.rows, step).size()};
+  return {0, 0, static_cast<std::size_t>(nested_vertices(grid.columns, step)),
+          static_cast<std::size_t>(nested_vertices(grid.rows, step))};
 }
 
 std::vector<double> nested_heights(const Grid& grid, int step, const LevelPart& part,
                                    const std::function<bool(int, int)>& is_kept) {
+  // A height looks at the ground around those beside it.
+  const auto with_those_beside = [step](int vertices, std::size_t first, std::size_t count) {
+    return nested_windows(
+        vertices, step, std::max(0, static_cast<int>(first) - 1),
+        std::min(static_cast<int>(first + count) + 1, nested_vertices(vertices, step)));
+  };
+  const LevelPart within{std::min<std::size_t>(part.first_column, 1),
+                         std::min<std::size_t>(part.first_row, 1), part.columns, part.rows};
   std::vector<double> out;
   std::visit(
       [&]<class Height>(const Heights<Height>& heights) {
         std::vector<Height> lower;
-        generalise(grid, heights, nested_windows(grid.columns, step),
-                   nested_windows(grid.rows, step), part, is_kept, lower);
+        generalise(grid, heights, with_those_beside(grid.columns, part.first_column, part.columns),
+                   with_those_beside(grid.rows, part.first_row, part.rows), within, is_kept, lower);
         out.assign(lower.begin(), lower.end());
       },
       grid.heights_m);

@@ -49,10 +49,13 @@ std::vector<LevelWindow> stretched_windows(int vertices, int made) {
   return windows_about(places, step, vertices);
 }
 
-std::vector<LevelWindow> nested_windows(int vertices, int step) {
+int nested_vertices(int vertices, int step) {
+  return (vertices - 2 + step) / step + 1;
+}
+
+std::vector<LevelWindow> nested_windows(int vertices, int step, int first, int end) {
   std::vector<double> places;
-  for (int at = 0; at < vertices - 1; at += step) places.push_back(at);
-  places.push_back(vertices - 1);
+  for (int i = first; i < end; ++i) places.push_back(std::min(i * step, vertices - 1));
   return windows_about(places, step, vertices);
 }
 

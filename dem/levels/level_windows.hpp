@@ -28,7 +28,10 @@ int vertices_for(int vertices, int step);
 /// smaller than `step` would be.
 std::vector<LevelWindow> stretched_windows(int vertices, int made);
 
-/// Of every `step`th vertex, and the last one.
-std::vector<LevelWindow> nested_windows(int vertices, int step);
+/// How many vertices a level has that takes every `step`th one, and the last one.
+int nested_vertices(int vertices, int step);
+
+/// Of those, from `first` to before `end`.
+std::vector<LevelWindow> nested_windows(int vertices, int step, int first, int end);
 
 } // namespace orograph

@@ -4,6 +4,7 @@
 #include "dem/extent.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace orograph {
@@ -32,17 +33,21 @@ bool is_on_page(const PlacedView& placed, Vec3 on_page) {
   return at.x >= frame.low.x && at.x <= frame.high.x && at.y >= frame.low.y && at.y <= frame.high.y;
 }
 
-bool stands_over(const std::vector<Box3>& boxes, Vec2 eye_m) {
+bool stands_over(const Grid& grid, const std::vector<Box3>& boxes, Vec2 eye_m) {
+  // From one box's last vertices to the next one's first there is a cell.
+  const auto [column_m, row_m] = steps_of(grid);
+  const Vec2 half{0.501 * (std::abs(column_m.x) + std::abs(row_m.x)),
+                  0.501 * (std::abs(column_m.y) + std::abs(row_m.y))};
   return std::ranges::any_of(boxes, [&](const Box3& box) {
-    return box.low.x <= eye_m.x && eye_m.x <= box.high.x && box.low.y <= eye_m.y &&
-           eye_m.y <= box.high.y;
+    return box.low.x - half.x <= eye_m.x && eye_m.x <= box.high.x + half.x &&
+           box.low.y - half.y <= eye_m.y && eye_m.y <= box.high.y + half.y;
   });
 }
 
 // How large a cell is on the page where it is largest; infinite at the eye's feet.
 double greatest_cell_mm(const PlacedView& placed, const Grid& grid) {
   const View& view = placed.view;
-  if (view.is_perspective() && stands_over(placed.extent.blocks.boxes, view.depth_origin_m))
+  if (view.is_perspective() && stands_over(grid, placed.extent.blocks.boxes, view.depth_origin_m))
     return std::numeric_limits<double>::infinity();
   const GridSteps steps = steps_of(grid);
   const auto in_frame = [&](Vec2 step) {

@@ -25,7 +25,8 @@ double greatest_cell_mm(const PlacedView& placed, const Grid& grid);
 /// Whether a place, as `PlacedView::on_page` tells it, is in the picture.
 bool is_on_page(const PlacedView& placed, Vec3 on_page);
 
-/// Whether a place in plan is within one of the boxes.
-bool stands_over(const std::vector<Box3>& boxes, Vec2 eye_m);
+/// Whether a place in plan is over the grid's ground, of whose vertices the boxes are, or at most
+/// half a cell beside it.
+bool stands_over(const Grid& grid, const std::vector<Box3>& boxes, Vec2 eye_m);
 
 } // namespace orograph

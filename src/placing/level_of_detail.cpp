@@ -39,8 +39,8 @@ bool stands_over_ground(const ViewSpec& view, const TerrainData& terrain,
   ViewRequest request;
   request.exaggeration = exaggeration_of(view, facts.extent.box);
   place_eye(request, view, terrain);
-  return request.eye_m &&
-         stands_over(facts.extent.blocks.boxes, {request.eye_m->x, request.eye_m->y});
+  return request.eye_m && stands_over(std::get<Grid>(terrain.surface), facts.extent.blocks.boxes,
+                                      {request.eye_m->x, request.eye_m->y});
 }
 
 // Whether a vertex is one of a triangle of the set.

@@ -3,6 +3,7 @@
 // what is told of it is so.
 #include "dem/height_at.hpp"
 #include "map/draw_map.hpp"
+#include "placing/cell_on_page.hpp"
 #include "placing/land_part.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/placed_view.hpp"
@@ -145,6 +146,25 @@ TEST_CASE("an eye on the ground sees the file's own surface, unless a size is as
   CHECK(smooth.map.facts.check->hidden + smooth.map.facts.check->missing == 0);
   spec.style.detail = {};
   CHECK_FALSE(draw(whole, spec).level);
+}
+
+TEST_CASE("an eye stands over the ground anywhere within a grid's borders") {
+  Random random(3);
+  for (const bool on_earth : {false, true}) {
+    const TerrainData whole = on_earth ? degree_terrain() : made_terrain(random);
+    const Grid& grid = std::get<Grid>(whole.surface);
+    const TerrainFacts facts = facts_of(whole);
+    for (int i = 0; i < 400; ++i) {
+      const int column = random.whole(0, grid.columns - 2), row = random.whole(0, grid.rows - 2);
+      const Vec3 from = grid.vertex_m(column, row), to = grid.vertex_m(column + 1, row + 1);
+      const Vec2 within{from.x + random.between(0, 1) * (to.x - from.x),
+                        from.y + random.between(0, 1) * (to.y - from.y)};
+      CHECK(stands_over(grid, facts.extent.blocks.boxes, within));
+    }
+    const Vec3 first = grid.vertex_m(0, 0), next = grid.vertex_m(1, 1);
+    CHECK_FALSE(
+        stands_over(grid, facts.extent.blocks.boxes, {2 * first.x - next.x, 2 * first.y - next.y}));
+  }
 }
 
 TEST_CASE("patches about an eye are drawn rightly by the ray walk") {
