@@ -14,27 +14,26 @@ Grounds::Grounds(const RenderSettings& settings)
     bare_ = std::make_shared<const TerrainData>(read_ground(settings));
 }
 
-Ground& Grounds::of(const MapSpec& spec) {
+std::shared_ptr<Ground> Grounds::of(const MapSpec& spec) {
   return ground_of(bare_ ? bare_ : terrains_.of(spec));
 }
 
-Ground& Grounds::before_views() {
+std::shared_ptr<Ground> Grounds::before_views() {
   return ground_of(bare_ ? bare_ : terrains_.before_views(settings_.map));
 }
 
-Ground& Grounds::ground_of(std::shared_ptr<const TerrainData> terrain) {
+std::shared_ptr<Ground> Grounds::ground_of(std::shared_ptr<const TerrainData> terrain) {
   const std::lock_guard lock(mutex_);
-  const auto known = by_terrain_.find(terrain.get());
-  if (known != by_terrain_.end()) return known->second;
-  std::vector<Overlay> overlays = read_overlays(settings_.overlays, *terrain), names;
-  if (!settings_.labels.path.empty()) names = read_overlays({&settings_.labels, 1}, *terrain);
-  std::optional<TerrainFacts> facts;
-  if (!terrain->map.earth) facts = facts_of(*terrain);
-  Ground& ground = by_terrain_[terrain.get()];
-  ground.overlays = std::move(overlays);
-  ground.names = std::move(names);
-  ground.facts = std::move(facts);
-  ground.terrain = std::move(terrain);
+  if (const auto known = kept_.find(terrain.get()); known != kept_.end()) return known->second;
+  auto ground = std::make_shared<Ground>();
+  ground->overlays = read_overlays(settings_.overlays, *terrain);
+  if (!settings_.labels.path.empty())
+    ground->names = read_overlays({&settings_.labels, 1}, *terrain);
+  if (!terrain->map.earth) ground->facts = facts_of(*terrain);
+  ground->terrain = std::move(terrain);
+  const auto& larger = ground->terrain->larger_cells;
+  const bool is_of_one_eye = larger && !larger->parts.empty();
+  if (!is_of_one_eye) kept_.emplace(ground->terrain.get(), ground);
   return ground;
 }
 

@@ -25,24 +25,25 @@ struct Ground {
 };
 
 /// Nearly always all views have one. Of a large raster each has the cells that `render` would read
-/// for it, so that it draws the same. Several threads may ask at a time.
+/// for it, so that it draws the same; what is read for one eye is forgotten with its view. Several
+/// threads may ask at a time.
 class Grounds {
 public:
   /// REQUIRES that the settings outlive this.
   explicit Grounds(const RenderSettings& settings);
 
   /// As `TerrainsForMaps` does; throws its Errors.
-  Ground& of(const MapSpec& spec);
-  Ground& before_views();
+  std::shared_ptr<Ground> of(const MapSpec& spec);
+  std::shared_ptr<Ground> before_views();
 
 private:
-  Ground& ground_of(std::shared_ptr<const TerrainData> terrain);
+  std::shared_ptr<Ground> ground_of(std::shared_ptr<const TerrainData> terrain);
 
   const RenderSettings& settings_;
   std::shared_ptr<const TerrainData> bare_; ///< of a scene that stands on nothing
   TerrainsForMaps terrains_;
   std::mutex mutex_;
-  std::map<const TerrainData*, Ground> by_terrain_;
+  std::map<const TerrainData*, std::shared_ptr<Ground>> kept_;
 };
 
 } // namespace orograph

@@ -63,7 +63,7 @@ struct Undrawn {
 };
 
 template <class Draw>
-decltype(auto) drawn_or_why(const Draw& draw) {
+auto drawn_or_why(const Draw& draw) {
   try {
     return draw();
   } catch (const Error& error) {
@@ -82,18 +82,19 @@ void draw_view(const SweepRun& run, std::size_t view) {
   settings.output = (std::filesystem::path(run.settings.out_dir) / file).string();
   settings.write.overwrite = true; // a drawing without a row: the sweep ended between the two
   try {
-    Ground& ground = drawn_or_why([&]() -> Ground& { return run.grounds.of(settings.map); });
-    const Overlay* const names = ground.names.empty() ? nullptr : &ground.names.front();
+    const std::shared_ptr<Ground> ground =
+        drawn_or_why([&] { return run.grounds.of(settings.map); });
+    const Overlay* const names = ground->names.empty() ? nullptr : &ground->names.front();
     settings.map = with_room_for_names(settings.map, names);
     const auto terrain = drawn_or_why(
-        [&] { return std::make_unique<TerrainOfView>(*ground.terrain, settings.map.view); });
+        [&] { return std::make_unique<TerrainOfView>(*ground->terrain, settings.map.view); });
     std::optional<LevelOfDetail> level;
     PlacedView placed = drawn_or_why([&] {
-      const TerrainFacts* const facts = ground.facts ? &*ground.facts : nullptr;
-      level = choose_level(*terrain, settings.map, settings.solids.get(), facts, &ground.level);
+      const TerrainFacts* const facts = ground->facts ? &*ground->facts : nullptr;
+      level = choose_level(*terrain, settings.map, settings.solids.get(), facts, &ground->level);
       return placed_view(*terrain, settings.map, settings.solids.get(), facts);
     });
-    placed.overlays = ground.overlays;
+    placed.overlays = ground->overlays;
     placed.names = names;
     GroundMeter meter(placed);
     Map map = drawn_or_why([&] {
@@ -164,13 +165,14 @@ std::optional<ChosenDirection> chosen_direction(const Ground& ground, const View
 struct Prepared {
   explicit Prepared(const SweepSettings& settings)
       : grounds(settings.render), first(grounds.before_views()),
-        views(settings, first.terrain->map), columns(settings, views),
-        plan(make_plan(settings, views, columns, *first.terrain, chosen_direction(first, views))) {}
+        views(settings, first->terrain->map), columns(settings, views),
+        plan(make_plan(settings, views, columns, *first->terrain,
+                       chosen_direction(*first, views))) {}
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
 
   Grounds grounds;
-  const Ground& first;
+  std::shared_ptr<const Ground> first;
   ViewList views;
   Columns columns;
   Plan plan;
@@ -192,9 +194,9 @@ void sweep(const SweepSettings& settings) {
       [&] { return first ? open_folder(settings, prepared->plan) : std::vector<std::size_t>(); });
 
   if (first && !settings.render.quiet) {
-    tell_doubts(*prepared->first.terrain);
-    tell_notes(prepared->first.overlays);
-    tell_notes(prepared->first.names);
+    tell_doubts(*prepared->first->terrain);
+    tell_notes(prepared->first->overlays);
+    tell_notes(prepared->first->names);
   }
   const SweepRun run{settings, prepared->grounds, prepared->views, prepared->columns,
                      prepared->plan};

@@ -37,8 +37,7 @@ std::vector<AroundRow> around_all(const Grid& grid, const Heights<Height>& heigh
   return out;
 }
 
-// At vertices of a level, from the first columns and rows of the windows on; there are windows on
-// all sides of them, but where the level ends.
+// At a part of the vertices that have the windows.
 template <class Height, class Is>
 void generalise(const Grid& grid, const Heights<Height>& heights,
                 const std::vector<LevelWindow>& across, const std::vector<LevelWindow>& down,
@@ -78,6 +77,21 @@ Grid generalised(const Grid& grid, int step, const std::function<bool(int, int)>
   return out;
 }
 
+std::vector<double> heights_about(const Grid& grid, const LevelPlaces& places,
+                                  const LevelPart& part,
+                                  const std::function<bool(int, int)>& is_kept) {
+  std::vector<double> out;
+  std::visit(
+      [&]<class Height>(const Heights<Height>& heights) {
+        std::vector<Height> lower;
+        generalise(grid, heights, windows_about(places.columns, places.step, grid.columns),
+                   windows_about(places.rows, places.step, grid.rows), part, is_kept, lower);
+        out.assign(lower.begin(), lower.end());
+      },
+      grid.heights_m);
+  return out;
+}
+
 LevelPart whole_level(const Grid& grid, int step) {
   return {0, 0, static_cast<std::size_t>(nested_vertices(grid.columns, step)),
           static_cast<std::size_t>(nested_vertices(grid.rows, step))};
@@ -85,24 +99,20 @@ LevelPart whole_level(const Grid& grid, int step) {
 
 std::vector<double> nested_heights(const Grid& grid, int step, const LevelPart& part,
                                    const std::function<bool(int, int)>& is_kept) {
-  // A height looks at the ground around those beside it.
   const auto with_those_beside = [step](int vertices, std::size_t first, std::size_t count) {
-    return nested_windows(
-        vertices, step, std::max(0, static_cast<int>(first) - 1),
-        std::min(static_cast<int>(first + count) + 1, nested_vertices(vertices, step)));
+    std::vector<double> places;
+    const int end = std::min(static_cast<int>(first + count) + 1, nested_vertices(vertices, step));
+    for (int i = std::max(0, static_cast<int>(first) - 1); i < end; ++i)
+      places.push_back(std::min(i * step, vertices - 1));
+    return places;
   };
-  const LevelPart within{std::min<std::size_t>(part.first_column, 1),
-                         std::min<std::size_t>(part.first_row, 1), part.columns, part.rows};
-  std::vector<double> out;
-  std::visit(
-      [&]<class Height>(const Heights<Height>& heights) {
-        std::vector<Height> lower;
-        generalise(grid, heights, with_those_beside(grid.columns, part.first_column, part.columns),
-                   with_those_beside(grid.rows, part.first_row, part.rows), within, is_kept, lower);
-        out.assign(lower.begin(), lower.end());
-      },
-      grid.heights_m);
-  return out;
+  const LevelPlaces places{with_those_beside(grid.columns, part.first_column, part.columns),
+                           with_those_beside(grid.rows, part.first_row, part.rows),
+                           static_cast<double>(step)};
+  return heights_about(grid, places,
+                       {std::min<std::size_t>(part.first_column, 1),
+                        std::min<std::size_t>(part.first_row, 1), part.columns, part.rows},
+                       is_kept);
 }
 
 } // namespace orograph

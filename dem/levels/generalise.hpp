@@ -21,16 +21,28 @@ namespace orograph {
 Grid generalised(const Grid& grid, int step,
                  const std::function<bool(int column, int row)>& is_kept);
 
-/// Vertices of a level: of every `step`th column and row of a grid, and its last ones.
+/// Some of a level's vertices, by its columns and rows.
 struct LevelPart {
   std::size_t first_column = 0, first_row = 0, columns = 0, rows = 0;
 };
 
-/// All of them.
+/// Where a level's vertices are in a grid, in its columns and rows. The first and last columns and
+/// rows are those beside the part that is asked for, but where the level ends.
+struct LevelPlaces {
+  std::vector<double> columns, rows;
+  double step = 1; ///< of the grid's cells to one of the level
+};
+
+/// The same heights as those of `generalised`, but at other vertices: of a part of these places;
+/// row-major, NaN where there is none. `is_kept` by the grid's columns and rows.
+std::vector<double> heights_about(const Grid& grid, const LevelPlaces& places,
+                                  const LevelPart& part,
+                                  const std::function<bool(int column, int row)>& is_kept);
+
+/// All vertices of the level that has every `step`th column and row of a grid, and its last ones.
 LevelPart whole_level(const Grid& grid, int step);
 
-/// The same heights as those of `generalised`, but at the grid's own vertices, and of a part alone:
-/// row-major, NaN where there is none. To the bit those of the whole level.
+/// Heights of a part of that level, to the bit those of the whole.
 std::vector<double> nested_heights(const Grid& grid, int step, const LevelPart& part,
                                    const std::function<bool(int column, int row)>& is_kept);
 

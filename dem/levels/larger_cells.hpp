@@ -2,18 +2,27 @@
 // A raster that is read in larger cells than its own, and how far these are from its heights.
 #pragma once
 
+#include "dem/grid.hpp"
 #include "dem/levels/departure.hpp"
+#include "dem/levels/part_of_grid.hpp"
 #include "dem/levels/tops.hpp"
 
 #include <vector>
 
 namespace orograph {
 
+/// A part of a raster in its own cells.
+struct RasterPart {
+  GridPart at; ///< of the raster's columns and rows
+  Grid cells;  ///< heights alone: a frame's lattice of the raster tells where they are
+};
+
 struct LargerCells {
   int step = 1;              ///< of the raster's cells to one, about
   int columns = 0, rows = 0; ///< the raster's vertices, between the same borders
   Departure departure;
-  std::vector<Top> tops; ///< the raster's highest summits, by its own columns and rows
+  std::vector<Top> tops;              ///< the raster's highest summits, by its own columns and rows
+  std::vector<RasterPart> parts = {}; ///< what of it was read in its own cells, too
 };
 
 } // namespace orograph

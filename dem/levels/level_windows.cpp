@@ -5,26 +5,6 @@
 #include <cmath>
 
 namespace orograph {
-namespace {
-
-// About each of some places among so many vertices, rising from the first to the last.
-std::vector<LevelWindow> windows_about(const std::vector<double>& places, double step,
-                                       int vertices) {
-  std::vector<LevelWindow> windows;
-  const auto within = [&](double at) {
-    return static_cast<int>(std::clamp(at, 0.0, vertices - 1.0));
-  };
-  for (const double middle : places) {
-    const double reach = std::min({step, middle + 1, vertices - middle});
-    windows.push_back({middle, reach, within(std::floor(middle - reach) + 1),
-                       within(std::ceil(middle + reach) - 1), within(std::ceil(middle - reach / 2)),
-                       within(std::floor(middle + reach / 2))});
-  }
-  return windows;
-}
-
-} // namespace
-
 double LevelWindow::weight(int at) const {
   return 1 - std::abs(at - middle) / reach;
 }
@@ -42,6 +22,21 @@ int vertices_for(int vertices, int step) {
   return std::max(2, static_cast<int>(std::lround((vertices - 1.0) / step)) + 1);
 }
 
+std::vector<LevelWindow> windows_about(const std::vector<double>& places, double step,
+                                       int vertices) {
+  std::vector<LevelWindow> windows;
+  const auto within = [&](double at) {
+    return static_cast<int>(std::clamp(at, 0.0, vertices - 1.0));
+  };
+  for (const double middle : places) {
+    const double reach = std::min({step, middle + 1, vertices - middle});
+    windows.push_back({middle, reach, within(std::floor(middle - reach) + 1),
+                       within(std::ceil(middle + reach) - 1), within(std::ceil(middle - reach / 2)),
+                       within(std::floor(middle + reach / 2))});
+  }
+  return windows;
+}
+
 std::vector<LevelWindow> stretched_windows(int vertices, int made) {
   const double step = (vertices - 1.0) / (made - 1);
   std::vector<double> places;
@@ -51,12 +46,6 @@ std::vector<LevelWindow> stretched_windows(int vertices, int made) {
 
 int nested_vertices(int vertices, int step) {
   return (vertices - 2 + step) / step + 1;
-}
-
-std::vector<LevelWindow> nested_windows(int vertices, int step, int first, int end) {
-  std::vector<double> places;
-  for (int i = first; i < end; ++i) places.push_back(std::min(i * step, vertices - 1));
-  return windows_about(places, step, vertices);
 }
 
 } // namespace orograph

@@ -28,10 +28,12 @@ int vertices_for(int vertices, int step);
 /// smaller than `step` would be.
 std::vector<LevelWindow> stretched_windows(int vertices, int made);
 
+/// About some places among so many vertices, rising, of a level whose cells are `step` of them
+/// large.
+std::vector<LevelWindow> windows_about(const std::vector<double>& places, double step,
+                                       int vertices);
+
 /// How many vertices a level has that takes every `step`th one, and the last one.
 int nested_vertices(int vertices, int step);
-
-/// Of those, from `first` to before `end`.
-std::vector<LevelWindow> nested_windows(int vertices, int step, int first, int end);
 
 } // namespace orograph

@@ -2,13 +2,11 @@
 #include "dem/levels/part_of_grid.hpp"
 
 #include <cstddef>
-#include <variant>
 #include <vector>
 
 namespace orograph {
-namespace {
 
-std::variant<PlaneLattice, EarthLattice> lattice_of(const Grid& grid, const GridPart& part) {
+std::variant<PlaneLattice, EarthLattice> lattice_of_part(const Grid& grid, const GridPart& part) {
   if (!grid.is_on_earth()) {
     PlaneLattice lattice = grid.plane();
     lattice.first_vertex_m = lattice.position_m(part.first_column, part.first_row);
@@ -22,8 +20,6 @@ std::variant<PlaneLattice, EarthLattice> lattice_of(const Grid& grid, const Grid
   return EarthLattice(degrees, grid.earth().frame(), grid.earth().exaggeration());
 }
 
-} // namespace
-
 Grid part_of_grid(const Grid& grid, const GridPart& part) {
   const auto copy = [&]<class Height>(const Heights<Height>& heights) {
     std::vector<Height> out;
@@ -35,7 +31,7 @@ Grid part_of_grid(const Grid& grid, const GridPart& part) {
     }
     return std::variant<Heights<float>, Heights<double>>(Heights<Height>(std::move(out)));
   };
-  return {part.columns, part.rows, lattice_of(grid, part), std::visit(copy, grid.heights_m)};
+  return {part.columns, part.rows, lattice_of_part(grid, part), std::visit(copy, grid.heights_m)};
 }
 
 } // namespace orograph

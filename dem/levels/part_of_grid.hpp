@@ -4,12 +4,17 @@
 
 #include "dem/grid.hpp"
 
+#include <variant>
+
 namespace orograph {
 
 /// Vertices of a grid, from the first column and row on.
 struct GridPart {
   int first_column = 0, first_row = 0, columns = 0, rows = 0;
 };
+
+/// Where the part's vertices are: it needs no heights.
+std::variant<PlaneLattice, EarthLattice> lattice_of_part(const Grid& grid, const GridPart& part);
 
 /// The vertices where they are, in the same frame, with copies of their heights. REQUIRES a part
 /// that lies in the grid, of two columns and rows at least. Cost: that of copying.

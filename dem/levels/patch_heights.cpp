@@ -7,7 +7,9 @@
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -35,47 +37,114 @@ GridPart looked_at(const Grid& grid, const PatchHeights& lattice, std::int64_t f
   return part;
 }
 
-} // namespace
-
-HeightsOfPatches::HeightsOfPatches(const Grid& grid, const Patches& patches,
-                                   const std::function<bool(int, int)>& is_kept)
-    : grid_(grid), patches_(patches), own_(patches.patches().size()) {
-  const std::vector<Patch>& all = patches.patches();
-  on_all_cores(all.size(), [&](std::size_t i) { own_[i] = heights_of(all[i], is_kept); });
-  for (std::size_t i = 0; i < all.size(); ++i)
-    by_place_.emplace(PatchworkPlace{own_[i].columns.front(), own_[i].rows.front()}, i);
+std::vector<double> heights_in_grid(const Grid& grid, const Patches& patches, const Patch& patch,
+                                    const PatchHeights& lattice,
+                                    const std::function<bool(int, int)>& is_kept) {
+  const std::int64_t cell = patches.cell(patch.level), file = patches.cell(0);
+  if (patch.level > 0 && is_kept)
+    return nested_heights(grid, 1 << patch.level,
+                          {static_cast<std::size_t>(patch.column * kPatchCells),
+                           static_cast<std::size_t>(patch.row * kPatchCells),
+                           lattice.columns.size(), lattice.rows.size()},
+                          is_kept);
+  std::vector<double> out;
+  out.reserve(lattice.columns.size() * lattice.rows.size());
+  if (patch.level >= 0) {
+    for (const std::int64_t row : lattice.rows)
+      for (const std::int64_t column : lattice.columns)
+        out.push_back(grid.height_m(static_cast<int>(column / file), static_cast<int>(row / file)));
+    return out;
+  }
+  const GridPart part = looked_at(grid, lattice, file);
+  const Grid fine = refined(part_of_grid(grid, part), 1 << -patch.level);
+  for (const std::int64_t row : lattice.rows)
+    for (const std::int64_t column : lattice.columns)
+      out.push_back(fine.height_m(static_cast<int>((column - part.first_column * file) / cell),
+                                  static_cast<int>((row - part.first_row * file) / cell)));
+  return out;
 }
 
-PatchHeights HeightsOfPatches::heights_of(const Patch& patch,
-                                          const std::function<bool(int, int)>& is_kept) const {
-  const std::int64_t cell = patches_.cell(patch.level), file = patches_.cell(0);
-  PatchHeights out{lattice_of(patch.column, cell, patches_.columns()),
-                   lattice_of(patch.row, cell, patches_.rows()),
-                   {}};
-  if (patch.level > 0 && is_kept) {
-    out.heights_m = nested_heights(grid_, 1 << patch.level,
-                                   {static_cast<std::size_t>(patch.column * kPatchCells),
-                                    static_cast<std::size_t>(patch.row * kPatchCells),
-                                    out.columns.size(), out.rows.size()},
-                                   is_kept);
-    return out;
-  }
-  out.heights_m.reserve(out.columns.size() * out.rows.size());
-  if (patch.level >= 0) {
-    for (const std::int64_t row : out.rows)
-      for (const std::int64_t column : out.columns)
-        out.heights_m.push_back(
-            grid_.height_m(static_cast<int>(column / file), static_cast<int>(row / file)));
-    return out;
-  }
-  const GridPart part = looked_at(grid_, out, file);
-  const Grid fine = refined(part_of_grid(grid_, part), 1 << -patch.level);
-  for (const std::int64_t row : out.rows)
-    for (const std::int64_t column : out.columns)
-      out.heights_m.push_back(
-          fine.height_m(static_cast<int>((column - part.first_column * file) / cell),
-                        static_cast<int>((row - part.first_row * file) / cell)));
+// Between three corners of a cell split from north-west to south-east; NaN where one that has a
+// share in it is.
+double in_cell(double nw, double ne, double sw, double se, double x, double y) {
+  const auto part = [](double share, double height) { return share == 0 ? 0 : share * height; };
+  return x > y ? part(1 - x, nw) + part(x - y, ne) + part(y, se)
+               : part(1 - y, nw) + part(y - x, sw) + part(x, se);
+}
+
+// At the vertices of smaller cells.
+Departure departure_of_refined(const Grid& grid, std::int64_t file, const PatchHeights& own) {
+  SumOfDepartures sum;
+  for (std::size_t j = 0; j < own.rows.size(); ++j)
+    for (std::size_t i = 0; i < own.columns.size(); ++i) {
+      const int column = std::min(static_cast<int>(own.columns[i] / file), grid.columns - 2),
+                row = std::min(static_cast<int>(own.rows[j] / file), grid.rows - 2);
+      const double x = static_cast<double>(own.columns[i] - column * file) /
+                       static_cast<double>(file),
+                   y = static_cast<double>(own.rows[j] - row * file) / static_cast<double>(file);
+      sum.add(own.at(i, j) - in_cell(grid.height_m(column, row), grid.height_m(column + 1, row),
+                                     grid.height_m(column, row + 1),
+                                     grid.height_m(column + 1, row + 1), x, y));
+    }
+  return sum.take();
+}
+
+} // namespace
+
+double height_in_cell(const PatchHeights& own, std::size_t i, std::size_t j, double x, double y) {
+  return in_cell(own.at(i, j), own.at(i + 1, j), own.at(i, j + 1), own.at(i + 1, j + 1), x, y);
+}
+
+Departure SumOfDepartures::take() const {
+  Departure out = of_;
+  if (count_ > 0) out.rms_m = std::sqrt(out.rms_m / static_cast<double>(count_));
   return out;
+}
+
+Departure departure_of_patch(const Grid& cells, int first_column, int first_row,
+                             const Patches& patches, const PatchHeights& own) {
+  const std::int64_t file = patches.cell(0);
+  SumOfDepartures sum;
+  for (std::size_t j = 0; j + 1 < own.rows.size(); ++j)
+    for (std::size_t i = 0; i + 1 < own.columns.size(); ++i) {
+      const std::int64_t wide = own.columns[i + 1] - own.columns[i],
+                         high = own.rows[j + 1] - own.rows[j];
+      for (std::int64_t row = own.rows[j]; row < own.rows[j + 1]; row += file)
+        for (std::int64_t column = own.columns[i]; column < own.columns[i + 1]; column += file)
+          sum.add(height_in_cell(
+                      own, i, j,
+                      static_cast<double>(column - own.columns[i]) / static_cast<double>(wide),
+                      static_cast<double>(row - own.rows[j]) / static_cast<double>(high)) -
+                  cells.height_m(static_cast<int>(column / file) - first_column,
+                                 static_cast<int>(row / file) - first_row));
+    }
+  return sum.take();
+}
+
+PatchSource patches_of_grid(const Grid& grid, const Patches& patches,
+                            std::function<bool(int, int)> is_kept) {
+  return {[&grid, &patches, is_kept = std::move(is_kept)](const Patch& patch,
+                                                          const PatchHeights& lattice) {
+            return heights_in_grid(grid, patches, patch, lattice, is_kept);
+          },
+          [&grid, &patches](const Patch& patch, const PatchHeights& own) {
+            return patch.level < 0   ? departure_of_refined(grid, patches.cell(0), own)
+                   : patch.level > 0 ? departure_of_patch(grid, 0, 0, patches, own)
+                                     : Departure{};
+          }};
+}
+
+HeightsOfPatches::HeightsOfPatches(const Patches& patches, const PatchSource& source)
+    : patches_(patches), own_(patches.patches().size()) {
+  const std::vector<Patch>& all = patches.patches();
+  on_all_cores(all.size(), [&](std::size_t i) {
+    const std::int64_t cell = patches.cell(all[i].level);
+    own_[i].columns = lattice_of(all[i].column, cell, patches.columns());
+    own_[i].rows = lattice_of(all[i].row, cell, patches.rows());
+    own_[i].heights_m = source.heights_m(all[i], own_[i]);
+  });
+  for (std::size_t i = 0; i < all.size(); ++i)
+    by_place_.emplace(PatchworkPlace{own_[i].columns.front(), own_[i].rows.front()}, i);
 }
 
 double HeightsOfPatches::at(int level, PatchworkPlace place) const {

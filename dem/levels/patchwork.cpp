@@ -32,6 +32,16 @@ public:
                                    static_cast<int>(patches.rows()) + 1)),
         is_turned_(!grid.is_on_earth() && grid.plane().is_mirrored()) {}
 
+  // For so many patches of full size.
+  void reserve(std::size_t patches) {
+    constexpr std::size_t kCells = std::size_t{kPatchCells} * kPatchCells,
+                          kVertices = kCells + kPatchCells, kTriangles = 2 * kCells + kPatchCells;
+    out_.tin.vertices_m.reserve(patches * kVertices);
+    out_.heights_m.reserve(patches * kVertices);
+    out_.places.reserve(patches * kVertices);
+    out_.tin.triangles.reserve(patches * kTriangles);
+  }
+
   void add(const Patch& patch, const PatchHeights& own) {
     const std::size_t across = own.columns.size(), down = own.rows.size();
     numbers_.assign(across * down, kNoVertex);
@@ -194,64 +204,16 @@ private:
   std::vector<std::uint32_t> numbers_; // of a patch's vertices
 };
 
-// Between three corners of a cell split from north-west to south-east; NaN where one that has a
-// share in it is.
-double in_cell(double nw, double ne, double sw, double se, double x, double y) {
-  const auto part = [](double share, double height) { return share == 0 ? 0 : share * height; };
-  return x > y ? part(1 - x, nw) + part(x - y, ne) + part(y, se)
-               : part(1 - y, nw) + part(y - x, sw) + part(x, se);
-}
-
-// Of a patch's own heights, at the vertices of the finer of both lattices.
-Departure departure_in(const Grid& grid, std::int64_t file, const Patch& patch,
-                       const PatchHeights& own) {
-  Departure out;
-  std::size_t count = 0;
-  const auto add = [&](double apart) {
-    if (std::isnan(apart)) return;
-    out.greatest_m = std::max(out.greatest_m, std::abs(apart));
-    out.rms_m += apart * apart;
-    ++count;
-  };
-  if (patch.level < 0)
-    for (std::size_t j = 0; j < own.rows.size(); ++j)
-      for (std::size_t i = 0; i < own.columns.size(); ++i) {
-        const int column = std::min(static_cast<int>(own.columns[i] / file), grid.columns - 2),
-                  row = std::min(static_cast<int>(own.rows[j] / file), grid.rows - 2);
-        const double x = static_cast<double>(own.columns[i] - column * file) /
-                         static_cast<double>(file),
-                     y = static_cast<double>(own.rows[j] - row * file) / static_cast<double>(file);
-        add(own.at(i, j) - in_cell(grid.height_m(column, row), grid.height_m(column + 1, row),
-                                   grid.height_m(column, row + 1),
-                                   grid.height_m(column + 1, row + 1), x, y));
-      }
-  if (patch.level > 0)
-    for (std::size_t j = 0; j + 1 < own.rows.size(); ++j)
-      for (std::size_t i = 0; i + 1 < own.columns.size(); ++i) {
-        const std::int64_t wide = own.columns[i + 1] - own.columns[i],
-                           high = own.rows[j + 1] - own.rows[j];
-        for (std::int64_t row = own.rows[j]; row < own.rows[j + 1]; row += file)
-          for (std::int64_t column = own.columns[i]; column < own.columns[i + 1]; column += file)
-            add(in_cell(own.at(i, j), own.at(i + 1, j), own.at(i, j + 1), own.at(i + 1, j + 1),
-                        static_cast<double>(column - own.columns[i]) / static_cast<double>(wide),
-                        static_cast<double>(row - own.rows[j]) / static_cast<double>(high)) -
-                grid.height_m(static_cast<int>(column / file), static_cast<int>(row / file)));
-      }
-  if (count > 0) out.rms_m = std::sqrt(out.rms_m / static_cast<double>(count));
-  return out;
-}
-
 } // namespace
 
-Patchwork patchwork(const Grid& grid, const Patches& patches,
-                    const std::function<bool(int, int)>& is_kept) {
-  const HeightsOfPatches own(grid, patches, is_kept);
+Patchwork patchwork(const Grid& grid, const Patches& patches, const PatchSource& source) {
+  const HeightsOfPatches own(patches, source);
   const std::vector<Patch>& all = patches.patches();
   std::vector<Departure> departures(all.size());
-  on_all_cores(all.size(), [&](std::size_t i) {
-    departures[i] = departure_in(grid, patches.cell(0), all[i], own[i]);
-  });
+  on_all_cores(all.size(),
+               [&](std::size_t i) { departures[i] = source.departure(all[i], own[i]); });
   Sewing sewing(grid, patches, own);
+  sewing.reserve(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     throw_if_stopped();
     sewing.add(all[i], own[i]);
@@ -259,6 +221,11 @@ Patchwork patchwork(const Grid& grid, const Patches& patches,
   Patchwork out = sewing.take();
   out.departures = std::move(departures);
   return out;
+}
+
+Patchwork patchwork(const Grid& grid, const Patches& patches,
+                    const std::function<bool(int, int)>& is_kept) {
+  return patchwork(grid, patches, patches_of_grid(grid, patches, is_kept));
 }
 
 } // namespace orograph

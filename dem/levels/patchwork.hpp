@@ -4,6 +4,7 @@
 
 #include "dem/grid.hpp"
 #include "dem/levels/departure.hpp"
+#include "dem/levels/patch_heights.hpp"
 #include "dem/levels/patches.hpp"
 #include "dem/tin.hpp"
 
@@ -22,13 +23,14 @@ struct Patchwork {
   std::vector<std::array<std::int64_t, 2>> places;
 };
 
-/// Patches of larger cells than the file's have its generalised heights, those of smaller ones its
-/// refined heights. A vertex that several patches have is as the coarsest of them has it; one that
-/// lies on an edge of a coarser patch is on the straight line between that edge's ends, in the
-/// ground frame, and parts the coarse triangle too. So each edge has its triangles on both sides.
-/// A triangle that misses a height isn't there. `is_kept` as of `generalised`; where it is empty,
-/// larger cells aren't generalised but have the file's heights at their vertices. Cost: some 0.5 us
-/// a vertex, and that of `HeightsOfPatches`.
+/// A vertex that several patches have is as the coarsest of them has it; one that lies on an edge
+/// of a coarser patch is on the straight line between that edge's ends, in the ground frame, and
+/// parts the coarse triangle too. So each edge has its triangles on both sides. A triangle that
+/// misses a height isn't there. `grid` tells where patches are: it, or a level of it, has the
+/// corners of the grid that they part. Cost: some 0.5 us a vertex, and that of the source.
+Patchwork patchwork(const Grid& grid, const Patches& patches, const PatchSource& source);
+
+/// Of the grid itself, as `patches_of_grid`.
 Patchwork patchwork(const Grid& grid, const Patches& patches,
                     const std::function<bool(int column, int row)>& is_kept);
 

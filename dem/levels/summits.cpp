@@ -62,27 +62,45 @@ std::vector<Summit> summits_of(const LargerCells& file, const Grid& level) {
   return summits;
 }
 
+namespace {
+
+// The highest vertex of the patches within a cell of a place of the grid's, before others the one
+// that is there.
+std::optional<Vec3> drawn_near(const Patchwork& made, const Patches& patches, const Top& top) {
+  const std::int64_t file = patches.cell(0), column = top.column * file, row = top.row * file;
+  const std::int64_t reach = patches.cell(patches.coarsest_at(column, row));
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < made.places.size(); ++i) {
+    const auto& [c, r] = made.places[i];
+    if (std::abs(c - column) > reach || std::abs(r - row) > reach) continue;
+    const double height_m = made.heights_m[i];
+    if (!best || height_m > made.heights_m[*best] ||
+        (height_m == made.heights_m[*best] && c == column && r == row))
+      best = i;
+  }
+  return best ? std::optional(made.tin.vertices_m[*best]) : std::nullopt;
+}
+
+} // namespace
+
 std::vector<Summit> summits_of(const Grid& grid, const Patchwork& made, const Patches& patches,
                                std::size_t most) {
   std::vector<Summit> summits;
-  for (const Top& highest : tops_of(grid, kSummitsApart, most)) {
-    const std::int64_t file = patches.cell(0);
-    const std::int64_t column = highest.column * file, row = highest.row * file;
-    const std::int64_t reach = patches.cell(patches.coarsest_at(column, row));
-    const auto count = static_cast<std::ptrdiff_t>(made.places.size());
-    std::ptrdiff_t best = -1;
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-      const auto& [c, r] = made.places[static_cast<std::size_t>(i)];
-      if (std::abs(c - column) > reach || std::abs(r - row) > reach) continue;
-      const double height_m = made.heights_m[static_cast<std::size_t>(i)];
-      if (best < 0 || height_m > made.heights_m[static_cast<std::size_t>(best)] ||
-          (height_m == made.heights_m[static_cast<std::size_t>(best)] && c == column && r == row))
-        best = i;
-    }
-    if (best >= 0)
-      summits.push_back({grid.vertex_m(highest.column, highest.row),
-                         made.tin.vertices_m[static_cast<std::size_t>(best)]});
-  }
+  for (const Top& top : tops_of(grid, kSummitsApart, most))
+    if (const auto drawn = drawn_near(made, patches, top))
+      summits.push_back({grid.vertex_m(top.column, top.row), *drawn});
+  return summits;
+}
+
+std::vector<Summit> summits_of(const LargerCells& file, const Grid& raster, const Patchwork& made,
+                               const Patches& patches) {
+  std::vector<Summit> summits;
+  for (const Top& top : file.tops)
+    if (const auto drawn = drawn_near(made, patches, top))
+      summits.push_back(
+          {std::visit([&](const auto& l) { return l.vertex_m(top.column, top.row, top.height_m); },
+                      raster.lattice),
+           *drawn});
   return summits;
 }
 

@@ -29,5 +29,8 @@ std::vector<Summit> summits_of(const LargerCells& file, const Grid& level);
 /// the grid's.
 std::vector<Summit> summits_of(const Grid& grid, const Patchwork& made, const Patches& patches,
                                std::size_t most);
+/// The same of patches of a raster that was read in larger cells; `raster` is its lattice.
+std::vector<Summit> summits_of(const LargerCells& file, const Grid& raster, const Patchwork& made,
+                               const Patches& patches);
 
 } // namespace orograph

@@ -84,7 +84,7 @@ std::vector<IndexedLevel> read_levels(RasterSet& set, const std::vector<int>& st
   const WaitAtEnd at_end(making);
   for (const RowRange& range : bands_of(set, options)) {
     ReadHeights read = read_rows(set, range, options, differences);
-    leave_in_box(set, range.first, read);
+    leave_in_box(set, GridPart{0, range.first, set.grid.columns, range.rows}, read);
     const Band<Height> band{range.first, range.rows,
                             std::make_shared<const std::vector<Height>>(
                                 std::get<std::vector<Height>>(std::move(read)))};

@@ -24,12 +24,9 @@ RasterWindow common(const RasterWindow& a, const RasterWindow& b) {
           std::min(a.line + a.lines, b.line + b.lines) - line};
 }
 
-} // namespace
-
-ReadHeights read_rows(RasterSet& set, const RowRange& range, const ReadOptions& options,
-                      HeightDifferences& differences) {
-  const RasterWindow window{set.window.pixel, set.window.line + range.first, set.window.pixels,
-                            range.rows};
+// `differences` where places may have a height already: files overlap, or blocks are to be cached.
+ReadHeights read(RasterSet& set, const RasterWindow& window, const ReadOptions& options,
+                 HeightDifferences* differences) {
   const auto count =
       static_cast<std::size_t>(window.pixels) * static_cast<std::size_t>(window.lines);
   ReadHeights heights = set.are_floats() ? ReadHeights(no_heights<float>(count))
@@ -43,21 +40,18 @@ ReadHeights read_rows(RasterSet& set, const RowRange& range, const ReadOptions& 
     const int column = part.pixel - window.pixel, row = part.line - window.line;
     part.pixel -= place.at.pixel;
     part.line -= place.at.line;
-    read_part(source, options, part, window.pixels, column, row, heights,
-              set.joined.places.size() > 1 ? &differences : nullptr);
+    read_part(source, options, part, window.pixels, column, row, heights, differences);
     if (!was_open) close(source);
   }
   return heights;
 }
 
-namespace {
-
 template <class Value>
-void leave_in_box(const RasterSet& set, int first_row, std::span<Value> heights) {
-  const auto columns = static_cast<std::size_t>(set.order.columns);
+void leave_in_box(const RasterSet& set, const GridPart& part, std::span<Value> heights) {
+  const auto columns = static_cast<std::size_t>(part.columns);
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    const auto column = static_cast<double>(i % columns),
-               row = first_row + static_cast<double>(i / columns);
+    const auto column = part.first_column + static_cast<double>(i % columns),
+               row = part.first_row + static_cast<double>(i / columns);
     const Vec2 place = set.order.first + column * set.order.column_step + row * set.order.row_step;
     if (!in_box(set.joined.lattice, place, *set.box))
       heights[i] = std::numeric_limits<Value>::quiet_NaN();
@@ -66,14 +60,32 @@ void leave_in_box(const RasterSet& set, int first_row, std::span<Value> heights)
 
 } // namespace
 
-void leave_in_box(const RasterSet& set, int first_row, ReadHeights& heights) {
+ReadHeights read_rows(RasterSet& set, const RowRange& range, const ReadOptions& options,
+                      HeightDifferences& differences) {
+  return read(set, {set.window.pixel, set.window.line + range.first, set.window.pixels, range.rows},
+              options, set.joined.places.size() > 1 ? &differences : nullptr);
+}
+
+ReadHeights read_part_of_rows(RasterSet& set, const GridPart& part, const ReadOptions& options,
+                              HeightDifferences& differences) {
+  return read(set,
+              {set.window.pixel + part.first_column, set.window.line + part.first_row, part.columns,
+               part.rows},
+              options, &differences);
+}
+
+void leave_in_box(const RasterSet& set, const GridPart& part, ReadHeights& heights) {
   if (set.box)
-    std::visit([&](auto& values) { leave_in_box(set, first_row, std::span(values)); }, heights);
+    std::visit([&](auto& values) { leave_in_box(set, part, std::span(values)); }, heights);
 }
 
 void leave_in_box(const RasterSet& set, Grid& grid) {
   if (set.box)
-    std::visit([&](auto& heights) { leave_in_box(set, 0, heights.own()); }, grid.heights_m);
+    std::visit(
+        [&](auto& heights) {
+          leave_in_box(set, GridPart{0, 0, grid.columns, grid.rows}, heights.own());
+        },
+        grid.heights_m);
 }
 
 } // namespace orograph

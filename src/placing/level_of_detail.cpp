@@ -5,10 +5,12 @@
 #include "dem/levels/generalise.hpp"
 #include "dem/levels/part_of_grid.hpp"
 #include "dem/levels/patchwork.hpp"
+#include "dem/levels/raster_patches.hpp"
 #include "dem/levels/refine.hpp"
 #include "placing/cell_on_page.hpp"
 #include "placing/certified_patches.hpp"
 #include "placing/land_part.hpp"
+#include "placing/patches_of_raster.hpp"
 #include "placing/patches_of_view.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/places.hpp"
@@ -29,19 +31,6 @@ constexpr int kLeastCells = 16; // along the shorter side
 constexpr double kMostParts = 8;
 // A terrain of so many vertices takes a fifth of a second, whatever it shows of them.
 constexpr double kMostRefined = 1e6;
-
-// Whether an eye that is given stands over the ground, which is told at once: to place a panorama
-// costs as much as to draw one.
-bool stands_over_ground(const ViewSpec& view, const TerrainData& terrain,
-                        const TerrainFacts& facts) {
-  const bool is_eyes = view.projection == Projection::perspective || is_panorama(view.projection);
-  if (!view.has_eye() || view.file || !is_eyes) return false;
-  ViewRequest request;
-  request.exaggeration = exaggeration_of(view, facts.extent.box);
-  place_eye(request, view, terrain);
-  return request.eye_m && stands_over(std::get<Grid>(terrain.surface), facts.extent.blocks.boxes,
-                                      {request.eye_m->x, request.eye_m->y});
-}
 
 // Whether a vertex is one of a triangle of the set.
 bool has_vertex(const TriangleSet& triangles, const Grid& grid, int column, int row) {
@@ -211,6 +200,31 @@ std::optional<LevelOfDetail> take_patches(TerrainOfView& terrain, const TerrainF
   return level;
 }
 
+// The same of a raster of which larger cells were read, and its own near the eye. None where these
+// weren't, and where cliffs far away lean beyond upright.
+std::optional<LevelOfDetail> take_patches_of_raster(TerrainOfView& terrain,
+                                                    const TerrainFacts& of_file,
+                                                    const MapSpec& spec, const PlacedView& placed) {
+  const TerrainData& file = terrain.of_file();
+  const Grid& larger = std::get<Grid>(file.surface);
+  const TriangleSet& water = of_file.water.triangles;
+  const PatchesOfRaster of(file, placed, spec);
+  if (!of.missing().empty()) return std::nullopt;
+  const PatchSource source =
+      patches_of_raster(larger, *file.larger_cells, of.patches(), [&](int column, int row) {
+        return !water.empty() && has_vertex(water, larger, column, row);
+      });
+  Patchwork made = patchwork(larger, of.patches(), source);
+  if (made.tin.triangles.empty() || !all_face_up(made.tin)) return std::nullopt;
+  LevelOfDetail level;
+  tell_patches(
+      level, of.raster(), of.patches(), made,
+      [&](const PatchPlace& part) { return of.mm_per_m(part); }, placed.exaggeration);
+  tell_summits(level, summits_of(*file.larger_cells, of.raster(), made, of.patches()), placed);
+  take_patchwork(terrain, std::move(made));
+  return level;
+}
+
 // The ground in cells as large as may be while no point of it moves on the page by more than is
 // asked, from wherever it is seen. None where that would spare nothing: patches are sewn, and drawn
 // as a TIN.
@@ -225,7 +239,7 @@ std::optional<LevelOfDetail> take_certified(TerrainOfView& terrain, const Placed
   const Patches patches = certified_patches(grid, heights, kFramedAnew * most_mm);
   if (patches.patches().size() * kPatchCells * kPatchCells > grid.size() / kTimesFewer)
     return std::nullopt;
-  Patchwork made = patchwork(grid, patches, {});
+  Patchwork made = patchwork(grid, patches, patches_of_grid(grid, patches, {}));
   if (made.tin.triangles.empty() || !all_face_up(made.tin)) return std::nullopt;
   LevelOfDetail level;
   tell_patches(
@@ -262,7 +276,16 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
     return level ? level : stay();
   }
   if (stands_over_ground(spec.view, file, of_file)) {
-    // Three to five times as long as the file's surface takes; and what is seen from there is found
+    if (file.larger_cells) {
+      const auto level = take_patches_of_raster(terrain, of_file, spec,
+                                                placed_picture(file, of_file, spec, solids));
+      if (level) return level;
+      LevelOfDetail as_read;
+      as_read.cell_m = of_file.cell_m;
+      tell_larger_cells(as_read, *file.larger_cells);
+      return stay_with(as_read);
+    }
+    // Up to three times as long as the file's surface takes; and what is seen from there is found
     // on that (`LookAround`).
     if (!detail.cell_mm || needs_lattice(file, spec.style)) return stay();
     const auto level =

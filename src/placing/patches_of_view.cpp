@@ -2,6 +2,7 @@
 #include "placing/patches_of_view.hpp"
 
 #include "geometry/on_all_cores.hpp"
+#include "placing/places.hpp"
 #include "placing/sector.hpp"
 #include "view/sectors.hpp"
 
@@ -13,12 +14,14 @@
 namespace orograph {
 namespace {
 
-// As finer ones of whole levels: they show no more.
-constexpr int kFinest = -3;
 // Of 289 vertices each: a million and a half take a second.
 constexpr std::size_t kMostPatches = 6000;
+constexpr double kCellsAboutEye = 1.5;
 // Ground so little under the horizon, as a slope, may come up when it is smoothed.
 constexpr double kBesideHorizon = 0.002;
+
+// Of the page's own: more than ground leans on the ellipsoid, and than a border's vertices reach.
+constexpr double kBesidePage = 0.02;
 
 Vec2 ground_m(const Grid& grid, double column, double row) {
   // Of the nearest vertex, which is near enough.
@@ -29,6 +32,18 @@ Vec2 ground_m(const Grid& grid, double column, double row) {
 
 double outside(double at, double low, double high) {
   return std::max({low - at, at - high, 0.0});
+}
+
+double greatest_side_m(const Grid& grid) {
+  const GridSteps steps = steps_of(grid);
+  return std::max(length(steps.column_m), length(steps.row_m));
+}
+
+std::optional<XRange> range_of_page(const PlacedView& placed) {
+  if (placed.panorama || shows_beside(placed.view)) return std::nullopt;
+  Sector sector;
+  sector.view = placed.view;
+  return page_range(sector);
 }
 
 // Blocks of cells of which something may be seen; none where all may.
@@ -55,26 +70,68 @@ std::optional<SeenGround> seen_ground(const Grid& grid, const PlacedView& placed
 
 } // namespace
 
-ScaleOnPage::ScaleOnPage(const Grid& grid, const PlacedView& placed)
-    : grid_(grid), placed_(placed), seen_(seen_ground(grid, placed)), heights_(grid),
+bool stands_over_ground(const ViewSpec& view, const TerrainData& terrain,
+                        const TerrainFacts& facts) {
+  const bool is_eyes = view.projection == Projection::perspective || is_panorama(view.projection);
+  if (!view.has_eye() || view.file || !is_eyes) return false;
+  ViewRequest request;
+  request.exaggeration = exaggeration_of(view, facts.extent.box);
+  place_eye(request, view, terrain);
+  return request.eye_m && stands_over(std::get<Grid>(terrain.surface), facts.extent.blocks.boxes,
+                                      {request.eye_m->x, request.eye_m->y});
+}
+
+ScaleOnPage::ScaleOnPage(const Grid& grid, const PlacedView& placed, const Grid* raster)
+    : grid_(grid), raster_(raster), raster_cell_m_(raster ? greatest_side_m(*raster) : 0),
+      placed_(placed), page_(range_of_page(placed)), seen_(seen_ground(grid, placed)),
+      heights_(grid),
       mm_per_radian_(placed.panorama ? placed.panorama->page.radius_mm
                                      : placed.mm_per_step({0, 1, placed.view.eye_z_m}, {1, 0, 0})) {
 }
 
 double ScaleOnPage::mm_per_m(const PatchPlace& part) const {
-  if (!is_shown(part)) return 0;
+  const PatchPlace here = in_grid(part);
   const View& view = placed_.view;
   const Vec2 eye = view.depth_origin_m;
   Box2 ground;
   for (const double column : {part.first_column, part.last_column})
     for (const double row : {part.first_row, part.last_row})
-      ground.include(ground_m(grid_, column, row));
-  const PartHeights heights = heights_.of(part);
+      ground.include(ground_m(raster_ ? *raster_ : grid_, column, row));
+  const double right_m = outside(eye.x, ground.low.x, ground.high.x),
+               ahead_m = outside(eye.y, ground.low.y, ground.high.y);
+  // An eye stands on the raster's own ground, whether the page shows it or not. At a patch's border
+  // that is so where the one beyond has the raster's cells as well.
+  if (raster_ && std::max(right_m, ahead_m) <= kCellsAboutEye * raster_cell_m_)
+    return std::numeric_limits<double>::infinity();
+  if (is_beside_page(part) || !is_shown(here)) return 0;
+  const PartHeights heights = heights_.of(here);
   if (heights.empty()) return 0;
-  return mm_per_radian_ / length(Vec3{outside(eye.x, ground.low.x, ground.high.x),
-                                      outside(eye.y, ground.low.y, ground.high.y),
+  return mm_per_radian_ / length(Vec3{right_m, ahead_m,
                                       outside(view.eye_z_m, heights.low_m * view.exaggeration,
                                               heights.high_m * view.exaggeration)});
+}
+
+// Wholly on one side of the page, or behind the eye.
+bool ScaleOnPage::is_beside_page(const PatchPlace& part) const {
+  if (!page_) return false;
+  bool is_left = true, is_right = true, is_behind = true;
+  for (const double column : {part.first_column, part.last_column})
+    for (const double row : {part.first_row, part.last_row}) {
+      const Vec2 at = ground_m(raster_ ? *raster_ : grid_, column, row);
+      const ProfilePoint corner = to_profile_frame(placed_.view, {at.x, at.y, 0});
+      is_left &= corner.u < (page_->begin - kBesidePage) * corner.v;
+      is_right &= corner.u > (page_->end + kBesidePage) * corner.v;
+      is_behind &= corner.v < 0;
+    }
+  return is_left || is_right || is_behind;
+}
+
+PatchPlace ScaleOnPage::in_grid(const PatchPlace& part) const {
+  if (!raster_) return part;
+  const double across = (grid_.columns - 1.0) / (raster_->columns - 1),
+               down = (grid_.rows - 1.0) / (raster_->rows - 1);
+  return {part.first_column * across, part.last_column * across, part.first_row * down,
+          part.last_row * down};
 }
 
 bool ScaleOnPage::is_shown(const PatchPlace& part) const {
@@ -90,9 +147,9 @@ bool ScaleOnPage::is_shown(const PatchPlace& part) const {
   return false;
 }
 
-Patches patches_of_view(const Grid& grid, const ScaleOnPage& scale, const CellSizes& sizes) {
-  const GridSteps steps = steps_of(grid);
-  const double cell_m = std::max(length(steps.column_m), length(steps.row_m));
+Patches patches_of_view(const Grid& grid, const ScaleOnPage& scale, const CellSizes& sizes,
+                        int finest) {
+  const double cell_m = greatest_side_m(grid);
   const int coarsest = coarsest_level(grid);
   const auto wanted = [&](const PatchPlace& part) {
     const double cell_mm = cell_m * scale.mm_per_m(part);
@@ -102,11 +159,12 @@ Patches patches_of_view(const Grid& grid, const ScaleOnPage& scale, const CellSi
                                        : coarsest);
     if (cell_mm > sizes.most_mm)
       return std::isfinite(cell_mm)
-                 ? std::max(kFinest, -static_cast<int>(std::log2(cell_mm / sizes.most_mm) + 0.5))
-                 : kFinest;
+                 ? std::max(kFinestLevel,
+                            -static_cast<int>(std::log2(cell_mm / sizes.most_mm) + 0.5))
+                 : kFinestLevel;
     return 0;
   };
-  for (int finest = kFinest;; ++finest) {
+  for (;; ++finest) {
     Patches patches(grid, {finest, coarsest}, [&](int level, const PatchPlace& part) {
       return std::max(finest, wanted(part)) >= level;
     });

@@ -7,34 +7,50 @@
 #include "dem/levels/patches.hpp"
 #include "placing/cell_on_page.hpp"
 #include "placing/placed_view.hpp"
+#include "placing/terrain_facts.hpp"
 #include "profiles/seen_ground.hpp"
 
 #include <optional>
 
 namespace orograph {
 
+/// Whether a spec's eye looks around from over a grid. Told at once: to place a panorama costs as
+/// much as to draw one.
+bool stands_over_ground(const ViewSpec& view, const TerrainData& terrain,
+                        const TerrainFacts& facts);
+
 /// How large a metre is on the page at places of a grid, from an eye in the landscape.
 class ScaleOnPage {
 public:
-  /// REQUIRES a perspective view or a panorama of that grid; both outlive this.
-  ScaleOnPage(const Grid& grid, const PlacedView& placed);
+  /// REQUIRES a perspective view or a panorama of that grid; both outlive this. `raster`: parts
+  /// are its, by its columns and rows, of whose lattice the grid is a level.
+  ScaleOnPage(const Grid& grid, const PlacedView& placed, const Grid* raster = nullptr);
 
   /// Millimetres for a metre at the nearest ground of a part, whichever way it is turned; infinite
-  /// at the eye, 0 where the view doesn't show it.
+  /// at the eye, 0 where the view doesn't show it: beside the page, or hidden.
   double mm_per_m(const PatchPlace& part) const;
 
 private:
+  bool is_beside_page(const PatchPlace& part) const;
   bool is_shown(const PatchPlace& part) const;
+  PatchPlace in_grid(const PatchPlace& part) const;
 
   const Grid& grid_;
+  const Grid* raster_; ///< none: parts are the grid's
+  double raster_cell_m_;
   const PlacedView& placed_;
+  std::optional<XRange> page_;     ///< none: there is ground beside the eye on the page
   std::optional<SeenGround> seen_; ///< none: all may be seen
   HeightRanges heights_;
   double mm_per_radian_; ///< in the picture's middle
 };
 
-/// Patches whose cells have such sizes on the page, halved three times at most, and less often
-/// where that would be too many. `scale` is the grid's. Cost: some 100 ns a patch.
-Patches patches_of_view(const Grid& grid, const ScaleOnPage& scale, const CellSizes& sizes);
+/// Cells are halved so often at most: finer ones of whole levels show no more.
+constexpr int kFinestLevel = -3;
+
+/// Patches whose cells have such sizes on the page, none finer than a level, and none so fine where
+/// that would be too many. `scale` is of the grid's parts. Cost: some 100 ns a patch.
+Patches patches_of_view(const Grid& grid, const ScaleOnPage& scale, const CellSizes& sizes,
+                        int finest = kFinestLevel);
 
 } // namespace orograph

@@ -23,11 +23,12 @@ public:
   /// REQUIRES that `solids`, which may be null, outlives this.
   TerrainsForMaps(std::vector<std::string> paths, ReadOptions options, const SceneFile* solids);
 
-  /// For the map; of a raster of more than 16 million heights, whose page shows it whole, larger
-  /// cells: not larger than those that `choose_level` draws, which are half as large mostly. The
-  /// whole raster where `spec` draws its own surface, looks from an eye or a file's view, or is
-  /// checked against the file. Throws the Errors of `read_terrain`, and of placing the view;
-  /// `progress` as of the first.
+  /// For the map; of a raster of more than 16 million heights larger cells: not larger than those
+  /// that `choose_level` draws, which are half as large mostly. Where an eye stands over it, the
+  /// raster's own cells as well in parts, for this map alone: those that the page asks for. The
+  /// whole raster where `spec` draws its own surface or looks by a file's view, where lines are
+  /// draped over what an eye sees, and where it is checked against the file. Throws the Errors of
+  /// `read_terrain`, and of placing the view; `progress` as of the first.
   std::shared_ptr<const TerrainData> of(const MapSpec& spec,
                                         const std::function<void(double)>& progress = {});
 

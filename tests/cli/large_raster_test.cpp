@@ -65,6 +65,20 @@ TEST_CASE("a large raster is drawn the same with an index, and without one that 
   CHECK(!holds(draw("with.svg", {}), ".levels"));
   CHECK(folder.read("with.svg") == folder.read("without.svg"));
 
+  // From an eye: its own cells near by, the index far away.
+  const std::vector<std::string> eye{"--eye",        "520000,4980000", "--eye-height", "40",
+                                     "--projection", "cylindrical",    "--report",     "b.json"};
+  draw("eye.svg", eye);
+  const auto seen = nlohmann::json::parse(folder.read("b.json"));
+  CHECK(seen["level_of_detail"]["step"] == 1);
+  CHECK(seen["level_of_detail"]["most_step"].get<double>() >= 8);
+  CHECK(seen["input"]["columns"] == 4200);
+  std::vector<std::string> without = eye;
+  without.insert(without.end(), {"--index", "off"});
+  const std::string with_index = folder.read("eye.svg");
+  draw("eye.svg", without);
+  CHECK(folder.read("eye.svg") == with_index);
+
   const std::filesystem::path source = folder.path("hill.tif");
   std::filesystem::last_write_time(source, std::filesystem::last_write_time(source) +
                                                std::chrono::seconds(1));

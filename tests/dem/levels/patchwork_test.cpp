@@ -2,7 +2,9 @@
 // One surface of patches: that they are all of the grid, differ by one level at most, and are sewn
 // together without a gap, each vertex where its definition puts it.
 #include "dem/levels/generalise.hpp"
+#include "dem/levels/part_of_grid.hpp"
 #include "dem/levels/patchwork.hpp"
+#include "dem/levels/raster_patches.hpp"
 #include "dem/levels/refine.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/earth_terrain.hpp"
@@ -239,6 +241,74 @@ TEST_CASE("a patchwork of the file's cells is the grid's triangles, voids and al
     REQUIRE(made.tin.triangles.size() == triangles);
     for (const Departure& departure : made.departures) REQUIRE(departure.greatest_m == 0);
   }
+}
+
+TEST_CASE("patches of a raster in larger cells are its own near by, and made of those far away") {
+  std::size_t near = 0, at_larger = 0, far = 0;
+  for (std::uint64_t seed = 1; seed <= last_seed(40); ++seed) {
+    Random random(4000 + seed);
+    INFO("seed " << seed);
+    const Grid grid = made_grid(random, 0);
+    const int of_larger = random.whole(1, 2), step = 1 << of_larger;
+    const auto is_kept = [](int, int) { return false; };
+    if (std::min(grid.columns, grid.rows) < 2 * step + 3) continue;
+    const Grid larger = generalised(grid, step, is_kept);
+    LargerCells read{step, grid.columns, grid.rows, departure_of(larger, grid), {}};
+    const Patches patches = made_patches(random, grid, {0, random.whole(1, 4)});
+    for (const GridPart& part : parts_under(read, patches))
+      read.parts.push_back({part, part_of_grid(grid, part)});
+    const Patchwork made =
+        patchwork(larger, patches, patches_of_raster(larger, read, patches, is_kept));
+    const Patchwork of_grid = patchwork(grid, patches, is_kept);
+    REQUIRE(made.places == of_grid.places);
+    REQUIRE(made.tin.triangles == of_grid.tin.triangles);
+    const Levels levels(grid, patches);
+    const std::vector<int> levels_of = levels_of_cells(patches);
+    const double across = (larger.columns - 1.0) / (grid.columns - 1),
+                 down = (larger.rows - 1.0) / (grid.rows - 1);
+    for (std::size_t i = 0; i < made.places.size(); ++i) {
+      const auto [column, row] = made.places[i];
+      const int level = AtPlace(patches, levels_of, column, row).coarsest;
+      const std::int64_t cell = patches.cell(level);
+      if ((column % cell != 0 && column != patches.columns()) ||
+          (row % cell != 0 && row != patches.rows()))
+        continue; // on a coarser cell's edge
+      CAPTURE(column, row, level);
+      if (level < of_larger) {
+        ++near;
+        REQUIRE(made.heights_m[i] == levels.at(level, column, row));
+        if (!grid.is_on_earth())
+          REQUIRE(length(made.tin.vertices_m[i] - of_grid.tin.vertices_m[i]) < 1e-6);
+        continue;
+      }
+      // Between four of the larger cells' vertices, or among those in reach.
+      const double x = std::min(static_cast<double>(column) * across, larger.columns - 1.0),
+                   y = std::min(static_cast<double>(row) * down, larger.rows - 1.0);
+      const double reach = static_cast<double>(cell) / step;
+      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, mean = 0;
+      for (int r = 0; r < larger.rows; ++r)
+        for (int c = 0; c < larger.columns; ++c) {
+          const double right = std::abs(c - x), below = std::abs(r - y);
+          if (right > reach || below > reach) continue;
+          lowest = std::min(lowest, larger.height_m(c, r));
+          highest = std::max(highest, larger.height_m(c, r));
+          if (right < 1 && below < 1) mean += (1 - right) * (1 - below) * larger.height_m(c, r);
+        }
+      REQUIRE((made.heights_m[i] >= lowest - 1e-9 && made.heights_m[i] <= highest + 1e-9));
+      if (level == of_larger) REQUIRE(std::abs(made.heights_m[i] - mean) < 1e-9 * (1 + reach));
+      ++(level == of_larger ? at_larger : far);
+    }
+    for (std::size_t i = 0; i < patches.patches().size(); ++i) {
+      const Departure &own = made.departures[i], &whole = of_grid.departures[i];
+      if (patches.patches()[i].level < of_larger)
+        REQUIRE((own.greatest_m == whole.greatest_m && own.rms_m == whole.rms_m));
+      else
+        REQUIRE(own.greatest_m >= read.departure.greatest_m);
+    }
+  }
+  CHECK(near > enough<10000>);
+  CHECK(at_larger > enough<1000>);
+  CHECK(far > enough<500>);
 }
 
 TEST_CASE("with voids no triangle has a missing height, and each void keeps its triangles away") {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rasters that are read in larger cells are those of all their heights.
 #include "dem/levels/generalise.hpp"
+#include "dem/levels/part_of_grid.hpp"
 #include "dem/levels/stretched_lattice.hpp"
+#include "dem/read/raster_parts.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/read/cut_raster.hpp"
 #include "tests/dem/read/read_back.hpp"
@@ -80,6 +82,25 @@ TEST_CASE("a large raster, or a window of it, is read in larger cells of all its
     });
     CHECK(told == 1);
     check_same(read, whole, step);
+    // Parts of it in its own cells.
+    std::vector<GridPart> parts;
+    for (int i = 0; i < 3; ++i) {
+      GridPart part{random.whole(0, file.columns - 2), random.whole(0, file.rows - 2), 0, 0};
+      part.columns = random.whole(2, file.columns - part.first_column);
+      part.rows = random.whole(2, file.rows - part.first_row);
+      parts.push_back(part);
+    }
+    const std::vector<RasterPart> own = read_raster_parts({path}, options, parts);
+    REQUIRE(own.size() == parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const auto& made = std::get<Heights<float>>(own[i].cells.heights_m);
+      const Grid wanted = part_of_grid(file, parts[i]);
+      const auto& of = std::get<Heights<float>>(wanted.heights_m);
+      REQUIRE(made.size() == of.size());
+      CHECK(std::memcmp(made.data(), of.data(), made.size() * sizeof(float)) == 0);
+    }
+    options.max_memory = 10;
+    CHECK_THROWS_AS(read_raster_parts({path}, options, parts), Error);
   }
 }
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Patches of a raster that is in memory in larger cells, and in its own in some parts.
+#pragma once
+
+#include "dem/grid.hpp"
+#include "dem/levels/larger_cells.hpp"
+#include "dem/levels/patch_heights.hpp"
+#include "dem/levels/patches.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace orograph {
+
+/// The raster's lattice, without heights, in the frame of its larger cells.
+Grid lattice_of_raster(const Grid& larger, const LargerCells& read);
+
+/// The parts of the raster that patches of smaller cells than the larger ones look at, each once;
+/// by rows, then by columns. Each is a square of 16 of the larger cells, and a cell more on all
+/// sides. REQUIRES patches of the raster, none of smaller cells than its own.
+std::vector<GridPart> parts_under(const LargerCells& read, const Patches& patches);
+
+/// Patches of cells that are smaller than the larger ones are what `patches_of_grid` makes of the
+/// raster, but for what is level: there a vertex whose eight neighbours are as high keeps its
+/// height. Others are made of the larger cells, of which they are as many times as large; where
+/// these are kept, `is_kept` tells. How far the latter are from the raster is a bound, and looked
+/// at where the larger cells' vertices are. REQUIRES that all `parts_under` the patches were read,
+/// and that the arguments outlive it.
+PatchSource patches_of_raster(const Grid& larger, const LargerCells& read, const Patches& patches,
+                              std::function<bool(int column, int row)> is_kept);
+
+} // namespace orograph

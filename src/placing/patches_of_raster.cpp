@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "placing/patches_of_raster.hpp"
+
+#include "dem/height_at.hpp"
+#include "dem/levels/raster_patches.hpp"
+#include "placing/cell_on_page.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace orograph {
+namespace {
+
+const Grid& larger_cells(const TerrainData& terrain) {
+  return std::get<Grid>(terrain.surface);
+}
+
+// Ground that an eye sees lies aslant: cells of twice the size draw the same (looked at: an eye
+// over the White Mountains on A4 and A3).
+CellSizes size_for_eye(const Style& style) {
+  CellSizes sizes = asked_size(style);
+  if (!style.detail.cell_mm) sizes.least_mm *= 2;
+  return sizes;
+}
+
+// Of the raster's own cells, where these are known there.
+std::optional<double> height_of_raster(const Grid& raster, const LargerCells& read, Vec2 ground_m) {
+  for (const RasterPart& part : read.parts) {
+    const auto corner = [&](int column, int row) {
+      const Vec3 at = std::visit(
+          [&](const auto& lattice) {
+            return lattice.vertex_m(part.at.first_column + column, part.at.first_row + row, 0);
+          },
+          raster.lattice);
+      return Vec2{at.x, at.y};
+    };
+    Box2 box;
+    for (const int column : {0, part.at.columns - 1})
+      for (const int row : {0, part.at.rows - 1}) box.include(corner(column, row));
+    if (ground_m.x < box.low.x || ground_m.x > box.high.x || ground_m.y < box.low.y ||
+        ground_m.y > box.high.y)
+      continue;
+    const Grid cells{part.at.columns, part.at.rows, lattice_of_part(raster, part.at),
+                     part.cells.heights_m};
+    if (const auto height = height_at(cells, ground_m)) return height;
+  }
+  return std::nullopt;
+}
+
+// An eye over the ground stands on the raster's own cells, which may be higher than larger ones:
+// there it sees more.
+PlacedView on_own_cells(PlacedView placed, const TerrainData& terrain, const Grid& raster) {
+  View& view = placed.view;
+  const auto own = height_of_raster(raster, *terrain.larger_cells, view.depth_origin_m),
+             larger = height_at(larger_cells(terrain), view.depth_origin_m);
+  if (own && larger) view.eye_z_m += std::max(0.0, *own - *larger) * view.exaggeration;
+  return placed;
+}
+
+} // namespace
+
+PatchesOfRaster::PatchesOfRaster(const TerrainData& terrain, PlacedView placed, const MapSpec& spec)
+    : terrain_(terrain), raster_(lattice_of_raster(larger_cells(terrain), *terrain.larger_cells)),
+      placed_(on_own_cells(std::move(placed), terrain, raster_)),
+      scale_(larger_cells(terrain), placed_, &raster_),
+      patches_(patches_of_view(raster_, scale_, size_for_eye(spec.style), 0)) {}
+
+std::vector<GridPart> PatchesOfRaster::missing() const {
+  const LargerCells& read = *terrain_.larger_cells;
+  std::vector<GridPart> parts = parts_under(read, patches_);
+  std::erase_if(parts, [&](const GridPart& part) {
+    return std::ranges::any_of(read.parts, [&](const RasterPart& known) {
+      return known.at.first_column == part.first_column && known.at.first_row == part.first_row;
+    });
+  });
+  return parts;
+}
+
+} // namespace orograph

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an eye sees of a raster of which larger cells were read: what it needs in the raster's own.
+#pragma once
+
+#include "dem/grid.hpp"
+#include "dem/levels/part_of_grid.hpp"
+#include "dem/levels/patches.hpp"
+#include "dem/terrain.hpp"
+#include "placing/map_spec.hpp"
+#include "placing/patches_of_view.hpp"
+#include "placing/placed_view.hpp"
+
+#include <vector>
+
+namespace orograph {
+
+/// Patches of a raster about an eye, none of smaller cells than its own.
+class PatchesOfRaster {
+public:
+  /// REQUIRES a terrain with `larger_cells`, as the view needs it, an eye over its ground, and the
+  /// picture of it placed; the terrain outlives this.
+  PatchesOfRaster(const TerrainData& terrain, PlacedView placed, const MapSpec& spec);
+  PatchesOfRaster(const PatchesOfRaster&) = delete;
+  PatchesOfRaster& operator=(const PatchesOfRaster&) = delete;
+
+  const Grid& raster() const { return raster_; } ///< its lattice, without heights
+  const Patches& patches() const { return patches_; }
+  double mm_per_m(const PatchPlace& part) const { return scale_.mm_per_m(part); }
+
+  /// Parts of the raster that the patches need and the terrain doesn't have.
+  std::vector<GridPart> missing() const;
+
+private:
+  const TerrainData& terrain_;
+  Grid raster_;
+  PlacedView placed_;
+  ScaleOnPage scale_;
+  Patches patches_;
+};
+
+} // namespace orograph
