@@ -4,6 +4,7 @@
 #include "dem/height_at.hpp"
 #include "dem/levels/generalise.hpp"
 #include "map/draw_map.hpp"
+#include "placing/cell_on_page.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/patches_of_raster.hpp"
 #include "placing/placed_view.hpp"
@@ -103,6 +104,41 @@ TEST_CASE("an eye over a raster in larger cells sees its own cells near by") {
   CHECK(asked > enough<4000>);
   CHECK(several > enough<3>);
   CHECK(in_part > enough<2>);
+}
+
+TEST_CASE("ground on the page has a scale, and most of that beside it has none") {
+  std::size_t on_page = 0, beside = 0;
+  for (std::uint64_t seed = 1; seed <= last_seed(20); ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    // A bowl about the eye, of which nothing hides anything.
+    const double x = random.between(1, 3), y = random.between(1, 3);
+    const TerrainData terrain = plane_terrain(200, 200, [&](double column, double row) {
+      return 100 * (std::pow(column - x, 2) + std::pow(row - y, 2));
+    });
+    MapSpec spec;
+    spec.view.eye_map = GivenPlace{1500 * x, -1500 * y};
+    spec.view.eye_height_m = random.between(2, 100);
+    spec.view.look_azimuth = Angle::degrees(random.between(0, 360));
+    spec.view.field_of_view = Angle::degrees(random.between(20, 100));
+    if (seed % 3 == 0) spec.view.roll = Angle::degrees(random.between(-30, 30));
+    const PlacedView placed = placed_picture(terrain, facts_of(terrain), spec, nullptr);
+    const Grid& grid = std::get<Grid>(terrain.surface);
+    const ScaleOnPage scale(grid, placed);
+    for (int row = 1; row + 1 < grid.rows; row += 2)
+      for (int column = 1; column + 1 < grid.columns; column += 2) {
+        const double mm = scale.mm_per_m({column - 1.0, column + 1.0, row - 1.0, row + 1.0});
+        const Vec3 at = placed.on_page(to_profile_frame(placed.view, grid.vertex_m(column, row)));
+        if (is_on_page(placed, at)) {
+          ++on_page;
+          REQUIRE(mm > 0);
+        } else {
+          beside += mm == 0;
+        }
+      }
+  }
+  CHECK(on_page > enough<20000>);
+  CHECK(beside > enough<60000>);
 }
 
 TEST_CASE("without the raster's own cells its larger ones are drawn") {
