@@ -5,10 +5,9 @@
 
 #include "geometry/api.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <string_view>
 
 namespace orograph {
 
@@ -24,20 +23,13 @@ enum class ErrorCode {
 /// "wrong: right".
 class OROGRAPH_API Error : public std::runtime_error {
 public:
-  Error(const std::string& wrong, const std::string& right, ErrorCode code = ErrorCode::input)
-      : runtime_error(whole(wrong + ": " + right)), wrong_length_(wrong.size()), code_(code) {}
+  Error(std::string_view wrong, std::string_view right, ErrorCode code = ErrorCode::input);
 
   ErrorCode code() const { return code_; }
   std::string wrong() const { return std::string(what()).substr(0, wrong_length_); }
   std::string right() const { return std::string(what()).substr(wrong_length_ + 2); }
 
 private:
-  // `what()` ends at the first null character.
-  static std::string whole(std::string text) {
-    std::replace(text.begin(), text.end(), '\0', '?');
-    return text;
-  }
-
   std::size_t wrong_length_;
   ErrorCode code_;
 };
@@ -45,8 +37,7 @@ private:
 /// An error of what is asked for, told without looking at any file.
 class OROGRAPH_API UsageError : public Error {
 public:
-  UsageError(const std::string& wrong, const std::string& right)
-      : Error(wrong, right, ErrorCode::request) {}
+  UsageError(std::string_view wrong, std::string_view right);
 };
 
 } // namespace orograph
