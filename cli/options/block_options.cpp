@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A block: walls from the terrain's border down to a base.
+#include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
 
@@ -9,37 +10,28 @@
 namespace orograph {
 
 void add_block_options(std::vector<Option>& options, RenderSettings& s) {
-  constexpr auto kGroup = "Lines on the ground";
+  OptionGroup group(options, "Lines on the ground");
   BlockSpec& block = s.map.style.block;
-  options.push_back({.group = kGroup,
-                     .name = "--block",
-                     .value = "[BASE|auto]",
-                     .if_alone = "auto",
-                     .help = "Draw the terrain as a block, with walls from its border and around "
-                             "voids down to a base; auto is 0.15 of the relief below the lowest "
-                             "height",
-                     .allowed = "a height, 100m or 300ft or 100 in the unit of the file's heights, "
-                                "or auto",
-                     .take = [&s, &block](const std::string& text) {
-                       block.base.reset();
-                       if (text != "auto") {
-                         const auto heights = parse_heights(text);
-                         if (!heights || heights->values.size() != 1) return false;
-                         block.base = heights->values.front();
-                         block.unit_m = heights->unit_m;
-                       }
-                       s.added_layers.emplace_back("block");
-                       return true;
-                     }});
-  options.push_back({.group = kGroup,
-                     .name = "--block-sides",
-                     .value = "lines|outline",
-                     .help = "Whether a block's walls are hatched with upright lines",
-                     .by_default = "lines; outline where contours go across the walls",
-                     .take = [&block](const std::string& text) {
-                       block.sides = text == "lines" ? BlockSides::lines : BlockSides::outline;
-                       return text == "lines" || text == "outline";
-                     }});
+  group
+      .value("--block [BASE|auto]",
+             "Draw the terrain as a block, with walls from its border and around voids down to a "
+             "base; auto is 0.15 of the relief below the lowest height",
+             "a height, 100m or 300ft or 100 in the unit of the file's heights, or auto", "",
+             [&s, &block](const std::string& text) {
+               block.base.reset();
+               if (text != "auto") {
+                 const auto heights = parse_heights(text);
+                 if (!heights || heights->values.size() != 1) return false;
+                 block.base = heights->values.front();
+                 block.unit_m = heights->unit_m;
+               }
+               s.added_layers.emplace_back("block");
+               return true;
+             })
+      .if_alone("auto");
+  group.choice("--block-sides", "Whether a block's walls are hatched with upright lines",
+               {{"lines", BlockSides::lines}, {"outline", BlockSides::outline}}, block.sides,
+               "lines; outline where contours go across the walls");
 }
 
 } // namespace orograph

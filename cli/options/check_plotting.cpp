@@ -17,6 +17,9 @@
 namespace orograph {
 namespace {
 
+constexpr auto kTiedToGround = "in a format tied to the ground, which no pen draws";
+constexpr auto kWritePicture = "leave it out, or write a picture, as in --of svg";
+
 const std::string& name_of(Format format) {
   return format_names()[static_cast<std::size_t>(format)];
 }
@@ -25,14 +28,12 @@ void check_pen_order(RenderSettings& settings, const GivenOptions& given) {
   const Format format = settings.write.format;
   settings.map.pen_order = settings.pen_order.value_or(pen_order_for(format));
   if (!is_tied_to_ground(format)) return;
-  if (settings.map.pen_order != PenOrder::drawing && insists_on(given, "--pen-order"))
-    throw UsageError(
-        "--pen-order has no meaning in a format tied to the ground, which no pen draws",
-        "leave it out, or write a picture, as in --of svg");
+  if (settings.map.pen_order != PenOrder::drawing)
+    refuse(given, "--pen-order", kTiedToGround, kWritePicture);
   settings.map.pen_order = PenOrder::drawing;
   if (settings.map.style.asks_for("pen-up") && insists_on(given, "--layers"))
     throw UsageError("--layers has no pen-up in a format tied to the ground, which no pen draws",
-                     "leave it out, or write a picture, as in --of svg");
+                     kWritePicture);
   std::erase_if(settings.map.style.layers, [](const LayerSpec& of) { return of.name == "pen-up"; });
 }
 
@@ -40,10 +41,8 @@ void check_device(RenderSettings& settings, const GivenOptions& given) {
   const Format format = settings.write.format;
   const auto language = language_of(format);
   if (!language) {
-    if (insists_on(given, "--device"))
-      throw UsageError(
-          fmt::format("--device has no meaning in {}, which no device reads", name_of(format)),
-          "leave it out, or give --of hpgl or --of gcode");
+    refuse(given, "--device", fmt::format("in {}, which no device reads", name_of(format)),
+           "leave it out, or give --of hpgl or --of gcode");
     return;
   }
   if (settings.device.empty()) {
@@ -84,19 +83,15 @@ void check_light(RenderSettings& settings, const GivenOptions& given) {
 
 void check_pens(RenderSettings& settings, const GivenOptions& given) {
   if (settings.pens_file.empty()) {
-    if (insists_on(given, "--pause-between-pens"))
-      throw UsageError("--pause-between-pens has no meaning without pens", "give --pens FILE too");
+    refuse(given, "--pause-between-pens", "without pens", "give --pens FILE too");
     return;
   }
   if (is_tied_to_ground(settings.write.format)) {
-    if (insists_on(given, "--pens"))
-      throw UsageError("--pens has no meaning in a format tied to the ground, which no pen draws",
-                       "leave it out, or write a picture, as in --of svg");
+    refuse(given, "--pens", kTiedToGround, kWritePicture);
     return;
   }
-  if (insists_on(given, "--pen-width") && !settings.has_colours())
-    throw UsageError("--pen-width has no meaning beside pens, which have widths of their own",
-                     "leave it out");
+  if (!settings.has_colours())
+    refuse(given, "--pen-width", "beside pens, which have widths of their own", "leave it out");
   std::vector<std::string_view> layers;
   for (const LayerRow& row : layer_table())
     if (row.source != LineSource::pen_way) layers.push_back(row.name);
@@ -125,12 +120,9 @@ void check_colours(RenderSettings& settings, const GivenOptions& given) {
   const Format format = settings.write.format;
   Style& style = settings.map.style;
   if (language_of(format)) {
-    for (const char* option : {"--colour", "--palette"})
-      if (insists_on(given, option))
-        throw UsageError(fmt::format("{} has no meaning in {}, where colours are the pens' that "
-                                     "are put in",
-                                     option, name_of(format)),
-                         "leave it out, or say by --pens which pen draws which layers");
+    refuse(given, "--colour --palette",
+           fmt::format("in {}, where colours are the pens' that are put in", name_of(format)),
+           "leave it out, or say by --pens which pen draws which layers");
     style.palette = Palette::mono;
     settings.colours.clear();
     return;
@@ -138,10 +130,9 @@ void check_colours(RenderSettings& settings, const GivenOptions& given) {
   const bool have_all = std::ranges::any_of(settings.pens, [](const PenOfLayers& one) {
     return one.layers.empty() && one.field.empty();
   });
-  if (have_all && insists_on(given, "--palette"))
-    throw UsageError(
-        "--palette has no meaning beside a pen for all layers that no other draws",
-        fmt::format("leave it out, or give each pen of {} its layers", settings.pens_file));
+  if (have_all)
+    refuse(given, "--palette", "beside a pen for all layers that no other draws",
+           fmt::format("leave it out, or give each pen of {} its layers", settings.pens_file));
   for (const auto& [layer, colour] : settings.colours) {
     if (pens_of(layer, settings.pens).empty())
       give_colour(style, layer, colour, given);
@@ -153,17 +144,13 @@ void check_colours(RenderSettings& settings, const GivenOptions& given) {
 
 void check_sheets(RenderSettings& settings, const GivenOptions& given) {
   const bool is_tied = is_tied_to_ground(settings.write.format);
-  for (const char* option : {"--clip-to", "--sheets"})
-    if (is_tied && insists_on(given, option))
-      throw UsageError(fmt::format("{} has no meaning in a format tied to the ground", option),
-                       "leave it out, or write a picture, as in --of svg");
   if (is_tied) {
+    refuse(given, "--clip-to --sheets", "in a format tied to the ground", kWritePicture);
     settings.clip_to_mm.reset();
     settings.sheets.reset();
   }
   if (!settings.sheets) {
-    if (insists_on(given, "--overlap"))
-      throw UsageError("--overlap has no meaning without sheets", "give --sheets 2x3 or the like");
+    refuse(given, "--overlap", "without sheets", "give --sheets 2x3 or the like");
     return;
   }
   PageRequest& page = settings.map.page;
@@ -189,10 +176,7 @@ void check_pen_time(const RenderSettings& settings, const GivenOptions& given) {
   const bool has_speed = std::any_of(settings.pens.begin(), settings.pens.end(),
                                      [](const auto& of) { return of.pen.speed_mm_s.has_value(); });
   if (settings.pen_speed_mm_s || has_speed) return;
-  for (const char* option : {"--pen-up-speed", "--pen-lift-s"})
-    if (insists_on(given, option))
-      throw UsageError(fmt::format("{} has no meaning without --pen-speed", option),
-                       "give --pen-speed MM/S too");
+  refuse(given, "--pen-up-speed --pen-lift-s", "without --pen-speed", "give --pen-speed MM/S too");
 }
 
 } // namespace

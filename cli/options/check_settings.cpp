@@ -88,9 +88,7 @@ void check_output(RenderSettings& settings, const GivenOptions& given) {
                      "use a text format, as in --of svg, or give OUTPUT a file name");
   if (!to_stdout && !settings.output.empty())
     check_no_input(settings, settings.output, "OUTPUT", "OUTPUT");
-  if (insists_on(given, "--dpi") && settings.write.format != Format::png)
-    throw UsageError("--dpi has no meaning in a vector format",
-                     "leave it out, or write PNG with --of png");
+  check_dpi(settings, given);
 }
 
 void check_report(const RenderSettings& settings, const GivenOptions& given) {
@@ -103,10 +101,8 @@ void check_report(const RenderSettings& settings, const GivenOptions& given) {
 
 void check_eye(RenderSettings& settings, const GivenOptions& given) {
   if (!settings.map.view.has_eye()) {
-    for (const char* option : {"--eye-height", "--eye-summit", "--look-azimuth", "--pitch"})
-      if (insists_on(given, option))
-        throw UsageError(fmt::format("{} has no meaning without an eye", option),
-                         "give --eye X,Y or --eye-lonlat LON,LAT too");
+    refuse(given, "--eye-height --eye-summit --look-azimuth --pitch", "without an eye",
+           "give --eye X,Y or --eye-lonlat LON,LAT too");
     settings.map.view.eye_height_m.reset();
     settings.map.view.eye_summit_m.reset();
     settings.map.view.look_azimuth.reset();
@@ -136,25 +132,18 @@ void add_layers(RenderSettings& settings, const GivenOptions& given) {
   }
   for (const std::string& layer : settings.added_layers)
     if (!style.asks_for(layer)) style.layers.push_back(layer);
-  if (insists_on(given, "--contour-ticks") && !style.asks_for("contours") &&
-      !style.draws_index_contours())
-    throw UsageError("--contour-ticks has no meaning without contours",
-                     "give --contours INTERVAL too");
+  if (!style.asks_for("contours") && !style.draws_index_contours())
+    refuse(given, "--contour-ticks", "without contours", "give --contours INTERVAL too");
   if (settings.overlays.empty()) {
-    for (const char* option : {"--drape-where", "--drape-offset"})
-      if (insists_on(given, option))
-        throw UsageError(fmt::format("{} has no meaning without vectors", option),
-                         "give --drape FILE too");
+    refuse(given, "--drape-where --drape-offset", "without vectors", "give --drape FILE too");
     if (insists_on(given, "--layers") && style.layers.size() == 1 && style.asks_for("drape"))
       throw UsageError("--layers names 'drape' alone, and there is nothing to drape",
                        "give --drape FILE too");
   }
-  for (const char* option : {"--hachure-spacing", "--hachure-slope"})
-    if (insists_on(given, option) && !style.asks_for("hachures"))
-      throw UsageError(fmt::format("{} has no meaning without hachures", option),
-                       "give --hachures too");
-  if (insists_on(given, "--block-sides") && !style.asks_for("block"))
-    throw UsageError("--block-sides has no meaning without a block", "give --block too");
+  if (!style.asks_for("hachures"))
+    refuse(given, "--hachure-spacing --hachure-slope", "without hachures", "give --hachures too");
+  if (!style.asks_for("block"))
+    refuse(given, "--block-sides", "without a block", "give --block too");
 }
 
 // Those of layers that are drawn.
@@ -162,9 +151,9 @@ void add_hidden_layers(RenderSettings& settings, const GivenOptions& given) {
   if (settings.hidden_layers.empty() && settings.dashes_hidden.value_or(false))
     settings.hidden_layers = {"solids"};
   if (!settings.dashes_hidden.value_or(true)) {
-    if (insists_on(given, "--hidden") && insists_on(given, "--hidden-layers"))
-      throw UsageError("--hidden-layers has no meaning where hidden lines are left out",
-                       "leave --hidden omit out");
+    if (insists_on(given, "--hidden"))
+      refuse(given, "--hidden-layers", "where hidden lines are left out",
+             "leave --hidden omit out");
     settings.hidden_layers.clear();
   }
   Style& style = settings.map.style;
@@ -205,11 +194,8 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
                                         settings.map.view.has_eye() && given.contains(option)))
         throw UsageError(fmt::format("{} has no meaning in a parallel view", option),
                          fmt::format("{}, or use --projection perspective", right));
-    for (const char* option : {"--refraction", "--curvature-coefficient"})
-      if (insists_on(given, option))
-        throw UsageError(
-            fmt::format("{} has no meaning in a parallel view, which has no eye", option),
-            "leave it out, or use --projection perspective");
+    refuse(given, "--refraction --curvature-coefficient", "in a parallel view, which has no eye",
+           "leave it out, or use --projection perspective");
     settings.map.view.distance_m.reset();
     settings.map.view.field_of_view.reset();
   }
@@ -219,10 +205,10 @@ void check_view(RenderSettings& settings, const GivenOptions& given) {
 
 void check_tone(const Style& style, const GivenOptions& given) {
   if (!style.light)
-    for (const char* option : {"--light-contrast", "--light-smooth", "--light-by", "--haze"})
-      if (insists_on(given, option) && (option != std::string_view("--haze") || style.haze > 0.0))
-        throw UsageError(fmt::format("{} has no meaning without light", option),
-                         "leave it out, or leave --light off out");
+    refuse(given,
+           style.haze > 0.0 ? "--light-contrast --light-smooth --light-by --haze"
+                            : "--light-contrast --light-smooth --light-by",
+           "without light", "leave it out, or leave --light off out");
   const bool is_on_page = !style.plan || std::holds_alternative<PageSpacing>(*style.plan);
   if (!is_on_page && style.spread == Spread::even && insists_on(given, "--spread"))
     throw UsageError("--spread even is for a spacing on the page, and these profiles are planes on "
@@ -261,30 +247,11 @@ void check_page(const RenderSettings& settings, const GivenOptions& given) {
 
 // What is said of the ground, where there is none.
 void check_scene_alone(const RenderSettings& settings, const GivenOptions& given) {
-  for (const char* option : {"--band",
-                             "--oo",
-                             "--bbox",
-                             "--bbox-lonlat",
-                             "--overview",
-                             "--fill-voids",
-                             "--height-unit",
-                             "--input-layer",
-                             "--repair",
-                             "--columns",
-                             "--height-field",
-                             "--breaklines",
-                             "--boundary",
-                             "--max-edge",
-                             "--profiles",
-                             "--spacing",
-                             "--visibility-tolerance",
-                             "--silhouette-jump",
-                             "--flat",
-                             "--void-edges",
-                             "--check"})
-    if (insists_on(given, option))
-      throw UsageError(fmt::format("{} has no meaning without a terrain", option),
-                       "leave it out, or give a DEM as INPUT and the scene as --scene");
+  refuse(given,
+         "--band --oo --bbox --bbox-lonlat --overview --fill-voids --height-unit --input-layer "
+         "--repair --columns --height-field --breaklines --boundary --max-edge --profiles "
+         "--spacing --visibility-tolerance --silhouette-jump --flat --void-edges --check",
+         "without a terrain", "leave it out, or give a DEM as INPUT and the scene as --scene");
   const Style& style = settings.map.style;
   if (!style.asks_for("hidden") && !style.asks_for("solids"))
     throw UsageError("--layers leaves nothing to draw of a scene without a terrain",
@@ -305,9 +272,8 @@ void take_scene(RenderSettings& settings, const GivenOptions& given) {
     if (insists_on(given, "--hidden-layers"))
       throw UsageError("--hidden-layers names 'solids', and there are none",
                        "give --scene FILE too, or leave solids out");
-    if (insists_on(given, "--hidden"))
-      throw UsageError("--hidden has no meaning without solids",
-                       "give --scene FILE too, or --hidden-layers for other lines");
+    refuse(given, "--hidden", "without solids",
+           "give --scene FILE too, or --hidden-layers for other lines");
     std::erase(settings.map.style.layers, LayerSpec("hidden"));
     std::erase(settings.hidden_layers, "solids");
     return;
@@ -330,6 +296,11 @@ void check_no_shape_file(const RenderSettings& settings) {
 }
 
 } // namespace
+
+void check_dpi(const RenderSettings& settings, const GivenOptions& given) {
+  if (settings.write.format != Format::png)
+    refuse(given, "--dpi", "in a vector format", "leave it out, or write PNG with --of png");
+}
 
 bool replaces_input(const std::string& input, const std::string& output) {
   for (const auto& name : file_names_in(input))

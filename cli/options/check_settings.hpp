@@ -18,6 +18,9 @@ void check_settings(RenderSettings& settings, const GivenOptions& given);
 /// The same of view and page alone.
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given);
 
+/// Throws UsageError where dots per inch are given for vectors.
+void check_dpi(const RenderSettings& settings, const GivenOptions& given);
+
 /// Throws UsageError where the skyline's table or its step has no meaning, or the table replaces an
 /// input or another output.
 void check_skyline(const RenderSettings& settings, const GivenOptions& given);

@@ -114,7 +114,7 @@ std::string version_line() {
 std::string command_help(const Command& command, HelpLength length) {
   const auto is_shown = [&](const Option& option) {
     return length == HelpLength::all || command.daily.empty() ||
-           std::ranges::find(command.daily, option.name) != command.daily.end();
+           is_among(command.daily, option.name);
   };
   std::size_t left_out = 0;
   std::string text = "Usage: " + how_to_call(command) + "\n\n";
@@ -136,7 +136,7 @@ std::string command_help(const Command& command, HelpLength length) {
   }
   text += "\nExamples:\n";
   for (const auto& [call, meaning] : command.examples)
-    text += "  " + call + "\n      " + wrapped(meaning, 6, 6);
+    text += fmt::format("  {}\n      {}", call, wrapped(meaning, 6, 6));
   if (left_out > 0)
     text += fmt::format("\nThere are {} more options: orograph {} {} shows all,\n"
                         "and all of their values.\n",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The letters of all that is written on a page, and what stands around a picture.
 #include "cli/options/check_lettering.hpp"
+#include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "geometry/error.hpp"
 #include "map/check_spec.hpp"
@@ -17,46 +18,31 @@
 namespace orograph {
 namespace {
 
-constexpr auto kLettering = "Letters and furniture";
-
-void add_furniture_options(std::vector<Option>& options, RenderSettings& s) {
+void add_furniture_options(OptionGroup& group, RenderSettings& s) {
   std::vector<std::string> words{"none", "map", "panorama"};
   words.insert(words.end(), furniture_names().begin(), furniture_names().end());
-  options.push_back({.group = kLettering,
-                     .name = "--furniture",
-                     .value = "LIST",
-                     .help = "What stands around the picture, which leaves it room. The title is "
-                             "--title, if one is given",
-                     .allowed = fmt::format("none, or some of map, panorama, {}",
-                                            fmt::join(furniture_names(), ", ")),
-                     .by_default = "nothing, and the picture has all of the page",
-                     .words = words,
-                     .take = [&s](const std::string& text) {
-                       s.map.furniture.pieces = furniture_of(text, "--furniture");
-                       return true;
-                     }});
-  const auto text = [&](const char* name, const char* help, std::string& into) {
-    options.push_back({.group = kLettering,
-                       .name = name,
-                       .value = "TEXT",
-                       .help = help,
-                       .take = [&into](const std::string& given) {
-                         into = given;
-                         return true;
-                       }});
-  };
-  text("--subtitle", "Second line of the title", s.map.furniture.subtitle);
-  text("--source", "Where the data are from, as furniture prints it", s.map.furniture.source);
-  text("--date", "Date that furniture prints behind the source", s.map.furniture.date);
-  options.push_back({.group = kLettering,
-                     .name = "--template",
-                     .value = "FILE",
-                     .help =
-                         "Furniture, texts, sizes and fonts from a TOML file (docs/letters.md); "
-                         "options go before what it says",
-                     .allowed = "a file name",
-                     .extensions = {"toml"},
-                     .take = stored_name(s.template_file)});
+  group
+      .value("--furniture LIST",
+             "What stands around the picture, which leaves it room. The title is --title, if one "
+             "is given",
+             fmt::format("none, or some of map, panorama, {}", fmt::join(furniture_names(), ", ")),
+             "nothing, and the picture has all of the page",
+             [&s](const std::string& text) {
+               s.map.furniture.pieces = furniture_of(text, "--furniture");
+               return true;
+             })
+      .words(words);
+  group.text("--subtitle TEXT", "Second line of the title", "", s.map.furniture.subtitle);
+  group.text("--source TEXT", "Where the data are from, as furniture prints it", "",
+             s.map.furniture.source);
+  group.text("--date TEXT", "Date that furniture prints behind the source", "",
+             s.map.furniture.date);
+  group
+      .name("--template FILE",
+            "Furniture, texts, sizes and fonts from a TOML file (docs/letters.md); options go "
+            "before what it says",
+            "a file name", "", s.template_file)
+      .files({"toml"});
 }
 
 // What no option says.
@@ -83,10 +69,9 @@ void take_template(RenderSettings& s, const GivenOptions& given) {
 void check_printed(RenderSettings& s, const GivenOptions& given) {
   FurnitureSpec& furniture = s.map.furniture;
   if (is_tied_to_ground(s.write.format)) { // which has no page
-    if (insists_on(given, "--furniture") && furniture.any())
-      throw UsageError(
-          "--furniture has no meaning in a format tied to the ground, which has no page",
-          "leave it out, or write a picture, as in --of svg");
+    if (furniture.any())
+      refuse(given, "--furniture", "in a format tied to the ground, which has no page",
+             "leave it out, or write a picture, as in --of svg");
     furniture.pieces.clear();
   }
   for (const auto& [option, piece] :
@@ -101,34 +86,19 @@ void check_printed(RenderSettings& s, const GivenOptions& given) {
 } // namespace
 
 void add_lettering_options(std::vector<Option>& options, RenderSettings& s) {
+  OptionGroup group(options, "Letters and furniture");
   LetterSpec& letters = s.map.letters;
-  options.push_back(
-      with_choice({.group = kLettering,
-                   .name = "--text",
-                   .help = "Letters of a font, or single strokes, as a pen draws them",
-                   .by_default = "font; stroke in formats for devices and CAD, with "
-                                 "pens, and where paper is cut"},
-                  std::vector<std::pair<std::string, std::optional<LetterKind>>>{
-                      {"font", LetterKind::font}, {"stroke", LetterKind::stroke}},
-                  s.text));
-  options.push_back({.group = kLettering,
-                     .name = "--font",
-                     .value = "FAMILY",
-                     .help = "Font of texts, and of what stroke letters lack; what isn't there is "
-                             "replaced, and that is said",
-                     .allowed = "a font's name, as fc-list gives it",
-                     .by_default = letters.family + ", which Debian has in fonts-dejavu-core",
-                     .take = [&letters](const std::string& text) {
-                       letters.family = text;
-                       return !text.empty();
-                     }});
-  options.push_back({.group = kLettering,
-                     .name = "--stroke-letters",
-                     .value = "FOLDER",
-                     .help = "Where stroke letters are, Hershey's .jhf files",
-                     .by_default = letters.stroke_folder + ", as Debian has them",
-                     .take = stored_name(letters.stroke_folder)});
-  add_furniture_options(options, s);
+  group.choice("--text", "Letters of a font, or single strokes, as a pen draws them",
+               {{"font", LetterKind::font}, {"stroke", LetterKind::stroke}}, s.text,
+               "font; stroke in formats for devices and CAD, with pens, and where paper is cut");
+  group.name("--font FAMILY",
+             "Font of texts, and of what stroke letters lack; what isn't there is replaced, and "
+             "that is said",
+             "a font's name, as fc-list gives it",
+             letters.family + ", which Debian has in fonts-dejavu-core", letters.family);
+  group.name("--stroke-letters FOLDER", "Where stroke letters are, Hershey's .jhf files", "",
+             letters.stroke_folder + ", as Debian has them", letters.stroke_folder);
+  add_furniture_options(group, s);
 }
 
 void check_lettering(RenderSettings& settings, const GivenOptions& given) {

@@ -2,6 +2,7 @@
 // `orograph accuracy` and `orograph fragmentation`: their options, and what a command line asks of
 // them.
 #include "cli/options/check_settings.hpp"
+#include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
 #include "cli/options/options.hpp"
@@ -38,40 +39,31 @@ std::optional<std::vector<std::optional<int>>> parse_counts(const std::string& t
   return counts;
 }
 
+void add_repeats(OptionGroup& group, int& repeats) {
+  group.whole("--repeats N", "Runs to time for each row; the fastest counts", 1, 1000, repeats);
+}
+
+void add_files(std::vector<Option>& options, const char* which, std::string& prefix,
+               RenderSettings& render) {
+  OptionGroup(options, kOutput)
+      .name("--output PREFIX", which, "a file name without extension", "no files", prefix)
+      .flag("--overwrite", "Replace these files where they exist", render.write.overwrite);
+}
+
 void add_accuracy_options(std::vector<Option>& options, AccuracySettings& s) {
-  options.push_back({.group = kMeasures,
-                     .name = "--profiles",
-                     .value = "LIST",
-                     .help = "Numbers of profiles to compare; all else is varied at the middle one",
-                     .allowed = fmt::format("whole numbers, 1 to {}, or rows for one to each row "
-                                            "of the grid, with commas between",
-                                            kMostProfiles),
-                     .by_default = "60,150,300,rows",
-                     .take = stored(parse_counts, s.profiles)});
-  options.push_back(with_integer({.group = kMeasures,
-                                  .name = "--probes",
-                                  .value = "N",
-                                  .help = "Random points of each row's profiles to ask of the ray "
-                                          "walk, and as many to each mm of its other lines",
-                                  .by_default = std::to_string(s.probes)},
-                                 100, 100000000, [&s](int n) { s.probes = n; }));
-  options.push_back(with_integer({.group = kMeasures,
-                                  .name = "--repeats",
-                                  .value = "N",
-                                  .help = "Runs to time for each row; the fastest counts",
-                                  .by_default = std::to_string(s.repeats)},
-                                 1, 1000, [&s](int n) { s.repeats = n; }));
-  options.push_back({.group = kOutput,
-                     .name = "--output",
-                     .value = "PREFIX",
-                     .help = "Write PREFIX.csv, PREFIX.json and the curve, PREFIX.svg",
-                     .allowed = "a file name without extension",
-                     .by_default = "no files",
-                     .take = stored_name(s.prefix)});
-  options.push_back({.group = kOutput,
-                     .name = "--overwrite",
-                     .help = "Replace these files where they exist",
-                     .take = set_to(s.render.write.overwrite, true)});
+  OptionGroup group(options, kMeasures);
+  group.parsed(
+      "--profiles LIST", "Numbers of profiles to compare; all else is varied at the middle one",
+      fmt::format(
+          "whole numbers, 1 to {}, or rows for one to each row of the grid, with commas between",
+          kMostProfiles),
+      "60,150,300,rows", parse_counts, s.profiles);
+  group.whole("--probes N",
+              "Random points of each row's profiles to ask of the ray walk, and as many to each mm "
+              "of its other lines",
+              100, 100000000, s.probes);
+  add_repeats(group, s.repeats);
+  add_files(options, "Write PREFIX.csv, PREFIX.json and the curve, PREFIX.svg", s.prefix, s.render);
 }
 
 // Values with commas between, each read by `parse` and allowed by `allows`.
@@ -89,79 +81,40 @@ auto list_of(Parse parse, Allows allows) {
 }
 
 void add_fragmentation_options(std::vector<Option>& options, FragmentationSettings& s) {
-  options.push_back(
-      {.group = kMeasures,
-       .name = "--profiles",
-       .value = "LIST",
-       .help = "Numbers of profiles",
-       .allowed = fmt::format("whole numbers, 1 to {}, with commas between", kMostProfiles),
-       .by_default = fmt::format("{}", fmt::join(s.profiles, ",")),
-       .take =
-           stored(list_of<int>(parse_integer, [](int n) { return n >= 1 && n <= kMostProfiles; }),
-                  s.profiles)});
-  options.push_back(
-      {.group = kMeasures,
-       .name = "--elevations",
-       .value = "LIST",
-       .help = "Where the viewer stands above the horizontal",
-       .allowed = "degrees, 0 to 90, with commas between",
-       .by_default = fmt::format("{}", fmt::join(s.elevations_deg, ",")),
-       .take =
-           stored(list_of<double>(parse_number, [](double deg) { return deg >= 0 && deg <= 90; }),
-                  s.elevations_deg)});
-  options.push_back(
-      {.group = kMeasures,
-       .name = "--azimuths",
-       .value = "LIST",
-       .help = "Where the viewer stands, clockwise from north; profiles run across: along the rows "
+  OptionGroup group(options, kMeasures);
+  group.parsed("--profiles LIST", "Numbers of profiles",
+               fmt::format("whole numbers, 1 to {}, with commas between", kMostProfiles),
+               fmt::format("{}", fmt::join(s.profiles, ",")),
+               list_of<int>(parse_integer, [](int n) { return n >= 1 && n <= kMostProfiles; }),
+               s.profiles);
+  group.parsed("--elevations LIST", "Where the viewer stands above the horizontal",
+               "degrees, 0 to 90, with commas between",
+               fmt::format("{}", fmt::join(s.elevations_deg, ",")),
+               list_of<double>(parse_number, [](double deg) { return deg >= 0 && deg <= 90; }),
+               s.elevations_deg);
+  group.parsed("--azimuths LIST",
+               "Where the viewer stands, clockwise from north; profiles run across: along the rows "
                "of a grid from 180, along its columns from 90",
-       .allowed = "degrees, -360 to 360, with commas between",
-       .by_default = fmt::format("{}", fmt::join(s.azimuths_deg, ",")),
-       .take = stored(
-           list_of<double>(parse_number, [](double deg) { return deg >= -360 && deg <= 360; }),
-           s.azimuths_deg)});
+               "degrees, -360 to 360, with commas between",
+               fmt::format("{}", fmt::join(s.azimuths_deg, ",")),
+               list_of<double>(parse_number, [](double deg) { return deg >= -360 && deg <= 360; }),
+               s.azimuths_deg);
   const int most = std::numeric_limits<int>::max();
-  options.push_back(with_integer(
-      {.group = kMeasures,
-       .name = "--exact-segments",
-       .value = "N",
-       .help = "Find the least horizon, in exact arithmetic, where no more segments than this "
-               "make the horizon; it takes about 10 microseconds for each of them",
-       .by_default = std::to_string(s.exact_segments)},
-      0, most, [&s](int n) { s.exact_segments = n; }));
-  options.push_back(with_integer(
-      {.group = kMeasures,
-       .name = "--fragmented-segments",
-       .value = "N",
-       .help = "Run without collapse where no more segments than this make the horizon; it has "
-               "about as many pieces in the end, of 72 bytes",
-       .by_default = std::to_string(s.fragmented_segments)},
-      0, most, [&s](int n) { s.fragmented_segments = n; }));
-  options.push_back(with_integer({.group = kMeasures,
-                                  .name = "--worst-case",
-                                  .value = "N",
-                                  .help = "Measure terrains made to be the worst case as well, in "
-                                          "sizes N/16 to N; 0 leaves them out",
-                                  .by_default = std::to_string(s.worst_case)},
-                                 0, kLargestWorstCase, [&s](int n) { s.worst_case = n; }));
-  options.push_back(with_integer({.group = kMeasures,
-                                  .name = "--repeats",
-                                  .value = "N",
-                                  .help = "Runs to time for each row; the fastest counts",
-                                  .by_default = std::to_string(s.repeats)},
-                                 1, 1000, [&s](int n) { s.repeats = n; }));
-  options.push_back({.group = kOutput,
-                     .name = "--output",
-                     .value = "PREFIX",
-                     .help = "Write PREFIX.csv, PREFIX-series.csv, PREFIX.json and the plots, "
-                             "PREFIX.svg",
-                     .allowed = "a file name without extension",
-                     .by_default = "no files",
-                     .take = stored_name(s.prefix)});
-  options.push_back({.group = kOutput,
-                     .name = "--overwrite",
-                     .help = "Replace these files where they exist",
-                     .take = set_to(s.render.write.overwrite, true)});
+  group.whole("--exact-segments N",
+              "Find the least horizon, in exact arithmetic, where no more segments than this make "
+              "the horizon; it takes about 10 microseconds for each of them",
+              0, most, s.exact_segments);
+  group.whole("--fragmented-segments N",
+              "Run without collapse where no more segments than this make the horizon; it has "
+              "about as many pieces in the end, of 72 bytes",
+              0, most, s.fragmented_segments);
+  group.whole(
+      "--worst-case N",
+      "Measure terrains made to be the worst case as well, in sizes N/16 to N; 0 leaves them out",
+      0, kLargestWorstCase, s.worst_case);
+  add_repeats(group, s.repeats);
+  add_files(options, "Write PREFIX.csv, PREFIX-series.csv, PREFIX.json and the plots, PREFIX.svg",
+            s.prefix, s.render);
 }
 
 } // namespace
@@ -176,14 +129,15 @@ Command accuracy_command(AccuracySettings& settings) {
                                 "The table, and accuracy.csv, .json and .svg (the curve)."},
                                {"orograph accuracy dem.tif --view-from 225/10 --profiles 100,200",
                                 "Seen from the south-west, low, with two numbers of profiles."}}};
-  add_terrain_options(command.options, render.inputs, render.reading);
+  add_input(command.options, render.inputs);
+  add_terrain_options(command.options, render.reading);
   // Overviews are among the settings that are measured.
   std::erase_if(command.options, [](const Option& o) { return o.name == "--overview"; });
   add_view_options(command.options, render);
   add_page_options(command.options, render);
   add_accuracy_options(command.options, settings);
-  command.options.push_back(jobs_option(render.jobs));
-  command.options.push_back(memory_option(render.reading.max_memory));
+  add_jobs(command.options, render.jobs);
+  add_memory(command.options, render.reading.max_memory);
   add_general_options(command.options, render.settings_file, render.quiet, render.progress);
   return command;
 }
@@ -214,10 +168,11 @@ Command fragmentation_command(FragmentationSettings& settings) {
                     "The paper's number of profiles, in one view."}}};
   command.conflicts.push_back({"--progress", "--no-progress", "give one of the two"});
   command.conflicts.push_back({"--quiet", "--progress", "give one of the two"});
-  add_terrain_options(command.options, render.inputs, render.reading);
+  add_input(command.options, render.inputs);
+  add_terrain_options(command.options, render.reading);
   add_fragmentation_options(command.options, settings);
-  command.options.push_back(jobs_option(render.jobs));
-  command.options.push_back(memory_option(render.reading.max_memory));
+  add_jobs(command.options, render.jobs);
+  add_memory(command.options, render.reading.max_memory);
   add_general_options(command.options, render.settings_file, render.quiet, render.progress);
   return command;
 }

@@ -5,6 +5,8 @@
 #include "cli/options/option.hpp"
 #include "cli/render_settings.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,8 @@ std::vector<Conflict> terrain_conflicts();
 std::vector<Conflict> picture_conflicts();
 
 /// Each appends a group; what its options store into must outlive them.
-void add_terrain_options(std::vector<Option>& options, std::vector<std::string>& inputs,
-                         ReadOptions& reading);
+void add_input(std::vector<Option>& options, std::vector<std::string>& inputs);
+void add_terrain_options(std::vector<Option>& options, ReadOptions& reading);
 void add_view_options(std::vector<Option>& options, RenderSettings& settings);
 void add_panorama_options(std::vector<Option>& options, RenderSettings& settings);
 void add_line_options(std::vector<Option>& options, RenderSettings& settings);
@@ -36,5 +38,21 @@ void add_plotting_options(std::vector<Option>& options, RenderSettings& settings
 void add_label_options(std::vector<Option>& options, RenderSettings& settings);
 void add_lettering_options(std::vector<Option>& options, RenderSettings& settings);
 void add_pen_time_options(std::vector<Option>& options, RenderSettings& settings);
+
+// Each appends one, or a few.
+
+void add_jobs(std::vector<Option>& options, int& jobs);
+/// The default is set as well: half of what is free.
+void add_memory(std::vector<Option>& options, std::optional<std::uint64_t>& bytes);
+/// Of how the work is done: it decides nothing of what is drawn.
+void add_index_use(std::vector<Option>& options, bool& use_index);
+void add_quiet(std::vector<Option>& options, bool& quiet);
+void add_help(std::vector<Option>& options);
+void add_full_help(std::vector<Option>& options);
+/// What is about messages, and `--help`.
+void add_message_options(std::vector<Option>& options, bool& quiet, std::optional<bool>& progress);
+/// These, and `--settings`.
+void add_general_options(std::vector<Option>& options, std::string& settings_file, bool& quiet,
+                         std::optional<bool>& progress);
 
 } // namespace orograph

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of the horizon a panorama shows, and in how many strips.
 #include "cli/options/check_panorama.hpp"
+#include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
 #include "geometry/error.hpp"
@@ -49,41 +50,30 @@ std::optional<AltitudeRange> altitude_range(const std::string& text) {
 } // namespace
 
 void add_panorama_options(std::vector<Option>& options, RenderSettings& s) {
-  constexpr auto kGroup = "Panorama";
-  options.push_back({.group = kGroup,
-                     .name = "--azimuth-range",
-                     .value = "A:B",
-                     .help = "From the left side to the right one, clockwise from true north as "
-                             "--look-azimuth is; instead of --fov and a direction",
-                     .allowed = "degrees, A less than B by at most 360; 350:370 goes across north",
-                     .by_default = "--fov, which is 360 here, about --look-azimuth or --look-at; "
-                                   "without a direction from north to north",
-                     .take = stored(azimuth_range, s.map.view.azimuth_range)});
-  options.push_back(
-      {.group = kGroup,
-       .name = "--altitude-range",
-       .value = "A:B",
-       .help = "From the lower side to the upper one, above the horizontal",
-       .allowed = fmt::format("degrees from -{0} to {0}, A less than B", kMostAltitude_deg),
-       .by_default = "what is seen: the highest skyline and a little sky, ground down "
-                     "to 25 degrees below the lowest skyline or as the page has room",
-       .take = stored(altitude_range, s.map.view.altitude_range)});
-  options.push_back(with_integer({.group = kGroup,
-                                  .name = "--strips",
-                                  .value = "N",
-                                  .help = "Cut a long panorama into so many strips of equal "
-                                          "azimuths, one beneath the other on the page",
-                                  .by_default = "all in one"},
-                                 1, kMostStrips, [&s](int n) { s.map.page.strips = n; }));
+  OptionGroup group(options, "Panorama");
+  group.parsed("--azimuth-range A:B",
+               "From the left side to the right one, clockwise from true north as --look-azimuth "
+               "is; instead of --fov and a direction",
+               "degrees, A less than B by at most 360; 350:370 goes across north",
+               "--fov, which is 360 here, about --look-azimuth or --look-at; without a direction "
+               "from north to north",
+               azimuth_range, s.map.view.azimuth_range);
+  group.parsed("--altitude-range A:B", "From the lower side to the upper one, above the horizontal",
+               fmt::format("degrees from -{0} to {0}, A less than B", kMostAltitude_deg),
+               "what is seen: the highest skyline and a little sky, ground down to 25 degrees "
+               "below the lowest skyline or as the page has room",
+               altitude_range, s.map.view.altitude_range);
+  group.whole("--strips N",
+              "Cut a long panorama into so many strips of equal azimuths, one beneath the other on "
+              "the page",
+              1, kMostStrips, s.map.page.strips, "all in one");
 }
 
 void check_panorama(const RenderSettings& settings, const GivenOptions& given) {
   const ViewSpec& view = settings.map.view;
   if (!is_panorama(view.projection)) {
-    for (const char* option : {"--azimuth-range", "--altitude-range", "--strips"})
-      if (insists_on(given, option))
-        throw UsageError(fmt::format("{} has no meaning but in a panorama", option),
-                         "leave it out, or use --projection cylindrical");
+    refuse(given, "--azimuth-range --altitude-range --strips", "but in a panorama",
+           "leave it out, or use --projection cylindrical");
     if (view.field_of_view && view.field_of_view->in_degrees() >= 180)
       throw UsageError(
           fmt::format("--fov {} is too wide for perspective", view.field_of_view->in_degrees()),
@@ -95,14 +85,14 @@ void check_panorama(const RenderSettings& settings, const GivenOptions& given) {
   if (settings.report.ends_with(".toml"))
     throw UsageError(fmt::format("--report {}: a view file can't hold a panorama", settings.report),
                      "give the report a name that ends in .json");
-  for (const auto& [option, right] :
-       {std::pair{"--view-from", "leave it out: the eye is where it stands"},
-        std::pair{"--distance", "leave it out"},
-        std::pair{"--pitch", "leave it out, or give --altitude-range"},
-        std::pair{"--roll", "leave it out: uprights are upright"},
-        std::pair{"--scale", "leave it out, or give --page a width"}})
-    if (insists_on(given, option))
-      throw UsageError(fmt::format("{} has no meaning in a panorama", option), right);
+  const auto refuse_here = [&](const char* option, const char* right) {
+    refuse(given, option, "in a panorama", right);
+  };
+  refuse_here("--view-from", "leave it out: the eye is where it stands");
+  refuse_here("--distance", "leave it out");
+  refuse_here("--pitch", "leave it out, or give --altitude-range");
+  refuse_here("--roll", "leave it out: uprights are upright");
+  refuse_here("--scale", "leave it out, or give --page a width");
 }
 
 } // namespace orograph

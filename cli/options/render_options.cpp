@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `orograph render`: its options, and what a command line asks of it.
 #include "cli/options/check_settings.hpp"
+#include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/parse_arguments.hpp"
@@ -73,7 +74,7 @@ void add_drawing_options(std::vector<Option>& options, RenderSettings& settings)
   add_output_options(options, settings);
   add_pen_time_options(options, settings);
   add_plotting_options(options, settings);
-  options.push_back(jobs_option(settings.jobs));
+  add_jobs(options, settings.jobs);
 }
 
 std::vector<Conflict> drawing_conflicts() {
@@ -83,51 +84,13 @@ std::vector<Conflict> drawing_conflicts() {
   return conflicts;
 }
 
-std::vector<std::string> daily_options() {
-  return {"--bbox",
-          "--bbox-lonlat",
-          "--fill-voids",
-          "--view-from",
-          "--projection",
-          "--fov",
-          "--eye",
-          "--eye-lonlat",
-          "--eye-height",
-          "--look-at",
-          "--look-at-lonlat",
-          "--look-azimuth",
-          "--exaggeration",
-          "--profiles",
-          "--spacing",
-          "--light",
-          "--haze",
-          "--flat",
-          "--layers",
-          "--palette",
-          "--colour",
-          "--hidden-layers",
-          "--contours",
-          "--mesh",
-          "--drape",
-          "--labels",
-          "--scene",
-          "--page",
-          "--portrait",
-          "--landscape",
-          "--margin",
-          "--pen-width",
-          "--title",
-          "--of",
-          "--dpi",
-          "--overwrite",
-          "--report",
-          "--device",
-          "--pens",
-          "--sheets",
-          "--settings",
-          "--help",
-          "--help-all"};
-}
+constexpr std::string_view kDaily =
+    "--bbox --bbox-lonlat --fill-voids --view-from --projection --fov --eye --eye-lonlat "
+    "--eye-height --look-at --look-at-lonlat --look-azimuth --exaggeration --profiles "
+    "--spacing --light --haze --flat --layers --palette --colour --hidden-layers --contours "
+    "--mesh --drape --labels --scene --page --portrait --landscape --margin --pen-width "
+    "--title --of --dpi --overwrite --report --device --pens --sheets --settings --help "
+    "--help-all";
 
 // What `settings` have in force of the command's options, those given and others by default.
 void keep_options(RenderSettings& settings, const Command& tried, const GivenOptions& given) {
@@ -174,21 +137,6 @@ std::vector<Conflict> picture_conflicts() {
   return conflicts;
 }
 
-namespace {
-
-// Of how the work is done: it decides nothing of what is drawn.
-Option index_option(bool& use_index) {
-  return with_choice<bool>(
-      {.group = "General",
-       .name = "--index",
-       .help = "Take larger cells from the file that orograph index made, where there is "
-               "one for these heights",
-       .by_default = "auto"},
-      {{"auto", true}, {"off", false}}, use_index);
-}
-
-} // namespace
-
 Command render_command(RenderSettings& settings) {
   Command command{
       .name = "render",
@@ -208,21 +156,22 @@ Command render_command(RenderSettings& settings) {
            "With roads and huts on it."},
           {"orograph render dem.tif plot.hpgl --device hp7475a --margin 14", "For a plotter."},
           {"orograph render dem.tif lines.geojson", "The lines that are seen, for a GIS."}}};
-  add_terrain_options(command.options, settings.inputs, settings.reading);
-  command.options.insert(
-      command.options.begin() + 1,
-      {.name = "OUTPUT",
-       .help = fmt::format("the drawing: a file whose extension names the format ({}), or - for "
-                           "standard output",
-                           fmt::join(format_names(), ", ")),
-       .take = stored_name(settings.output)});
+  add_input(command.options, settings.inputs);
+  OptionGroup(command.options)
+      .name(
+          "OUTPUT",
+          fmt::format(
+              "the drawing: a file whose extension names the format ({}), or - for standard output",
+              fmt::join(format_names(), ", ")),
+          "", "", settings.output);
+  add_terrain_options(command.options, settings.reading);
   add_drawing_options(command.options, settings);
   add_skyline_options(command.options, settings);
-  command.options.push_back(memory_option(settings.reading.max_memory));
-  command.options.push_back(index_option(settings.reading.use_index));
+  add_memory(command.options, settings.reading.max_memory);
+  add_index_use(command.options, settings.reading.use_index);
   add_general_options(command.options, settings.settings_file, settings.quiet, settings.progress);
-  command.options.push_back(full_help_option());
-  command.daily = daily_options();
+  add_full_help(command.options);
+  command.daily = kDaily;
   return command;
 }
 

@@ -6,6 +6,7 @@
 #include "cli/options/check_plotting.hpp"
 #include "cli/options/check_settings.hpp"
 #include "cli/options/option.hpp"
+#include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
 #include "cli/options/options.hpp"
@@ -20,6 +21,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
 #include <string_view>
@@ -33,28 +35,25 @@ constexpr auto kList = "numbers with commas between, ranges FROM:TO:STEP, or bot
 // How the option of a single value takes one of a list's.
 struct ListOption {
   Parameter parameter;
-  std::string single; ///< render's option
-  std::string before, after;
-  std::string help;
+  std::string_view single; ///< render's option
+  std::string_view before, after;
+  std::string_view help;
 };
 
-const std::vector<ListOption>& list_options() {
-  static const std::vector<ListOption> options{
-      {Parameter::azimuth, "--view-from", "", "/25",
-       "Where the viewer stands, seen from the terrain, clockwise from north"},
-      {Parameter::elevation, "--view-from", "180/", "",
-       "Where the viewer stands, above the horizontal"},
-      {Parameter::look_azimuth, "--look-azimuth", "", "",
-       "With an eye, where it looks, clockwise from true north"},
-      {Parameter::pitch, "--pitch", "", "", "With --look-azimuth, look up by this"},
-      {Parameter::distance, "--distance", "", "", "From the eye to the point looked at"},
-      {Parameter::fov, "--fov", "", "", "Horizontal field of view; perspective only"},
-      {Parameter::exaggeration, "--exaggeration", "", "", "Multiply all heights"},
-      {Parameter::profiles, "--profiles", "", "", "Number of profiles"}};
-  return options;
-}
+constexpr std::array<ListOption, 8> kListOptions{
+    {{Parameter::azimuth, "--view-from", "", "/25",
+      "Where the viewer stands, seen from the terrain, clockwise from north"},
+     {Parameter::elevation, "--view-from", "180/", "",
+      "Where the viewer stands, above the horizontal"},
+     {Parameter::look_azimuth, "--look-azimuth", "", "",
+      "With an eye, where it looks, clockwise from true north"},
+     {Parameter::pitch, "--pitch", "", "", "With --look-azimuth, look up by this"},
+     {Parameter::distance, "--distance", "", "", "From the eye to the point looked at"},
+     {Parameter::fov, "--fov", "", "", "Horizontal field of view; perspective only"},
+     {Parameter::exaggeration, "--exaggeration", "", "", "Multiply all heights"},
+     {Parameter::profiles, "--profiles", "", "", "Number of profiles"}}};
 
-Option taken(std::vector<Option>& options, const std::string& name) {
+Option taken(std::vector<Option>& options, std::string_view name) {
   const auto found = std::find_if(options.begin(), options.end(),
                                   [&](const Option& option) { return option.name == name; });
   Option option = *found;
@@ -75,7 +74,8 @@ void add_axis(std::vector<Axis>& axes, Axis axis) {
   axes.insert(after, std::move(axis));
 }
 
-Option listed(const ListOption& list, const Option& single, SweepSettings& s) {
+void add_listed(OptionGroup& group, const ListOption& list, const Option& single,
+                SweepSettings& s) {
   const std::string& name = names_of(list.parameter).option;
   std::string allowed = single.allowed;
   if (list.parameter == Parameter::azimuth) allowed = "degrees";
@@ -84,24 +84,19 @@ Option listed(const ListOption& list, const Option& single, SweepSettings& s) {
   std::string by_default = single.by_default;
   if (list.parameter == Parameter::azimuth) by_default = "180";
   if (list.parameter == Parameter::elevation) by_default = "25";
-  return {.group = kVaried,
-          .name = name,
-          .value = "LIST",
-          .help = list.help,
-          .allowed = fmt::format("{}; {}", kList, allowed),
-          .by_default = by_default,
-          .take = [name, list, allowed, single, &s](const std::string& text) {
-            if (list.parameter == Parameter::exaggeration && text == "auto")
-              return single.take(text);
-            Axis axis{list.parameter, parse_number_list(name, text)};
-            for (const double value : axis.values)
-              if (!single.take(list.before + number_text(value) + list.after))
-                throw UsageError(
-                    fmt::format("{} '{}' can't be used: {}", name, text, number_text(value)),
-                    fmt::format("its values are {}", allowed));
-            add_axis(s.axes, std::move(axis));
-            return true;
-          }};
+  group.value(
+      name + " LIST", list.help, fmt::format("{}; {}", kList, allowed), by_default,
+      [name, list, allowed, single, &s](const std::string& text) {
+        if (list.parameter == Parameter::exaggeration && text == "auto") return single.take(text);
+        Axis axis{list.parameter, parse_number_list(name, text)};
+        for (const double value : axis.values)
+          if (!single.take(fmt::format("{}{}{}", list.before, number_text(value), list.after)))
+            throw UsageError(
+                fmt::format("{} '{}' can't be used: {}", name, text, number_text(value)),
+                fmt::format("its values are {}", allowed));
+        add_axis(s.axes, std::move(axis));
+        return true;
+      });
 }
 
 std::optional<Shard> parse_shard(const std::string& text) {
@@ -113,79 +108,45 @@ std::optional<Shard> parse_shard(const std::string& text) {
 }
 
 void add_varied_options(std::vector<Option>& options, SweepSettings& s) {
+  OptionGroup group(options, kVaried);
   // Azimuth and elevation are of one option; it goes after both.
-  for (const ListOption& list : list_options()) {
+  for (const ListOption& list : kListOptions) {
     Option single = taken(options, list.single);
     if (list.parameter == Parameter::azimuth) options.push_back(single);
-    options.push_back(listed(list, single, s));
+    add_listed(group, list, single, s);
   }
-  options.push_back({.group = kVaried,
-                     .name = "--eye-path",
-                     .value = "FILE",
-                     .help = "Stand along the line that a vector file holds: at its vertices, "
-                             "looking where it leads unless told otherwise; with Z at these "
-                             "heights, else on the ground",
-                     .allowed = "a file with one line that GDAL opens",
-                     .take = stored_name(s.eye_path)});
-  options.push_back(with_number({.group = kVaried,
-                                 .name = "--eye-step",
-                                 .value = "M",
-                                 .help = "Stand every so far along --eye-path instead"},
-                                {.unit = "metres", .low = 0, .low_excluded = true},
-                                [&s](double m) { s.eye_step_m = m; }));
-  options.push_back({.group = kVaried,
-                     .name = "--views",
-                     .value = "FILE",
-                     .help = "Every view of a list: TOML with a table [[view]] for each, with the "
-                             "keys of a view file (docs/pipeline.md) and, if wanted, a name",
-                     .allowed = "a TOML file",
-                     .take = stored_name(s.views_file)});
-  options.push_back({.group = kVaried,
-                     .name = "--zip",
-                     .help = "Take the lists together, first with first, instead of crossing them",
-                     .take = set_to(s.zipped, true)});
-  options.push_back({.group = kVaried,
-                     .name = "--name",
-                     .value = "TEMPLATE",
-                     .help = "What drawings are called: text with {index}, {azimuth}, … in it",
-                     .allowed = "a name without slashes",
-                     .by_default = "all that varies, as in azimuth-045_elevation-05",
-                     .take = stored_name(s.name_template)});
+  group.name("--eye-path FILE",
+             "Stand along the line that a vector file holds: at its vertices, looking where it "
+             "leads unless told otherwise; with Z at these heights, else on the ground",
+             "a file with one line that GDAL opens", "", s.eye_path);
+  group.number("--eye-step M", "Stand every so far along --eye-path instead",
+               {.unit = "metres", .low = 0, .low_excluded = true}, s.eye_step_m);
+  group.name("--views FILE",
+             "Every view of a list: TOML with a table [[view]] for each, with the keys of a view "
+             "file (docs/pipeline.md) and, if wanted, a name",
+             "a TOML file", "", s.views_file);
+  group.flag("--zip", "Take the lists together, first with first, instead of crossing them",
+             s.zipped);
+  group.name("--name TEMPLATE", "What drawings are called: text with {index}, {azimuth}, … in it",
+             "a name without slashes", "all that varies, as in azimuth-045_elevation-05",
+             s.name_template);
 }
 
 void add_work_options(std::vector<Option>& options, SweepSettings& s) {
-  options.push_back({.group = kWork,
-                     .name = "--overwrite",
-                     .help = "Remove an older sweep in OUT_DIR first",
-                     .take = set_to(s.render.write.overwrite, true)});
-  options.push_back({.group = kWork,
-                     .name = "--resume",
-                     .help = "Go on with the sweep in OUT_DIR: draw what isn't drawn yet",
-                     .take = set_to(s.resume, true)});
+  OptionGroup group(options, kWork);
+  group.flag("--overwrite", "Remove an older sweep in OUT_DIR first", s.render.write.overwrite);
+  group.flag("--resume", "Go on with the sweep in OUT_DIR: draw what isn't drawn yet", s.resume);
   constexpr int kMostJobs = 200; // files that are written at a time
-  options.push_back(with_integer({.group = kWork,
-                                  .name = "--jobs",
-                                  .letter = 'j',
-                                  .value = "N",
-                                  .help = "Views to draw at a time",
-                                  .by_default = "one for each core; under mpirun one"},
-                                 1, kMostJobs, [&s](int n) { s.jobs = n; }));
-  options.push_back({.group = kWork,
-                     .name = "--shard",
-                     .value = "I/N",
-                     .help = "Draw the Ith of N parts of the views, and no tables: orograph merge "
-                             "makes them when all parts are drawn",
-                     .allowed = "whole numbers, I from 1 to N",
-                     .take = stored(parse_shard, s.shard)});
-  options.push_back({.group = kWork,
-                     .name = "--no-seconds",
-                     .help = "Leave the column out that differs from run to run, so that all files "
-                             "are the same",
-                     .take = set_to(s.seconds, false)});
-  options.push_back({.group = kWork,
-                     .name = "--yes",
-                     .help = fmt::format("Draw more than {:.0f} views", kManyViews),
-                     .take = set_to(s.many, true)});
+  group.whole("-j, --jobs N", "Views to draw at a time", 1, kMostJobs, s.jobs,
+              "one for each core; under mpirun one");
+  group.parsed("--shard I/N",
+               "Draw the Ith of N parts of the views, and no tables: orograph merge makes them "
+               "when all parts are drawn",
+               "whole numbers, I from 1 to N", "", parse_shard, s.shard);
+  group.flag("--no-seconds",
+             "Leave the column out that differs from run to run, so that all files are the same",
+             s.seconds, false);
+  group.flag("--yes", fmt::format("Draw more than {:.0f} views", kManyViews), s.many);
 }
 
 std::vector<Conflict> sweep_conflicts() {
@@ -242,11 +203,9 @@ void check_sweep(SweepSettings& settings, const GivenOptions& given) {
     for (Axis& axis : settings.axes)
       if (axis.parameter == Parameter::azimuth || axis.parameter == Parameter::look_azimuth)
         drop_full_turn(axis.values);
-  if (insists_on(given, "--dpi") && render.write.format != Format::png)
-    throw UsageError("--dpi has no meaning in a vector format",
-                     "leave it out, or write PNG with --of png");
-  if (insists_on(given, "--eye-step") && settings.eye_path.empty())
-    throw UsageError("--eye-step has no meaning without a path", "give --eye-path FILE too");
+  check_dpi(render, given);
+  if (settings.eye_path.empty())
+    refuse(given, "--eye-step", "without a path", "give --eye-path FILE too");
   if (!settings.eye_path.empty() && render.map.view.projection != Projection::perspective &&
       !is_panorama(render.map.view.projection))
     throw UsageError("--eye-path has no meaning in a parallel view",
@@ -294,12 +253,12 @@ Command sweep_command(SweepSettings& settings) {
           {"orograph sweep dem.tif out --eye-path trail.gpkg --eye-step 250",
            "What is seen on the way, every 250 m."}}};
   std::vector<Option>& options = command.options;
-  add_terrain_options(options, render.inputs, render.reading);
-  options.insert(options.begin() + 1,
-                 {.name = "OUT_DIR",
-                  .help = "the folder for drawings, sweep.csv, sweep.json and index.html; it is "
-                          "made where it isn't there",
-                  .take = stored_name(settings.out_dir)});
+  add_input(options, render.inputs);
+  OptionGroup(options).name("OUT_DIR",
+                            "the folder for drawings, sweep.csv, sweep.json and index.html; it is "
+                            "made where it isn't there",
+                            "", "", settings.out_dir);
+  add_terrain_options(options, render.reading);
   std::vector<Option> picture;
   add_view_options(picture, render);
   add_panorama_options(picture, render);
@@ -329,7 +288,7 @@ Command sweep_command(SweepSettings& settings) {
                         [](const Option& o) { return o.group == kVaried; });
   options.insert(options.end(), varied.begin(), varied.end());
   add_work_options(options, settings);
-  options.push_back(memory_option(render.reading.max_memory));
+  add_memory(options, render.reading.max_memory);
   add_general_options(options, render.settings_file, render.quiet, render.progress);
   return command;
 }
@@ -342,19 +301,21 @@ Command merge_command(MergeSettings& settings) {
                   .examples = {{"orograph merge out", "After all shards of a sweep into out."},
                                {"orograph merge out part1 part2",
                                 "Of shards in folders of their own, brought together in out."}}};
-  command.options.push_back({.name = "OUT_DIR",
-                             .help = "the sweep's folder, and after it those of shards that were "
-                                     "drawn elsewhere, to be copied into it",
-                             .repeatable = true,
-                             .take = [&settings](const std::string& text) {
-                               if (settings.out_dir.empty())
-                                 settings.out_dir = text;
-                               else
-                                 settings.shard_dirs.push_back(text);
-                               return !text.empty();
-                             }});
-  command.options.push_back(quiet_option(settings.quiet));
-  command.options.push_back(help_option());
+  OptionGroup(command.options)
+      .value("OUT_DIR",
+             "the sweep's folder, and after it those of shards that were drawn "
+             "elsewhere, to be copied into it",
+             "", "",
+             [&settings](const std::string& text) {
+               if (settings.out_dir.empty())
+                 settings.out_dir = text;
+               else
+                 settings.shard_dirs.push_back(text);
+               return !text.empty();
+             })
+      .repeatable();
+  add_quiet(command.options, settings.quiet);
+  add_help(command.options);
   return command;
 }
 

@@ -2,6 +2,7 @@
 // What a command reads of a terrain; and the two that tell of it or write it, `orograph info` and
 // `orograph tin`.
 #include "cli/options/check_settings.hpp"
+#include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
 #include "cli/options/options.hpp"
@@ -12,43 +13,27 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <map>
 
 namespace orograph {
 namespace {
 
 void add_tin_options(std::vector<Option>& options, TinSettings& settings) {
-  options.push_back({.group = kOutput,
-                     .name = "--max-error",
-                     .value = "LENGTH",
-                     .help = "Of a raster: keep as few of its vertices as leave the TIN nowhere "
-                             "farther from it in height",
-                     .allowed = "a length from 0 on with its unit, such as 2m",
-                     .take = stored(parse_metres, settings.max_error_m)});
-  std::optional<TinFormat>& format = settings.format;
-  const std::map<std::string, TinFormat> formats{{"gpkg", TinFormat::gpkg},
-                                                 {"off", TinFormat::off},
-                                                 {"ply", TinFormat::ply},
-                                                 {"obj", TinFormat::obj}};
-  options.push_back({.group = kOutput,
-                     .name = "--of",
-                     .value = "gpkg|off|ply|obj",
-                     .help = "Format of OUTPUT",
-                     .by_default = "by its extension",
-                     .take = [formats, &format](const std::string& text) {
-                       const auto found = formats.find(text);
-                       if (found == formats.end()) return false;
-                       format = found->second;
-                       return true;
-                     }});
-  options.push_back({.group = kOutput,
-                     .name = "--overwrite",
-                     .help = "Replace an existing file",
-                     .take = set_to(settings.overwrite, true)});
-  options.push_back(jobs_option(settings.jobs));
-  options.push_back(memory_option(settings.reading.max_memory));
-  options.push_back(quiet_option(settings.quiet));
-  options.push_back(help_option());
+  OptionGroup group(options, kOutput);
+  group.parsed(
+      "--max-error LENGTH",
+      "Of a raster: keep as few of its vertices as leave the TIN nowhere farther from it in height",
+      "a length from 0 on with its unit, such as 2m", "", parse_metres, settings.max_error_m);
+  group.choice("--of", "Format of OUTPUT",
+               {{"gpkg", TinFormat::gpkg},
+                {"off", TinFormat::off},
+                {"ply", TinFormat::ply},
+                {"obj", TinFormat::obj}},
+               settings.format, "by its extension");
+  group.flag("--overwrite", "Replace an existing file", settings.overwrite);
+  add_jobs(options, settings.jobs);
+  add_memory(options, settings.reading.max_memory);
+  add_quiet(options, settings.quiet);
+  add_help(options);
 }
 
 } // namespace
@@ -57,135 +42,86 @@ std::vector<Conflict> terrain_conflicts() {
   return {{"--bbox", "--bbox-lonlat", "give one of the two"}};
 }
 
-void add_terrain_options(std::vector<Option>& options, std::vector<std::string>& inputs,
-                         ReadOptions& reading) {
-  constexpr auto kGroup = "Terrain";
-  options.push_back({.name = "INPUT",
-                     .help = "the terrain: any raster of heights that GDAL opens (/vsizip/ and "
-                             "other /vsi paths too), in any CRS or none; triangles in OFF, "
-                             "PLY, OBJ, STL, LandXML or a vector file; points in text with named "
-                             "columns or a vector file, in a projected CRS or none. Several "
-                             "rasters whose cells are on one lattice are joined",
-                     .repeatable = true,
-                     .take = [&inputs](const std::string& text) {
-                       inputs.push_back(text);
-                       return !text.empty();
-                     }});
-  options.push_back(with_integer({.group = kGroup,
-                                  .name = "--band",
-                                  .letter = 'b',
-                                  .value = "N",
-                                  .help = "Band that holds the heights",
-                                  .by_default = std::to_string(reading.band)},
-                                 1, std::numeric_limits<int>::max(),
-                                 [&reading](int n) { reading.band = n; }));
-  options.push_back({.group = kGroup,
-                     .name = "--oo",
-                     .value = "NAME=VALUE",
-                     .help = "Open option for GDAL's driver; may be repeated",
-                     .repeatable = true,
-                     .take = [&reading](const std::string& text) {
-                       const auto equals = text.find('=');
-                       if (equals == 0 || equals == std::string::npos) return false;
-                       reading.open_options.push_back(text);
-                       return true;
-                     }});
-  options.push_back(
-      {.group = kGroup,
-       .name = "--bbox",
-       .value = "XMIN,YMIN,XMAX,YMAX",
-       .help = "Keep only the terrain inside this window",
-       .allowed = "coordinates of the terrain's CRS, XMIN below XMAX, YMIN below YMAX",
-       .by_default = "all of it",
-       .take = stored(parse_box, reading.bbox)});
-  options.push_back({.group = kGroup,
-                     .name = "--bbox-lonlat",
-                     .value = "W,S,E,N",
-                     .help = "The same by longitude and latitude (WGS 84), in any CRS; W above E "
-                             "goes across 180 degrees",
-                     .allowed = "degrees, S below N",
-                     .take = stored(parse_lonlat_box, reading.bbox_lonlat)});
-  options.push_back(with_integer({.group = kGroup,
-                                  .name = "--overview",
-                                  .value = "LEVEL",
-                                  .help = "Read a smaller overview of the file instead of the full "
-                                          "heights; 0 is the finest overview",
-                                  .by_default = "full heights"},
-                                 0, 100, [&reading](int level) { reading.overview = level; }));
-  options.push_back(
-      with_number({.group = kGroup,
-                   .name = "--fill-voids",
-                   .value = "CELLS",
-                   .help = "Fill missing heights of a raster from those around them, up to so far "
-                           "from a height (GDAL's fill)",
-                   .by_default = "gaps stay, and hide nothing"},
-                  {.unit = "cells", .low = 0, .high = 1e6, .low_excluded = true},
-                  [&reading](double cells) { reading.fill_voids = cells; }));
-  options.push_back(
-      {.group = kGroup,
-       .name = "--height-unit",
-       .value = "UNIT",
-       .help = "Unit of a raster's heights, where the file doesn't say it or is wrong",
-       .allowed = "m, ft, us-ft, km, dm, cm or mm",
-       .by_default = "the file's",
-       .take = [&reading](const std::string& text) {
-         reading.height_unit = text;
-         return length_unit(text).has_value();
-       }});
-  options.push_back({.group = kGroup,
-                     .name = "--allow-network",
-                     .help =
-                         "Let files ask servers for what they name; an INPUT that is a URL or a "
-                         "/vsicurl/ path always may",
-                     .take = set_to(reading.allow_network, true)});
-  constexpr auto kSurvey = "Triangles and points";
-  options.push_back({.group = kSurvey,
-                     .name = "--input-layer",
-                     .value = "NAME",
-                     .help = "Layer of a vector file, or surface of a LandXML file",
-                     .by_default = "the only one",
-                     .take = stored_name(reading.layer)});
-  options.push_back({.group = kSurvey,
-                     .name = "--repair",
-                     .help = "Reduce triangles that lie above each other to their upper surface",
-                     .take = set_to(reading.repair, true)});
-  options.push_back({.group = kSurvey,
-                     .name = "--columns",
-                     .value = "X,Y,Z",
-                     .help = "Columns of a text file that hold easting, northing and height",
-                     .allowed = "three names with commas between",
-                     .by_default = "x,y,z",
-                     .take = [&reading](const std::string& text) {
-                       const std::vector<std::string> names = split(text, ',');
-                       if (names.size() != 3 || names[0].empty() || names[1].empty() ||
-                           names[2].empty())
-                         return false;
-                       reading.columns = {names[0], names[1], names[2]};
-                       return true;
-                     }});
-  options.push_back({.group = kSurvey,
-                     .name = "--height-field",
-                     .value = "NAME",
-                     .help = "Field that holds the heights of a vector file's points without Z",
-                     .take = stored_name(reading.height_field)});
-  options.push_back({.group = kSurvey,
-                     .name = "--breaklines",
-                     .value = "FILE",
-                     .help = "Lines with Z that become edges of the triangulated points",
-                     .take = stored_name(reading.breaklines)});
-  options.push_back({.group = kSurvey,
-                     .name = "--boundary",
-                     .value = "FILE",
-                     .help = "Polygons: points are triangulated inside them only; holes are left",
-                     .take = stored_name(reading.boundary)});
-  options.push_back(with_number({.group = kSurvey,
-                                 .name = "--max-edge",
-                                 .value = "M",
-                                 .help = "Take triangles with a longer edge away, from the border "
-                                         "of the triangulated points inwards",
-                                 .by_default = "none"},
-                                {.unit = "metres", .low = 0, .low_excluded = true},
-                                [&reading](double m) { reading.max_edge_m = m; }));
+void add_input(std::vector<Option>& options, std::vector<std::string>& inputs) {
+  OptionGroup(options)
+      .value(
+          "INPUT",
+          "the terrain: any raster of heights that GDAL opens (/vsizip/ and other /vsi paths too), "
+          "in any CRS or none; triangles in OFF, PLY, OBJ, STL, LandXML or a vector file; points "
+          "in text with named columns or a vector file, in a projected CRS or none. Several "
+          "rasters whose cells are on one lattice are joined",
+          "", "",
+          [&inputs](const std::string& text) {
+            inputs.push_back(text);
+            return !text.empty();
+          })
+      .repeatable();
+}
+
+void add_terrain_options(std::vector<Option>& options, ReadOptions& reading) {
+  OptionGroup group(options, "Terrain");
+  group.whole("-b, --band N", "Band that holds the heights", 1, std::numeric_limits<int>::max(),
+              reading.band);
+  group
+      .value("--oo NAME=VALUE", "Open option for GDAL's driver; may be repeated", "", "",
+             [&reading](const std::string& text) {
+               const auto equals = text.find('=');
+               if (equals == 0 || equals == std::string::npos) return false;
+               reading.open_options.push_back(text);
+               return true;
+             })
+      .repeatable();
+  group.parsed("--bbox XMIN,YMIN,XMAX,YMAX", "Keep only the terrain inside this window",
+               "coordinates of the terrain's CRS, XMIN below XMAX, YMIN below YMAX", "all of it",
+               parse_box, reading.bbox);
+  group.parsed(
+      "--bbox-lonlat W,S,E,N",
+      "The same by longitude and latitude (WGS 84), in any CRS; W above E goes across 180 degrees",
+      "degrees, S below N", "", parse_lonlat_box, reading.bbox_lonlat);
+  group.whole(
+      "--overview LEVEL",
+      "Read a smaller overview of the file instead of the full heights; 0 is the finest overview",
+      0, 100, reading.overview, "full heights");
+  group.number("--fill-voids CELLS",
+               "Fill missing heights of a raster from those around them, up to so far from a "
+               "height (GDAL's fill)",
+               {.unit = "cells", .low = 0, .high = 1e6, .low_excluded = true}, reading.fill_voids,
+               "gaps stay, and hide nothing");
+  group.value("--height-unit UNIT",
+              "Unit of a raster's heights, where the file doesn't say it or is wrong",
+              "m, ft, us-ft, km, dm, cm or mm", "the file's", [&reading](const std::string& text) {
+                reading.height_unit = text;
+                return length_unit(text).has_value();
+              });
+  group.flag("--allow-network",
+             "Let files ask servers for what they name; an INPUT that is a URL or a /vsicurl/ path "
+             "always may",
+             reading.allow_network);
+  OptionGroup survey(options, "Triangles and points");
+  survey.name("--input-layer NAME", "Layer of a vector file, or surface of a LandXML file", "",
+              "the only one", reading.layer);
+  survey.flag("--repair", "Reduce triangles that lie above each other to their upper surface",
+              reading.repair);
+  survey.value("--columns X,Y,Z", "Columns of a text file that hold easting, northing and height",
+               "three names with commas between", "x,y,z", [&reading](const std::string& text) {
+                 const std::vector<std::string> names = split(text, ',');
+                 if (names.size() != 3 || names[0].empty() || names[1].empty() || names[2].empty())
+                   return false;
+                 reading.columns = {names[0], names[1], names[2]};
+                 return true;
+               });
+  survey.name("--height-field NAME",
+              "Field that holds the heights of a vector file's points without Z", "", "",
+              reading.height_field);
+  survey.name("--breaklines FILE", "Lines with Z that become edges of the triangulated points", "",
+              "", reading.breaklines);
+  survey.name("--boundary FILE",
+              "Polygons: points are triangulated inside them only; holes are left", "", "",
+              reading.boundary);
+  survey.number(
+      "--max-edge M",
+      "Take triangles with a longer edge away, from the border of the triangulated points inwards",
+      {.unit = "metres", .low = 0, .low_excluded = true}, reading.max_edge_m, "none");
 }
 
 Command info_command(InfoSettings& settings) {
@@ -195,10 +131,11 @@ Command info_command(InfoSettings& settings) {
       .options = {},
       .conflicts = terrain_conflicts(),
       .examples = {{"orograph info dem.tif", "What the file holds, as render reads it."}}};
-  add_terrain_options(command.options, settings.inputs, settings.reading);
-  command.options.push_back(jobs_option(settings.jobs));
-  command.options.push_back(memory_option(settings.reading.max_memory));
-  command.options.push_back(help_option());
+  add_input(command.options, settings.inputs);
+  add_terrain_options(command.options, settings.reading);
+  add_jobs(command.options, settings.jobs);
+  add_memory(command.options, settings.reading.max_memory);
+  add_help(command.options);
   return command;
 }
 
@@ -224,9 +161,10 @@ Command index_command(IndexSettings& settings) {
       .options = {},
       .conflicts = terrain_conflicts(),
       .examples = {{"orograph index dem.tif", "Writes dem.tif.levels, which render finds."}}};
-  add_terrain_options(command.options, settings.inputs, settings.reading);
-  command.options.push_back(jobs_option(settings.jobs));
-  command.options.push_back(memory_option(settings.reading.max_memory));
+  add_input(command.options, settings.inputs);
+  add_terrain_options(command.options, settings.reading);
+  add_jobs(command.options, settings.jobs);
+  add_memory(command.options, settings.reading.max_memory);
   add_message_options(command.options, settings.quiet, settings.progress);
   return command;
 }
@@ -249,12 +187,11 @@ Command tin_command(TinSettings& settings) {
                                 "Points and breaklines as triangles."},
                                {"orograph tin dem.tif dem.ply --max-error 2m",
                                 "A DEM with the vertices that keep it within 2 m in height."}}};
-  add_terrain_options(command.options, settings.inputs, settings.reading);
-  command.options.insert(command.options.begin() + 1,
-                         {.name = "OUTPUT",
-                          .help = "the TIN: a file whose extension names the format (gpkg, off, "
-                                  "ply, obj)",
-                          .take = stored_name(settings.output)});
+  add_input(command.options, settings.inputs);
+  OptionGroup(command.options)
+      .name("OUTPUT", "the TIN: a file whose extension names the format (gpkg, off, ply, obj)", "",
+            "", settings.output);
+  add_terrain_options(command.options, settings.reading);
   add_tin_options(command.options, settings);
   return command;
 }

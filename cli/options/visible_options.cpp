@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `orograph visible`: its options, and what a command line asks of it; and the skyline's table.
 #include "cli/options/check_settings.hpp"
+#include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
 #include "cli/options/options.hpp"
@@ -9,22 +10,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace orograph {
 namespace {
 
 // Of those of a picture.
-constexpr std::array<std::string_view, 8> kOfView{"--eye",
-                                                  "--eye-lonlat",
-                                                  "--eye-height",
-                                                  "--eye-summit",
-                                                  "--curvature",
-                                                  "--refraction",
-                                                  "--curvature-coefficient",
-                                                  "--exaggeration"};
+constexpr std::string_view kOfView =
+    "--eye --eye-lonlat --eye-height --eye-summit --curvature --refraction "
+    "--curvature-coefficient --exaggeration";
 
 void add_eye(Command& command, RenderSettings& settings) {
   command.conflicts.push_back({"--eye", "--eye-lonlat", "give one of the two"});
@@ -32,7 +26,7 @@ void add_eye(Command& command, RenderSettings& settings) {
   std::vector<Option> of_view;
   add_view_options(of_view, settings);
   for (Option& option : of_view)
-    if (std::ranges::find(kOfView, option.name) != kOfView.end()) {
+    if (is_among(kOfView, option.name)) {
       if (option.name == "--eye")
         option.help = "Stand at this point, without Z on the ground there";
       if (option.name == "--exaggeration") option.by_default = "1";
@@ -50,62 +44,39 @@ void check_eye_is_there(const ViewSpec& view) {
 }
 
 void add_target_height(std::vector<Option>& options, VisibleSettings& s) {
-  options.push_back(
-      with_number({.group = "View",
-                   .name = "--target-height",
-                   .value = "M",
-                   .help = "How high above the ground the points are, as a tower's top is",
-                   .by_default = fmt::format("{}", s.target_height_m)},
-                  {.unit = "metres", .low = 0}, [&s](double m) { s.target_height_m = m; }));
+  OptionGroup(options, "View")
+      .number("--target-height M", "How high above the ground the points are, as a tower's top is",
+              {.unit = "metres", .low = 0}, s.target_height_m);
 }
 
 void add_visible_options(std::vector<Option>& options, VisibleSettings& s) {
   add_target_height(options, s);
-  options.push_back({.group = kOutput,
-                     .name = "--output",
-                     .value = "FILE",
-                     .help = "Write the points to this file",
-                     .allowed = "a file whose extension names the format, csv or geojson, or - for "
-                                "standard output",
-                     .by_default = "- in CSV",
-                     .take = stored_name(s.output)});
-  options.push_back(with_choice<PointFormat>(
-      {.group = kOutput,
-       .name = "--of",
-       .help = "Format of the points",
-       .by_default = "by --output"},
-      {{"csv", PointFormat::csv}, {"geojson", PointFormat::geojson}}, s.format));
+  OptionGroup group(options, kOutput);
+  group.name("--output FILE", "Write the points to this file",
+             "a file whose extension names the format, csv or geojson, or - for standard output",
+             "- in CSV", s.output);
+  group.choice("--of", "Format of the points",
+               {{"csv", PointFormat::csv}, {"geojson", PointFormat::geojson}}, s.format,
+               "by --output");
   add_skyline_options(options, s.render);
-  options.push_back({.group = kOutput,
-                     .name = "--overwrite",
-                     .help = "Replace these files where they exist",
-                     .take = set_to(s.render.write.overwrite, true)});
+  group.flag("--overwrite", "Replace these files where they exist", s.render.write.overwrite);
 }
 
 } // namespace
 
 void add_skyline_options(std::vector<Option>& options, RenderSettings& s) {
-  options.push_back({.group = kOutput,
-                     .name = "--horizon-table",
-                     .value = "FILE.csv",
-                     .help = "Write the eye's skyline all round as a table: azimuth from true "
-                             "north, altitude, distance, longitude and latitude",
-                     .allowed = "a file name",
-                     .take = stored_name(s.skyline_table)});
-  options.push_back(with_number({.group = kOutput,
-                                 .name = "--horizon-step",
-                                 .value = "DEG",
-                                 .help = "Of --horizon-table: from a direction to the next",
-                                 .by_default = fmt::format("{}", s.skyline_step_deg)},
-                                {.unit = "degrees", .low = 0.001, .high = 90},
-                                [&s](double deg) { s.skyline_step_deg = deg; }));
+  OptionGroup group(options, kOutput);
+  group.name("--horizon-table FILE.csv",
+             "Write the eye's skyline all round as a table: azimuth from true north, altitude, "
+             "distance, longitude and latitude",
+             "a file name", "", s.skyline_table);
+  group.number("--horizon-step DEG", "Of --horizon-table: from a direction to the next",
+               {.unit = "degrees", .low = 0.001, .high = 90}, s.skyline_step_deg);
 }
 
 void check_skyline(const RenderSettings& settings, const GivenOptions& given) {
   if (settings.skyline_table.empty()) {
-    if (insists_on(given, "--horizon-step"))
-      throw UsageError("--horizon-step has no meaning without a table",
-                       "give --horizon-table FILE.csv too");
+    refuse(given, "--horizon-step", "without a table", "give --horizon-table FILE.csv too");
     return;
   }
   if (!settings.map.view.has_eye())
@@ -125,24 +96,24 @@ Command visible_command(VisibleSettings& settings) {
                     "Which peaks are seen from the summit there, as CSV."},
                    {"orograph visible dem.tif houses.gpkg --eye 2508,4071 --eye-height 120",
                     "From which houses a mast is seen, 120 m high."}}};
-  add_terrain_options(command.options, render.inputs, render.reading);
-  command.options.insert(
-      command.options.begin() + 1,
-      {.name = "POINTS",
-       .help = "the points: a vector file that GDAL reads (GeoPackage, Shapefile, GeoJSON, GPX), "
-               "FILE:LAYER where it has several layers, or CSV with columns lon and lat, or x and "
-               "y in the terrain's CRS",
-       .take = [&settings](const std::string& text) {
-         settings.points = parse_overlay(text);
-         settings.points.everywhere = true;
-         return !settings.points.path.empty();
-       }});
+  add_input(command.options, render.inputs);
+  OptionGroup(command.options)
+      .value("POINTS",
+             "the points: a vector file that GDAL reads (GeoPackage, Shapefile, GeoJSON, GPX), "
+             "FILE:LAYER where it has several layers, or CSV with columns lon and lat, or x and y "
+             "in the terrain's CRS",
+             "", "", [&settings](const std::string& text) {
+               settings.points = parse_overlay(text);
+               settings.points.everywhere = true;
+               return !settings.points.path.empty();
+             });
+  add_terrain_options(command.options, render.reading);
   add_eye(command, render);
   add_visible_options(command.options, settings);
-  command.options.push_back(jobs_option(render.jobs));
-  command.options.push_back(memory_option(render.reading.max_memory));
-  command.options.push_back(quiet_option(render.quiet));
-  command.options.push_back(help_option());
+  add_jobs(command.options, render.jobs);
+  add_memory(command.options, render.reading.max_memory);
+  add_quiet(command.options, render.quiet);
+  add_help(command.options);
   return command;
 }
 
@@ -176,7 +147,7 @@ Command sights_command(VisibleSettings& settings) {
                   .examples = {}};
   add_eye(command, settings.render);
   add_target_height(command.options, settings);
-  command.options.push_back(jobs_option(settings.render.jobs));
+  add_jobs(command.options, settings.render.jobs);
   return command;
 }
 
@@ -189,7 +160,7 @@ Command skyline_command(VisibleSettings& settings) {
   add_eye(command, settings.render);
   add_skyline_options(command.options, settings.render);
   std::erase_if(command.options, [](const Option& of) { return of.name == "--horizon-table"; });
-  command.options.push_back(jobs_option(settings.render.jobs));
+  add_jobs(command.options, settings.render.jobs);
   return command;
 }
 

@@ -180,8 +180,7 @@ TEST_CASE("--help shows what people use every day, and how to see the rest") {
   std::size_t shown = 0;
   for (const Option& option : render.options) {
     if (option.is_positional()) continue;
-    const bool is_daily =
-        std::find(render.daily.begin(), render.daily.end(), option.name) != render.daily.end();
+    const bool is_daily = is_among(render.daily, option.name);
     const std::string entry = option.name + (option.value.empty() ? "" : " " + option.value);
     INFO(entry);
     CHECK((daily.find(" " + entry + "\n") != std::string::npos ||
@@ -189,7 +188,8 @@ TEST_CASE("--help shows what people use every day, and how to see the rest") {
     CHECK(all.find(" " + entry) != std::string::npos);
     shown += is_daily ? 1 : 0;
   }
-  CHECK(shown == render.daily.size()); // each is an option
+  CHECK(static_cast<std::ptrdiff_t>(shown) ==
+        std::ranges::count(render.daily, ' ') + 1); // each is an option
   CHECK(shown >= 38);
   CHECK(shown <= 43);
   CHECK(daily.find("more options: orograph render --help-all shows all") != std::string::npos);
