@@ -5,7 +5,7 @@
 #include "cli/finish_drawing.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/suggest_option.hpp"
-#include "cli/options/usage.hpp"
+#include "cli/options/help.hpp"
 #include "cli/report/run_report.hpp"
 #include "cli/version.hpp"
 #include "dem/read/length_units.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/options/check_plotting.hpp"
-
+#include "cli/options/check_settings.hpp"
 #include "geometry/error.hpp"
 #include "map/layer_table.hpp"
 #include "write/pens_file.hpp"

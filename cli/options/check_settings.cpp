@@ -2,10 +2,6 @@
 // What one option alone can't tell.
 #include "cli/options/check_settings.hpp"
 
-#include "cli/options/check_labels.hpp"
-#include "cli/options/check_lettering.hpp"
-#include "cli/options/check_panorama.hpp"
-#include "cli/options/check_plotting.hpp"
 #include "cli/options/option_values.hpp"
 #include "cli/render.hpp"
 #include "cli/report/run_report.hpp"

@@ -18,6 +18,22 @@ void check_settings(RenderSettings& settings, const GivenOptions& given);
 /// The same of view and page alone.
 void check_picture_settings(RenderSettings& settings, const GivenOptions& given);
 
+/// Of names and labels, once layers and view are settled.
+void check_labels(RenderSettings& settings, const GivenOptions& given);
+
+/// Reads the template, if there is one, and settles what letters texts have, once format, pens and
+/// sheets are known. Throws Error.
+void check_lettering(RenderSettings& settings, const GivenOptions& given);
+
+/// Throws UsageError where options of panoramas are given for another projection, or the other way
+/// round, and where a panorama has no eye.
+void check_panorama(const RenderSettings& settings, const GivenOptions& given);
+
+/// Settles the order of strokes, device and pens, as the format wants them, how light shows, and
+/// the page of several sheets. Throws UsageError where what is asked has no meaning in the format,
+/// and what `read_device` and `read_pens` throw. REQUIRES a format.
+void check_plotting(RenderSettings& settings, const GivenOptions& given);
+
 /// Throws UsageError where dots per inch are given for vectors.
 void check_dpi(const RenderSettings& settings, const GivenOptions& given);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/options/completion.hpp"
-
+#include "cli/options/help.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>

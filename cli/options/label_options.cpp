@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names of places, and labels of lines on the ground.
-#include "cli/options/check_labels.hpp"
+#include "cli/options/check_settings.hpp"
 #include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The letters of all that is written on a page, and what stands around a picture.
-#include "cli/options/check_lettering.hpp"
+#include "cli/options/check_settings.hpp"
 #include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "geometry/error.hpp"

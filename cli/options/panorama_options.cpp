@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of the horizon a panorama shows, and in how many strips.
-#include "cli/options/check_panorama.hpp"
+#include "cli/options/check_settings.hpp"
 #include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"

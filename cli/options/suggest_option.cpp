@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/options/suggest_option.hpp"
 
+#include "cli/options/option_values.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace orograph {
 namespace {
@@ -15,202 +17,117 @@ constexpr std::string_view kBoth = "azimuth and elevation";
 constexpr std::string_view kLight = "where light falls from";
 constexpr std::string_view kNoGround = "lines have colours (--colour), and the ground none";
 
+// What is meant by several words, which have a blank between: as in `OtherWord`.
+struct WordsOfOthers {
+  std::string_view option, says, words;
+};
+
 // Words of GMT and PyGMT, PLplot, gnuplot, matplotlib, GRASS, QGIS, rayshader, ridge_map and GDAL.
-constexpr auto kWords = std::to_array<OtherWord>({
+constexpr auto kWords = std::to_array<WordsOfOthers>({
     // Where the viewer is
-    {"azimuth", "--view-from", kBoth},
-    {"azim", "--view-from", kBoth},
-    {"elevation", "--view-from", kBoth},
-    {"elev", "--view-from", kBoth},
-    {"altitude", "--view-from", kBoth},
-    {"angle", "--view-from", kBoth},
-    {"tilt", "--view-from", kBoth},
-    {"theta", "--view-from", kBoth},
-    {"phi", "--view-from", kBoth},
-    {"rotation", "--view-from", kBoth},
-    {"viewpoint", "--view-from", kBoth},
-    {"viewpoint-elevation", "--view-from", kBoth},
-    {"view-azimuth", "--view-from", kBoth},
-    {"view-elevation", "--view-from", kBoth},
-    {"view-angle", "--view-from", kBoth},
-    {"view-init", "--view-from", kBoth},
-    {"perspective", "--view-from", "--projection perspective is the default"},
-    {"from", "--view-from", {}},
-    {"view-from", "--azimuth", "and --elevation"}, // of a sweep
-    {"direction", "--view-from", kBoth},
-    {"camera", "--eye", {}},
-    {"position", "--eye", {}},
-    {"observer", "--eye", {}},
-    {"observer-height", "--eye-height", {}},
-    {"camera-height", "--eye-height", {}},
-    {"target", "--look-at", {}},
-    {"target-elevation", "--target-height", {}},
-    {"observer-elevation", "--eye-height", {}},
-    {"horizon", "--horizon-table", {}},
-    {"focus", "--look-at", {}},
-    {"centre", "--look-at", {}},
-    {"center", "--look-at", {}},
-    {"heading", "--look-azimuth", {}},
-    {"bearing", "--look-azimuth", {}},
-    {"yaw", "--look-azimuth", {}},
-    {"zoom", "--fov", {}},
-    {"field-of-view", "--fov", {}},
-    {"orthographic", "--projection", {}},
-    {"ortho", "--projection", {}},
-    {"parallel", "--projection", "orthographic and oblique are parallel"},
-    {"isometric", "--axonometric", {}},
-    {"cavalier", "--oblique", {}},
-    {"cabinet", "--oblique", {}},
-    {"military", "--oblique", {}},
-    {"curvature-refraction", "--refraction", {}},
-    {"earth-curvature", "--curvature", {}},
-    {"panorama", "--projection", "cylindrical goes all round"},
-    {"cylindrical", "--projection", {}},
+    {"--view-from", kBoth,
+     "azimuth azim elevation elev altitude angle tilt theta phi rotation viewpoint "
+     "viewpoint-elevation view-azimuth view-elevation view-angle view-init direction"},
+    {"--view-from", "--projection perspective is the default", "perspective"},
+    {"--view-from", {}, "from"},
+    {"--azimuth", "and --elevation", "view-from"}, // of a sweep
+    {"--eye", {}, "camera position observer"},
+    {"--eye-height", {}, "observer-height camera-height observer-elevation"},
+    {"--look-at", {}, "target focus centre center"},
+    {"--target-height", {}, "target-elevation"},
+    {"--horizon-table", {}, "horizon"},
+    {"--look-azimuth", {}, "heading bearing yaw"},
+    {"--fov", {}, "zoom field-of-view"},
+    {"--projection", {}, "orthographic ortho cylindrical"},
+    {"--projection", "orthographic and oblique are parallel", "parallel"},
+    {"--axonometric", {}, "isometric"},
+    {"--oblique", {}, "cavalier cabinet military"},
+    {"--refraction", {}, "curvature-refraction"},
+    {"--curvature", {}, "earth-curvature"},
+    {"--projection", "cylindrical goes all round", "panorama"},
     // Heights
-    {"jz", "--exaggeration", {}},
-    {"zscale", "--exaggeration", {}},
-    {"z-scale", "--exaggeration", {}},
-    {"zsize", "--exaggeration", {}},
-    {"zexag", "--exaggeration", {}},
-    {"zfactor", "--exaggeration", {}},
-    {"z-factor", "--exaggeration", {}},
-    {"vertical-exaggeration", "--exaggeration", {}},
-    {"vertical-scale", "--exaggeration", {}},
-    {"vertical-ratio", "--exaggeration", {}},
-    {"height-scale", "--exaggeration", {}},
-    {"raise", "--exaggeration", {}},
-    {"max-error", "--level-error", {}},
-    {"error", "--level-error", {}},
-    {"lod", "--detail", "--level-error bounds what it changes"},
+    {"--exaggeration",
+     {},
+     "jz zscale z-scale zsize zexag zfactor z-factor vertical-exaggeration vertical-scale "
+     "vertical-ratio height-scale raise"},
+    {"--level-error", {}, "max-error error"},
+    {"--detail", "--level-error bounds what it changes", "lod"},
     // Lines
-    {"lines", "--profiles", {}},
-    {"num-lines", "--profiles", {}},
-    {"line-count", "--profiles", {}},
-    {"sections", "--profiles", {}},
-    {"step", "--spacing", {}},
-    {"interval", "--spacing", {}},
-    {"line-spacing", "--spacing", {}},
-    {"density", "--spacing", {}},
-    {"hidden3d", "--occluder", "hidden lines are always gone"},
-    {"wireframe", "--layers", "edges are those of the terrain's triangles"},
-    {"outlines", "--layers", {}},
-    {"water", "--flat", {}},
-    {"sea", "--flat", {}},
-    {"lakes", "--flat", {}},
-    {"lake-flatness", "--flat", {}},
-    {"smooth", "--simplify", {}},
-    {"tolerance", "--simplify", {}},
-    {"contour", "--contours", {}},
-    {"contour-interval", "--contours", {}},
-    {"isolines", "--contours", {}},
-    {"levels", "--contours", {}},
-    {"hatching", "--hachures", {}},
-    {"underneath", "--underside", {}},
-    {"bottom", "--underside", {}},
-    {"facade", "--block", {}},
-    {"skirt", "--block", {}},
-    {"fishnet", "--mesh", {}},
-    {"meridians", "--graticule", {}},
-    {"roads", "--drape", {}},
-    {"rivers", "--drape", {}},
-    {"vector", "--drape", {}},
-    {"overlay", "--drape", {}},
-    {"label", "--labels", {}},
-    {"names", "--labels", {}},
-    {"peaks", "--labels", {}},
-    {"summits", "--labels", {}},
-    {"places", "--labels", {}},
+    {"--profiles", {}, "lines num-lines line-count sections"},
+    {"--spacing", {}, "step interval line-spacing density"},
+    {"--occluder", "hidden lines are always gone", "hidden3d"},
+    {"--layers", "edges are those of the terrain's triangles", "wireframe"},
+    {"--layers", {}, "outlines"},
+    {"--flat", {}, "water sea lakes lake-flatness"},
+    {"--simplify", {}, "smooth tolerance"},
+    {"--contours", {}, "contour contour-interval isolines levels"},
+    {"--hachures", {}, "hatching"},
+    {"--underside", {}, "underneath bottom"},
+    {"--block", {}, "facade skirt"},
+    {"--mesh", {}, "fishnet"},
+    {"--graticule", {}, "meridians"},
+    {"--drape", {}, "roads rivers vector overlay"},
+    {"--labels", {}, "label names peaks summits places"},
     // Light
-    {"hillshade", "--light", kLight},
-    {"shade", "--light", kLight},
-    {"shading", "--light", kLight},
-    {"shadow", "--light", kLight},
-    {"sun", "--light", kLight},
-    {"sun-azimuth", "--light", kLight},
-    {"sun-altitude", "--light", kLight},
-    {"sun-angle", "--light", kLight},
-    {"illumination", "--light", kLight},
-    {"lighting", "--light", kLight},
-    {"relief", "--light", kLight},
-    {"az", "--light", "--view-from is where the viewer stands"},
-    {"alt", "--light", "--view-from is where the viewer stands"},
-    {"fog", "--haze", {}},
-    {"fade", "--haze", {}},
-    {"atmosphere", "--haze", {}},
+    {"--light", kLight,
+     "hillshade shade shading shadow sun sun-azimuth sun-altitude sun-angle illumination lighting "
+     "relief"},
+    {"--light", "--view-from is where the viewer stands", "az alt"},
+    {"--haze", {}, "fog fade atmosphere"},
     // Pen and page
-    {"width", "--pen-width", "--page is the paper's size"},
-    {"stroke-width", "--pen-width", {}},
-    {"line-width", "--pen-width", {}},
-    {"linewidth", "--pen-width", {}},
-    {"lw", "--pen-width", {}},
-    {"pen", "--pen-width", {}},
-    {"thickness", "--pen-width", {}},
-    {"size", "--page", {}},
-    {"paper", "--page", {}},
-    {"paper-size", "--page", {}},
-    {"figsize", "--page", {}},
-    {"height", "--page", "--eye-height is an eye's"},
-    {"orientation", "--landscape", "or --portrait"},
-    {"padding", "--margin", {}},
-    {"border", "--margin", "--layers border draws where the terrain ends"},
-    {"caption", "--title", {}},
-    {"color", "--colour", {}},
-    {"colors", "--colour", {}},
-    {"line-color", "--colour", {}},
-    {"stroke", "--colour", {}},
-    {"cmap", {}, kNoGround},
-    {"background", {}, kNoGround},
+    {"--pen-width", "--page is the paper's size", "width"},
+    {"--pen-width", {}, "stroke-width line-width linewidth lw pen thickness"},
+    {"--page", {}, "size paper paper-size figsize"},
+    {"--page", "--eye-height is an eye's", "height"},
+    {"--landscape", "or --portrait", "orientation"},
+    {"--margin", {}, "padding"},
+    {"--margin", "--layers border draws where the terrain ends", "border"},
+    {"--title", {}, "caption"},
+    {"--colour", {}, "color colors line-color stroke"},
+    {{}, kNoGround, "cmap background"},
     // Terrain
-    {"region", "--bbox", {}},
-    {"extent", "--bbox", {}},
-    {"bounds", "--bbox", {}},
-    {"window", "--bbox", {}},
-    {"clip", "--bbox", {}},
-    {"projwin", "--bbox", {}},
-    {"spat", "--bbox", {}},
-    {"resolution", "--overview", "--dpi is that of PNG"},
-    {"downsample", "--overview", {}},
-    {"nodata", "--fill-voids", {}},
-    {"fill-nodata", "--fill-voids", {}},
-    {"units", "--height-unit", {}},
-    {"dem", "INPUT", "named without an option"},
-    {"input", "INPUT", "named without an option"},
-    {"crs", {}, "the terrain is drawn in its own CRS; gdalwarp brings it into another"},
-    {"epsg", {}, "the terrain is drawn in its own CRS; gdalwarp brings it into another"},
-    {"t-srs", {}, "the terrain is drawn in its own CRS; gdalwarp brings it into another"},
+    {"--bbox", {}, "region extent bounds window clip projwin spat"},
+    {"--overview", "--dpi is that of PNG", "resolution"},
+    {"--overview", {}, "downsample"},
+    {"--fill-voids", {}, "nodata fill-nodata"},
+    {"--height-unit", {}, "units"},
+    {"INPUT", "named without an option", "dem input"},
+    {{}, "the terrain is drawn in its own CRS; gdalwarp brings it into another", "crs epsg t-srs"},
     // Output
-    {"o", "OUTPUT", "named without an option"},
-    {"out", "OUTPUT", "named without an option"},
-    {"output", "OUTPUT", "named without an option"},
-    {"outfile", "OUTPUT", "named without an option"},
-    {"format", "--of", {}},
-    {"output-format", "--of", {}},
-    {"driver", "--of", {}},
-    {"force", "--overwrite", {}},
-    {"verbose", "--report", {}},
-    {"threads", "--jobs", {}},
-    {"cores", "--jobs", {}},
-    {"config", "--settings", {}},
-    {"style", "--settings", {}},
-    {"preset", "--settings", {}},
+    {"OUTPUT", "named without an option", "o out output outfile"},
+    {"--of", {}, "format output-format driver"},
+    {"--overwrite", {}, "force"},
+    {"--report", {}, "verbose"},
+    {"--jobs", {}, "threads cores"},
+    {"--settings", {}, "config style preset"},
     // Short options, with their values behind them: GMT's -p225/30, gdal_viewshed's -ox 3
-    {"-jz", "--exaggeration", {}},
-    {"-p", "--view-from", {}},
-    {"-r", "--bbox", {}},
-    {"-w", "--pen-width", {}},
-    {"-i", "--light", {}},
-    {"-te", "--bbox", {}},
-    {"-tr", "--overview", {}},
-    {"-ox", "--eye", {}},
-    {"-oy", "--eye", {}},
-    {"-oz", "--eye-height", {}},
-    {"-cc", "--curvature-coefficient", {}},
-    {"-tz", "--target-height", {}},
-    {"-o", "OUTPUT", "named without an option"},
-    {"-f", "--of", {}},
-    {"-z", "--exaggeration", {}},
-    {"-s", "--exaggeration", {}},
+    {"--exaggeration", {}, "-jz -z -s"},
+    {"--view-from", {}, "-p"},
+    {"--bbox", {}, "-r -te"},
+    {"--pen-width", {}, "-w"},
+    {"--light", {}, "-i"},
+    {"--overview", {}, "-tr"},
+    {"--eye", {}, "-ox -oy"},
+    {"--eye-height", {}, "-oz"},
+    {"--curvature-coefficient", {}, "-cc"},
+    {"--target-height", {}, "-tz"},
+    {"OUTPUT", "named without an option", "-o"},
+    {"--of", {}, "-f"},
 });
+
+} // namespace
+
+const std::vector<OtherWord>& other_words() {
+  static const std::vector<OtherWord> all = [] {
+    std::vector<OtherWord> each;
+    for (const auto& [option, says, words] : kWords)
+      for (std::string& word : split(words, ' ')) each.push_back({std::move(word), option, says});
+    return each;
+  }();
+  return all;
+}
+
+namespace {
 
 // In the words' way of writing.
 std::string plain(std::string_view name) {
@@ -237,7 +154,7 @@ bool is_of_use(const OtherWord& word, const Command& command) {
 
 const OtherWord* short_word(const Command& command, std::string_view given) {
   if (given.size() < 2 || given[0] != '-' || given[1] == '-') return nullptr;
-  for (const OtherWord& word : kWords) {
+  for (const OtherWord& word : other_words()) {
     if (!word.word.starts_with('-') || !is_of_use(word, command)) continue;
     // What follows is its value: a number, or a short word as in -JZ5c.
     if (given == word.word ||
@@ -257,14 +174,10 @@ std::string told(const Command& command, const OtherWord& word) {
 
 } // namespace
 
-std::span<const OtherWord> other_words() {
-  return kWords;
-}
-
 std::string suggestion(const Command& command, std::string_view name) {
   const std::string written = plain(name), given = without_dashes(written);
   if (const OtherWord* word = short_word(command, written)) return told(command, *word);
-  for (const OtherWord& word : kWords)
+  for (const OtherWord& word : other_words())
     if (word.word == given && is_of_use(word, command)) return told(command, word);
   const Option* nearest = nullptr;
   const OtherWord* nearest_word = nullptr;
@@ -281,7 +194,7 @@ std::string suggestion(const Command& command, std::string_view name) {
     const bool begins = known.starts_with(given) && given.size() > 1;
     if (is_nearer(known, begins ? 0 : edit_distance(given, known))) nearest = &option;
   }
-  for (const OtherWord& word : kWords) {
+  for (const OtherWord& word : other_words()) {
     const int distance = edit_distance(given, word.word);
     // There are many words: short ones are near to anything.
     if (distance <= 2 && word.word.size() > 5 && is_of_use(word, command) &&

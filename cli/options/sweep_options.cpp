@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What `orograph sweep` varies, and how it goes about it: render's options, some of them with
 // lists.
-#include "cli/options/check_labels.hpp"
-#include "cli/options/check_lettering.hpp"
-#include "cli/options/check_plotting.hpp"
 #include "cli/options/check_settings.hpp"
 #include "cli/options/option.hpp"
 #include "cli/options/option_group.hpp"
@@ -76,7 +73,7 @@ void add_axis(std::vector<Axis>& axes, Axis axis) {
 
 void add_listed(OptionGroup& group, const ListOption& list, const Option& single,
                 SweepSettings& s) {
-  const std::string& name = names_of(list.parameter).option;
+  const std::string name = names_of(list.parameter).option;
   std::string allowed = single.allowed;
   if (list.parameter == Parameter::azimuth) allowed = "degrees";
   if (list.parameter == Parameter::elevation)

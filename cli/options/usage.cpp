@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/options/usage.hpp"
+#include "cli/options/help.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -57,33 +57,6 @@ const std::vector<Column>& leading_columns() {
   return columns;
 }
 
-Column column_of(Parameter parameter) {
-  const std::string& name = names_of(parameter).column;
-  switch (parameter) {
-  case Parameter::view:
-    return {name, "", "view of the list, from 0"};
-  case Parameter::eye:
-    return {name, "", "number of the eye along the path, from 0"};
-  case Parameter::azimuth:
-    return {name, "deg", "where the viewer stands, clockwise from the map's north"};
-  case Parameter::elevation:
-    return {name, "deg", "of the viewer above the horizontal"};
-  case Parameter::look_azimuth:
-    return {name, "deg", "where the eye looks, clockwise from true north"};
-  case Parameter::pitch:
-    return {name, "deg", "by which the eye looks up"};
-  case Parameter::distance:
-    return {name, "m", "from the eye to the point looked at"};
-  case Parameter::fov:
-    return {name, "deg", "horizontal field of view"};
-  case Parameter::exaggeration:
-    return {name, "", "of all heights"};
-  case Parameter::profiles:
-    return {name, "", "planes that cut the terrain"};
-  }
-  return {};
-}
-
 // What a parameter was where it isn't varied.
 Cell of_report(Parameter parameter, const RunReport& report) {
   const ViewFacts& view = report.view;
@@ -263,7 +236,8 @@ Columns::Columns(const SweepSettings& settings, const ViewList& views)
 std::vector<Column> Columns::columns() const {
   std::vector<Column> columns = leading_columns();
   for (const ParameterNames& names : all_parameters())
-    if (is_shown(names.parameter, views_.axes())) columns.push_back(column_of(names.parameter));
+    if (is_shown(names.parameter, views_.axes()))
+      columns.push_back({names.column, names.unit, names.about});
   for (const Measured& measured : measured_) columns.push_back(measured.column);
   return columns;
 }

@@ -56,17 +56,24 @@ void append_range(const std::string& option, const std::string& range,
 } // namespace
 
 const std::array<ParameterNames, 10>& all_parameters() {
-  static const std::array<ParameterNames, 10> names{
-      {{Parameter::view, "--views", "view", "list_view"},
-       {Parameter::eye, "--eye-path", "eye", "eye"},
-       {Parameter::azimuth, "--azimuth", "azimuth", "azimuth_deg"},
-       {Parameter::elevation, "--elevation", "elevation", "elevation_deg"},
-       {Parameter::look_azimuth, "--look-azimuth", "look-azimuth", "look_azimuth_deg"},
-       {Parameter::pitch, "--pitch", "pitch", "pitch_deg"},
-       {Parameter::distance, "--distance", "distance", "distance_m"},
-       {Parameter::fov, "--fov", "fov", "fov_deg"},
-       {Parameter::exaggeration, "--exaggeration", "exaggeration", "exaggeration"},
-       {Parameter::profiles, "--profiles", "profiles", "profiles"}}};
+  static constexpr std::array<ParameterNames, 10> names{{
+      {Parameter::view, "--views", "view", "list_view", "", "view of the list, from 0"},
+      {Parameter::eye, "--eye-path", "eye", "eye", "", "number of the eye along the path, from 0"},
+      {Parameter::azimuth, "--azimuth", "azimuth", "azimuth_deg", "deg",
+       "where the viewer stands, clockwise from the map's north"},
+      {Parameter::elevation, "--elevation", "elevation", "elevation_deg", "deg",
+       "of the viewer above the horizontal"},
+      {Parameter::look_azimuth, "--look-azimuth", "look-azimuth", "look_azimuth_deg", "deg",
+       "where the eye looks, clockwise from true north"},
+      {Parameter::pitch, "--pitch", "pitch", "pitch_deg", "deg", "by which the eye looks up"},
+      {Parameter::distance, "--distance", "distance", "distance_m", "m",
+       "from the eye to the point looked at"},
+      {Parameter::fov, "--fov", "fov", "fov_deg", "deg", "horizontal field of view"},
+      {Parameter::exaggeration, "--exaggeration", "exaggeration", "exaggeration", "",
+       "of all heights"},
+      {Parameter::profiles, "--profiles", "profiles", "profiles", "",
+       "planes that cut the terrain"},
+  }};
   return names;
 }
 

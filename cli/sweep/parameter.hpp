@@ -26,9 +26,11 @@ enum class Parameter {
 
 struct ParameterNames {
   Parameter parameter;
-  std::string option; ///< "--look-azimuth"
-  std::string label;  ///< in names of drawings: "look-azimuth"
-  std::string column; ///< of the tables: "look_azimuth_deg"
+  const char* option; ///< "--look-azimuth"
+  const char* label;  ///< in names of drawings: "look-azimuth"
+  const char* column; ///< of the tables: "look_azimuth_deg"
+  const char* unit;   ///< of its numbers; empty: none
+  const char* about;  ///< a phrase
 };
 const std::array<ParameterNames, 10>& all_parameters();
 const ParameterNames& names_of(Parameter parameter);

@@ -48,7 +48,7 @@ std::string default_template(const std::vector<Axis>& axes) {
   std::string text;
   for (const Axis& axis : axes)
     if (axis.values.size() > 1) {
-      const std::string& label = names_of(axis.parameter).label;
+      const std::string_view label = names_of(axis.parameter).label;
       text += fmt::format("{}{}-{{{}}}", text.empty() ? "" : "_", label, label);
     }
   return text.empty() ? "view" : text;

@@ -2,7 +2,6 @@
 // The table of options, the help, the man page and the README agree.
 #include "cli/options/help.hpp"
 #include "cli/options/options.hpp"
-#include "cli/options/usage.hpp"
 #include "tests/catch.hpp"
 
 #include <fmt/format.h>
