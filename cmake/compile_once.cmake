@@ -30,7 +30,7 @@ set(OROGRAPH_COMMON_HEADERS <algorithm> <array> <charconv> <cmath> <cstddef> <cs
 
 # orograph_precompile(TARGET KIND [HEADER…]): the common headers and these. The first target of a
 # KIND compiles them, the others take what it made; GCC refuses it (-Winvalid-pch) unless all of a
-# KIND have the same options for code.
+# KIND have the same options for code, also those that libraries bring.
 function(orograph_precompile target kind)
   if(NOT OROGRAPH_PRECOMPILED)
     return()
@@ -42,6 +42,13 @@ function(orograph_precompile target kind)
   get_property(first GLOBAL PROPERTY orograph_precompiled_${kind})
   if(first)
     target_precompile_headers(${target} REUSE_FROM ${first})
+    get_target_property(libraries ${first} LINK_LIBRARIES)
+    foreach(library IN LISTS libraries)
+      if(TARGET ${library})
+        target_compile_options(${target} PRIVATE
+          $<TARGET_PROPERTY:${library},INTERFACE_COMPILE_OPTIONS>)
+      endif()
+    endforeach()
   else()
     set_property(GLOBAL PROPERTY orograph_precompiled_${kind} ${target})
     target_precompile_headers(${target} PRIVATE ${OROGRAPH_COMMON_HEADERS} ${ARGN})

@@ -1,7 +1,8 @@
 # The library: all stages below the command behind src/orograph.hpp, as one shared and one static
 # file, with what finds them from other projects (find_package and pkg-config).
 set(OROGRAPH_STAGES geometry text gdal write lettering view horizon draw solids dem profiles reference tone placing hidden_lines naming map)
-orograph_stage(face SOURCES ${PROJECT_SOURCE_DIR}/src/orograph.cpp DEPENDS ${OROGRAPH_STAGES})
+orograph_stage(face SOURCES ${PROJECT_SOURCE_DIR}/src/orograph.cpp DEPENDS ${OROGRAPH_STAGES}
+  COMMON placed)
 if(OROGRAPH_SANITIZE)
   return() # such a build is for finding faults, not for installing
 endif()

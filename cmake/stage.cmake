@@ -5,13 +5,15 @@ if(OROGRAPH_SANITIZE AND NOT OROGRAPH_FUZZ)
 endif()
 
 # orograph_stage(NAME [TOGETHER] [QUICKLY] [IN_LANES] SOURCES a.cpp b.cpp [DEPENDS stage…]
-#   [PRIVATE library…])
+#   [PRIVATE library…] [COMMON kind [header…]])
 # One library for each folder. Stages link only downhill (DEPENDS); foreign libraries are PRIVATE,
 # behind the one source file that includes them. TOGETHER: several files are compiled at a time,
 # compile_once.cmake. QUICKLY: nothing in it takes time. IN_LANES: its loops are reckoned several steps
 # at once; for that nobody may ask for an operation's error number or traps, which changes no number.
+# COMMON: headers of ours that nearly all of its files come to include are compiled once for all stages
+# of this kind, the first of which names them; without it, those of std and fmt alone.
 function(orograph_stage name)
-  cmake_parse_arguments(STAGE "TOGETHER;QUICKLY;IN_LANES" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(STAGE "TOGETHER;QUICKLY;IN_LANES" "" "SOURCES;DEPENDS;PRIVATE;COMMON" ${ARGN})
   add_library(orograph_${name} STATIC ${STAGE_SOURCES})
   # Into the shared library, which shows nothing but what OROGRAPH_API marks.
   set_target_properties(orograph_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON
@@ -23,11 +25,14 @@ function(orograph_stage name)
   if(STAGE_TOGETHER)
     orograph_compile_together(orograph_${name})
   endif()
-  if("CGAL::CGAL" IN_LIST STAGE_PRIVATE) # which brings -frounding-math
-    orograph_precompile(orograph_${name} rounding)
-  elseif(STAGE_QUICKLY)
+  if(STAGE_QUICKLY)
     target_compile_options(orograph_${name} PRIVATE ${OROGRAPH_QUICKLY})
-    orograph_precompile(orograph_${name} quick)
+  endif()
+  if(STAGE_COMMON)
+    list(TRANSFORM STAGE_COMMON PREPEND ${PROJECT_SOURCE_DIR}/ REGEX "[.]hpp$")
+    orograph_precompile(orograph_${name} ${STAGE_COMMON})
+  elseif("CGAL::CGAL" IN_LIST STAGE_PRIVATE) # which brings -frounding-math
+    orograph_precompile(orograph_${name} rounding)
   elseif(STAGE_IN_LANES) # alone, so common headers of its own would cost more than they spare
     target_compile_options(orograph_${name} PRIVATE -fno-math-errno -fno-trapping-math)
   else()
