@@ -195,11 +195,8 @@ std::string fragmentation_plot_script(const std::vector<FragmentationRow>& rows,
   constexpr const char* kProfiles = "number of profiles";
   constexpr const char* kAfter = "profile, from the front";
   std::vector<Panel> panels;
-  for (const Occluder occluder : {Occluder::profiles, Occluder::surface}) {
-    const bool surface = occluder == Occluder::surface;
-    const std::string who = surface ? "The surface hides" : "Profiles hide";
-    const std::string name = surface ? "surface" : "profiles";
-    const auto curves = by_elevation(rows, occluder, azimuth_deg);
+  const auto add_row = [&](const std::string& name, const std::string& who,
+                           const std::vector<Curve>& curves) {
     Panel pieces(name + "_pieces", who + ": largest horizon", kProfiles, kPieces);
     Panel after(name + "_after", who + ": horizon after each profile", kAfter, kPieces);
     Panel seconds(name + "_seconds", who + ": time", kProfiles, kSeconds);
@@ -210,20 +207,10 @@ std::string fragmentation_plot_script(const std::vector<FragmentationRow>& rows,
       seconds.add(curve.label, numbers_of(curve, milliseconds_of));
     }
     panels.insert(panels.end(), {pieces, after, seconds});
-  }
-  const auto worst = worst_cases(rows);
-  if (!worst.empty()) {
-    Panel pieces("worst_pieces", "Worst cases: largest horizon", kProfiles, kPieces);
-    Panel after("worst_after", "Worst cases: horizon after each profile", kAfter, kPieces);
-    Panel seconds("worst_seconds", "Worst cases: time", kProfiles, kSeconds);
-    for (const Curve& curve : worst) {
-      pieces.add(curve.label, numbers_of(curve, most_of));
-      const FragmentationRow& row = longest(curve);
-      after.add(fmt::format("{}, {} profiles", curve.label, row.profiles), series_of(row));
-      seconds.add(curve.label, numbers_of(curve, milliseconds_of));
-    }
-    panels.insert(panels.end(), {pieces, after, seconds});
-  }
+  };
+  add_row("profiles", "Profiles hide", by_elevation(rows, Occluder::profiles, azimuth_deg));
+  add_row("surface", "The surface hides", by_elevation(rows, Occluder::surface, azimuth_deg));
+  if (const auto worst = worst_cases(rows); !worst.empty()) add_row("worst", "Worst cases", worst);
 
   const std::size_t rows_of_panels = panels.size() / 3;
   std::string script = "set encoding utf8\nset datafile missing '?'\n";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines on the ground beside profiles: contours, a mesh, a graticule, a grid.
+// Lines on the ground beside profiles: contours, a mesh, vectors, a graticule, a grid, hachures,
+// and the walls of a block.
 #include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
@@ -47,6 +48,60 @@ bool take_mesh(const std::string& text, MeshSpec& mesh) {
   }
   mesh.spacing_m = parse_metres(text);
   return mesh.spacing_m && *mesh.spacing_m > 0;
+}
+
+void add_hachure_options(OptionGroup& group, RenderSettings& s) {
+  HachureSpec& hachures = s.map.style.hachures;
+  group.value("--hachures", "Draw lines down the slope, heavier where it is steeper", "", "",
+              [&s](const std::string&) {
+                s.added_layers.emplace_back("hachures");
+                return true;
+              });
+  group.value("--hachure-spacing Wmm", "How far apart hachures are on the page",
+              "a length from 0.1mm to 100mm", "0.8mm", [&hachures](const std::string& text) {
+                const auto plan = parse_spacing(text);
+                const auto* spacing = plan ? std::get_if<PageSpacing>(&*plan) : nullptr;
+                if (!spacing || spacing->mm < 0.1 || spacing->mm > 100) return false;
+                hachures.spacing_mm = spacing->mm;
+                return true;
+              });
+  group
+      .value("--hachure-slope FROM:TO",
+             "From which slope on there are hachures, and from which on they are as wide as half "
+             "their spacing",
+             "degrees from 0 to below 90, the second more than the first, as in 5:45", "5:45",
+             [&hachures](const std::string& text) {
+               const auto range = parse_range(text);
+               if (!range || !(range->x >= 0 && range->x < range->y && range->y < 90)) return false;
+               hachures.from_deg = range->x;
+               hachures.heaviest_from_deg = range->y;
+               return true;
+             })
+      .between(':');
+}
+
+void add_block_options(OptionGroup& group, RenderSettings& s) {
+  BlockSpec& block = s.map.style.block;
+  group
+      .value("--block [BASE|auto]",
+             "Draw the terrain as a block, with walls from its border and around voids down to a "
+             "base; auto is 0.15 of the relief below the lowest height",
+             "a height, 100m or 300ft or 100 in the unit of the file's heights, or auto", "",
+             [&s, &block](const std::string& text) {
+               block.base.reset();
+               if (text != "auto") {
+                 const auto heights = parse_heights(text);
+                 if (!heights || heights->values.size() != 1) return false;
+                 block.base = heights->values.front();
+                 block.unit_m = heights->unit_m;
+               }
+               s.added_layers.emplace_back("block");
+               return true;
+             })
+      .if_alone("auto");
+  group.choice("--block-sides", "Whether a block's walls are hatched with upright lines",
+               {{"lines", BlockSides::lines}, {"outline", BlockSides::outline}}, block.sides,
+               "lines; outline where contours go across the walls");
 }
 
 } // namespace
@@ -116,6 +171,8 @@ void add_ground_line_options(std::vector<Option>& options, RenderSettings& s) {
                 style.grid_m = parse_metres(text);
                 return style.grid_m && *style.grid_m > 0;
               }));
+  add_hachure_options(group, s);
+  add_block_options(group, s);
 }
 
 } // namespace orograph

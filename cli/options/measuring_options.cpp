@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <limits>
 
 namespace orograph {
@@ -29,11 +28,8 @@ std::optional<std::vector<std::optional<int>>> parse_counts(const std::string& t
       counts.emplace_back();
       continue;
     }
-    int count = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), count);
-    if (error != std::errc() || end != part.data() + part.size() || count < 1 ||
-        count > kMostProfiles)
-      return std::nullopt;
+    const auto count = parse_integer(part);
+    if (!count || *count < 1 || *count > kMostProfiles) return std::nullopt;
     counts.emplace_back(count);
   }
   return counts;

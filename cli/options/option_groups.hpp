@@ -28,8 +28,6 @@ void add_view_options(std::vector<Option>& options, RenderSettings& settings);
 void add_panorama_options(std::vector<Option>& options, RenderSettings& settings);
 void add_line_options(std::vector<Option>& options, RenderSettings& settings);
 void add_ground_line_options(std::vector<Option>& options, RenderSettings& settings);
-void add_hachure_options(std::vector<Option>& options, RenderSettings& settings);
-void add_block_options(std::vector<Option>& options, RenderSettings& settings);
 void add_scene_options(std::vector<Option>& options, RenderSettings& settings);
 void add_page_options(std::vector<Option>& options, RenderSettings& settings);
 void add_output_options(std::vector<Option>& options, RenderSettings& settings);
@@ -38,6 +36,10 @@ void add_plotting_options(std::vector<Option>& options, RenderSettings& settings
 void add_label_options(std::vector<Option>& options, RenderSettings& settings);
 void add_lettering_options(std::vector<Option>& options, RenderSettings& settings);
 void add_pen_time_options(std::vector<Option>& options, RenderSettings& settings);
+
+/// Appends all that `orograph render` takes but for the terrain, the drawing's file and what every
+/// command takes.
+void add_drawing_options(std::vector<Option>& options, RenderSettings& settings);
 
 // Each appends one, or a few.
 

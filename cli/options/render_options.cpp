@@ -60,23 +60,6 @@ bool has_meaning(std::string_view option, const RenderSettings& settings) {
   return true;
 }
 
-void add_drawing_options(std::vector<Option>& options, RenderSettings& settings) {
-  add_view_options(options, settings);
-  add_panorama_options(options, settings);
-  add_line_options(options, settings);
-  add_ground_line_options(options, settings);
-  add_hachure_options(options, settings);
-  add_block_options(options, settings);
-  add_scene_options(options, settings);
-  add_page_options(options, settings);
-  add_label_options(options, settings);
-  add_lettering_options(options, settings);
-  add_output_options(options, settings);
-  add_pen_time_options(options, settings);
-  add_plotting_options(options, settings);
-  add_jobs(options, settings.jobs);
-}
-
 std::vector<Conflict> drawing_conflicts() {
   std::vector<Conflict> conflicts = picture_conflicts();
   conflicts.push_back({"--clip-to", "--sheets", "sheets are cut at the edges of their paper"});
@@ -101,6 +84,20 @@ void keep_options(RenderSettings& settings, const Command& tried, const GivenOpt
 }
 
 } // namespace
+
+void add_drawing_options(std::vector<Option>& options, RenderSettings& settings) {
+  add_view_options(options, settings);
+  add_panorama_options(options, settings);
+  add_line_options(options, settings);
+  add_ground_line_options(options, settings);
+  add_scene_options(options, settings);
+  add_page_options(options, settings);
+  add_label_options(options, settings);
+  add_lettering_options(options, settings);
+  add_output_options(options, settings);
+  add_pen_time_options(options, settings);
+  add_plotting_options(options, settings);
+}
 
 std::vector<Conflict> picture_conflicts() {
   std::vector<Conflict> conflicts{
@@ -166,6 +163,7 @@ Command render_command(RenderSettings& settings) {
           "", "", settings.output);
   add_terrain_options(command.options, settings.reading);
   add_drawing_options(command.options, settings);
+  add_jobs(command.options, settings.jobs);
   add_skyline_options(command.options, settings);
   add_memory(command.options, settings.reading.max_memory);
   add_index_use(command.options, settings.reading.use_index);
@@ -192,6 +190,7 @@ Command drawing_command(RenderSettings& settings) {
                   .conflicts = drawing_conflicts(),
                   .examples = {}};
   add_drawing_options(command.options, settings);
+  add_jobs(command.options, settings.jobs);
   add_general_options(command.options, settings.settings_file, settings.quiet, settings.progress);
   // A program has arguments and results of its own for these.
   for (const char* option : {"--report", "--quiet", "--progress", "--no-progress", "--help"})

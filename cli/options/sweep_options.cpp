@@ -257,20 +257,10 @@ Command sweep_command(SweepSettings& settings) {
                             "", "", settings.out_dir);
   add_terrain_options(options, render.reading);
   std::vector<Option> picture;
-  add_view_options(picture, render);
-  add_panorama_options(picture, render);
-  add_line_options(picture, render);
-  add_ground_line_options(picture, render);
-  add_hachure_options(picture, render);
-  add_block_options(picture, render);
-  add_scene_options(picture, render);
-  add_page_options(picture, render);
-  add_label_options(picture, render);
-  add_lettering_options(picture, render);
-  add_output_options(picture, render);
-  add_plotting_options(picture, render);
-  // A view is a file.
-  for (const char* option : {"--view", "--report", "--overwrite", "--sheets", "--overlap"})
+  add_drawing_options(picture, render);
+  // A view is a file, and no time is told of a pen's.
+  for (const char* option : {"--view", "--report", "--overwrite", "--sheets", "--overlap",
+                             "--pen-speed", "--pen-up-speed", "--pen-lift-s"})
     taken(picture, option);
   for (Option& option : picture)
     if (option.name == "--of") {

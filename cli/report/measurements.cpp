@@ -23,6 +23,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Characters, not bytes: "±" is one.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+} // namespace
+
 Json json_value(const Value& value) {
   return std::visit(
       [](const auto& x) {
@@ -40,14 +48,6 @@ std::string csv_value(const Value& value) {
   if (!text) return json_value(value).dump();
   return csv_text(*text);
 }
-
-// Characters, not bytes: "±" is one.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-} // namespace
 
 std::string milliseconds(double seconds, int decimals) {
   return fmt::format("{:.{}f}", 1e3 * seconds, decimals);

@@ -5,6 +5,8 @@
 
 #include "text/csv_text.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -17,6 +19,10 @@ namespace orograph {
 using Value = std::variant<std::monostate, bool, double, std::uint64_t, std::string>;
 /// Names and values, in order.
 using Record = std::vector<std::pair<std::string, Value>>;
+
+/// As in JSON, and in a table of comma-separated values, where what isn't known is empty.
+nlohmann::ordered_json json_value(const Value& value);
+std::string csv_value(const Value& value);
 
 /// `1.5` as a value, or that it isn't known.
 template <class Optional>

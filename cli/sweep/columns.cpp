@@ -37,14 +37,14 @@ std::optional<ProfileLine> in_front(const ProfileLine& line, const View& view,
   return w_from > 0 ? ProfileLine{line.from, cut} : ProfileLine{cut, line.to};
 }
 
-Cell cell(double number) {
-  return std::isfinite(number) ? Cell(number) : Cell();
+Value cell(double number) {
+  return std::isfinite(number) ? Value(number) : Value();
 }
-Cell cell(std::optional<double> number) {
-  return number ? cell(*number) : Cell();
+Value cell(std::optional<double> number) {
+  return number ? cell(*number) : Value();
 }
-Cell cell(std::uint64_t count) {
-  return static_cast<std::int64_t>(count);
+Value cell(std::uint64_t count) {
+  return count;
 }
 
 // The columns before those that are measured.
@@ -58,7 +58,7 @@ const std::vector<Column>& leading_columns() {
 }
 
 // What a parameter was where it isn't varied.
-Cell of_report(Parameter parameter, const RunReport& report) {
+Value of_report(Parameter parameter, const RunReport& report) {
   const ViewFacts& view = report.view;
   switch (parameter) {
   case Parameter::view:
@@ -159,13 +159,13 @@ std::optional<double> GroundMeter::visible_share() const {
 
 Columns::Columns(const SweepSettings& settings, const ViewList& views)
     : settings_(settings), views_(views) {
-  const auto add = [&](Column column, std::function<Cell(const DrawnView&)> of) {
+  const auto add = [&](Column column, std::function<Value(const DrawnView&)> of) {
     measured_.push_back({std::move(column), std::move(of)});
   };
   const auto eye = [](double Vec3::*coordinate) {
     return [coordinate](const DrawnView& f) {
       const auto& place = f.report.view.eye;
-      return place ? cell((*place).*coordinate) : Cell();
+      return place ? cell((*place).*coordinate) : Value();
     };
   };
   add({"eye_x", "", "the eye's place, in the terrain's CRS"}, eye(&Vec3::x));
@@ -197,7 +197,7 @@ Columns::Columns(const SweepSettings& settings, const ViewList& views)
   if (!settings.render.labels.path.empty()) {
     const auto named = [&](const std::string& name, const std::string& about, NameState state) {
       add({name, "", about}, [state](const DrawnView& f) {
-        return f.report.names ? cell(std::uint64_t{f.report.names->count(state)}) : Cell();
+        return f.report.names ? cell(std::uint64_t{f.report.names->count(state)}) : Value();
       });
     };
     named("names", "printed", NameState::chosen);
@@ -205,14 +205,14 @@ Columns::Columns(const SweepSettings& settings, const ViewList& views)
     named("names_without_room", "of summits that are seen", NameState::crowded_out);
     add({"names_printed", "", "those that are printed, the first that counts most, with ; between"},
         [](const DrawnView& f) {
-          return f.report.names ? Cell(f.report.names->chosen()) : Cell();
+          return f.report.names ? Value(f.report.names->chosen()) : Value();
         });
   }
   if (settings.render.map.check > 0) {
     const auto checked = [&](const std::string& name, const std::string& about,
                              std::uint64_t CheckCounts::*of) {
       add({name, "", about}, [of](const DrawnView& f) {
-        return f.report.check ? cell((*f.report.check).*of) : Cell();
+        return f.report.check ? cell((*f.report.check).*of) : Value();
       });
     };
     checked("check_asked", "points asked of the ray walk", &CheckCounts::asked);
@@ -224,7 +224,7 @@ Columns::Columns(const SweepSettings& settings, const ViewList& views)
     add({"check_of_file_hidden", "",
          "points drawn that the file's surface hides by more than twice the level's error"},
         [](const DrawnView& f) {
-          return f.report.check_of_file ? cell(f.report.check_of_file->counts.hidden) : Cell();
+          return f.report.check_of_file ? cell(f.report.check_of_file->counts.hidden) : Value();
         });
   add({"error_bound_mm", "mm", "the farthest that a line may be from its place on paper"},
       [](const DrawnView& f) { return cell(f.report.error_budget.total_mm()); });
@@ -242,10 +242,10 @@ std::vector<Column> Columns::columns() const {
   return columns;
 }
 
-std::vector<Cell> Columns::row(std::size_t number, const std::string& file,
-                               const std::string& error, const DrawnView* facts) const {
-  std::vector<Cell> row{static_cast<std::int64_t>(number), views_.name(number), file,
-                        error.empty() ? Cell() : Cell(error)};
+std::vector<Value> Columns::row(std::size_t number, const std::string& file,
+                                const std::string& error, const DrawnView* facts) const {
+  std::vector<Value> row{std::uint64_t{number}, views_.name(number), file,
+                         error.empty() ? Value() : Value(error)};
   const std::vector<Axis>& axes = views_.axes();
   const std::vector<double> values = views_.values(number);
   for (const ParameterNames& names : all_parameters()) {
@@ -255,9 +255,9 @@ std::vector<Cell> Columns::row(std::size_t number, const std::string& file,
     if (axis != axes.end())
       row.push_back(cell(values[static_cast<std::size_t>(axis - axes.begin())]));
     else
-      row.push_back(facts ? of_report(names.parameter, facts->report) : Cell());
+      row.push_back(facts ? of_report(names.parameter, facts->report) : Value());
   }
-  for (const Measured& measured : measured_) row.push_back(facts ? measured.of(*facts) : Cell());
+  for (const Measured& measured : measured_) row.push_back(facts ? measured.of(*facts) : Value());
   return row;
 }
 

@@ -2,6 +2,7 @@
 // What a sweep's tables tell of a view, and how the visible share is measured.
 #pragma once
 
+#include "cli/report/measurements.hpp"
 #include "cli/report/run_report.hpp"
 #include "cli/sweep/view_list.hpp"
 #include "hidden_lines/instruments.hpp"
@@ -12,13 +13,9 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace orograph {
-
-/// Nothing, a number, or a text.
-using Cell = std::variant<std::monostate, double, std::int64_t, std::string>;
 
 struct Column {
   std::string name, unit; ///< unit: empty for counts, ratios and texts
@@ -67,13 +64,13 @@ public:
 
   std::vector<Column> columns() const;
   /// A row of view `number`; what was measured is left out of one that failed, which has no facts.
-  std::vector<Cell> row(std::size_t number, const std::string& file, const std::string& error,
-                        const DrawnView* facts) const;
+  std::vector<Value> row(std::size_t number, const std::string& file, const std::string& error,
+                         const DrawnView* facts) const;
 
 private:
   struct Measured {
     Column column;
-    std::function<Cell(const DrawnView&)> of;
+    std::function<Value(const DrawnView&)> of;
   };
   const SweepSettings& settings_;
   const ViewList& views_;

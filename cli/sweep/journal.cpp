@@ -137,20 +137,9 @@ void check_options(const Json& old_options, const Json& options, const std::stri
   }
 }
 
-Json json_of(const Cell& cell) {
-  return std::visit(
-      [](const auto& value) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
-          return nullptr;
-        else
-          return value;
-      },
-      cell);
-}
-
-Json row_json(const std::vector<Column>& columns, const std::vector<Cell>& row) {
+Json row_json(const std::vector<Column>& columns, const std::vector<Value>& row) {
   Json json = Json::object();
-  for (std::size_t i = 0; i < columns.size(); ++i) json[columns[i].name] = json_of(row[i]);
+  for (std::size_t i = 0; i < columns.size(); ++i) json[columns[i].name] = json_value(row[i]);
   return json;
 }
 
@@ -170,18 +159,18 @@ std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::optional<Cell> cell_of(const Json& json) {
-  if (json.is_null()) return Cell();
-  if (json.is_number_integer()) return Cell(json.get<std::int64_t>());
-  if (json.is_number()) return Cell(json.get<double>());
-  if (json.is_string()) return Cell(json.get<std::string>());
+std::optional<Value> cell_of(const Json& json) {
+  if (json.is_null()) return Value();
+  if (json.is_number_unsigned()) return Value(json.get<std::uint64_t>());
+  if (json.is_number()) return Value(json.get<double>());
+  if (json.is_string()) return Value(json.get<std::string>());
   return std::nullopt;
 }
 
 // Only where all columns are there, in their order.
-std::optional<std::vector<Cell>> row_of(const Json& json, const std::vector<Column>& columns) {
+std::optional<std::vector<Value>> row_of(const Json& json, const std::vector<Column>& columns) {
   if (!json.is_object() || json.size() != columns.size()) return std::nullopt;
-  std::vector<Cell> row;
+  std::vector<Value> row;
   for (const auto& [name, value] : json.items()) {
     const auto cell = cell_of(value);
     if (!cell || name != columns[row.size()].name) return std::nullopt;
@@ -208,16 +197,10 @@ std::optional<RecordParts> parts_of(std::string_view text) {
   return parts;
 }
 
-std::string csv_line(const std::vector<Cell>& row) {
-  std::string line;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    if (i > 0) line += ',';
-    if (const auto* text = std::get_if<std::string>(&row[i]))
-      line += csv_text(*text);
-    else if (!std::holds_alternative<std::monostate>(row[i]))
-      line += dump(json_of(row[i]));
-  }
-  return line + "\n";
+std::string csv_line(const std::vector<Value>& row) {
+  std::vector<std::string> values;
+  for (const Value& value : row) values.push_back(csv_value(value));
+  return fmt::format("{}\n", fmt::join(values, ","));
 }
 
 Json heading(const Plan& plan) {
@@ -293,7 +276,7 @@ std::string record_path(const std::string& out_dir, const Plan& plan, std::size_
 }
 
 void write_record(const std::string& out_dir, const Plan& plan, std::size_t view,
-                  const std::vector<Cell>& row, const std::optional<Preview>& preview) {
+                  const std::vector<Value>& row, const std::optional<Preview>& preview) {
   write_text(kBeforeRow + dump(row_json(plan.columns, row)) + kBetween +
                  (preview ? dump(json_of(*preview)) : "null") + kAfterPreview,
              record_path(out_dir, plan, view), true);
@@ -310,9 +293,9 @@ std::optional<ViewRecord> read_record(const std::string& out_dir, const Plan& pl
       parts ? row_of(Json::parse(parts->row, nullptr, /*allow_exceptions=*/false), plan.columns)
             : std::nullopt;
   const bool failed = row && std::holds_alternative<std::string>((*row)[kErrorColumn]);
-  if (!row || (*row)[kViewColumn] != Cell(static_cast<std::int64_t>(view)) ||
-      (*row)[kNameColumn] != Cell(plan.views[view].name) ||
-      (!failed && (*row)[kErrorColumn] != Cell()) || !Json::accept(parts->preview))
+  if (!row || (*row)[kViewColumn] != Value(std::uint64_t{view}) ||
+      (*row)[kNameColumn] != Value(plan.views[view].name) ||
+      (!failed && (*row)[kErrorColumn] != Value()) || !Json::accept(parts->preview))
     throw Error(path + " is no row of this sweep", "its view has to be drawn again (--resume)");
   return ViewRecord{*row, std::string(parts->preview), failed};
 }
@@ -328,7 +311,7 @@ std::string table_json(const Plan& plan, const std::vector<ViewRecord>& records)
 }
 
 std::string table_csv(const Plan& plan, const std::vector<ViewRecord>& records) {
-  std::vector<Cell> names;
+  std::vector<Value> names;
   for (const Column& column : plan.columns) names.emplace_back(column.name);
   std::string text = csv_line(names);
   for (const ViewRecord& record : records) text += csv_line(record.row);

@@ -52,8 +52,8 @@ std::optional<Plan> read_plan(const std::string& out_dir);
 void check_same(const Plan& old_plan, const Plan& plan, const std::string& out_dir);
 
 struct ViewRecord {
-  std::vector<Cell> row; ///< by the plan's columns
-  std::string preview;   ///< JSON; "null" where there is no drawing
+  std::vector<Value> row; ///< by the plan's columns
+  std::string preview;    ///< JSON; "null" where there is no drawing
   bool failed = false;
 };
 
@@ -62,7 +62,7 @@ std::string record_path(const std::string& out_dir, const Plan& plan, std::size_
 
 /// Whole or not at all, in place of an older one. Throws Error where it can't be written.
 void write_record(const std::string& out_dir, const Plan& plan, std::size_t view,
-                  const std::vector<Cell>& row, const std::optional<Preview>& preview);
+                  const std::vector<Value>& row, const std::optional<Preview>& preview);
 
 /// None where there is none. Throws Error where the file isn't the record of this view.
 std::optional<ViewRecord> read_record(const std::string& out_dir, const Plan& plan,
