@@ -2,7 +2,7 @@
 // `orograph accuracy`: what each setting costs in time, and in error on paper.
 #pragma once
 
-#include "cli/accuracy/meters.hpp"
+#include "map/meters.hpp"
 #include "cli/render_settings.hpp"
 #include "cli/report/run_report.hpp"
 #include "dem/terrain.hpp"

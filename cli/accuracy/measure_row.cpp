@@ -2,7 +2,7 @@
 // One row's runs: one that measures lengths, one that asks the ray walk, those that are timed, and
 // those in exact arithmetic or with all points that it is compared with.
 #include "cli/accuracy/accuracy.hpp"
-#include "cli/accuracy/meters.hpp"
+#include "map/meters.hpp"
 #include "cli/render.hpp"
 #include "dem/read/read_raster.hpp"
 #include "dem/terrain.hpp"

@@ -8,7 +8,7 @@
 #include "cli/options/option_values.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/parse_arguments.hpp"
-#include "cli/sweep/fingerprint.hpp"
+#include "placing/fingerprint.hpp"
 #include "geometry/error.hpp"
 #include "map/check_spec.hpp"
 #include "text/text_of_file.hpp"

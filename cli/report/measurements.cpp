@@ -23,14 +23,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Characters, not bytes: "±" is one.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-} // namespace
-
 Json json_value(const Value& value) {
   return std::visit(
       [](const auto& x) {
@@ -42,10 +34,22 @@ Json json_value(const Value& value) {
       value);
 }
 
+// Characters, not bytes: "±" is one.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+} // namespace
+
+std::string json_text(const Value& value) {
+  return json_value(value).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string csv_value(const Value& value) {
   if (std::holds_alternative<std::monostate>(value)) return "";
   const std::string* text = std::get_if<std::string>(&value);
-  if (!text) return json_value(value).dump();
+  if (!text) return json_text(value);
   return csv_text(*text);
 }
 

@@ -5,8 +5,6 @@
 
 #include "text/csv_text.hpp"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -21,7 +19,7 @@ using Value = std::variant<std::monostate, bool, double, std::uint64_t, std::str
 using Record = std::vector<std::pair<std::string, Value>>;
 
 /// As in JSON, and in a table of comma-separated values, where what isn't known is empty.
-nlohmann::ordered_json json_value(const Value& value);
+std::string json_text(const Value& value);
 std::string csv_value(const Value& value);
 
 /// `1.5` as a value, or that it isn't known.

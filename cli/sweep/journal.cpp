@@ -2,11 +2,11 @@
 #include "cli/sweep/journal.hpp"
 
 #include "cli/report/measurements.hpp"
-#include "cli/sweep/fingerprint.hpp"
 #include "cli/text_file.hpp"
 #include "cli/version.hpp"
 #include "dem/read/asked_window.hpp"
 #include "geometry/error.hpp"
+#include "placing/fingerprint.hpp"
 #include "text/nesting.hpp"
 #include "write/write_drawing.hpp"
 
@@ -137,10 +137,11 @@ void check_options(const Json& old_options, const Json& options, const std::stri
   }
 }
 
-Json row_json(const std::vector<Column>& columns, const std::vector<Value>& row) {
-  Json json = Json::object();
-  for (std::size_t i = 0; i < columns.size(); ++i) json[columns[i].name] = json_value(row[i]);
-  return json;
+std::string row_json(const std::vector<Column>& columns, const std::vector<Value>& row) {
+  std::vector<std::string> members;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    members.push_back(fmt::format("\"{}\":{}", columns[i].name, json_text(row[i])));
+  return fmt::format("{{{}}}", fmt::join(members, ","));
 }
 
 Json json_of(const Preview& preview) {
@@ -277,7 +278,7 @@ std::string record_path(const std::string& out_dir, const Plan& plan, std::size_
 
 void write_record(const std::string& out_dir, const Plan& plan, std::size_t view,
                   const std::vector<Value>& row, const std::optional<Preview>& preview) {
-  write_text(kBeforeRow + dump(row_json(plan.columns, row)) + kBetween +
+  write_text(kBeforeRow + row_json(plan.columns, row) + kBetween +
                  (preview ? dump(json_of(*preview)) : "null") + kAfterPreview,
              record_path(out_dir, plan, view), true);
 }
@@ -306,7 +307,7 @@ std::string table_json(const Plan& plan, const std::vector<ViewRecord>& records)
   text.erase(text.rfind("\n}"));
   text += ",\n \"views\": [";
   for (std::size_t i = 0; i < records.size(); ++i)
-    text += (i > 0 ? ",\n  " : "\n  ") + dump(row_json(plan.columns, records[i].row));
+    text += (i > 0 ? ",\n  " : "\n  ") + row_json(plan.columns, records[i].row);
   return text + "\n ]\n}\n";
 }
 

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "cli/sweep/columns.hpp"
-#include "cli/sweep/page.hpp"
 #include "cli/sweep/view_list.hpp"
 #include "dem/terrain.hpp"
+#include "draw/preview.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The web page of a sweep, one file that needs no other and no network, and the drawings in small
-// that it shows.
+// The web page of a sweep, one file that needs no other and no network.
 #pragma once
-
-#include "draw/drawing.hpp"
 
 #include <cstddef>
 #include <string>
@@ -11,24 +8,6 @@
 #include <vector>
 
 namespace orograph {
-
-struct PreviewLayer {
-  std::string name;
-  double pen_mm = 0, grey = 0;
-  std::string colour; ///< "#rrggbb", instead of the grey; empty: none
-  /// Moves and lines of SVG path data in whole tenths of a millimetre, relative but for the first:
-  /// "m120 340l3-2 4 1m…".
-  std::string path;
-};
-
-struct Preview {
-  double width_mm = 0, height_mm = 0;
-  std::vector<PreviewLayer> layers;
-};
-
-/// Some 30 kB at most, however large the drawing: every so many profiles, all other lines as far as
-/// they fit, with the points that a screen shows.
-Preview preview_of(const Drawing& drawing);
 
 /// The previews of a sweep's rows as JSON: all of them, or, where they would make the page slow to
 /// open, every second, fourth and so on, with null for the others.

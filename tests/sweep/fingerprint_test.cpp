@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What tells terrains from each other.
-#include "cli/sweep/fingerprint.hpp"
+#include "placing/fingerprint.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_grid.hpp"

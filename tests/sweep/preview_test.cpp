@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings in small, read back.
 #include "cli/sweep/page.hpp"
+#include "draw/preview.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 

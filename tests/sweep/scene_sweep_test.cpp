@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sweeps of terrains with solids on them, and of solids alone.
-#include "cli/sweep/fingerprint.hpp"
+#include "placing/fingerprint.hpp"
 #include "solids/read_scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/made_scenes.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sweep/fingerprint.hpp"
+#include "placing/fingerprint.hpp"
 
 #include <fmt/format.h>
 
