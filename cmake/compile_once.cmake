@@ -26,7 +26,7 @@ endif()
 
 set(OROGRAPH_COMMON_HEADERS <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem>
   <fstream> <functional> <limits> <map> <memory> <numeric> <optional> <span> <string> <string_view>
-  <utility> <variant> <vector> <fmt/format.h> <fmt/ranges.h>)
+  <utility> <variant> <vector> <fmt/format.h>)
 
 # orograph_precompile(TARGET KIND [HEADER…]): the common headers and these. The first target of a
 # KIND compiles them, the others take what it made; GCC refuses it (-Winvalid-pch) unless all of a

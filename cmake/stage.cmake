@@ -32,7 +32,7 @@ function(orograph_stage name)
     list(TRANSFORM STAGE_COMMON PREPEND ${PROJECT_SOURCE_DIR}/ REGEX "[.]hpp$")
     orograph_precompile(orograph_${name} ${STAGE_COMMON})
   elseif("CGAL::CGAL" IN_LIST STAGE_PRIVATE) # which brings -frounding-math
-    orograph_precompile(orograph_${name} rounding)
+    orograph_precompile(orograph_${name} rounding <fmt/ranges.h>)
   elseif(STAGE_IN_LANES) # alone, so common headers of its own would cost more than they spare
     target_compile_options(orograph_${name} PRIVATE -fno-math-errno -fno-trapping-math)
   else()

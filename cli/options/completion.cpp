@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/options/help.hpp"
 #include "geometry/error.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -49,12 +49,11 @@ Words names_of(const std::vector<Command>& commands) {
 std::string bash_case(const Option& option) {
   std::string set;
   if (const Words words = option.words_to_choose(); !words.empty())
-    set += fmt::format(" {}='{}'", option.is_list_of_words() ? "list" : "words",
-                       fmt::join(words, " "));
+    set +=
+        fmt::format(" {}='{}'", option.is_list_of_words() ? "list" : "words", joined(words, " "));
   if (takes_files(option))
-    set += option.extensions.empty()
-               ? " files='*'"
-               : fmt::format(" files='{}'", fmt::join(option.extensions, " "));
+    set += option.extensions.empty() ? " files='*'"
+                                     : fmt::format(" files='{}'", joined(option.extensions, " "));
   const std::string letter = option.letter == 0 ? "" : fmt::format("|-{}", option.letter);
   return fmt::format("        {}{}) value=1{} ;;\n", option.name, letter, set);
 }
@@ -74,7 +73,7 @@ _orograph() {
   if [[ COMP_CWORD -eq 1 ]]; then
 )";
   text += fmt::format("    COMPREPLY=($(compgen -W '{} --help --version' -- \"$cur\"))\n",
-                      fmt::join(names_of(commands), " "));
+                      joined(names_of(commands), " "));
   text += "    return\n  fi\n  case $command in\n";
   for (const Command& command : commands) {
     Words options;
@@ -84,7 +83,7 @@ _orograph() {
       options.push_back(option.name);
       if (!option.is_switch()) text += bash_case(option);
     }
-    text += fmt::format("      esac\n      options='{}'\n      ;;\n", fmt::join(options, " "));
+    text += fmt::format("      esac\n      options='{}'\n      ;;\n", joined(options, " "));
   }
   return text + R"(  esac
   if [[ -z $value && $cur == -* ]]; then
@@ -132,7 +131,7 @@ std::string zsh_described(std::string_view help) {
 
 std::string zsh_files(const Option& option) {
   if (option.extensions.empty()) return "_files";
-  return fmt::format("_files -g \"*.({})\"", fmt::join(option.extensions, "|"));
+  return fmt::format("_files -g \"*.({})\"", joined(option.extensions, "|"));
 }
 
 // ":message:action", what stands behind an option.
@@ -141,12 +140,12 @@ std::string zsh_value(const Option& option) {
   std::replace(message.begin(), message.end(), ':', ' ');
   const Words words = option.words_to_choose();
   if (option.is_list_of_words())
-    return fmt::format(":{}:_values -s , layer {}", message, fmt::join(words, " "));
+    return fmt::format(":{}:_values -s , layer {}", message, joined(words, " "));
   if (words.empty())
     return fmt::format(":{}:{}", message, takes_files(option) ? zsh_files(option) : " ");
-  if (!takes_files(option)) return fmt::format(":{}:({})", message, fmt::join(words, " "));
+  if (!takes_files(option)) return fmt::format(":{}:({})", message, joined(words, " "));
   return fmt::format(R"(:{}:_alternative 'words\:name\:({})' 'files\:file\:{}')", message,
-                     fmt::join(words, " "), zsh_files(option));
+                     joined(words, " "), zsh_files(option));
 }
 
 std::string zsh_completion(const std::vector<Command>& commands) {
@@ -200,19 +199,19 @@ std::string fish_value(const Option& option) {
   const Words words = option.words_to_choose();
   if (option.is_list_of_words())
     return fmt::format(" -x -a '(__fish_complete_list , \"string split \\' \\' \\'{}\\'\")'",
-                       fmt::join(words, " "));
+                       joined(words, " "));
   if (takes_files(option) && option.extensions.empty()) return " -r -F";
   Words offered = words;
   for (const std::string& extension : option.extensions)
     offered.push_back("(__fish_complete_suffix ." + extension + ")");
-  return offered.empty() ? " -x" : fmt::format(" -x -a '{}'", fmt::join(offered, " "));
+  return offered.empty() ? " -x" : fmt::format(" -x -a '{}'", joined(offered, " "));
 }
 
 std::string fish_completion(const std::vector<Command>& commands) {
   const auto quoted = [](const std::string& text) { return in_single_quotes(text, "\\'"); };
   std::string text = "# fish completion for orograph, made from its tables of options.\n";
-  const std::string none = "'not __fish_seen_subcommand_from " +
-                           fmt::format("{}", fmt::join(names_of(commands), " ")) + "'";
+  const std::string none =
+      "'not __fish_seen_subcommand_from " + joined(names_of(commands), " ") + "'";
   for (const Command& command : commands)
     text += fmt::format("complete -c orograph -f -n {} -a {} -d {}\n", none, command.name,
                         quoted(in_brief(command.summary)));

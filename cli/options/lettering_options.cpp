@@ -6,10 +6,10 @@
 #include "geometry/error.hpp"
 #include "map/check_spec.hpp"
 #include "placing/template_file.hpp"
+#include "text/words.hpp"
 #include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <string>
 #include <utility>
@@ -25,7 +25,7 @@ void add_furniture_options(OptionGroup& group, RenderSettings& s) {
       .value("--furniture LIST",
              "What stands around the picture, which leaves it room. The title is --title, if one "
              "is given",
-             fmt::format("none, or some of map, panorama, {}", fmt::join(furniture_names(), ", ")),
+             fmt::format("none, or some of map, panorama, {}", joined(furniture_names(), ", ")),
              "nothing, and the picture has all of the page",
              [&s](const std::string& text) {
                s.map.furniture.pieces = furniture_of(text, "--furniture");

@@ -9,7 +9,6 @@
 #include "text/words.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -62,7 +61,7 @@ bool take_colours(const std::string& text, std::vector<std::pair<std::string, Co
     if (std::ranges::find(known, layer) == known.end()) {
       const std::string_view nearest = nearest_word(layer, known);
       throw UsageError(fmt::format("--colour: there is no layer '{}'", layer),
-                       nearest.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                       nearest.empty() ? fmt::format("there are {}", joined(known, ", "))
                                        : fmt::format("did you mean {}?", nearest));
     }
     if (std::ranges::find(colours, layer, &std::pair<std::string, Colour>::first) != colours.end())
@@ -197,8 +196,8 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
   group
       .value("--layers LIST",
              "Layers to draw, with commas between; edges are those of the terrain's triangles",
-             fmt::format("each once of {}", fmt::join(layer_names(), ", ")),
-             fmt::format("{}", fmt::join(names_of(s.map.style.layers), ",")),
+             fmt::format("each once of {}", joined(layer_names(), ", ")),
+             joined(names_of(s.map.style.layers), ","),
              [&s](const std::string& text) {
                const std::vector<std::string> names = split(text, ',');
                s.map.style.layers.assign(names.begin(), names.end());
@@ -222,7 +221,7 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
       .value("--hidden-layers LIST",
              "Layers whose hidden lines are dashed, each in a layer of its own, such as "
              "hidden-contours; those of solids in the layer hidden",
-             fmt::format("each once of {}", fmt::join(names_with_hidden(), ", ")), "solids",
+             fmt::format("each once of {}", joined(names_with_hidden(), ", ")), "solids",
              [&s](const std::string& text) {
                s.hidden_layers = split(text, ',');
                return are_among(names_with_hidden(), s.hidden_layers);

@@ -8,9 +8,9 @@
 #include "cli/options/options.hpp"
 #include "cli/options/parse_arguments.hpp"
 #include "geometry/error.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <limits>
 
@@ -76,23 +76,27 @@ auto list_of(Parse parse, Allows allows) {
   };
 }
 
+template <class Number>
+std::string listed(const std::vector<Number>& numbers) {
+  std::vector<std::string> words;
+  for (const Number number : numbers) words.push_back(fmt::format("{}", number));
+  return joined(words, ",");
+}
+
 void add_fragmentation_options(std::vector<Option>& options, FragmentationSettings& s) {
   OptionGroup group(options, kMeasures);
-  group.parsed("--profiles LIST", "Numbers of profiles",
-               fmt::format("whole numbers, 1 to {}, with commas between", kMostProfiles),
-               fmt::format("{}", fmt::join(s.profiles, ",")),
-               list_of<int>(parse_integer, [](int n) { return n >= 1 && n <= kMostProfiles; }),
-               s.profiles);
+  group.parsed(
+      "--profiles LIST", "Numbers of profiles",
+      fmt::format("whole numbers, 1 to {}, with commas between", kMostProfiles), listed(s.profiles),
+      list_of<int>(parse_integer, [](int n) { return n >= 1 && n <= kMostProfiles; }), s.profiles);
   group.parsed("--elevations LIST", "Where the viewer stands above the horizontal",
-               "degrees, 0 to 90, with commas between",
-               fmt::format("{}", fmt::join(s.elevations_deg, ",")),
+               "degrees, 0 to 90, with commas between", listed(s.elevations_deg),
                list_of<double>(parse_number, [](double deg) { return deg >= 0 && deg <= 90; }),
                s.elevations_deg);
   group.parsed("--azimuths LIST",
                "Where the viewer stands, clockwise from north; profiles run across: along the rows "
                "of a grid from 180, along its columns from 90",
-               "degrees, -360 to 360, with commas between",
-               fmt::format("{}", fmt::join(s.azimuths_deg, ",")),
+               "degrees, -360 to 360, with commas between", listed(s.azimuths_deg),
                list_of<double>(parse_number, [](double deg) { return deg >= -360 && deg <= 360; }),
                s.azimuths_deg);
   const int most = std::numeric_limits<int>::max();

@@ -2,9 +2,9 @@
 #include "cli/options/option_group.hpp"
 
 #include "cli/options/option_values.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -124,7 +124,7 @@ OptionGroup& OptionGroup::whole(std::string_view names, std::string_view help, i
 OptionGroup& OptionGroup::one_of(std::string_view names, std::string_view help,
                                  std::vector<std::string_view> words, std::string_view by_default,
                                  std::function<void(std::size_t)> store) {
-  const std::string placeholder = fmt::format("{}", fmt::join(words, "|"));
+  const std::string placeholder = joined(words, "|");
   value(names, help, {}, by_default,
         [words = std::move(words), store = std::move(store)](const std::string& text) {
           const auto found = std::find(words.begin(), words.end(), text);

@@ -4,10 +4,10 @@
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
 #include "draw/page.hpp"
+#include "text/words.hpp"
 #include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -22,7 +22,7 @@ void add_page_options(std::vector<Option>& options, RenderSettings& s) {
           "needs (an eye's has sky above the skyline, and ground a quarter of the width below it)",
           fmt::format(
               "one of {}, or width x height in mm such as 400x250 or 400xauto, each 1 to 10000",
-              fmt::join(paper_names(), ", ")),
+              joined(paper_names(), ", ")),
           "a4",
           [&page = s.map.page](const std::string& text) {
             const auto named = paper_size_mm(text);
@@ -71,7 +71,7 @@ void add_page_options(std::vector<Option>& options, RenderSettings& s) {
 
 void add_output_options(std::vector<Option>& options, RenderSettings& s) {
   OptionGroup group(options, kOutput);
-  const std::string formats = fmt::format("{}", fmt::join(format_names(), ", "));
+  const std::string formats = joined(format_names(), ", ");
   group
       .value("--of FORMAT", "Format of OUTPUT", "one of " + formats, "by OUTPUT's extension",
              [&s](const std::string& text) {
@@ -83,7 +83,7 @@ void add_output_options(std::vector<Option>& options, RenderSettings& s) {
       .name("--device NAME|FILE.toml",
             fmt::format("What reads hpgl or gcode: {}, or one that a file tells "
                         "(docs/plotters.md); what it can't reach is refused",
-                        fmt::join(device_names(), ", ")),
+                        joined(device_names(), ", ")),
             "a device's name, or a file such as plotter.toml",
             "generic for hpgl, grbl-servo for gcode", s.device)
       .words(device_names())

@@ -6,10 +6,10 @@
 #include "cli/options/options.hpp"
 #include "cli/options/parse_arguments.hpp"
 #include "cli/options/settings_file.hpp"
+#include "text/words.hpp"
 #include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <string_view>
@@ -159,7 +159,7 @@ Command render_command(RenderSettings& settings) {
           "OUTPUT",
           fmt::format(
               "the drawing: a file whose extension names the format ({}), or - for standard output",
-              fmt::join(format_names(), ", ")),
+              joined(format_names(), ", ")),
           "", "", settings.output);
   add_terrain_options(command.options, settings.reading);
   add_drawing_options(command.options, settings);

@@ -8,14 +8,13 @@
 #include "cli/options/option_values.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/parse_arguments.hpp"
-#include "placing/fingerprint.hpp"
 #include "geometry/error.hpp"
 #include "map/check_spec.hpp"
+#include "placing/fingerprint.hpp"
 #include "text/text_of_file.hpp"
 #include "write/device.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -4,11 +4,11 @@
 #include "cli/say.hpp"
 #include "cli/version.hpp"
 #include "geometry/error.hpp"
+#include "text/words.hpp"
 #include "write/output_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -83,8 +83,8 @@ std::string csv_of(const std::vector<Record>& records) {
       names.push_back(name);
       values.push_back(csv_value(value));
     }
-    if (text.empty()) text += fmt::format("{}\n", fmt::join(names, ","));
-    text += fmt::format("{}\n", fmt::join(values, ","));
+    if (text.empty()) text += fmt::format("{}\n", joined(names, ","));
+    text += fmt::format("{}\n", joined(values, ","));
   }
   return text;
 }

@@ -8,10 +8,10 @@
 #include "geometry/error.hpp"
 #include "placing/fingerprint.hpp"
 #include "text/nesting.hpp"
+#include "text/words.hpp"
 #include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -115,7 +115,7 @@ bool names_files(const Plan& plan) {
 std::string in_words(const std::string& option, const Json& options) {
   if (!options.contains(option)) return "no " + option;
   const auto values = options.at(option).get<std::vector<std::string>>();
-  return fmt::format("{} {}", option, fmt::join(values, " "));
+  return fmt::format("{} {}", option, joined(values, " "));
 }
 
 std::string scene_in_words(const Json& scene, const char* when) {
@@ -141,7 +141,7 @@ std::string row_json(const std::vector<Column>& columns, const std::vector<Value
   std::vector<std::string> members;
   for (std::size_t i = 0; i < columns.size(); ++i)
     members.push_back(fmt::format("\"{}\":{}", columns[i].name, json_text(row[i])));
-  return fmt::format("{{{}}}", fmt::join(members, ","));
+  return fmt::format("{{{}}}", joined(members, ","));
 }
 
 Json json_of(const Preview& preview) {
@@ -201,7 +201,7 @@ std::optional<RecordParts> parts_of(std::string_view text) {
 std::string csv_line(const std::vector<Value>& row) {
   std::vector<std::string> values;
   for (const Value& value : row) values.push_back(csv_value(value));
-  return fmt::format("{}\n", fmt::join(values, ","));
+  return fmt::format("{}\n", joined(values, ","));
 }
 
 Json heading(const Plan& plan) {

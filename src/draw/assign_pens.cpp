@@ -9,7 +9,6 @@
 #include "text/words.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -93,7 +92,7 @@ void check_field(const PenOfLayers& one, const Drawing& drawing) {
   throw UsageError(fmt::format("{}{}no line has a field '{}'", one.place,
                                one.place.empty() ? "" : ": ", printable(one.field)),
                    fmt::format("there {} {}", fields.size() == 1 ? "is" : "are",
-                               printable(fmt::format("{}", fmt::join(fields, ", ")))));
+                               printable(joined(std::vector(fields.begin(), fields.end()), ", "))));
 }
 
 std::size_t nearest_in_width(double width_mm, std::span<const std::size_t> candidates,

@@ -6,7 +6,6 @@
 #include "text/words.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -75,7 +74,7 @@ void check_field(const Overlay& overlay, const std::string& field, const char* s
   throw Error(fmt::format("{} has no field {}", overlay.source, field),
               overlay.fields.empty()
                   ? "a file whose points have fields"
-                  : fmt::format("one of {} as `{}`", fmt::join(overlay.fields, ", "), spec_field));
+                  : fmt::format("one of {} as `{}`", joined(overlay.fields, ", "), spec_field));
 }
 
 } // namespace

@@ -9,7 +9,6 @@
 #include "text/words.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -108,7 +107,7 @@ std::vector<Furniture> furniture_of(std::string_view text, const std::string& pl
       const std::string_view nearest = nearest_word(name, known);
       throw UsageError(fmt::format("{}: there is no furniture '{}'", place, printable(name)),
                        nearest.empty() ? fmt::format("none, or some of map, panorama, {}",
-                                                     fmt::join(furniture_names(), ", "))
+                                                     joined(furniture_names(), ", "))
                                        : fmt::format("did you mean {}?", nearest));
     }
   }

@@ -7,6 +7,27 @@
 #include <vector>
 
 namespace orograph {
+namespace {
+
+template <class Word>
+std::string with_between(std::span<const Word> words, std::string_view between) {
+  std::string text;
+  for (const Word& word : words) {
+    if (&word != words.data()) text += between;
+    text += word;
+  }
+  return text;
+}
+
+} // namespace
+
+std::string joined(std::span<const std::string> words, std::string_view between) {
+  return with_between(words, between);
+}
+
+std::string joined(std::span<const std::string_view> words, std::string_view between) {
+  return with_between(words, between);
+}
 
 int edit_distance(std::string_view a, std::string_view b) {
   std::vector<int> row(b.size() + 1);

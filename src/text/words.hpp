@@ -81,6 +81,10 @@ private:
   std::size_t number_ = 0;
 };
 
+/// One after the other, with the same between two of them.
+std::string joined(std::span<const std::string> words, std::string_view between);
+std::string joined(std::span<const std::string_view> words, std::string_view between);
+
 /// Edits (insert, remove, replace) that turn one word into the other.
 int edit_distance(std::string_view a, std::string_view b);
 

@@ -8,7 +8,6 @@
 #include "text/words.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -62,7 +61,7 @@ std::vector<std::string> layers_of(const TomlTable& table,
     if (std::ranges::find(known, *name) == known.end()) {
       const std::string_view nearest = nearest_word(*name, known);
       throw Error(fmt::format("{}: there is no layer '{}'", table.place(item), *name),
-                  nearest.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                  nearest.empty() ? fmt::format("there are {}", joined(known, ", "))
                                   : fmt::format("did you mean {}?", nearest));
     }
     layers.push_back(*name);

@@ -10,7 +10,6 @@
 #include "write/known_devices.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -85,7 +84,7 @@ std::string checked_words(const std::string& text, const TomlTable& table, std::
   if (const auto unknown = unknown_place(text, places))
     throw Error(fmt::format("{}: {} knows no {}", table.place(value), key, *unknown),
                 places.empty() ? "leave it out"
-                               : fmt::format("it knows {{{}}}", fmt::join(places, "}, {")));
+                               : fmt::format("it knows {{{}}}", joined(places, "}, {")));
   return text;
 }
 
@@ -242,7 +241,7 @@ Device read_device(const std::string& name_or_path) {
     if (known.name == name_or_path) return parsed_device(std::string(known.toml), name_or_path);
   throw UsageError(
       fmt::format("unknown device '{}'", printable(name_or_path)),
-      fmt::format("one of {}, or a file such as plotter.toml", fmt::join(device_names(), ", ")));
+      fmt::format("one of {}, or a file such as plotter.toml", joined(device_names(), ", ")));
 }
 
 } // namespace orograph

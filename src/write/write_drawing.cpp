@@ -9,7 +9,6 @@
 
 #include <cairo.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gdal.h>
 
 #include <algorithm>
@@ -130,7 +129,7 @@ const std::vector<std::string>& format_names() {
 Format format_of_name(std::string_view name) {
   if (const auto format = format_called(name)) return *format;
   throw UsageError(fmt::format("unknown format '{}'", name),
-                   fmt::format("one of {}", fmt::join(format_names(), ", ")));
+                   fmt::format("one of {}", joined(format_names(), ", ")));
 }
 
 Format format_of_path(std::string_view path) {
@@ -139,7 +138,7 @@ Format format_of_path(std::string_view path) {
     return *format;
   throw UsageError(
       fmt::format("'{}' doesn't tell its format", path),
-      fmt::format("a name that ends with .{}, or `format`", fmt::join(format_names(), ", .")));
+      fmt::format("a name that ends with .{}, or `format`", joined(format_names(), ", .")));
 }
 
 double rounding_mm(const WriteOptions& options) {
