@@ -3,12 +3,11 @@
 
 #include "cli/finish_drawing.hpp"
 #include "cli/progress.hpp"
-#include "cli/report/closing_lines.hpp"
 #include "cli/report/name_report.hpp"
 #include "cli/report/run_report.hpp"
 #include "cli/report/skyline_table.hpp"
 #include "cli/say.hpp"
-#include "cli/tell_placing.hpp"
+#include "cli/tell_map.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
 #include "map/describe_map.hpp"

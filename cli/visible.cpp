@@ -4,7 +4,7 @@
 #include "cli/render.hpp"
 #include "cli/report/skyline_table.hpp"
 #include "cli/say.hpp"
-#include "cli/tell_placing.hpp"
+#include "cli/tell_map.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "map/look_around.hpp"
 #include "placing/observer.hpp"

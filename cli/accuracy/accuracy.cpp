@@ -5,7 +5,7 @@
 #include "cli/accuracy/accuracy_report.hpp"
 #include "cli/progress.hpp"
 #include "cli/report/measurements.hpp"
-#include "cli/tell_placing.hpp"
+#include "cli/tell_map.hpp"
 #include "cli/text_file.hpp"
 #include "dem/read/read_raster.hpp"
 #include "dem/read/read_terrain.hpp"

@@ -2,10 +2,10 @@
 // `orograph accuracy`: what each setting costs in time, and in error on paper.
 #pragma once
 
-#include "map/meters.hpp"
 #include "cli/render_settings.hpp"
 #include "cli/report/run_report.hpp"
 #include "dem/terrain.hpp"
+#include "map/meters.hpp"
 
 #include <optional>
 #include <string>

@@ -2,7 +2,6 @@
 // One row's runs: one that measures lengths, one that asks the ray walk, those that are timed, and
 // those in exact arithmetic or with all points that it is compared with.
 #include "cli/accuracy/accuracy.hpp"
-#include "map/meters.hpp"
 #include "cli/render.hpp"
 #include "dem/read/read_raster.hpp"
 #include "dem/terrain.hpp"
@@ -11,6 +10,7 @@
 #include "map/draw_map.hpp"
 #include "map/error_budget.hpp"
 #include "map/line_on_page.hpp"
+#include "map/meters.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/terrain_of_view.hpp"

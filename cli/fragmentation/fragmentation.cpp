@@ -6,7 +6,7 @@
 #include "cli/fragmentation/worst_cases.hpp"
 #include "cli/progress.hpp"
 #include "cli/report/measurements.hpp"
-#include "cli/tell_placing.hpp"
+#include "cli/tell_map.hpp"
 #include "cli/text_file.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"

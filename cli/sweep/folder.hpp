@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cli/sweep/journal.hpp"
-#include "cli/sweep/sweep_settings.hpp"
+#include "cli/sweep/sweep.hpp"
 
 #include <cstddef>
 #include <string>

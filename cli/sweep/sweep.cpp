@@ -11,7 +11,7 @@
 #include "cli/sweep/grounds.hpp"
 #include "cli/sweep/journal.hpp"
 #include "cli/sweep/ranks.hpp"
-#include "cli/tell_placing.hpp"
+#include "cli/tell_map.hpp"
 #include "geometry/error.hpp"
 #include "map/describe_map.hpp"
 #include "map/draw_level.hpp"

@@ -4,7 +4,7 @@
 
 #include "cli/sweep/eye_path.hpp"
 #include "cli/sweep/parameter.hpp"
-#include "cli/sweep/sweep_settings.hpp"
+#include "cli/sweep/sweep.hpp"
 #include "dem/terrain.hpp"
 
 #include <cstddef>

@@ -16,8 +16,7 @@ std::string whole(std::string_view wrong, std::string_view right) {
 
 } // namespace
 
-// Told out of line: errors are thrown in some 550 places, and made there they take a sixth of what
-// those files' compiling takes.
+// Out of line: in some 550 places an error is thrown, and this would be compiled in each.
 Error::Error(std::string_view wrong, std::string_view right, ErrorCode code)
     : runtime_error(whole(wrong, right)), wrong_length_(wrong.size()), code_(code) {}
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `render` says on stderr of how a map was placed.
+// What `render` says on stderr of how a map was placed, and when it is done.
 #pragma once
 
+#include "cli/render_settings.hpp"
 #include "dem/terrain.hpp"
 #include "draw/drawing.hpp"
 #include "hidden_lines/counts.hpp"
+#include "map/map_facts.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/placed_view.hpp"
 
+#include <span>
+#include <string>
 #include <vector>
 
 namespace orograph {
@@ -30,5 +34,12 @@ void tell_contours(const Style& style, const TerrainData& terrain, const Drawing
 
 /// Says what leaves the terrain's place, CRS or heights in doubt.
 void tell_doubts(const TerrainData& terrain);
+
+/// A line with strokes, ink, view, exaggeration and seconds; before it one where profiles can't
+/// show relief, since they are seen from straight above. Strokes, ink and minutes are those of the
+/// sheets, where there are any. REQUIRES a map of this placed view.
+std::vector<std::string> closing_lines(const Map& map, std::span<const Drawing> sheets,
+                                       const PlacedView& placed, const RenderSettings& settings,
+                                       double seconds);
 
 } // namespace orograph
