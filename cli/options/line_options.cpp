@@ -74,30 +74,31 @@ bool take_colours(const std::string& text, std::vector<std::pair<std::string, Co
 } // namespace
 
 void add_line_options(std::vector<Option>& options, RenderSettings& s) {
+  Style& style = s.map.style;
   OptionGroup group(options, "Profiles and lines");
-  const auto change_light = [&s](double LightSpec::*member) {
-    return [&s, member](double value) {
-      if (s.map.style.light) (*s.map.style.light).*member = value;
+  const auto change_light = [&style](double LightSpec::*member) {
+    return [&style, member](double value) {
+      if (style.light) (*style.light).*member = value;
     };
   };
-  const auto take_count = [&s](int n) { s.map.style.plan = ProfileCount{n}; };
+  const auto take_count = [&style](int n) { style.plan = ProfileCount{n}; };
   group.whole("--profiles N", "Number of profiles", 1, 100000, take_count,
               "as many as --spacing gives");
   group.parsed("--spacing LENGTH",
                "Distance between profiles: on the page for level ground, or on the ground in depth",
                "a length above 0 with its unit, 0.6mm on the page or 100m on the ground",
-               "four pen widths on the page", parse_spacing, s.map.style.plan);
+               "four pen widths on the page", parse_spacing, style.plan);
   group.choice("--spread",
                "Profiles: as close as --spacing says wherever the ground is on the page, or planes "
                "drawn as a whole",
-               {{"even", Spread::even}, {"planes", Spread::planes}}, s.map.style.spread);
+               {{"even", Spread::even}, {"planes", Spread::planes}}, style.spread);
   group
       .value("--detail MM|auto|file",
              "Cells of the surface that is drawn: about so large on the page; as the lines' "
              "spacing asks; or the file's own",
              "millimetres from 0.01 to 100, or auto, or file", "auto; in geojson and gpkg file",
-             [&s](const std::string& text) {
-               DetailSpec& detail = s.map.style.detail;
+             [&style](const std::string& text) {
+               DetailSpec& detail = style.detail;
                detail = {.of_file = text == "file"};
                if (text == "file" || text == "auto") return true;
                std::string_view number = text;
@@ -110,14 +111,14 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                "Instead of --detail: cells as large as may be while no point of the ground is, on "
                "the page, off by more than this",
                {.unit = "millimetres", .low = 0.001, .high = 1},
-               [&s](double mm) { s.map.style.detail = {.error_mm = mm}; });
+               [&style](double mm) { style.detail = {.error_mm = mm}; });
   group
       .value("--light AZ/ALT|off",
              "Where light falls from on the ground, as lines' width shows: azimuth clockwise from "
              "north and altitude; from the picture's left; or off",
              "degrees, ALT from 0 to 90, or picture, or off", "picture",
-             [&s](const std::string& text) {
-               std::optional<LightSpec>& light = s.map.style.light;
+             [&style](const std::string& text) {
+               std::optional<LightSpec>& light = style.light;
                if (text == "off") {
                  light.reset();
                  return true;
@@ -142,43 +143,42 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
   group.value("--light-by width|density",
               "How lines show light: by their width, or, for pens of one width, by density, how "
               "close they are",
-              "", "width; in hpgl, gcode and dxf density", [&s](const std::string& text) {
-                if (s.map.style.light) s.map.style.light->by_density = text == "density";
+              "", "width; in hpgl, gcode and dxf density", [&style](const std::string& text) {
+                if (style.light) style.light->by_density = text == "density";
                 return text == "width" || text == "density";
               });
   group.number("--haze SHARE",
                "How much of their darkness the farthest lines lose, where there is light",
-               {.low = 0, .high = 1}, s.map.style.haze, "0.3 in perspective, else 0");
+               {.low = 0, .high = 1}, style.haze, "0.3 in perspective, else 0");
   group.choice("--occluder", "What hides: the whole surface, exactly, or only the profiles drawn",
-               {{"surface", Occluder::surface}, {"profiles", Occluder::profiles}},
-               s.map.style.occluder);
+               {{"surface", Occluder::surface}, {"profiles", Occluder::profiles}}, style.occluder);
   group.choice("--underside",
                "Draw the surface as a thin sheet with both its sides: what of its underside one "
                "sees under an edge, through a void or from below",
-               {{"draw", Underside::draw}, {"omit", Underside::omit}}, s.map.style.underside,
+               {{"draw", Underside::draw}, {"omit", Underside::omit}}, style.underside,
                "omit: the ground is solid");
   group.number("--visibility-tolerance MM",
                "Lines that lie this close to the horizon, on the page, count as tied with it and "
                "are drawn once; 0 compares exactly",
-               {.unit = "mm", .low = 0, .high = 10}, s.map.style.visibility_tolerance_mm);
+               {.unit = "mm", .low = 0, .high = 10}, style.visibility_tolerance_mm);
   group.number("--simplify MM",
                "Largest displacement of a line when points are left out; 0 keeps all",
-               {.unit = "mm", .low = 0, .high = 10}, s.map.style.simplify_mm);
+               {.unit = "mm", .low = 0, .high = 10}, style.simplify_mm);
   group.number("--silhouette-jump SHARE",
                "Draw a silhouette only where the ground behind is farther by more than this share "
                "of the depth; 0 draws all",
-               {.low = 0, .high = 10}, s.map.style.silhouette_jump);
+               {.low = 0, .high = 10}, style.silhouette_jump);
   group.number("--join MM",
                "Draw ridges, shores and borders as one line across gaps up to this; 0 bridges none",
-               {.unit = "mm", .low = 0, .high = 10}, s.map.style.join_mm);
+               {.unit = "mm", .low = 0, .high = 10}, style.join_mm);
   group.number("--shore-smooth MM",
                "Draw shores smoothly, nowhere farther than this from the edges of cells that they "
                "follow; not in map formats; 0 follows cells",
-               {.unit = "mm", .low = 0, .high = 10}, s.map.style.shore_smooth_mm);
+               {.unit = "mm", .low = 0, .high = 10}, style.shore_smooth_mm);
   group.number("--min-stroke MM",
                "Leave out visible strokes shorter than this, those that are joined as a whole; the "
                "skyline stays",
-               {.unit = "mm", .low = 0, .high = 1000}, s.map.style.min_stroke_mm,
+               {.unit = "mm", .low = 0, .high = 1000}, style.min_stroke_mm,
                fmt::format("{} on paper, 0 in map formats", kCrumb_mm));
   group.choice("--flat",
                "Level ground such as sea and lakes: only its shores, or its profiles and its "
@@ -186,10 +186,10 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
                {{"shore", FlatGround::shore},
                 {"draw", FlatGround::draw},
                 {"waterlines", FlatGround::waterlines}},
-               s.map.style.flat);
+               style.flat);
   group.choice("--outline",
                "Where terrain ends at the horizon: one skyline all along, or border by-layer",
-               {{"one", Outline::one}, {"by-layer", Outline::by_layer}}, s.map.style.outline);
+               {{"one", Outline::one}, {"by-layer", Outline::by_layer}}, style.outline);
   group.flag("--void-edges",
              "Draw the outlines of voids, gaps that terrain encloses, as well; the layer voids",
              s.void_edges);
@@ -197,17 +197,17 @@ void add_line_options(std::vector<Option>& options, RenderSettings& s) {
       .value("--layers LIST",
              "Layers to draw, with commas between; edges are those of the terrain's triangles",
              fmt::format("each once of {}", joined(layer_names(), ", ")),
-             joined(names_of(s.map.style.layers), ","),
-             [&s](const std::string& text) {
+             joined(names_of(style.layers), ","),
+             [&style](const std::string& text) {
                const std::vector<std::string> names = split(text, ',');
-               s.map.style.layers.assign(names.begin(), names.end());
+               style.layers.assign(names.begin(), names.end());
                return are_among(layer_names(), names);
              })
       .words(layer_names());
   group.choice("--palette",
                "What layers are drawn in: black and greys, or the colours that maps have (brown "
                "contours, blue shores, lines of --drape red)",
-               {{"mono", Palette::mono}, {"map", Palette::map}}, s.map.style.palette);
+               {{"mono", Palette::mono}, {"map", Palette::map}}, style.palette);
   group
       .value("--colour LAYER=COLOUR", "Draw a layer in this colour, whatever the palette",
              "a layer and a colour as in shores=#2a6fa8 or contours=brown, with commas between "

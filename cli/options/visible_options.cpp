@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <utility>
 
 namespace orograph {
 namespace {
