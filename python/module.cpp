@@ -3,9 +3,9 @@
 // package's own functions stand in front of these and say what they take and give.
 #include "cli/command_line.hpp"
 #include "cli/finish_drawing.hpp"
+#include "cli/options/help.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/suggest_option.hpp"
-#include "cli/options/help.hpp"
 #include "cli/report/run_report.hpp"
 #include "cli/version.hpp"
 #include "dem/read/length_units.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What tells terrains from each other.
-#include "placing/fingerprint.hpp"
 #include "dem/read/read_terrain.hpp"
+#include "placing/fingerprint.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_grid.hpp"
 #include "tests/support/made_tin.hpp"
