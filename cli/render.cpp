@@ -18,6 +18,7 @@
 #include "placing/observer.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/read_overlays.hpp"
+#include "placing/terrain_facts.hpp"
 #include "placing/terrain_of_view.hpp"
 #include "placing/terrains_for_maps.hpp"
 
@@ -43,6 +44,18 @@ void check_outputs(const RenderSettings& settings) {
     for (const std::string& name : output_names(settings)) check_writable(name, settings.write);
   for (const std::string& name : {settings.report, settings.skyline_table})
     if (!name.empty()) check_writable(name, settings.write);
+}
+
+// Of the file's own surface, as `visible` tells it, even where the picture has other cells; only of
+// a raster that wasn't read as a whole that of the picture.
+Skyline skyline_of(const TerrainOfView& terrain, const PlacedView& placed, const ViewSpec& view,
+                   double step_deg) {
+  const TerrainData& file = terrain.of_file();
+  const bool is_level = &terrain.uncut() != &file;
+  if (!is_level || file.larger_cells)
+    return LookAround(*terrain, placed.border, observer_of(placed, terrain->map)).skyline(step_deg);
+  const std::vector<BorderEdge> border = border_of(file.surface);
+  return LookAround(file, border, observer_of(view, file)).skyline(step_deg);
 }
 
 void tell_check(const std::optional<CheckCounts>& check) {
@@ -156,8 +169,7 @@ void render(const RenderSettings& settings) {
   }
   std::optional<Skyline> skyline;
   if (!settings.skyline_table.empty()) {
-    const LookAround around(*terrain, placed.border, observer_of(placed, terrain->map));
-    skyline = around.skyline(settings.skyline_step_deg);
+    skyline = skyline_of(terrain, placed, spec.view, settings.skyline_step_deg);
     write_skyline(*skyline, settings);
   }
   if (!settings.report.empty()) {

@@ -150,6 +150,15 @@ bool needs_lattice(const TerrainData& terrain, const Style& style) {
   return terrain.map.earth && style.asks_for("drape");
 }
 
+// Whether the smooth surface through the file's heights, which is rounded where that has a summit,
+// may stand in for it: to an eye close above one the rounded top hides what lies below, unless
+// cells are small beside the eye's height.
+bool stands_high(const Grid& grid, const View& view, double cell_m) {
+  constexpr double kCells = 0.25;
+  const auto ground = height_at(grid, view.depth_origin_m);
+  return ground && view.eye_z_m / view.exaggeration - *ground >= kCells * cell_m;
+}
+
 // Whether an eye that is given with its height would be under the ground.
 bool buries_eye(const Tin& tin, const View& view) {
   const auto ground = height_at(tin, view.depth_origin_m);
@@ -180,7 +189,10 @@ std::optional<LevelOfDetail> take_patches(TerrainOfView& terrain, const TerrainF
   const Grid& grid = std::get<Grid>(file.surface);
   const TriangleSet& water = of_file.water.triangles;
   const ScaleOnPage scale(grid, placed);
-  const Patches patches = patches_of_view(grid, scale, asked_size(spec.style));
+  const int finest = spec.style.detail.cell_mm || stands_high(grid, placed.view, of_file.cell_m)
+                         ? kFinestLevel
+                         : 0;
+  const Patches patches = patches_of_view(grid, scale, asked_size(spec.style), finest);
   if (std::ranges::all_of(patches.patches(), [](const Patch& patch) { return patch.level == 0; }))
     return std::nullopt;
   Patchwork made = patchwork(grid, patches, [&](int column, int row) {
@@ -285,9 +297,10 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
       tell_larger_cells(as_read, *file.larger_cells);
       return stay_with(as_read);
     }
-    // Up to three times as long as the file's surface takes; and what is seen from there is found
-    // on that (`LookAround`).
-    if (!detail.cell_mm || needs_lattice(file, spec.style)) return stay();
+    // A sheet's underside and a block's walls are the file's, unless a size is asked for.
+    const bool has_more_sides =
+        spec.style.underside == Underside::draw || spec.style.asks_for("block");
+    if (needs_lattice(file, spec.style) || (!detail.cell_mm && has_more_sides)) return stay();
     const auto level =
         take_patches(terrain, of_file, spec, placed_picture(file, of_file, spec, solids));
     return level ? level : stay();

@@ -94,6 +94,7 @@ TEST_CASE("Names of an eye are hidden where it doesn't see their summits") {
     spec.view.eye_map = middle(kSide);
     spec.view.eye_height_m = random.between(5, 100);
     spec.view.curvature = Curvature::off; // which a picture may leave out where it moves nothing
+    spec.style.detail.of_file = true;     // on which sights are, eye and all
     if (!is_panorama(spec.view.projection)) {
       spec.view.look_azimuth = Angle::degrees(random.whole(0, 359));
       spec.view.field_of_view = Angle::degrees(90);

@@ -133,7 +133,7 @@ TEST_CASE("smaller cells are drawn as the terrain that they are, and by the ray 
   }
 }
 
-TEST_CASE("an eye on the ground sees the file's own surface, unless a size is asked for",
+TEST_CASE("an eye sees patches, smooth ones unless it stands close above its cells",
           "[unsanitized]") {
   Random random(2);
   const TerrainData whole = made_terrain(random);
@@ -145,6 +145,16 @@ TEST_CASE("an eye on the ground sees the file's own surface, unless a size is as
   CHECK(smooth.level->step < 1);
   CHECK(smooth.map.facts.check->hidden + smooth.map.facts.check->missing == 0);
   spec.style.detail = {};
+  const Drawn by_default = draw(whole, spec);
+  REQUIRE(by_default.level);
+  CHECK(by_default.level->step < 1);
+  CHECK(by_default.map.facts.check->hidden + by_default.map.facts.check->missing == 0);
+  spec.view.eye_height_m = 2;
+  const Drawn close = draw(whole, spec);
+  CHECK((!close.level || close.level->step >= 1));
+  CHECK(close.map.facts.check->hidden + close.map.facts.check->missing == 0);
+  spec.view.eye_height_m = 100;
+  spec.style.underside = Underside::draw;
   CHECK_FALSE(draw(whole, spec).level);
 }
 
