@@ -253,7 +253,9 @@ private:
     if (at_a || at_b || (aside_a < 0) == (aside_b < 0)) return;
     const ProfilePoint at = point_between(a, b, aside_a / (aside_a - aside_b));
     const double share = rounding_m_ / std::abs(aside_a - aside_b);
-    const double per_depth = view_.is_perspective() ? std::abs(y_of(at.z, at.v)) : 1;
+    // What is nearer than the near plane is met there: straight under the eye Y has no bounds.
+    const double per_depth =
+        view_.is_perspective() ? std::abs(y_of(at.z, std::max(at.v, begin_m_))) : 1;
     meet_on_section({at.z, at.v, share * (std::abs(b.z - a.z) + per_depth * std::abs(b.v - a.v))});
   }
 

@@ -301,4 +301,18 @@ TEST_CASE("a wall that the eye sees, and one turned away, reckoned by hand") {
   }
 }
 
+TEST_CASE("straight over an edge, a hair beside it, rounding is as small as anywhere") {
+  // Level ground with an edge from (-1, -0.5) to (1, 0.5), which the eye stands over.
+  Tin tin;
+  tin.vertices_m = {{-1, -0.5, 0}, {1, 0.5, 0}, {0, 50, 0}, {0, -50, 0}};
+  tin.triangles = {{0, 1, 2}, {1, 0, 3}};
+  for (const double beside_m : {0.0, 1e-10, -1e-10, 1e-7}) {
+    CAPTURE(beside_m);
+    const View view = looking(Projection::perspective, {0, 1}, 0, {0.3, 0.15 + beside_m}, 60);
+    const InFront front = TinRayWalk(tin, view).in_front({-0.05, 20, 0});
+    CHECK(std::abs(front.greatest_y - -60 / 0.5) < 1e-6); // at the near plane
+    CHECK(front.rounding < 1e-9);
+  }
+}
+
 } // namespace orograph::tin_ray_walk_test
