@@ -24,15 +24,10 @@ RowDeparture departure_of_row(std::span<const Height> row, std::span<const Heigh
                               std::span<const Height> lower, double share,
                               const std::vector<PlaceInLevel>& across) {
   RowDeparture sum;
-  const double y = share;
-  // What has no share in it may be missing.
-  const auto part = [](double of, double height) { return of == 0 ? 0 : of * height; };
   for (std::size_t i = 0; i < across.size(); ++i) {
-    const double x = across[i].share;
     const auto cell = static_cast<std::size_t>(across[i].cell);
-    const double drawn =
-        x > y ? part(1 - x, upper[cell]) + part(x - y, upper[cell + 1]) + part(y, lower[cell + 1])
-              : part(1 - y, upper[cell]) + part(y - x, lower[cell]) + part(x, lower[cell + 1]);
+    const double drawn = height_in_cell(upper[cell], upper[cell + 1], lower[cell], lower[cell + 1],
+                                        across[i].share, share);
     const double apart = std::abs(drawn - row[i]);
     if (std::isnan(apart)) continue;
     sum.greatest_m = std::max(sum.greatest_m, apart);

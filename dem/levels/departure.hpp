@@ -18,6 +18,15 @@ struct Departure {
 /// REQUIRES a level that has the grid's corners. Cost: some 3 ns a height of `grid`.
 Departure departure_of(const Grid& level, const Grid& grid);
 
+/// Between three corners of a cell that is split from north-west to south-east, at shares of it
+/// from the west and from the north; NaN where one that has a share in it is.
+inline double height_in_cell(double north_west, double north_east, double south_west,
+                             double south_east, double x, double y) {
+  const auto part = [](double share, double height) { return share == 0 ? 0 : share * height; };
+  return x > y ? part(1 - x, north_west) + part(x - y, north_east) + part(y, south_east)
+               : part(1 - y, north_west) + part(y - x, south_west) + part(x, south_east);
+}
+
 // The same of a grid whose rows come one by one.
 
 /// Where a row or a column of the grid is in the level: between which two, and how far into that

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/levels/patch_heights.hpp"
 
+#include "dem/levels/departure.hpp"
 #include "dem/levels/generalise.hpp"
 #include "dem/levels/part_of_grid.hpp"
 #include "dem/levels/refine.hpp"
@@ -64,14 +65,6 @@ std::vector<double> heights_in_grid(const Grid& grid, const Patches& patches, co
   return out;
 }
 
-// Between three corners of a cell split from north-west to south-east; NaN where one that has a
-// share in it is.
-double in_cell(double nw, double ne, double sw, double se, double x, double y) {
-  const auto part = [](double share, double height) { return share == 0 ? 0 : share * height; };
-  return x > y ? part(1 - x, nw) + part(x - y, ne) + part(y, se)
-               : part(1 - y, nw) + part(y - x, sw) + part(x, se);
-}
-
 // At the vertices of smaller cells.
 Departure departure_of_refined(const Grid& grid, std::int64_t file, const PatchHeights& own) {
   SumOfDepartures sum;
@@ -82,9 +75,10 @@ Departure departure_of_refined(const Grid& grid, std::int64_t file, const PatchH
       const double x = static_cast<double>(own.columns[i] - column * file) /
                        static_cast<double>(file),
                    y = static_cast<double>(own.rows[j] - row * file) / static_cast<double>(file);
-      sum.add(own.at(i, j) - in_cell(grid.height_m(column, row), grid.height_m(column + 1, row),
-                                     grid.height_m(column, row + 1),
-                                     grid.height_m(column + 1, row + 1), x, y));
+      sum.add(own.at(i, j) - height_in_cell(grid.height_m(column, row),
+                                            grid.height_m(column + 1, row),
+                                            grid.height_m(column, row + 1),
+                                            grid.height_m(column + 1, row + 1), x, y));
     }
   return sum.take();
 }
@@ -92,7 +86,8 @@ Departure departure_of_refined(const Grid& grid, std::int64_t file, const PatchH
 } // namespace
 
 double height_in_cell(const PatchHeights& own, std::size_t i, std::size_t j, double x, double y) {
-  return in_cell(own.at(i, j), own.at(i + 1, j), own.at(i, j + 1), own.at(i + 1, j + 1), x, y);
+  return height_in_cell(own.at(i, j), own.at(i + 1, j), own.at(i, j + 1), own.at(i + 1, j + 1), x,
+                        y);
 }
 
 Departure SumOfDepartures::take() const {
