@@ -5,6 +5,7 @@
 #include "dem/extent.hpp"
 #include "dem/read/raster_bands.hpp"
 #include "dem/read/read_terrain.hpp"
+#include "geometry/angle.hpp"
 #include "placing/terrain_facts.hpp"
 #include "profiles/surface_edges.hpp"
 #include "text/printable.hpp"
@@ -13,7 +14,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <string_view>
 
 namespace orograph {
@@ -27,12 +27,6 @@ void add_line(std::string& text, std::string_view word, const std::string& value
 /// Enough digits for a millimetre in a map's coordinates, and none that aren't needed.
 std::string coordinate(double x) {
   return fmt::format("{:.10g}", x);
-}
-
-/// Clockwise from north, 0 to 360.
-double azimuth_deg(Vec2 direction) {
-  const double deg = std::atan2(direction.x, direction.y) * 180 / std::numbers::pi;
-  return deg < 0 ? deg + 360 : deg;
 }
 
 std::string describe_cell(const Grid& grid) {

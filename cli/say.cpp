@@ -12,7 +12,7 @@ namespace {
 // Longer than any message of our own; what makes one longer is a name or a value of the user's.
 constexpr std::size_t kLongestLine = 1000;
 
-std::FILE* told = stderr;
+std::FILE* stream_of_notes = stderr;
 
 } // namespace
 
@@ -22,23 +22,23 @@ void keep_stderr_from_libraries() {
   const int nowhere = stream ? ::open("/dev/null", O_WRONLY | O_CLOEXEC) : -1;
   if (nowhere < 0) return;
   std::setvbuf(stream, nullptr, _IONBF, 0);
-  told = stream;
+  stream_of_notes = stream;
   ::dup2(nowhere, STDERR_FILENO);
   ::close(nowhere);
 }
 
 std::FILE* told_stream() {
-  return told;
+  return stream_of_notes;
 }
 
 void say_line(std::string_view text) {
   const std::string line = "orograph: " + shortened(printable(text), kLongestLine) + "\n";
-  std::fwrite(line.data(), 1, line.size(), told);
+  std::fwrite(line.data(), 1, line.size(), stream_of_notes);
 }
 
 void say_without_memory(std::string_view text) noexcept {
   for (const std::string_view part : {std::string_view("orograph: "), text, std::string_view("\n")})
-    if (::write(::fileno(told), part.data(), part.size()) < 0) return;
+    if (::write(::fileno(stream_of_notes), part.data(), part.size()) < 0) return;
 }
 
 } // namespace orograph

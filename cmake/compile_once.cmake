@@ -59,7 +59,7 @@ endfunction()
 # file that can't follow has SKIP_UNITY_BUILD_INCLUSION.
 function(orograph_compile_together target)
   if(OROGRAPH_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
     # This warning takes every file of the bundle but the bundle itself for a header.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()

@@ -127,7 +127,6 @@ void heights_of_blocks(const Grid& grid, const Heights<Value>& heights,
   }
 }
 
-constexpr int side = kBlockSide;
 constexpr int group_side = 8; // in blocks
 constexpr int tile_side = 8;  // in vertices
 
@@ -154,17 +153,17 @@ Box2 ground_box(const Grid& grid, const Heights<Value>& heights, const Block& bl
 
 std::vector<Block> blocks_of(const Grid& grid) {
   std::vector<Block> blocks;
-  for (int row = 0; row < grid.rows; row += side)
-    for (int column = 0; column < grid.columns; column += side)
-      blocks.push_back(
-          {column, row, std::min(side, grid.columns - column), std::min(side, grid.rows - row)});
+  for (int row = 0; row < grid.rows; row += kBlockSide)
+    for (int column = 0; column < grid.columns; column += kBlockSide)
+      blocks.push_back({column, row, std::min(kBlockSide, grid.columns - column),
+                        std::min(kBlockSide, grid.rows - row)});
   return blocks;
 }
 
 // Squares of blocks, without those that have no block.
 std::vector<BlockGroup> groups_of(const Grid& grid, const std::vector<Block>& blocks,
                                   const std::vector<Box3>& boxes) {
-  constexpr int across = group_side * side; // in vertices
+  constexpr int across = group_side * kBlockSide; // in vertices
   const int columns = (grid.columns + across - 1) / across,
             rows = (grid.rows + across - 1) / across;
   std::vector<BlockGroup> groups(static_cast<std::size_t>(columns) *
@@ -231,7 +230,7 @@ struct BlockRange {
 std::vector<BlockRange> side_by_side(const std::vector<Block>& blocks) {
   std::vector<BlockRange> ranges;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (blocks[i].column % (kBlocksTogether * side) == 0) ranges.push_back({i, i});
+    if (blocks[i].column % (kBlocksTogether * kBlockSide) == 0) ranges.push_back({i, i});
     ranges.back().end = i + 1;
   }
   return ranges;
@@ -267,7 +266,7 @@ struct EarthRow {
 
 // A coordinate's bounds, a lane a column.
 struct Lanes {
-  std::array<double, side> low, high;
+  std::array<double, kBlockSide> low, high;
   Lanes() {
     low.fill(std::numeric_limits<double>::infinity());
     high.fill(-std::numeric_limits<double>::infinity());
@@ -284,8 +283,8 @@ struct Lanes {
 
 struct EarthBlock {
   Lanes x, y, z;
-  std::array<double, side> sum{};
-  std::array<int, side> count{};
+  std::array<double, kBlockSide> sum{};
+  std::array<int, kBlockSide> count{};
 
   void take(const EarthRow& row, int first, int columns) {
     x.take(&row.x[first], columns);
@@ -323,18 +322,18 @@ void find_on_earth(const Grid& grid, const Heights<Value>& heights, Found& out) 
   for (const Block& block : blocks_of(grid)) {
     if (block.column == 0) {
       throw_if_stopped();
-      blocks.assign(static_cast<std::size_t>((grid.columns + side - 1) / side), {});
+      blocks.assign(static_cast<std::size_t>((grid.columns + kBlockSide - 1) / kBlockSide), {});
       for (int r = block.row; r < block.row + block.rows; ++r) {
         std::swap(north, row);
         earth.row_vertices_m(r, {&heights[grid.index(0, r)], row.x.size()}, row.x, row.y, row.z);
         for (std::size_t b = 0; b < blocks.size(); ++b) {
-          const int first = static_cast<int>(b) * side;
-          blocks[b].take(row, first, std::min(side, grid.columns - first));
+          const int first = static_cast<int>(b) * kBlockSide;
+          blocks[b].take(row, first, std::min(kBlockSide, grid.columns - first));
         }
         if (r > 0) out.extent.turned_over += turned_over(north, row);
       }
     }
-    const EarthBlock& found = blocks[static_cast<std::size_t>(block.column / side)];
+    const EarthBlock& found = blocks[static_cast<std::size_t>(block.column / kBlockSide)];
     const auto count =
         static_cast<std::size_t>(std::accumulate(found.count.begin(), found.count.end(), 0));
     if (count == 0) continue;

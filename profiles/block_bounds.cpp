@@ -14,7 +14,6 @@ namespace orograph {
 namespace {
 
 constexpr int kSide = SeenGround::kSide;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Of a row of blocks of a grid on a map plane.
 template <class Height>

@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -119,7 +118,6 @@ private:
     float nearest_m, farthest_m;
   };
   static constexpr int kBlock = 64;
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   friend class EarthStripsScan;
   EarthStrips(const Grid& grid, const View& view, const LookedAt& looked, bool are_rows);

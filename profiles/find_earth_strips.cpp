@@ -38,7 +38,6 @@ public:
 
 private:
   static constexpr int kStripsOfTask = 64;
-  static constexpr double kInfinity = EarthStrips::kInfinity;
   // Which sides of what is looked at a vertex is beyond.
   static constexpr std::uint8_t kBehind = 1, kLeft = 2, kRight = 4;
   // On which side of an edge the eye is: that of higher lines, or of lower ones.

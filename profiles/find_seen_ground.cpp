@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -18,7 +17,6 @@ namespace orograph {
 namespace {
 
 constexpr int kSide = SeenGround::kSide;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Beside a wide perspective view X runs off to infinity; what is farther aside is looked at.
 constexpr double kFarAside = 8;
 // Cells from a profile to the next: with 8 a tenth of the ground more is left out, at twice the

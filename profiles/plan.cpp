@@ -13,8 +13,6 @@
 namespace orograph {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 DepthRange in_parallel(const PlanGround& ground, const View& view) {
   double low = kInfinity, high = -kInfinity;
   for (const Vec3& ray : corner_rays(view)) {
@@ -229,8 +227,7 @@ private:
     const auto way_along = [&](Vec2 step) {
       const Box2& window = view_.window;
       const auto reach = [](double begin, double change, double low, double high) {
-        return change == 0 ? std::numeric_limits<double>::infinity()
-                           : ((change < 0 ? low : high) - begin) / change;
+        return change == 0 ? kInfinity : ((change < 0 ? low : high) - begin) / change;
       };
       return std::max(0.0, std::min(reach(start.x, step.x, window.low.x, window.high.x),
                                     reach(start.y, step.y, window.low.y, window.high.y)));

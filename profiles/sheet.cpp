@@ -16,13 +16,13 @@
 namespace orograph {
 namespace {
 
-constexpr std::size_t kOfTask = std::size_t{1} << 15U;
+constexpr std::size_t kVerticesOfTask = std::size_t{1} << 15U;
 
 template <class Take>
 void in_tasks(std::size_t count, const Take& take) {
-  on_all_cores((count + kOfTask - 1) / kOfTask, [&](std::size_t task) {
-    const std::size_t end = std::min(count, (task + 1) * kOfTask);
-    take(task, task * kOfTask, end);
+  on_all_cores((count + kVerticesOfTask - 1) / kVerticesOfTask, [&](std::size_t task) {
+    const std::size_t end = std::min(count, (task + 1) * kVerticesOfTask);
+    take(task, task * kVerticesOfTask, end);
   });
 }
 
@@ -91,7 +91,7 @@ SheetTriangles::Sides SheetTriangles::sides_of(SurfaceEdge edge) const {
 namespace {
 
 // Edges at which the side of the sheet that the eye sees changes.
-struct Turns {
+struct TurnsOfSheet {
   std::vector<SurfaceEdge> ridges, valleys;
 };
 
@@ -101,7 +101,7 @@ public:
       : sheet_(sheet), view_(view), vertices_(surface, view) {}
 
   // Of the vertices of some rows: of each its edges to the east, the south and the south-east.
-  void in_rows(const Grid& grid, std::size_t begin, std::size_t end, Turns& out) const {
+  void in_rows(const Grid& grid, std::size_t begin, std::size_t end, TurnsOfSheet& out) const {
     const auto columns = static_cast<std::size_t>(grid.columns), cells = columns - 1;
     for (std::size_t row = begin; row < end; ++row) {
       const std::uint8_t* const is_up = &sheet_.is_up[2 * row * cells];
@@ -124,7 +124,7 @@ public:
     }
   }
 
-  void in_triangles(std::size_t begin, std::size_t end, Turns& out) const {
+  void in_triangles(std::size_t begin, std::size_t end, TurnsOfSheet& out) const {
     for (std::size_t t = begin; t < end; ++t) {
       const auto number = static_cast<std::uint32_t>(t);
       const auto corners = sheet_.triangles.corners(number);
@@ -142,7 +142,7 @@ private:
   bool is_there(std::size_t t) const {
     return sheet_.triangles.is_there(static_cast<std::uint32_t>(t));
   }
-  void add_turn(SurfaceEdge edge, Turns& out) const {
+  void add_turn(SurfaceEdge edge, TurnsOfSheet& out) const {
     const int side = eye_side(view_, vertices_[edge.from], vertices_[edge.to]);
     if (side == 0) return; // straight away from the eye, or towards it
     const auto [left, right] = sheet_.triangles.sides_of(edge);
@@ -156,15 +156,15 @@ private:
 };
 
 // Calls take(task, first, end) on all cores with the rows of cells of each task.
-constexpr std::size_t kRowsOfTask = 64;
+constexpr std::size_t kCellRowsOfTask = 64;
 std::size_t task_count(const Grid& grid) {
-  return (static_cast<std::size_t>(grid.rows) - 1 + kRowsOfTask - 1) / kRowsOfTask;
+  return (static_cast<std::size_t>(grid.rows) - 1 + kCellRowsOfTask - 1) / kCellRowsOfTask;
 }
 template <class Take>
 void in_rows_of_tasks(const Grid& grid, const Take& take) {
   const auto rows = static_cast<std::size_t>(grid.rows) - 1;
   on_all_cores(task_count(grid), [&](std::size_t task) {
-    take(task, task * kRowsOfTask, std::min(rows, (task + 1) * kRowsOfTask));
+    take(task, task * kCellRowsOfTask, std::min(rows, (task + 1) * kCellRowsOfTask));
   });
 }
 
@@ -220,13 +220,13 @@ namespace {
 // Whether a wall lacks a neighbour but beside an upright side of it, or ground ends at one place at
 // two heights without a wall between them: then one sees through between pieces that have no order.
 bool has_cracks(const Tin& tin, const TriangleSet& walls) {
-  using Place = std::array<double, 2>;
-  std::vector<std::array<Place, 2>> ends; // of ground, seen from above
+  using At = std::array<double, 2>;
+  std::vector<std::array<At, 2>> ends; // of ground, seen from above
   bool is_free = false;
   for_each_edge(tin, [&](const TinEdge& of) {
     if (of.left != kNoTriangle && of.right != kNoTriangle) return;
     const Vec3 &a = tin.vertices_m[of.edge.from], &b = tin.vertices_m[of.edge.to];
-    const auto [from, to] = std::minmax({Place{a.x, a.y}, Place{b.x, b.y}});
+    const auto [from, to] = std::minmax({At{a.x, a.y}, At{b.x, b.y}});
     if (from == to) return;
     is_free = is_free || walls.has(of.left != kNoTriangle ? of.left : of.right);
     ends.push_back({from, to});
@@ -247,7 +247,7 @@ Sheet sheet_of(const Surface& surface, const View& view) {
   }
   sheet.is_up.resize(sheet.triangles.count());
   const FindTurns turns(sheet, surface, view);
-  std::vector<Turns> of_tasks;
+  std::vector<TurnsOfSheet> of_tasks;
   const Grid* const grid = std::get_if<Grid>(&surface);
   if (grid) {
     find_facing(*grid, view, sheet.is_up);
@@ -257,12 +257,12 @@ Sheet sheet_of(const Surface& surface, const View& view) {
     });
   } else {
     find_facing(surface, sheet.triangles, view, sheet.is_up);
-    of_tasks.resize((sheet.is_up.size() + kOfTask - 1) / kOfTask);
+    of_tasks.resize((sheet.is_up.size() + kVerticesOfTask - 1) / kVerticesOfTask);
     in_tasks(sheet.is_up.size(), [&](std::size_t task, std::size_t begin, std::size_t end) {
       turns.in_triangles(begin, end, of_tasks[task]);
     });
   }
-  for (Turns& found : of_tasks) {
+  for (TurnsOfSheet& found : of_tasks) {
     throw_if_stopped();
     sheet.ridges.insert(sheet.ridges.end(), found.ridges.begin(), found.ridges.end());
     sheet.valleys.insert(sheet.valleys.end(), found.valleys.begin(), found.valleys.end());

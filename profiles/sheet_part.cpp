@@ -18,32 +18,32 @@ double diamond_angle(double u, double v) {
   const double share = size > 0 ? u / size : 0;
   return v >= 0 ? share : (u >= 0 ? 2 : -2) - share;
 }
-constexpr double kTurn = 4;
+constexpr double kAllRound = 4;
 
 // Sectors overlap by 1e-7, and lines are given to those within a millionth.
-constexpr double kBeside = 1e-5;
+constexpr double kWedgeRounding = 1e-5;
 
 // Wedges about the eye, and which of them a convex figure reaches into.
 class Wedges {
 public:
   explicit Wedges(std::span<const AzimuthWedge> wedges) {
     for (const AzimuthWedge& wedge : wedges) {
-      const double begin = wedge.begin - kBeside, end = wedge.end + kBeside,
+      const double begin = wedge.begin - kWedgeRounding, end = wedge.end + kWedgeRounding,
                    middle = 0.5 * (begin + end);
       rays_.push_back({{std::sin(begin), std::cos(begin)},
                        {std::sin(end), std::cos(end)},
                        {std::sin(middle), std::cos(middle)}});
       const double from = diamond_angle(std::sin(begin), std::cos(begin));
       double to = diamond_angle(std::sin(end), std::cos(end));
-      if (to < from) to += kTurn;
+      if (to < from) to += kAllRound;
       const auto number = static_cast<std::uint32_t>(rays_.size()) - 1;
-      for (const double turned : {-kTurn, 0.0, kTurn})
+      for (const double turned : {-kAllRound, 0.0, kAllRound})
         if (to + turned >= -2 && from + turned <= 2)
           shown_.push_back({from + turned, to + turned, number});
     }
     std::ranges::sort(shown_, {}, &Shown::begin);
     for (std::size_t bin = 0; bin < kBins; ++bin) {
-      const double begin = -2 + kTurn * static_cast<double>(bin) / kBins;
+      const double begin = -2 + kAllRound * static_cast<double>(bin) / kBins;
       first_.push_back(static_cast<std::uint32_t>(
           std::ranges::find_if(shown_, [&](const Shown& of) { return of.end >= begin; }) -
           shown_.begin()));
@@ -64,7 +64,7 @@ public:
     }
     constexpr double kRounding = 1e-12;
     const auto bin = static_cast<std::size_t>(
-        std::clamp((low - kRounding + 2) / kTurn * kBins, 0.0, kBins - 1.0));
+        std::clamp((low - kRounding + 2) / kAllRound * kBins, 0.0, kBins - 1.0));
     for (std::size_t i = first_[bin]; i < shown_.size() && shown_[i].begin <= high + kRounding; ++i)
       if (shown_[i].end >= low - kRounding) take(shown_[i].number);
   }
@@ -110,8 +110,8 @@ public:
       part.cells_ = static_cast<std::uint32_t>(columns) - 1;
       part.rows_.resize(rows);
     }
-    constexpr std::size_t kRowsOfTask = 32;
-    on_all_cores((rows + kRowsOfTask - 1) / kRowsOfTask, [&](std::size_t task) {
+    constexpr std::size_t kRows = 32;
+    on_all_cores((rows + kRows - 1) / kRows, [&](std::size_t task) {
       std::vector<ProfilePoint> above, below;
       std::vector<double> angles_above, angles_below;
       FilledRows filled(grid, view_, vertices_);
@@ -127,7 +127,7 @@ public:
         for (std::size_t i = 0; i < columns; ++i)
           angles[i] = diamond_angle(points[i].u, points[i].v);
       };
-      const std::size_t begin = task * kRowsOfTask, end = std::min(rows, begin + kRowsOfTask);
+      const std::size_t begin = task * kRows, end = std::min(rows, begin + kRows);
       read(begin, below, angles_below);
       for (std::size_t row = begin; row < end; ++row) {
         throw_if_stopped();
@@ -221,10 +221,9 @@ PartVertices::PartVertices(const Surface& surface, const View& view, const Sheet
   own_.resize(count);
   std::visit(
       [&](const auto& lattice, const auto& heights) {
-        constexpr std::size_t kRowsOfTask = 64;
-        on_all_cores((rows.size() + kRowsOfTask - 1) / kRowsOfTask, [&](std::size_t task) {
-          for (std::size_t r = task * kRowsOfTask;
-               r < std::min(rows.size(), (task + 1) * kRowsOfTask); ++r)
+        constexpr std::size_t kRows = 64;
+        on_all_cores((rows.size() + kRows - 1) / kRows, [&](std::size_t task) {
+          for (std::size_t r = task * kRows; r < std::min(rows.size(), (task + 1) * kRows); ++r)
             for (std::uint32_t c = rows[r].first; c < rows[r].behind; ++c)
               own_[rows[r].place + c - rows[r].first] =
                   to_profile_frame(view, lattice.vertex_m(static_cast<int>(c), static_cast<int>(r),

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -31,7 +30,6 @@ class IsolineLevels {
 public:
   explicit IsolineLevels(std::span<const double> levels)
       : count_(static_cast<double>(levels.size())) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     bounds_.push_back(-kInfinity);
     bounds_.insert(bounds_.end(), levels.begin(), levels.end());
     bounds_.push_back(kInfinity);
@@ -97,7 +95,7 @@ private:
 
   std::vector<double> bounds_; ///< the levels, between infinities
   double count_, first_ = 0, per_value_ = 0;
-  double rounding_ = std::numeric_limits<double>::infinity(); ///< of a level's place
+  double rounding_ = kInfinity; ///< of a level's place
 };
 
 /// An end of an edge, with its number.

@@ -9,7 +9,6 @@
 namespace orograph {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Places that are closer on the page are the same.
 constexpr double kSame_mm = 1e-4;
 constexpr int kFirstParts = 4;

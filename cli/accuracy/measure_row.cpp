@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -32,7 +31,7 @@
 namespace orograph {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNever = kInfinity;
 // Points for each end that is asked about, which takes a few hundred rays.
 constexpr int kProbesAnEnd = 40;
 
@@ -96,7 +95,6 @@ Map draw_exactly(const TerrainData& terrain, const PlacedView& scene,
   const auto since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Map out;
   StageSeconds& seconds = out.facts.seconds;
   Counts& counts = out.facts.counts;

@@ -24,7 +24,6 @@ void RowGathering::begin(const LevelWindow& window) {
 
 template <class Height>
 void RowGathering::add(std::span<const Height> line, int row) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const std::size_t width = line.size();
   if (sum_.empty()) {
     sum_.assign(width, 0);

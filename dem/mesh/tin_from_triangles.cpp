@@ -25,7 +25,7 @@ namespace {
 // Points that are given more than once are found by a hash table with open addresses: a soup of
 // millions of points is merged in the time that it takes to go to memory for each.
 
-constexpr std::uint32_t none = 0xffffffff;
+constexpr std::uint32_t kEmpty = 0xffffffff;
 
 // Multiplication by an odd number carries low bits upwards; the shift brings them back.
 std::uint64_t mixed(std::uint64_t bits) {
@@ -41,14 +41,14 @@ std::uint64_t hash(const Vec3& p) {
 // For each point the number of the first one that is equal to it in all coordinates: its own
 // unless an earlier one is. 0 and -0 are equal. REQUIRES finite coordinates. Cost O(n).
 std::vector<std::uint32_t> first_equal(std::span<const Vec3> points) {
-  std::vector<std::uint32_t> table(std::bit_ceil(2 * points.size() + 1), none);
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * points.size() + 1), kEmpty);
   std::vector<std::uint32_t> first(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     throw_if_stopped(i);
     std::size_t place = hash(points[i]) & (table.size() - 1);
-    while (table[place] != none && points[table[place]] != points[i])
+    while (table[place] != kEmpty && points[table[place]] != points[i])
       place = (place + 1) & (table.size() - 1);
-    if (table[place] == none) table[place] = i;
+    if (table[place] == kEmpty) table[place] = i;
     first[i] = table[place];
   }
   return first;

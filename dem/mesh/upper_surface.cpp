@@ -37,7 +37,7 @@ std::vector<OverlappingPair> overlapping_pairs(const Tin& tin, double tolerance_
 }
 
 // A sum whose error doesn't grow with the number of terms (Kahan 1965).
-struct Sum {
+struct KahanSum {
   double value = 0, lost = 0;
   void add(double term) {
     const double whole = term - lost, next = value + whole;
@@ -59,7 +59,7 @@ std::vector<bool> over_all(const Tin& tin, const std::vector<OverlappingPair>& p
 // overlap each other, so what they have in common with one below adds up.
 std::vector<bool> wholly_hidden(const Tin& tin, const std::vector<OverlappingPair>& pairs) {
   const std::vector<bool> over = over_all(tin, pairs);
-  std::vector<Sum> covered(tin.triangles.size());
+  std::vector<KahanSum> covered(tin.triangles.size());
   for (const OverlappingPair& pair : pairs)
     for (const int i : {0, 1})
       if (over[pair.triangles[i]]) covered[pair.triangles[1 - i]].add(pair.ground.area_m2);

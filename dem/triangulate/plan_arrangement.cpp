@@ -90,14 +90,14 @@ void SegmentBuckets::near(Vec2 from, Vec2 to, std::vector<std::uint32_t>& out) c
   out.erase(std::unique(out.begin(), out.end()), out.end());
 }
 
-constexpr std::uint32_t none = 0xffffffff;
+constexpr std::uint32_t kNoPoint = 0xffffffff;
 
 struct Segment {
   Step ends;
-  std::uint32_t via = none; ///< replaced by the two steps over this point
+  std::uint32_t via = kNoPoint; ///< replaced by the two steps over this point
   bool dropped = false;
 
-  bool alive() const { return via == none && !dropped; }
+  bool alive() const { return via == kNoPoint && !dropped; }
 };
 
 class Uncrossing {
@@ -140,12 +140,12 @@ private:
   // The nearest point within reach; a new one if there is none.
   std::uint32_t point_near(Vec2 p) {
     point_buckets_.near(p, p, near_points_);
-    std::uint32_t nearest = none;
+    std::uint32_t nearest = kNoPoint;
     for (const std::uint32_t candidate : near_points_)
       if (length(at(candidate) - p) <= reach_m_ &&
-          (nearest == none || length(at(candidate) - p) < length(at(nearest) - p)))
+          (nearest == kNoPoint || length(at(candidate) - p) < length(at(nearest) - p)))
         nearest = candidate;
-    return nearest != none ? nearest : point(p);
+    return nearest != kNoPoint ? nearest : point(p);
   }
 
   // New segments stand last, and are looked at in their turn.
@@ -228,7 +228,7 @@ private:
     if (from == to) return;
     const Segment& s = segments_[number_of_.at(key(from, to))];
     if (s.dropped) return;
-    if (s.via == none) return steps.push_back({from, to});
+    if (s.via == kNoPoint) return steps.push_back({from, to});
     expand(from, s.via, steps);
     expand(s.via, to, steps);
   }

@@ -53,6 +53,11 @@ Angle atan2_angle(double y, double x) {
   return Angle::degrees(std::atan2(y, x) / kRadiansPerDegree);
 }
 
+double azimuth_deg(Vec2 direction) {
+  const double deg = atan2_angle(direction.x, direction.y).in_degrees();
+  return deg < 0 ? deg + 360 : deg;
+}
+
 Vec2 direction_of_azimuth(Angle azimuth) {
   return {sin(azimuth), cos(azimuth)};
 }

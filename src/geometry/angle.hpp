@@ -37,6 +37,8 @@ OROGRAPH_API double cos(Angle a);
 OROGRAPH_API double tan(Angle a);
 /// Angle of the vector (x, y) from the x axis, in (-180, 180] degrees; exact on the axes.
 OROGRAPH_API Angle atan2_angle(double y, double x);
+/// Of a direction in the plane, clockwise from y, in [0, 360); exact on the axes.
+OROGRAPH_API double azimuth_deg(Vec2 direction);
 
 /// Unit vector (east, north) of an azimuth, clockwise from north.
 OROGRAPH_API Vec2 direction_of_azimuth(Angle azimuth);

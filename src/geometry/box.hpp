@@ -5,13 +5,12 @@
 #include "geometry/vec.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace orograph {
 
 struct Box2 {
-  Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Vec2 low{kInfinity, kInfinity};
+  Vec2 high{-kInfinity, -kInfinity};
 
   bool empty() const { return !(low.x <= high.x && low.y <= high.y); }
   double width() const { return high.x - low.x; }
@@ -24,10 +23,8 @@ struct Box2 {
 };
 
 struct Box3 {
-  Vec3 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-           std::numeric_limits<double>::infinity()};
-  Vec3 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-            -std::numeric_limits<double>::infinity()};
+  Vec3 low{kInfinity, kInfinity, kInfinity};
+  Vec3 high{-kInfinity, -kInfinity, -kInfinity};
 
   bool empty() const { return !(low.x <= high.x && low.y <= high.y && low.z <= high.z); }
   Vec3 centre() const { return 0.5 * (low + high); }

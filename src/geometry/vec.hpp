@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 namespace orograph {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Vec2 {
   double x = 0, y = 0;

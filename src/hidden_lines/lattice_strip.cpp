@@ -5,14 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace orograph {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-} // namespace
+namespace {} // namespace
 
 LatticeStrip::LatticeStrip(const LatticeInWork& lattice, const Strip& strip,
                            std::span<const LineAtDepth> which, std::span<const Segment> near_cut,

@@ -40,7 +40,6 @@ bool goes_in_order(const Grid& grid, const Sector& sector, const EarthStrips* st
 
 // A panorama's profiles turn at its sectors' borders.
 XRange asked_range(const Sector& sector, bool in_list, const Instruments& instruments) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return !sector.frame_mm && (in_list || instruments.beyond_page) ? XRange{-kInfinity, kInfinity}
                                                                   : page_range(sector);
 }
@@ -105,8 +104,7 @@ std::optional<EarthStrips> earth_strips_of(const Grid& grid, const TerrainData& 
   if (placed.extent.turned_over > 0 || placed.sectors.size() != 1) return std::nullopt;
   const Sector& sector = placed.sectors.front();
   const View& view = sector.view;
-  const double from_m =
-      view.is_perspective() ? view.near_m : -std::numeric_limits<double>::infinity();
+  const double from_m = view.is_perspective() ? view.near_m : -kInfinity;
   const std::vector<EdgeLine> none;
   const LinePictures pictures(terrain.surface, placed.reach_m, {}, sector, none,
                               asked_range(sector, false, instruments), from_m);

@@ -21,7 +21,6 @@
 #include "profiles/lattice_order.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -117,7 +116,7 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
     watch = {};
   }
   if (last_m < sector.farthest_m) take_slabs(sector.farthest_m);
-  take_slab(std::numeric_limits<double>::infinity());
+  take_slab(kInfinity);
   watch.mark(seconds.clip);
   counts.ties += workspace.ties;
   counts.pieces_before_collapse += workspace.pieces_uncollapsed;
@@ -146,7 +145,6 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
                         const Instruments& instruments, ProfileLayer* profiles,
                         const PassCounts& found, const std::function<void()>& profile_done) {
   auto& [counts, seconds] = found;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Stopwatch watch;
   const View& view = sector.view;
   const bool surface = style.occluder == Occluder::surface;

@@ -10,8 +10,6 @@
 namespace orograph {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // How many steps there are from a place in [0, last] back to its border.
 int steps_back(int at, int step, int last) {
   if (step == 0) return std::numeric_limits<int>::max();

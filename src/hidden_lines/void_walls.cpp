@@ -3,13 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace orograph {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Points that rims connect have one number: that of a void, or of several that touch.
 class Connected {

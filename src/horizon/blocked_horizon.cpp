@@ -12,8 +12,6 @@
 namespace orograph {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 float lowest(const Horizon& pieces) {
   float low = std::numeric_limits<float>::infinity();
   for (const HorizonPiece& piece : pieces) low = std::min(low, piece.low);

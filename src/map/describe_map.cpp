@@ -34,12 +34,6 @@ std::string projection_name(Projection projection) {
   return "perspective";
 }
 
-// In [0, 360); exactly the direction's for views along the axes.
-double azimuth_deg(Vec2 direction) {
-  const double deg = atan2_angle(direction.x, direction.y).in_degrees();
-  return deg < 0 ? deg + 360 : deg;
-}
-
 std::string spacing_text(const PlanRequest& plan) {
   if (const auto* page = std::get_if<PageSpacing>(&plan)) return fmt::format("{}mm", page->mm);
   if (const auto* ground = std::get_if<GroundSpacing>(&plan)) return fmt::format("{}m", ground->m);

@@ -27,10 +27,6 @@ double in_turn(double azimuth_deg) {
   return deg < 360 ? deg : 0;
 }
 
-double azimuth_deg(Vec2 direction) {
-  return in_turn(atan2_angle(direction.x, direction.y).in_degrees());
-}
-
 // Part of what a call does: `before` of `all` looks are done already.
 struct Share {
   std::size_t before, all;

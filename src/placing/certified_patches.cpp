@@ -23,8 +23,6 @@
 namespace orograph {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // Whether no height of the file is farther than this from the triangles that a part has in cells of
 // 2^level, and none is missing. REQUIRES a part of whole cells.
 template <class Height>

@@ -9,13 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace orograph {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Profiles are polygons about the eye, whose corners are seen in the foreground as bends: with
 // sectors of 15 degrees of 7 degrees where one looks 25 degrees down, with these of 2, a tenth of a
@@ -46,30 +43,30 @@ double tangent_of(PanoramaKind kind, double height) {
 }
 
 // Azimuths in degrees of the frame, rising from the left side.
-struct Wedge {
+struct Slice {
   double axis_deg, from_deg, to_deg;
 };
 
-std::vector<Wedge> wedges(const Panorama& panorama) {
+std::vector<Slice> slices(const Panorama& panorama) {
   const double from = panorama.middle_deg - 0.5 * panorama.width_deg,
                to = panorama.middle_deg + 0.5 * panorama.width_deg;
-  std::vector<Wedge> out;
+  std::vector<Slice> out;
   for (double k = std::floor(from / kSector_deg + 0.5); (k - 0.5) * kSector_deg < to; ++k) {
     const double axis = k * kSector_deg;
-    const Wedge wedge{axis, std::max(from, axis - 0.5 * kSector_deg),
+    const Slice slice{axis, std::max(from, axis - 0.5 * kSector_deg),
                       std::min(to, axis + 0.5 * kSector_deg)};
-    if (wedge.to_deg - wedge.from_deg > kRounding_deg) out.push_back(wedge);
+    if (slice.to_deg - slice.from_deg > kRounding_deg) out.push_back(slice);
   }
   return out;
 }
 
-View view_of(const Wedge& wedge, const Panorama& panorama, const View& ahead) {
+View view_of(const Slice& slice, const Panorama& panorama, const View& ahead) {
   View view = ahead;
-  view.forward = direction_of_azimuth(Angle::degrees(std::remainder(wedge.axis_deg, 360)));
+  view.forward = direction_of_azimuth(Angle::degrees(std::remainder(slice.axis_deg, 360)));
   view.right = {view.forward.y, 0 - view.forward.x};
   view.drop = drop_in_frame(panorama.drop, view.forward);
-  const double left = tangent(wedge.from_deg - wedge.axis_deg),
-               right = tangent(wedge.to_deg - wedge.axis_deg);
+  const double left = tangent(slice.from_deg - slice.axis_deg),
+               right = tangent(slice.to_deg - slice.axis_deg);
   // Altitudes are higher in Y beside the axis.
   const double aside = std::hypot(1, std::max(std::abs(left), std::abs(right)));
   view.window = {{left, panorama.low_tangent * (panorama.low_tangent < 0 ? aside : 1)},
@@ -106,7 +103,7 @@ struct Altitude {
 
 private:
   // Whether all of a box is turned farther from the middle than is shown: beyond the same side of a
-  // wedge, or, where that is wider than a half-plane, beyond both.
+  // slice, or, where that is wider than a half-plane, beyond both.
   bool is_aside(const Box3& box) const {
     if (!std::isfinite(most_turn)) return false;
     bool beyond_left = true, beyond_right = true;
@@ -218,19 +215,19 @@ Panorama panorama_asked(const ViewSpec& view, const ViewRequest& request) {
 std::vector<Sector> sectors_of(const Panorama& panorama, const View& ahead) {
   const PanoramaPage& page = panorama.page;
   std::vector<Sector> sectors;
-  for (const Wedge& wedge : wedges(panorama)) {
+  for (const Slice& slice : slices(panorama)) {
     Sector& sector = sectors.emplace_back();
-    sector.view = view_of(wedge, panorama, ahead);
+    sector.view = view_of(slice, panorama, ahead);
     sector.to_view = {dot(sector.view.forward, ahead.forward),
                       dot(sector.view.forward, ahead.right)};
     const auto x_mm = [&](double deg) { return page.x_mm(radians(deg - panorama.middle_deg)); };
-    sector.azimuth = radians(wedge.axis_deg - panorama.middle_deg);
-    sector.to_page = {{page.radius_mm, 0, x_mm(wedge.axis_deg), //
+    sector.azimuth = radians(slice.axis_deg - panorama.middle_deg);
+    sector.to_page = {{page.radius_mm, 0, x_mm(slice.axis_deg), //
                        0, -page.radius_mm, page.ahead_mm.y,     //
                        0, 0, 1}};
     sector.frame_mm = panorama.frame_mm;
-    sector.frame_mm->low.x = x_mm(wedge.from_deg);
-    sector.frame_mm->high.x = x_mm(wedge.to_deg);
+    sector.frame_mm->low.x = x_mm(slice.from_deg);
+    sector.frame_mm->high.x = x_mm(slice.to_deg);
   }
   return sectors;
 }
@@ -238,11 +235,11 @@ std::vector<Sector> sectors_of(const Panorama& panorama, const View& ahead) {
 std::vector<GroundAhead> ground_about(const Panorama& panorama, const View& ahead,
                                       const CutSurface& of) {
   std::vector<GroundAhead> out;
-  for (const Wedge& wedge : wedges(panorama)) {
+  for (const Slice& slice : slices(panorama)) {
     const int columns =
-        1 + std::max(1, static_cast<int>(std::ceil((wedge.to_deg - wedge.from_deg) / kColumn_deg)));
+        1 + std::max(1, static_cast<int>(std::ceil((slice.to_deg - slice.from_deg) / kColumn_deg)));
     std::vector<GroundAhead> some =
-        ground_ahead(view_of(wedge, panorama, ahead), panorama.drop, of, columns);
+        ground_ahead(view_of(slice, panorama, ahead), panorama.drop, of, columns);
     std::move(some.begin(), some.end(), std::back_inserter(out));
   }
   return out;

@@ -4,12 +4,10 @@
 #include "view/sectors.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace orograph {
 
 XRange page_range(const Sector& sector) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (shows_beside(sector.view)) return {-kInfinity, kInfinity};
   XRange range{kInfinity, -kInfinity};
   for (const Vec3& ray : corner_rays(sector.view)) {
@@ -23,9 +21,8 @@ XRange page_range(const Sector& sector) {
 
 TieTolerance tie_tolerance(const Sector& sector, double mm) {
   // Towards the rays beside the eye a length on the page is more and more of Y.
-  if (shows_beside(sector.view))
-    return {mm, sector.to_page, std::numeric_limits<double>::infinity()};
-  double least = std::numeric_limits<double>::infinity();
+  if (shows_beside(sector.view)) return {mm, sector.to_page, kInfinity};
+  double least = kInfinity;
   for (const Vec3& ray : corner_rays(sector.view))
     least = std::min(least, sector.to_page.mm_per_y({ray.x / ray.z, ray.y / ray.z}));
   return {mm, sector.to_page, mm / least};

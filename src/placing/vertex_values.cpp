@@ -71,7 +71,6 @@ std::pair<double, double> range_of(const Surface& surface, const VertexValues& v
   constexpr std::size_t kOfTask = std::size_t{1} << 16U;
   const Grid* grid = std::get_if<Grid>(&surface);
   const std::size_t count = grid ? grid->size() : std::get<Tin>(surface).vertices_m.size();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<std::pair<double, double>> of_tasks((count + kOfTask - 1) / kOfTask,
                                                   {kInfinity, -kInfinity});
   on_all_cores(of_tasks.size(), [&](std::size_t task) {

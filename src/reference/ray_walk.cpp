@@ -14,7 +14,6 @@ namespace orograph {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Terrain is cut at the near plane; but where a view draws nothing close behind that plane, nearer
 // ground is looked at as well, which shows whether it does.
@@ -42,7 +41,7 @@ struct GridWalk {
   double rounding_z;           ///< of a height on the surface, metres, exaggerated
   InFront found{};
   // Rounding decides between these which Y is the greatest.
-  double greatest_upper = -std::numeric_limits<double>::infinity(), greatest_lower = greatest_upper;
+  double greatest_upper = -kInfinity, greatest_lower = greatest_upper;
 
   double y_of(double z, double w) const { return project(view, {0, w, z}).y; }
   double rounding_of_y(double y, double w) const {
@@ -149,8 +148,7 @@ InFront GridRayWalk::in_front(ProfilePoint p) const {
           const double height = heights[grid_.index(c, r)];
           return to_profile_frame(view_, grid_.plane().vertex_m(c, r, height)).z;
         };
-        const double begin_m =
-            view_.is_perspective() ? nearest_m(view_) : -std::numeric_limits<double>::infinity();
+        const double begin_m = view_.is_perspective() ? nearest_m(view_) : -kInfinity;
         GridWalk<decltype(z_m)> walk{view_,
                                      z_m,
                                      grid_.columns,
@@ -170,7 +168,7 @@ InFront GridRayWalk::in_front(ProfilePoint p) const {
           if (const auto z = height_at(grid_, ground - (p.v - begin_m) * per_m, z_m))
             walk.meet(*z, begin_m);
         walk.found.rounding_m = rounding_m;
-        if (walk.greatest_upper > -std::numeric_limits<double>::infinity())
+        if (walk.greatest_upper > -kInfinity)
           walk.found.rounding = std::max(walk.greatest_upper - walk.found.greatest_y,
                                          walk.found.greatest_y - walk.greatest_lower);
         walk.found.rounding += walk.rounding_of_y(walk.y_of(p.z, p.v), p.v);

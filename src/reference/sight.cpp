@@ -12,7 +12,7 @@
 namespace orograph {
 namespace {
 
-constexpr long double kInfinity = std::numeric_limits<long double>::infinity();
+constexpr long double kLongInfinity = std::numeric_limits<long double>::infinity();
 
 // A linear function of a place.
 struct Linear {
@@ -81,7 +81,7 @@ struct Asked {
 
   // How far ground within the ranges reaches above the ray at most.
   long double greatest(Range aside, Range behind) const {
-    long double most = -kInfinity;
+    long double most = -kLongInfinity;
     for (const LongTriangle& t : triangles) {
       const auto [low, high] =
           std::minmax({plane.aside.of(t[0]), plane.aside.of(t[1]), plane.aside.of(t[2])});
@@ -121,7 +121,7 @@ SightAnswer GroundSight::ask(ProfilePoint p, long double margin_m) const {
   const Asked asked{triangles_, plane_of(view_, long_vec(p)),
                     view_.is_perspective() ? static_cast<long double>(view_.near_m) - p.v
                     : plumb                ? 0
-                                           : -kInfinity};
+                                           : -kLongInfinity};
   // A section has a width, so that the rounding of its ends doesn't lose it.
   const long double width = 1e-17L * (reach_m_ + std::abs(p.u) + std::abs(p.v));
   const auto in_plane = [&](long double aside, Range behind) {

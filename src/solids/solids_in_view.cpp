@@ -13,8 +13,6 @@
 namespace orograph {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 using Corners = std::array<std::uint32_t, 3>;
 
 // The corners of a triangle, counterclockwise from outside.
@@ -124,7 +122,7 @@ SolidInView in_view(const StandingSolid& standing, const View& view) {
 }
 
 SolidsInView::SolidsInView(std::span<const StandingSolid> standing, const View& view)
-    : view_(view), x_begin_(std::numeric_limits<double>::infinity()), x_end_(-x_begin_) {
+    : view_(view), x_begin_(kInfinity), x_end_(-x_begin_) {
   std::vector<std::uint32_t> inside;
   for (const StandingSolid& one : standing) {
     const auto number = static_cast<std::uint32_t>(solids_.size());

@@ -11,13 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace orograph {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const Angle kDefaultField = Angle::degrees(30);
 
 // Visibility plane to picture plane: the camera pitched down by the elevation, then rolled.

@@ -7,13 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 namespace orograph {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // From the point (0) towards the eye (1): to the near plane, in front of which ground is cut away,
 // in perspective, without end else. An eye on the ground may be a millimetre below it.

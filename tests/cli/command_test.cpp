@@ -19,10 +19,6 @@ double even_hill_m(int column, int row) {
   return hill_m(column, row, kHillSide);
 }
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 } // namespace
 
 TEST_CASE("help and version go to standard output") {

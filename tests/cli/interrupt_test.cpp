@@ -15,20 +15,21 @@ using namespace orograph;
 
 namespace {
 
-constexpr int kSize = 500;
+constexpr int kHillSize = 500;
 
 /// A terrain that takes seconds to draw: an ESRI .bil of int16 with its header.
 void make_big_terrain(const MadeFolder& folder) {
   std::string heights;
-  heights.reserve(2 * kSize * kSize);
-  for (int row = 0; row < kSize; ++row)
-    for (int column = 0; column < kSize; ++column) {
-      const int height_m = static_cast<int>(hill_m(column, row, kSize)) + (7 * column * row) % 13;
+  heights.reserve(2 * kHillSize * kHillSize);
+  for (int row = 0; row < kHillSize; ++row)
+    for (int column = 0; column < kHillSize; ++column) {
+      const int height_m =
+          static_cast<int>(hill_m(column, row, kHillSize)) + (7 * column * row) % 13;
       heights += static_cast<char>(height_m & 0xff);
       heights += static_cast<char>(height_m >> 8);
     }
   folder.write("big.bil", heights);
-  const std::string side = std::to_string(kSize);
+  const std::string side = std::to_string(kHillSize);
   folder.write("big.hdr", "ncols " + side + "\nnrows " + side +
                               "\nnbands 1\nnbits 16\npixeltype signedint\nbyteorder I\n"
                               "layout bil\nulxmap 0\nulymap 0\nxdim 10\nydim 10\n");

@@ -36,10 +36,6 @@ void write_tiles(const MadeFolder& folder) {
   folder.write("c.asc", hill_part(20, 15, 20, 25));
 }
 
-ProgramRun run(const MadeFolder& folder, const Words& words) {
-  return run_orograph(words, {.folder = folder.path()});
-}
-
 } // namespace
 
 TEST_CASE("several inputs, and the last argument is the output") {
@@ -63,9 +59,11 @@ TEST_CASE("several inputs, and the last argument is the output") {
 TEST_CASE("a drawing of joined files is that of one file, but for its title") {
   const MadeFolder folder;
   write_tiles(folder);
-  REQUIRE(run(folder, {"render", "hill.asc", "hill.svg", "--title", "x", "-q"}).exit_code == 0);
-  const auto joined = run(folder, {"render", "c.asc", "a.asc", "b.asc", "joined.svg", "--title",
-                                   "x", "-q", "--report", "r.json"});
+  REQUIRE(
+      run_in(folder.path(), {"render", "hill.asc", "hill.svg", "--title", "x", "-q"}).exit_code ==
+      0);
+  const auto joined = run_in(folder.path(), {"render", "c.asc", "a.asc", "b.asc", "joined.svg",
+                                             "--title", "x", "-q", "--report", "r.json"});
   INFO(joined.err);
   REQUIRE(joined.exit_code == 0);
   CHECK(folder.read("joined.svg") == folder.read("hill.svg"));
@@ -73,14 +71,16 @@ TEST_CASE("a drawing of joined files is that of one file, but for its title") {
   CHECK(report["input"]["paths"] == nlohmann::json{"c.asc", "a.asc", "b.asc"});
   CHECK(report["input"]["columns"] == kTileSide);
 
-  REQUIRE(run(folder, {"render", "c.asc", "a.asc", "b.asc", "titled.svg", "-q"}).exit_code == 0);
+  REQUIRE(
+      run_in(folder.path(), {"render", "c.asc", "a.asc", "b.asc", "titled.svg", "-q"}).exit_code ==
+      0);
   CHECK(folder.read("titled.svg").find("<title>c.asc and 2 more</title>") != std::string::npos);
 }
 
 TEST_CASE("info and tin take several files") {
   const MadeFolder folder;
   write_tiles(folder);
-  const auto told = run(folder, {"info", "a.asc", "b.asc", "c.asc"});
+  const auto told = run_in(folder.path(), {"info", "a.asc", "b.asc", "c.asc"});
   CHECK(told.exit_code == 0);
   CHECK(told.out.find("File       a.asc\nFile       b.asc\nFile       c.asc\n") == 0);
   CHECK(told.out.find("40 x 40 vertices") != std::string::npos);
@@ -88,7 +88,7 @@ TEST_CASE("info and tin take several files") {
   const auto tin = [&](Words words) {
     words.insert(words.begin(), "tin");
     words.insert(words.end(), options.begin(), options.end());
-    return run(folder, words).exit_code;
+    return run_in(folder.path(), words).exit_code;
   };
   CHECK(tin({"hill.asc", "hill.ply"}) == 0);
   CHECK(tin({"a.asc", "b.asc", "c.asc", "joined.ply"}) == 0);
@@ -102,7 +102,7 @@ TEST_CASE("OUTPUT is none of the inputs") {
   for (const Words& words : {Words{"render", "a.asc", "a.svg", "b.asc", "./a.svg"},
                              Words{"render", "a.svg", "b.asc", "a.svg"},
                              Words{"render", "a.asc", "b.asc", "out.svg", "--report", "b.asc"}}) {
-    const auto result = run(folder, words);
+    const auto result = run_in(folder.path(), words);
     CHECK(result.exit_code == 2);
     CHECK(result.err.find("is the INPUT") != std::string::npos);
   }

@@ -32,10 +32,6 @@ void make_large(const MadeFolder& folder) {
 </VRTDataset>)");
 }
 
-bool holds(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
-
 } // namespace
 
 TEST_CASE("a large raster is drawn the same with an index, and without one that has become old") {

@@ -107,6 +107,14 @@ ProgramRun run_orograph(const std::vector<std::string>& arguments,
   return run;
 }
 
+ProgramRun run_in(const std::string& folder, const std::vector<std::string>& arguments) {
+  return run_orograph(arguments, {.folder = folder});
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 std::string fault_of_message(const std::string& err) {
   if (err.empty() || err.back() != '\n') return "no whole line on stderr";
   std::istringstream lines(err);

@@ -39,6 +39,10 @@ private:
 /// orograph with these arguments, to its end: from a process that has its libraries loaded and has
 /// done nothing else (fork_orograph.cpp).
 ProgramRun run_orograph(const std::vector<std::string>& arguments, const RunConditions& conditions);
+ProgramRun run_in(const std::string& folder, const std::vector<std::string>& arguments);
+
+/// Whether a part of the text is this.
+bool holds(const std::string& text, const std::string& part);
 
 /// What is wrong with how an error was told, or nothing: one line "orograph: error: wrong: right"
 /// that comes last, with no lines but orograph's own before it.

@@ -44,13 +44,13 @@ void make_inputs(const MadeFolder& folder) {
   folder.write("many.toml", many);
 }
 
-ProgramRun run(const MadeFolder& folder, const std::string& arguments) {
+ProgramRun run_line(const MadeFolder& folder, const std::string& arguments) {
   std::istringstream words(arguments);
   return run_orograph({std::istream_iterator<std::string>(words), {}}, {.folder = folder.path()});
 }
 
-void run_well(const MadeFolder& folder, const std::string& arguments) {
-  const ProgramRun ended = run(folder, arguments);
+void run_line_well(const MadeFolder& folder, const std::string& arguments) {
+  const ProgramRun ended = run_line(folder, arguments);
   INFO("orograph " << arguments << "\n" << ended.err);
   REQUIRE(ended.exit_code == 0);
 }
@@ -120,9 +120,9 @@ TEST_CASE("vertices of a solid are in the map's coordinates where the scene put 
   make_inputs(folder);
   folder.write("high.toml", scene_text("part = 'box'\nat = [200, 200, 500]"));
   for (const std::string exaggeration : {"1", "3"}) {
-    run_well(folder, "render hill.asc out.geojson --scene high.toml --hidden dash --overwrite "
-                     "--exaggeration " +
-                         exaggeration);
+    run_line_well(folder, "render hill.asc out.geojson --scene high.toml --hidden dash --overwrite "
+                          "--exaggeration " +
+                              exaggeration);
     const auto visible = strokes_of(folder, "out.geojson", "solids");
     std::vector<Json> all = strokes_of(folder, "out.geojson", "hidden");
     for (const Json& stroke : all) CHECK(stroke["properties"]["visible"] == 0);
@@ -142,9 +142,9 @@ TEST_CASE("a solid stands upright on the ellipsoid, in true heights") {
   folder.write("high.toml", scene_text("part = 'box'\nlonlat = [10.03, 46.01, 500]"));
   const GeographicLib::LocalCartesian there(46.01, 10.03, 500);
   for (const std::string exaggeration : {"1", "3"}) {
-    run_well(folder, "render alps.asc out.geojson --scene high.toml --hidden dash --overwrite "
-                     "--exaggeration " +
-                         exaggeration);
+    run_line_well(folder, "render alps.asc out.geojson --scene high.toml --hidden dash --overwrite "
+                          "--exaggeration " +
+                              exaggeration);
     std::vector<Json> all = strokes_of(folder, "out.geojson", "hidden");
     const auto visible = strokes_of(folder, "out.geojson", "solids");
     all.insert(all.end(), visible.begin(), visible.end());
@@ -163,16 +163,16 @@ TEST_CASE("a solid stands upright on the ellipsoid, in true heights") {
 TEST_CASE("hidden edges are dashes on the page, and whole lines on the map") {
   const MadeFolder folder;
   make_inputs(folder);
-  run_well(folder, "render hut.toml out.geojson --hidden dash");
+  run_line_well(folder, "render hut.toml out.geojson --hidden dash");
   // Of a box from above its side: six faces, three seen; three edges meet behind.
   CHECK(strokes_of(folder, "out.geojson", "hidden").size() <= 3);
-  run_well(folder, "render hut.toml out.svg --hidden dash");
+  run_line_well(folder, "render hut.toml out.svg --hidden dash");
   const std::string svg = folder.read("out.svg");
   const auto layer = svg.find(" hidden\" fill=");
   REQUIRE(layer != std::string::npos);
   const std::string hidden = svg.substr(layer, svg.find("</g>", layer) - layer);
   CHECK(std::count(hidden.begin(), hidden.end(), 'M') > 20);
-  run_well(folder, "render hut.toml plain.svg");
+  run_line_well(folder, "render hut.toml plain.svg");
   CHECK(folder.read("plain.svg").find(" hidden\" fill=") == std::string::npos);
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("a report tells how many solids there are, and of a scene alone nothin
   const MadeFolder folder;
   make_inputs(folder);
   const auto report_of = [&](const std::string& arguments) {
-    run_well(folder, "render " + arguments + " out.svg --overwrite --report out.json");
+    run_line_well(folder, "render " + arguments + " out.svg --overwrite --report out.json");
     return Json::parse(folder.read("out.json"));
   };
   const Json on_hill = report_of("hill.asc --scene many.toml");
@@ -211,10 +211,10 @@ TEST_CASE("what a plane cuts away takes its solids along, and the others stand w
                                "window = [-200, -200, 200, 300]\nfront = 50\nback = -1000\n");
   folder.write("two.toml", scene_text("part = 'box'\nat = [200, 200]\n[[place]]\npart = 'box'\n"
                                       "at = [200, 100]"));
-  run_well(folder, "render hill.asc two.geojson --scene two.toml --view cutaway.toml --report "
-                   "two.json --hidden dash");
-  run_well(folder,
-           "render hill.asc one.geojson --scene hut.toml --view cutaway.toml --hidden dash");
+  run_line_well(folder, "render hill.asc two.geojson --scene two.toml --view cutaway.toml --report "
+                        "two.json --hidden dash");
+  run_line_well(folder,
+                "render hill.asc one.geojson --scene hut.toml --view cutaway.toml --hidden dash");
   CHECK(Json::parse(folder.read("two.json"))["counts"]["solids"] == 1);
   CHECK(folder.read("two.geojson").find("\"solids\"") != std::string::npos);
   CHECK(Json::parse(folder.read("two.geojson"))["features"] ==
@@ -228,11 +228,12 @@ TEST_CASE("an eye between solids, and in one's courtyard, is not inside of any")
                              "[[place]]\npart = 'court'\nat = [0, 0]\n[[place]]\npart = 'court'\n"
                              "at = [200, 0]\nmap = [{ scale = [-1, 1, 1] }]\n");
   for (const std::string eye : {"0,0,10", "200,0,10", "100,0,10", "0,0,21", "200,34.9,21"})
-    run_well(folder, "render court.toml out.svg --overwrite --look-azimuth 90 --fov 100 --eye " +
-                         eye + (eye == "200,34.9,21" ? " --pitch -30" : ""));
+    run_line_well(folder,
+                  "render court.toml out.svg --overwrite --look-azimuth 90 --fov 100 --eye " + eye +
+                      (eye == "200,34.9,21" ? " --pitch -30" : ""));
   for (const std::string eye : {"34.9,0,10", "0,34.9,10", "200,34.9,10", "165.1,0,0.001"}) {
     const ProgramRun ended =
-        run(folder, "render court.toml out.svg --overwrite --look-azimuth 90 --eye " + eye);
+        run_line(folder, "render court.toml out.svg --overwrite --look-azimuth 90 --eye " + eye);
     INFO(eye << ": " << ended.err);
     CHECK(ended.exit_code == 1);
     CHECK(ended.err.find("the eye is inside of a solid: court.toml, line ") != std::string::npos);

@@ -16,12 +16,8 @@ using Arguments = std::vector<std::string>;
 const std::string points = OROGRAPH_SOURCE_DIR "/data_samples/quarry_points.csv";
 const std::string breaklines = OROGRAPH_SOURCE_DIR "/data_samples/quarry_breaklines.geojson";
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-ProgramRun run(const MadeFolder& folder, const Arguments& arguments) {
-  ProgramRun result = run_orograph(arguments, {.folder = folder.path()});
+ProgramRun run_well(const MadeFolder& folder, const Arguments& arguments) {
+  ProgramRun result = run_in(folder.path(), arguments);
   INFO(result.err);
   CHECK(result.exit_code == 0);
   return result;
@@ -29,7 +25,7 @@ ProgramRun run(const MadeFolder& folder, const Arguments& arguments) {
 
 nlohmann::json report_of(const MadeFolder& folder, Arguments arguments) {
   arguments.insert(arguments.end(), {"--report", "run.json", "--overwrite"});
-  run(folder, arguments);
+  run_well(folder, arguments);
   return nlohmann::json::parse(folder.read("run.json"));
 }
 
@@ -72,14 +68,14 @@ TEST_CASE("a written TIN draws the same lines as what it was made of") {
   const auto drawing_of = [&](const std::string& file) {
     Arguments arguments{"render", file, "out.svg", "--detail", "file"};
     arguments.insert(arguments.end(), one_view.begin(), one_view.end());
-    run(folder, arguments);
+    run_well(folder, arguments);
     return folder.read("out.svg");
   };
   const std::string of_grid = drawing_of("hill.asc");
   CHECK(holds(of_grid, "<path"));
   for (const char* format : {"ply", "off", "obj"}) {
     const std::string file = fmt::format("hill.{}", format);
-    run(folder, {"tin", "hill.asc", file, "--max-error", "0m", "--height-unit", "m"});
+    run_well(folder, {"tin", "hill.asc", file, "--max-error", "0m", "--height-unit", "m"});
     CAPTURE(format);
     CHECK((drawing_of(file) == of_grid));
   }
@@ -92,7 +88,7 @@ TEST_CASE("in every format a TIN keeps its triangles, its CRS and its bound") {
   for (const char* format : {"gpkg", "ply", "off", "obj"}) {
     CAPTURE(format);
     const std::string file = fmt::format("volcano.{}", format);
-    const ProgramRun made = run(folder, {"tin", volcano, file, "--max-error", "4m"});
+    const ProgramRun made = run_well(folder, {"tin", volcano, file, "--max-error", "4m"});
     CHECK(holds(made.err, "Of the grid's 61 x 87 vertices"));
     const auto report = report_of(folder, {"render", file, "volcano.svg"});
     CHECK(report["input"]["crs"]["name"] == "NZGD49 / New Zealand Map Grid (EPSG:27200)");
@@ -119,7 +115,7 @@ TEST_CASE("heights in metres on a map in feet come back as they were") {
   for (const char* format : {"gpkg", "ply", "off", "obj"}) {
     CAPTURE(format);
     const std::string file = fmt::format("feet.{}", format);
-    run(folder, {"tin", "hill.asc", file, "--max-error", "0m", "--height-unit", "m"});
+    run_well(folder, {"tin", "hill.asc", file, "--max-error", "0m", "--height-unit", "m"});
     const auto input = report_of(folder, {"render", file, "feet.svg"})["input"];
     CHECK(input["unit_m"] == 0.3048);
     CHECK(input["height_unit_m"] == 1.0);

@@ -17,12 +17,6 @@ namespace {
 const std::string kAlps = std::string(OROGRAPH_SOURCE_DIR) + "/data_samples/fractal_alps.tif";
 const std::string kEye = "515000,104000";
 
-ProgramRun run(const MadeFolder& folder, std::vector<std::string> arguments) {
-  RunConditions conditions;
-  conditions.folder = folder.path();
-  return run_orograph(arguments, conditions);
-}
-
 std::string line(const std::string& text, std::size_t number) {
   std::istringstream lines(text);
   std::string out;
@@ -39,7 +33,7 @@ const char* const kPoints = "name,x,y,state\n\"Top, high\",512000,104500,old\n=1
 TEST_CASE("Points are written with their attributes, none is dropped") {
   const MadeFolder folder;
   folder.write("points.csv", kPoints);
-  const ProgramRun csv = run(folder, {"visible", kAlps, "points.csv", "--eye", kEye});
+  const ProgramRun csv = run_in(folder.path(), {"visible", kAlps, "points.csv", "--eye", kEye});
   INFO(csv.err);
   REQUIRE(csv.exit_code == 0);
   CHECK(line(csv.out, 0) == "x,y,name,state_,state,hidden_m,hidden_deg,azimuth_deg,"
@@ -51,8 +45,8 @@ TEST_CASE("Points are written with their attributes, none is dropped") {
   CHECK(csv.err.find("3 points, ") != std::string::npos);
   CHECK(csv.err.find("1 outside of the terrain") != std::string::npos);
 
-  const ProgramRun file =
-      run(folder, {"visible", kAlps, "points.csv", "--eye", kEye, "--output", "seen.geojson"});
+  const ProgramRun file = run_in(
+      folder.path(), {"visible", kAlps, "points.csv", "--eye", kEye, "--output", "seen.geojson"});
   INFO(file.err);
   REQUIRE(file.exit_code == 0);
   const auto json = nlohmann::json::parse(folder.read("seen.geojson"));
@@ -62,7 +56,7 @@ TEST_CASE("Points are written with their attributes, none is dropped") {
   CHECK(json["features"][0]["geometry"]["coordinates"][0] == 512000);
   // What was written is read again, and gives the same; on one core as well.
   const ProgramRun again =
-      run(folder, {"visible", kAlps, "seen.geojson", "--eye", kEye, "-j", "1"});
+      run_in(folder.path(), {"visible", kAlps, "seen.geojson", "--eye", kEye, "-j", "1"});
   REQUIRE(again.exit_code == 0);
   const auto results = [](const std::string& row) { return row.substr(row.size() - 40); };
   CHECK(results(line(again.out, 1)) == results(line(csv.out, 1)));
@@ -77,8 +71,8 @@ TEST_CASE("The same bytes on any number of cores") {
   folder.write("points.csv", points);
   const auto of = [&](const std::string& jobs) {
     const ProgramRun made =
-        run(folder, {"visible", kAlps, "points.csv", "--eye", kEye, "--horizon-table", "h.csv",
-                     "--horizon-step", "0.5", "--overwrite", "-j", jobs});
+        run_in(folder.path(), {"visible", kAlps, "points.csv", "--eye", kEye, "--horizon-table",
+                               "h.csv", "--horizon-step", "0.5", "--overwrite", "-j", jobs});
     INFO(made.err);
     REQUIRE(made.exit_code == 0);
     return made.out + folder.read("h.csv");
@@ -91,9 +85,9 @@ TEST_CASE("The same bytes on any number of cores") {
 
 TEST_CASE("A picture's report has the most distant ground, and its table the skyline") {
   const MadeFolder folder;
-  const ProgramRun made =
-      run(folder, {"render", kAlps, "map.svg", "--eye", kEye, "--eye-summit", "--look-azimuth",
-                   "10", "--horizon-table", "h.csv", "--report", "r.json"});
+  const ProgramRun made = run_in(folder.path(), {"render", kAlps, "map.svg", "--eye", kEye,
+                                                 "--eye-summit", "--look-azimuth", "10",
+                                                 "--horizon-table", "h.csv", "--report", "r.json"});
   INFO(made.err);
   REQUIRE(made.exit_code == 0);
   CHECK(made.err.find("the eye ") != std::string::npos);
@@ -107,7 +101,8 @@ TEST_CASE("A picture's report has the most distant ground, and its table the sky
   CHECK(report["settings"]["eye-summit"] == "50");
   CHECK_FALSE(report["settings"].contains("horizon-table"));
   // The report's settings draw the same map.
-  const ProgramRun again = run(folder, {"render", kAlps, "again.svg", "--settings", "r.json"});
+  const ProgramRun again =
+      run_in(folder.path(), {"render", kAlps, "again.svg", "--settings", "r.json"});
   INFO(again.err);
   REQUIRE(again.exit_code == 0);
   CHECK(folder.read("again.svg") == folder.read("map.svg"));
@@ -148,14 +143,15 @@ TEST_CASE("What can't be looked at is one line with what would be right") {
            {{"points.csv", "--eye", kEye, "--horizon-step", "2"}, 2, "without a table"}}) {
     std::vector<std::string> whole{"visible", kAlps};
     whole.insert(whole.end(), arguments.begin(), arguments.end());
-    const ProgramRun made = run(folder, whole);
+    const ProgramRun made = run_in(folder.path(), whole);
     INFO(made.err << "for " << error);
     CHECK(made.exit_code == exit_code);
     CHECK(fault_of_message(made.err).empty());
     CHECK(made.err.find(error) != std::string::npos);
     CHECK(made.out.empty());
   }
-  const ProgramRun no_eye = run(folder, {"render", kAlps, "a.svg", "--horizon-table", "h.csv"});
+  const ProgramRun no_eye =
+      run_in(folder.path(), {"render", kAlps, "a.svg", "--horizon-table", "h.csv"});
   CHECK(no_eye.exit_code == 2);
   CHECK(no_eye.err.find("needs an eye") != std::string::npos);
 }

@@ -8,13 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace orograph::covered_test {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Polylines over all of [0, 1], front to back: where each turns up or down a sheet that has no
 // gaps covers what is between the lowest and the highest so far.

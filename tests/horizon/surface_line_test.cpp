@@ -9,12 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace orograph::surface_line_test {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 long double between(double at0, double at1, long double share) {
   return at0 + share * (static_cast<long double>(at1) - at0);

@@ -6,12 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace orograph::upright_test {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 HorizonPiece sky(double x_begin, double x_end) {
   return {x_begin, x_end, {-kInfinity, -kInfinity, kInfinity, -kInfinity, kSky}, false};

@@ -25,8 +25,6 @@
 namespace orograph::cut_earth_grid_test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // Along an axis of the frame or anywhere; of a perspective view's frame the drop alone matters.
 View random_view(Random& random, const Grid& grid) {
   const Vec2 forward = random.chance(0.4)

@@ -10,12 +10,9 @@
 #include "tests/support/envelope_size.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace orograph::compare_horizons_test {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Segment level(double x0, double x1, double y, std::uint64_t id) {
   return {x0, y, x1, y, id};

@@ -13,7 +13,6 @@
 namespace orograph::ray_walk_test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNear_m = 0.5;     // in perspective
 constexpr double kDiameter_m = 100; // more than that of any grid here
 constexpr double kHole = std::numeric_limits<double>::quiet_NaN();

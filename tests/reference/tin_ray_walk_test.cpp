@@ -16,8 +16,6 @@
 namespace orograph::tin_ray_walk_test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 View looking(Projection projection, Vec2 forward, double descent_deg, Vec2 depth_origin_m,
              double eye_z_m = 0) {
   View view;

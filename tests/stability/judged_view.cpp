@@ -28,13 +28,13 @@ LongPlace place_on(const ProfileLine& line, long double t) {
           between(line.from.z, line.to.z)};
 }
 
-struct Stretch {
+struct DrawnStretch {
   double begin, end;
 };
 
-bool shows(std::span<const Stretch> drawn, double t) {
+bool shows(std::span<const DrawnStretch> drawn, double t) {
   return std::any_of(drawn.begin(), drawn.end(),
-                     [&](const Stretch& s) { return s.begin <= t && t <= s.end; });
+                     [&](const DrawnStretch& s) { return s.begin <= t && t <= s.end; });
 }
 
 // Of one sector.
@@ -84,8 +84,8 @@ public:
   }
 
   // The end at t of a drawn piece that goes on from it in the direction of `inwards`.
-  void ask_end(const ProfileLine& line, double t, double inwards, std::span<const Stretch> drawn,
-               XRange range) {
+  void ask_end(const ProfileLine& line, double t, double inwards,
+               std::span<const DrawnStretch> drawn, XRange range) {
     const double mm = mm_per_share(line, t);
     if (!(mm > tolerance_mm_)) return; // no picture, or so small a one that all of it is a tie
     const std::array<double, 2> beside{std::clamp(t - kFarthest_mm / mm, 0.0, 1.0),
@@ -193,7 +193,7 @@ public:
     auto piece = seen.visible.begin();
     for (std::uint32_t i = 0; i < seen.segments.size(); ++i) {
       const Segment& segment = seen.segments[i];
-      std::vector<Stretch> drawn;
+      std::vector<DrawnStretch> drawn;
       for (; piece != seen.visible.end() && piece->segment == i; ++piece)
         drawn.push_back({piece->t_begin, piece->t_end});
       if (segment.x0 < seen.clipped.begin || segment.x1 > seen.clipped.end) continue;
@@ -234,7 +234,7 @@ private:
       const double t = random_.share();
       if (judge.may_ask(line, t, range)) judge.ask(line, t, shows(drawn_[n], t));
       if (drawn_[n].empty()) continue;
-      const Stretch& piece = drawn_[n][static_cast<std::size_t>(
+      const DrawnStretch& piece = drawn_[n][static_cast<std::size_t>(
           random_.whole(0, static_cast<int>(drawn_[n].size()) - 1))];
       const bool at_begin = random_.chance(0.5);
       const double end = at_begin ? piece.begin : piece.end;
@@ -243,7 +243,7 @@ private:
     }
   }
   // Where rounding leaves less than a slit between two pieces there is no end.
-  static bool is_shut(std::span<const Stretch> drawn, double t) {
+  static bool is_shut(std::span<const DrawnStretch> drawn, double t) {
     constexpr double kSlit = 1e-12;
     return shows(drawn, t - kSlit) && shows(drawn, t + kSlit);
   }
@@ -254,7 +254,7 @@ private:
   std::vector<SectorJudge> judges_;
   const Sector* first_ = nullptr;
   std::vector<ProfileLine> lines_;
-  std::vector<std::vector<Stretch>> drawn_;
+  std::vector<std::vector<DrawnStretch>> drawn_;
 };
 
 } // namespace

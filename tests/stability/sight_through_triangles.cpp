@@ -8,7 +8,7 @@
 namespace orograph {
 namespace {
 
-constexpr long double kInfinity = std::numeric_limits<long double>::infinity();
+constexpr long double kLongInfinity = std::numeric_limits<long double>::infinity();
 
 // A place of a triangle in the upright plane of the ray.
 struct OnSection {
@@ -53,9 +53,9 @@ long double SightThroughTriangles::above(const LongPlace& place) const {
     return perspective ? (at.z - view_.eye_z_m) / at.depth
                        : at.z * view_.y_per_z + at.depth * view_.y_per_v;
   };
-  const long double nearest = perspective ? view_.near_m : -kInfinity;
+  const long double nearest = perspective ? view_.near_m : -kLongInfinity;
   const long double in_front = place.v - rounding_m_;
-  long double greatest = -kInfinity;
+  long double greatest = -kLongInfinity;
   for (const auto& corners : triangles_) {
     std::array<long double, 3> aside{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -63,7 +63,7 @@ long double SightThroughTriangles::above(const LongPlace& place) const {
     if (std::min({aside[0], aside[1], aside[2]}) > 0 ||
         std::max({aside[0], aside[1], aside[2]}) < 0)
       continue;
-    OnSection begin{kInfinity, 0}, end{-kInfinity, 0};
+    OnSection begin{kLongInfinity, 0}, end{-kLongInfinity, 0};
     const auto meet = [&](const OnSection& at) {
       if (at.depth < begin.depth) begin = at;
       if (at.depth > end.depth) end = at;

@@ -15,7 +15,7 @@ const std::string kHpgl = "language = 'hpgl'\nname = 'mine'\nunit = 0.1\n";
 const std::string kGcode =
     "language = 'gcode'\nname = 'mine'\nunit = 1\npen_up = ['M5']\npen_down = 'M3'\n";
 
-std::string message_of(const std::string& toml) {
+std::string message_of_device(const std::string& toml) {
   const TemporaryFolder folder;
   fill_file(folder.file("d.toml"), toml);
   try {
@@ -51,8 +51,8 @@ TEST_CASE("all devices of ours can be read, and so can few words") {
     }
   }
   CHECK(read_device("hp7475a").papers.size() == 2);
-  CHECK(message_of(kHpgl) == "none");
-  CHECK(message_of(kGcode) == "none");
+  CHECK(message_of_device(kHpgl) == "none");
+  CHECK(message_of_device(kGcode) == "none");
   CHECK_THROWS_AS(read_device("hp7440"), UsageError);
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("what is wrong with a device's file is told with its line") {
            {kGcode + "moves = ['G0 X{x} Y{y}']", ", line 6: moves is a list"},
            {kGcode + "end = '{'", ", line 6: end knows no {: leave it out"}}) {
     INFO(toml);
-    INFO(message_of(toml));
-    CHECK(message_of(toml).find(message) == 0);
+    INFO(message_of_device(toml));
+    CHECK(message_of_device(toml).find(message) == 0);
   }
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kLayers{"profiles", "shores", "border"};
 
-std::string message_of(const std::string& toml) {
+std::string message_of_pens(const std::string& toml) {
   const TemporaryFolder folder;
   fill_file(folder.file("p.toml"), toml);
   try {
@@ -114,8 +114,8 @@ TEST_CASE("what is wrong with a file of pens is told with its line") {
            {one + "dash = [-2, 1]", ", line 4: dash is a list of 2 values"},
            {one + "dash = ['2', 1]", ", line 4: a value in dash is text"},
            {"[[pen]\n", ", line 1: this isn't TOML"}}) {
-    INFO(toml << message_of(toml));
-    CHECK(message_of(toml).find(message) == 0);
+    INFO(toml << message_of_pens(toml));
+    CHECK(message_of_pens(toml).find(message) == 0);
   }
 }
 

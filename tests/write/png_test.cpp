@@ -16,17 +16,17 @@ using namespace orograph;
 
 namespace {
 
-struct Image {
+struct GreyImage {
   int width = 0, height = 0, bands = 0;
   std::vector<std::uint8_t> levels;
   int level(int x, int y) const { return levels[static_cast<std::size_t>(y * width + x)]; }
 };
 
-Image read_png(const std::string& path) {
+GreyImage read_png(const std::string& path) {
   GDALAllRegister();
   const std::unique_ptr<GDALDataset> file(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER));
   REQUIRE(file);
-  Image image{file->GetRasterXSize(), file->GetRasterYSize(), file->GetRasterCount(), {}};
+  GreyImage image{file->GetRasterXSize(), file->GetRasterYSize(), file->GetRasterCount(), {}};
   image.levels.resize(static_cast<std::size_t>(image.width) *
                       static_cast<std::size_t>(image.height));
   const CPLErr read = file->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, image.width, image.height,
@@ -52,7 +52,7 @@ TEST_CASE("strokes in a PNG have their pens' width and grey, later ones on top")
   add_stroke(drawing.layers[0], {{5, 10}, {45, 10}});
   add_stroke(drawing.layers[1], {{25.4, 4}, {25.4, 22}});
   write_drawing(drawing, folder.file("map.png"), {.format = Format::png, .dpi = 254});
-  const Image image = read_png(folder.file("map.png"));
+  const GreyImage image = read_png(folder.file("map.png"));
   REQUIRE(image.width == 508);
   REQUIRE(image.height == 254);
   CHECK(image.bands == 1);
