@@ -9,15 +9,15 @@
 namespace orograph {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kRelativeRounding = std::numeric_limits<double>::epsilon();
 
 // Of a height at x on the source, and of a crossing's place (docs/how-it-works.md).
 double height_rounding(const Segment& s, double x) {
-  return 16 * kEpsilon *
+  return 16 * kRelativeRounding *
          (std::max(std::abs(s.y0), std::abs(s.y1)) + std::abs(s.slope) * std::abs(x));
 }
 double place_rounding(double x) {
-  return 16 * kEpsilon * std::abs(x);
+  return 16 * kRelativeRounding * std::abs(x);
 }
 
 // The stretch from `begin` to `end`, where one horizon is of source a and the other of b.

@@ -10,7 +10,6 @@
 namespace orograph {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAngleOff_deg = 5;
 
 Strokes turned(const Strokes& strokes, int quarters) {
