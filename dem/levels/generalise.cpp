@@ -29,7 +29,7 @@ std::vector<AroundRow> around_all(const Grid& grid, const Heights<Height>& heigh
                      static_cast<std::size_t>(end - first));
   };
   on_all_cores(rows.size(), [&](std::size_t j) {
-    thread_local RowGathering gathering;
+    thread_local RowGathering<Height> gathering;
     gathering.begin(rows[j]);
     for (int row = rows[j].first; row <= rows[j].last; ++row) gathering.add(line(row), row);
     out[j] = gathering.around(line(rows[j].nearest()), columns);

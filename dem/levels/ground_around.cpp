@@ -2,6 +2,7 @@
 #include "dem/levels/ground_around.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,34 +16,55 @@ constexpr double kSomeRidge = 0.15, kFullRidge = 0.5;
 // How far a ridge goes back to the highest ground: all the way would bring its noise back.
 constexpr double kAddedBack = 0.8;
 
+// Whether there may be one: a sum is NaN where one of many is, and several are made at a time.
+template <class Height>
+bool may_have_void(std::span<const Height> line) {
+  constexpr std::size_t kSums = 64;
+  std::array<Height, kSums> sums{};
+  const std::size_t even = line.size() - line.size() % kSums;
+  for (std::size_t first = 0; first < even; first += kSums)
+    for (std::size_t i = 0; i < kSums; ++i) sums[i] += line[first + i];
+  for (std::size_t i = even; i < line.size(); ++i) sums[i - even] += line[i];
+  return std::ranges::any_of(sums, [](Height sum) { return std::isnan(sum); });
+}
+
 } // namespace
 
-void RowGathering::begin(const LevelWindow& window) {
+template <class Height>
+void RowGathering<Height>::begin(const LevelWindow& window) {
   window_ = window;
+  weight_ = 0;
+  weights_.clear();
   sum_.clear();
 }
 
 template <class Height>
-void RowGathering::add(std::span<const Height> line, int row) {
+void RowGathering<Height>::add(std::span<const Height> line, int row) {
+  constexpr Height kFar = std::numeric_limits<Height>::infinity();
   const std::size_t width = line.size();
   if (sum_.empty()) {
     sum_.assign(width, 0);
-    weights_.assign(width, 0);
-    low_.assign(width, kInfinity);
-    high_.assign(width, -kInfinity);
+    low_.assign(width, kFar);
+    high_.assign(width, -kFar);
   }
-  double* const sum = sum_.data();
-  double* const weights = weights_.data();
   const double share = window_.weight(row);
-  for (std::size_t c = 0; c < width; ++c) {
-    const double height = line[c];
-    const bool is_there = height == height;
-    sum[c] += is_there ? share * height : 0;
-    weights[c] += is_there ? share : 0;
+  if (weights_.empty() && may_have_void(line)) weights_.assign(width, weight_);
+  double* const sum = sum_.data();
+  if (weights_.empty()) {
+    for (std::size_t c = 0; c < width; ++c) sum[c] += share * line[c];
+    weight_ += share;
+  } else {
+    double* const weights = weights_.data();
+    for (std::size_t c = 0; c < width; ++c) {
+      const double height = line[c];
+      const bool is_there = height == height;
+      sum[c] += is_there ? share * height : 0;
+      weights[c] += is_there ? share : 0;
+    }
   }
   if (row < window_.first_near || row > window_.last_near) return;
-  double* const low = low_.data();
-  double* const high = high_.data();
+  Height* const low = low_.data();
+  Height* const high = high_.data();
   for (std::size_t c = 0; c < width; ++c) { // comparisons with NaN are false
     low[c] = line[c] < low[c] ? line[c] : low[c];
     high[c] = line[c] > high[c] ? line[c] : high[c];
@@ -50,8 +72,8 @@ void RowGathering::add(std::span<const Height> line, int row) {
 }
 
 template <class Height>
-AroundRow RowGathering::around(std::span<const Height> nearest,
-                               const std::vector<LevelWindow>& columns) const {
+AroundRow RowGathering<Height>::around(std::span<const Height> nearest,
+                                       const std::vector<LevelWindow>& columns) const {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const std::size_t across = columns.size();
   AroundRow out{std::vector<double>(across, kNone), std::vector<double>(across, kNone),
@@ -63,10 +85,10 @@ AroundRow RowGathering::around(std::span<const Height> nearest,
     for (int c = column.first; c <= column.last; ++c) {
       const double share = column.weight(c);
       total += share * sum_[static_cast<std::size_t>(c)];
-      of_weights += share * weights_[static_cast<std::size_t>(c)];
+      of_weights += share * (weights_.empty() ? weight_ : weights_[static_cast<std::size_t>(c)]);
     }
     out.mean[i] = total / of_weights;
-    const auto near = [&](const std::vector<double>& values) {
+    const auto near = [&](const std::vector<Height>& values) {
       return std::pair(values.begin() + column.first_near, values.begin() + column.last_near + 1);
     };
     const auto lows = near(low_), highs = near(high_);
@@ -115,11 +137,7 @@ double height_with_character(const std::vector<AroundRow>& rows, int column, int
   return mean + share * ((bend > 0 ? highest : lowest) - mean);
 }
 
-template void RowGathering::add(std::span<const float>, int);
-template void RowGathering::add(std::span<const double>, int);
-template AroundRow RowGathering::around(std::span<const float>,
-                                        const std::vector<LevelWindow>&) const;
-template AroundRow RowGathering::around(std::span<const double>,
-                                        const std::vector<LevelWindow>&) const;
+template class RowGathering<float>;
+template class RowGathering<double>;
 
 } // namespace orograph

@@ -16,6 +16,7 @@ struct AroundRow {
 };
 
 /// Gathers a grid's rows, from the first to the last that a row of the level looks at.
+template <class Height>
 class RowGathering {
 public:
   explicit RowGathering(const LevelWindow& window) { begin(window); }
@@ -24,15 +25,16 @@ public:
   /// Forgets all, for another row of the level.
   void begin(const LevelWindow& window);
   /// A row of the grid, which the window reaches. REQUIRES that they come in order.
-  template <class Height>
   void add(std::span<const Height> line, int row);
   /// Once all are there. `nearest` is the grid's row nearest to the window's middle.
-  template <class Height>
   AroundRow around(std::span<const Height> nearest, const std::vector<LevelWindow>& columns) const;
 
 private:
   LevelWindow window_{};
-  std::vector<double> sum_, weights_, low_, high_;
+  double weight_ = 0;           ///< of all columns, while no row has had a void
+  std::vector<double> weights_; ///< of each, from then on
+  std::vector<double> sum_;
+  std::vector<Height> low_, high_;
 };
 
 /// The height of a vertex of a level, from what is around it and those beside it: a mean, and where

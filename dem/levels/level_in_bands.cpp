@@ -71,9 +71,9 @@ void LevelInBands<Height>::gather(const Band<Height>& band) {
     const std::size_t j = reached[i];
     const LevelWindow& window = down_[j];
     const auto found = begun_.find(j);
-    thread_local RowGathering whole;
+    thread_local RowGathering<Height> whole;
     if (found == begun_.end()) whole.begin(window);
-    RowGathering& gathering = found == begun_.end() ? whole : found->second;
+    RowGathering<Height>& gathering = found == begun_.end() ? whole : found->second;
     const int last = std::min(window.last, end - 1);
     for (int row = std::max(window.first, band.first_row); row <= last; ++row)
       gathering.add(line(row), row);

@@ -55,9 +55,10 @@ private:
   std::vector<LevelWindow> across_, down_;
   std::vector<PlaceInLevel> place_across_, place_down_;
   std::deque<Band<Height>> bands_;
-  std::map<std::size_t, RowGathering> begun_; ///< rows of the level that go on in the next band
-  std::vector<AroundRow> around_;             ///< empty before and after they are needed
-  std::size_t around_end_ = 0, made_ = 0;     ///< rows of the level
+  std::map<std::size_t, RowGathering<Height>>
+      begun_;                             ///< rows of the level that go on in the next band
+  std::vector<AroundRow> around_;         ///< empty before and after they are needed
+  std::size_t around_end_ = 0, made_ = 0; ///< rows of the level
   std::vector<Height> heights_;
   std::vector<RowDeparture> departures_;
   int compared_ = 0; ///< rows of the grid

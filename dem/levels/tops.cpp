@@ -4,6 +4,7 @@
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -47,6 +48,22 @@ bool is_top(const Grid& grid, const Top& highest) {
          column <= std::min(grid.columns - 1, highest.column + 1); ++column)
       if (grid.height_m(column, row) > highest.height_m) return false;
   return true;
+}
+
+// Minus infinity where there is none. Several at a time, as each comparison waits for the last.
+template <class Height>
+Height highest_of(std::span<const Height> heights) {
+  constexpr std::size_t kLanes = 32;
+  std::array<Height, kLanes> highest{};
+  highest.fill(-std::numeric_limits<Height>::infinity());
+  const auto take = [&](Height height, std::size_t lane) { // none for NaN
+    highest[lane] = height > highest[lane] ? height : highest[lane];
+  };
+  const std::size_t even = heights.size() - heights.size() % kLanes;
+  for (std::size_t i = 0; i < even; i += kLanes)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) take(heights[i + lane], lane);
+  for (std::size_t i = even; i < heights.size(); ++i) take(heights[i], i - even);
+  return *std::ranges::max_element(highest);
 }
 
 template <class IsTop>
@@ -94,8 +111,7 @@ void TopsInRows::add(int row, std::span<const Height> above, std::span<const Hei
   for (int first = 0; first < width; first += side_) {
     Highest& square = squares[first / side_];
     const auto begin = line.begin() + first, end = line.begin() + std::min(first + side_, width);
-    Height highest = -std::numeric_limits<Height>::infinity();
-    for (auto at = begin; at != end; ++at) highest = *at > highest ? *at : highest; // none for NaN
+    const Height highest = highest_of(std::span(begin, end));
     if (!(highest > square.at.height_m)) continue;
     const auto column = static_cast<int>(std::find(begin, end, highest) - line.begin());
     square = {{highest, column, row}, none_is_higher(column, highest)};
