@@ -6,6 +6,7 @@
 #include "dem/levels/patches.hpp"
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -22,6 +23,9 @@ struct PartHeights {
 class HeightRanges {
 public:
   explicit HeightRanges(const Grid& grid);
+  /// Found before, of a grid of so many columns; row-major.
+  HeightRanges(int columns, std::vector<PartHeights> squares)
+      : across_((columns - 2) / kPatchCells + 1), tiles_(std::move(squares)) {}
 
   /// Of the squares that have a share in a part.
   PartHeights of(const PatchPlace& part) const;

@@ -7,9 +7,12 @@
 #include "dem/levels/part_of_grid.hpp"
 #include "dem/levels/tops.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace orograph {
+
+struct NestedCells;
 
 /// A part of a raster in its own cells.
 struct RasterPart {
@@ -23,6 +26,8 @@ struct LargerCells {
   Departure departure;
   std::vector<Top> tops;              ///< the raster's highest summits, by its own columns and rows
   std::vector<RasterPart> parts = {}; ///< what of it was read in its own cells, too
+  /// The raster's own heights in larger cells, where they were asked for; else null.
+  std::shared_ptr<const NestedCells> nested = {};
 };
 
 } // namespace orograph

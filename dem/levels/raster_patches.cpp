@@ -2,6 +2,7 @@
 #include "dem/levels/raster_patches.hpp"
 
 #include "dem/levels/generalise.hpp"
+#include "dem/levels/nested_cells.hpp"
 #include "dem/levels/stretched_lattice.hpp"
 
 #include <algorithm>
@@ -53,18 +54,20 @@ bool is_level_around(const Grid& cells, int column, int row) {
   return true;
 }
 
+std::vector<double> own_heights(const RasterPart& part, const PatchHeights& lattice) {
+  std::vector<double> out;
+  out.reserve(lattice.columns.size() * lattice.rows.size());
+  for (const std::int64_t row : lattice.rows)
+    for (const std::int64_t column : lattice.columns)
+      out.push_back(part.cells.height_m(static_cast<int>(column) - part.at.first_column,
+                                        static_cast<int>(row) - part.at.first_row));
+  return out;
+}
+
 std::vector<double> heights_in_part(const RasterPart& part, const Patch& patch,
                                     const PatchHeights& lattice) {
   const Grid& cells = part.cells;
-  if (patch.level == 0) {
-    std::vector<double> out;
-    out.reserve(lattice.columns.size() * lattice.rows.size());
-    for (const std::int64_t row : lattice.rows)
-      for (const std::int64_t column : lattice.columns)
-        out.push_back(cells.height_m(static_cast<int>(column) - part.at.first_column,
-                                     static_cast<int>(row) - part.at.first_row));
-    return out;
-  }
+  if (patch.level == 0) return own_heights(part, lattice);
   const int step = 1 << patch.level;
   const auto first = [&](std::int64_t place, int of_part) {
     return static_cast<std::size_t>((static_cast<int>(place) - of_part) / step);
@@ -108,6 +111,18 @@ std::vector<double> heights_in_larger(const Grid& larger, const LargerCells& rea
                        {lattice.columns.front() > 0 ? 1U : 0U, lattice.rows.front() > 0 ? 1U : 0U,
                         lattice.columns.size(), lattice.rows.size()},
                        is_kept);
+}
+
+// Each once, under patches of levels below one.
+std::vector<GridPart> parts_under(const LargerCells& read, const Patches& patches, int level) {
+  std::vector<GridPart> parts;
+  std::set<PlaceOfPart> known;
+  for (const Patch& patch : patches.patches())
+    if (patch.level < level)
+      if (const GridPart part = part_under(read, patch); known.insert(place_of(part)).second)
+        parts.push_back(part);
+  std::ranges::sort(parts, {}, place_of);
+  return parts;
 }
 
 // In a patch, of a vertex of the larger cells: between which two of its rows, or columns.
@@ -154,14 +169,22 @@ Grid lattice_of_raster(const Grid& larger, const LargerCells& read) {
 }
 
 std::vector<GridPart> parts_under(const LargerCells& read, const Patches& patches) {
-  std::vector<GridPart> parts;
-  std::set<PlaceOfPart> known;
-  for (const Patch& patch : patches.patches())
-    if (patch.level < level_of(read))
-      if (const GridPart part = part_under(read, patch); known.insert(place_of(part)).second)
-        parts.push_back(part);
-  std::ranges::sort(parts, {}, place_of);
-  return parts;
+  return parts_under(read, patches, level_of(read));
+}
+
+std::vector<GridPart> parts_under_finest(const LargerCells& read, const Patches& patches) {
+  return parts_under(read, patches, kFinestKept);
+}
+
+PatchSource nested_patches(const LargerCells& read) {
+  return {[&](const Patch& patch, const PatchHeights& lattice) {
+            return patch.level < kFinestKept ? own_heights(found_part(read, patch), lattice)
+                                             : read.nested->heights_m(patch.level, lattice);
+          },
+          [&](const Patch& patch, const PatchHeights&) {
+            return patch.level == 0 ? Departure{}
+                                    : read.nested->departure(patch.level, patch.column, patch.row);
+          }};
 }
 
 PatchSource patches_of_raster(const Grid& larger, const LargerCells& read, const Patches& patches,

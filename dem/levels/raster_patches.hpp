@@ -20,6 +20,15 @@ Grid lattice_of_raster(const Grid& larger, const LargerCells& read);
 /// sides. REQUIRES patches of the raster, none of smaller cells than its own.
 std::vector<GridPart> parts_under(const LargerCells& read, const Patches& patches);
 
+/// The same under patches whose heights `read.nested` hasn't.
+std::vector<GridPart> parts_under_finest(const LargerCells& read, const Patches& patches);
+
+/// The raster's own heights at the vertices of patches of whole cells, as `certified_patches` makes
+/// them: `patches_of_grid` of the raster, not generalised, gives the same. REQUIRES that what
+/// `read.nested` has was read, and all `parts_under_finest` the patches, and that `read` outlives
+/// it.
+PatchSource nested_patches(const LargerCells& read);
+
 /// Patches of cells that are smaller than the larger ones are what `patches_of_grid` makes of the
 /// raster, but for what is level: there a vertex whose eight neighbours are as high keeps its
 /// height. Others are made of the larger cells, of which they are as many times as large; where

@@ -2,19 +2,20 @@
 #include "dem/read/level_index.hpp"
 
 #include "dem/levels/level_windows.hpp"
+#include "dem/read/index_blocks.hpp"
+#include "dem/read/nested_index.hpp"
 #include "geometry/error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <span>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -23,84 +24,14 @@ namespace orograph {
 namespace {
 
 // A file is: these eight bytes, the order mark, the size of what is told and its sum, what is told
-// (state, raster's size, bytes of a height, levels), and the levels' heights one after the other.
-// Numbers are as the machine has them: an index is made anew elsewhere rather than turned round.
-constexpr std::array<char, 8> kMagic{'o', 'r', 'o', 'l', 'e', 'v', '0', '1'};
+// (state, raster's size, bytes of a height, levels, nested cells), and the levels' heights one
+// after the other, and the nested cells (dem/read/nested_index.hpp). Numbers are as the machine has
+// them: an index is made anew elsewhere rather than turned round.
+constexpr std::array<char, 8> kMagic{'o', 'r', 'o', 'l', 'e', 'v', '0', '2'};
+constexpr std::size_t kOfAllVersions = 6; // of these
 constexpr std::uint32_t kOrderMark = 0x01020304;
 constexpr std::uint64_t kMostTold = 1 << 24; // a VRT of 100,000 files
 constexpr std::uint32_t kMostLevels = 32;
-
-struct Refused {
-  std::string why;
-};
-
-// Of words of eight bytes; what is left over counts as one that is filled up. (FNV-1a by words.)
-class Checksum {
-public:
-  void add(const void* bytes, std::size_t size) {
-    const auto* at = static_cast<const char*>(bytes);
-    for (; size > 0; at += sizeof(std::uint64_t)) {
-      std::uint64_t word = 0;
-      const std::size_t part = std::min(size, sizeof word);
-      std::memcpy(&word, at, part);
-      state_ = std::rotl((state_ ^ word) * 0x100000001b3ULL, 29);
-      size -= part;
-    }
-  }
-  std::uint64_t state() const { return state_; }
-
-private:
-  std::uint64_t state_ = 0xcbf29ce484222325ULL;
-};
-
-template <class Values>
-std::uint64_t sum_of(const Values& values) {
-  Checksum sum;
-  sum.add(values.data(), values.size() * sizeof(values[0]));
-  return sum.state();
-}
-
-// What is told, as bytes.
-class Teller {
-public:
-  template <class Number>
-  void put(Number number) {
-    const auto* at = reinterpret_cast<const char*>(&number);
-    bytes_.append(at, sizeof number);
-  }
-  void put_text(std::string_view text) {
-    put(static_cast<std::uint64_t>(text.size()));
-    bytes_.append(text);
-  }
-  const std::string& bytes() const { return bytes_; }
-
-private:
-  std::string bytes_;
-};
-
-class Listener {
-public:
-  explicit Listener(std::string_view bytes) : rest_(bytes) {}
-
-  template <class Number>
-  Number take() {
-    Number number{};
-    const std::string_view bytes = take_bytes(sizeof number);
-    std::memcpy(&number, bytes.data(), sizeof number);
-    return number;
-  }
-  std::string_view take_text() { return take_bytes(take<std::uint64_t>()); }
-
-private:
-  std::string_view take_bytes(std::uint64_t size) {
-    if (size > rest_.size()) throw Refused{"it is damaged"};
-    const std::string_view bytes = rest_.substr(0, size);
-    rest_.remove_prefix(size);
-    return bytes;
-  }
-
-  std::string_view rest_;
-};
 
 struct ToldLevel {
   LargerCells cells;
@@ -111,6 +42,8 @@ struct ToldLevel {
 struct Told {
   std::uint32_t bytes_of_height = 0;
   std::vector<ToldLevel> levels;
+  std::vector<std::uint64_t> sums_of_nested;
+  std::uint64_t nested_at = 0; ///< where these begin in the file
 };
 
 std::uint64_t bytes_of(const ToldLevel& level, std::uint32_t bytes_of_height) {
@@ -187,14 +120,11 @@ Told read_told(std::ifstream& file, const std::string& path, const std::string& 
     told.levels.back().at = at;
     at += bytes_of(told.levels.back(), told.bytes_of_height);
   }
-  if (at != file_size) throw Refused{"it is damaged"};
+  told.sums_of_nested = take_nested(listener, columns, rows);
+  told.nested_at = at;
+  if (at + bytes_of_nested(columns, rows, told.bytes_of_height) != file_size)
+    throw Refused{"it is damaged"};
   return told;
-}
-
-// A reader's heights are finite, or NaN.
-template <class Height>
-bool are_heights(const std::vector<Height>& values) {
-  return std::ranges::none_of(values, [](Height value) { return std::isinf(value); });
 }
 
 template <class Height>
@@ -202,10 +132,8 @@ ReadHeights read_level(std::ifstream& file, const ToldLevel& level) {
   std::vector<Height> heights(static_cast<std::size_t>(level.columns) *
                               static_cast<std::size_t>(level.rows));
   file.seekg(static_cast<std::streamoff>(level.at));
-  if (!file.read(reinterpret_cast<char*>(heights.data()),
-                 static_cast<std::streamsize>(heights.size() * sizeof(Height))) ||
-      sum_of(heights) != level.sum || !are_heights(heights))
-    throw Refused{"it is damaged"};
+  read_block(file, heights, level.sum);
+  if (!are_heights(heights)) throw Refused{"it is damaged"};
   return heights;
 }
 
@@ -252,7 +180,8 @@ std::optional<std::string> state_of(const RasterSet& set, const ReadOptions& opt
 bool is_index(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::array<char, kMagic.size()> magic{};
-  return file.read(magic.data(), magic.size()) && magic == kMagic;
+  return file.read(magic.data(), magic.size()) &&
+         std::equal(magic.begin(), magic.begin() + kOfAllVersions, kMagic.begin());
 }
 
 void write_index(const std::string& path, const std::string& state,
@@ -277,6 +206,7 @@ void write_index(const std::string& path, const std::string& state,
     }
     told.put(std::visit([](const auto& heights) { return sum_of(heights); }, level.heights));
   }
+  tell_nested(told, *raster.nested);
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   const auto put = [&](const void* bytes, std::size_t size) {
     file.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size));
@@ -291,14 +221,15 @@ void write_index(const std::string& path, const std::string& state,
     std::visit(
         [&](const auto& heights) { put(heights.data(), heights.size() * sizeof heights[0]); },
         level.heights);
+  write_nested(file, *raster.nested);
   file.close();
   if (!file)
-    throw Error("the index can't be written whole", "make room on the disk, about a tenth of what "
+    throw Error("the index can't be written whole", "make room on the disk, about a fifth of what "
                                                     "the heights take");
 }
 
 IndexFound find_level(const std::string& path, const std::string& state, const RasterSet& set,
-                      int step) {
+                      int step, bool with_nested) {
   IndexFound found;
   std::ifstream file(path, std::ios::binary);
   if (!file) return found;
@@ -309,7 +240,14 @@ IndexFound find_level(const std::string& path, const std::string& state, const R
         found.level = IndexedLevel{level.cells, level.columns, level.rows,
                                    set.are_floats() ? read_level<float>(file, level)
                                                     : read_level<double>(file, level)};
+    if (found.level && with_nested) {
+      file.seekg(static_cast<std::streamoff>(told.nested_at));
+      const LargerCells& cells = found.level->cells;
+      found.level->cells.nested = std::make_shared<const NestedCells>(
+          read_nested(file, told.sums_of_nested, cells.columns, cells.rows, told.bytes_of_height));
+    }
   } catch (const Refused& refused) {
+    found.level.reset();
     found.why_not = not_used(path, refused);
   }
   return found;

@@ -29,10 +29,11 @@ std::string index_path(const std::vector<std::string>& paths);
 /// aren't on a disk.
 std::optional<std::string> state_of(const RasterSet& set, const ReadOptions& options);
 
-/// Whether a file there is an index, of whatever state.
+/// Whether a file there is an index, of whatever state and version.
 bool is_index(const std::string& path);
 
-/// Throws Error where the file can't be written whole; it is then left to who named it.
+/// REQUIRES nested cells with the first level. Throws Error where the file can't be written whole;
+/// it is then left to who named it.
 void write_index(const std::string& path, const std::string& state,
                  const std::vector<IndexedLevel>& levels);
 
@@ -41,12 +42,12 @@ struct IndexFound {
   std::string why_not; ///< why an index that is there isn't used, as a sentence; empty: none there
 };
 
-/// The level of so many cells to one for a terrain of this state. An index is believed only where
-/// all of it that is read is in order: its state, its sizes, and sums over its parts. None and no
-/// reason where there is no index, or this level isn't in it. Never throws because of what is in
-/// the file.
+/// The level of so many cells to one for a terrain of this state, with its nested cells or without.
+/// An index is believed only where all of it that is read is in order: its state, its sizes, and
+/// sums over its parts. None and no reason where there is no index, or this level isn't in it.
+/// Never throws because of what is in the file.
 IndexFound find_level(const std::string& path, const std::string& state, const RasterSet& set,
-                      int step);
+                      int step, bool with_nested);
 
 /// What is told of an index: the steps of its levels, or why `find_level` wouldn't use it; neither
 /// where there is none. Its heights aren't looked at.

@@ -2,6 +2,7 @@
 #include "dem/read/raster_bands.hpp"
 
 #include "dem/levels/level_in_bands.hpp"
+#include "dem/levels/nested_in_bands.hpp"
 #include "dem/levels/stretched_lattice.hpp"
 #include "dem/read/asked_window.hpp"
 #include "dem/read/network.hpp"
@@ -14,6 +15,8 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -74,10 +77,13 @@ private:
 
 template <class Height>
 std::vector<IndexedLevel> read_levels(RasterSet& set, const std::vector<int>& steps,
-                                      const ReadOptions& options, HeightDifferences& differences,
+                                      bool with_nested, const ReadOptions& options,
+                                      HeightDifferences& differences,
                                       const std::function<void(double)>& progress) {
   std::vector<LevelInBands<Height>> levels;
   for (const int step : steps) levels.emplace_back(set.grid.columns, set.grid.rows, step);
+  std::optional<NestedInBands<Height>> nested;
+  if (with_nested) nested.emplace(set.grid.columns, set.grid.rows);
   // Of one band levels are made while the next is read, by the thread in which GDAL has its
   // settings.
   tbb::task_group making;
@@ -89,8 +95,9 @@ std::vector<IndexedLevel> read_levels(RasterSet& set, const std::vector<int>& st
                             std::make_shared<const std::vector<Height>>(
                                 std::get<std::vector<Height>>(std::move(read)))};
     making.wait();
-    making.run(stopped_with_caller([&levels, band] {
+    making.run(stopped_with_caller([&levels, &nested, band] {
       for (LevelInBands<Height>& level : levels) level.take(band);
+      if (nested) nested->take(band);
     }));
     if (progress) progress(static_cast<double>(range.first + range.rows) / set.grid.rows);
   }
@@ -99,23 +106,26 @@ std::vector<IndexedLevel> read_levels(RasterSet& set, const std::vector<int>& st
   for (LevelInBands<Height>& level : levels)
     out.push_back(
         {level.larger_cells(kTopsKept), level.columns(), level.rows(), level.move_heights()});
+  if (nested) out.front().cells.nested = std::make_shared<const NestedCells>(nested->move_cells());
   return out;
 }
 
 std::vector<IndexedLevel> read_levels(RasterSet& set, const std::vector<int>& steps,
-                                      const ReadOptions& options, HeightDifferences& differences,
+                                      bool with_nested, const ReadOptions& options,
+                                      HeightDifferences& differences,
                                       const std::function<void(double)>& progress) {
-  return set.are_floats() ? read_levels<float>(set, steps, options, differences, progress)
-                          : read_levels<double>(set, steps, options, differences, progress);
+  return set.are_floats()
+             ? read_levels<float>(set, steps, with_nested, options, differences, progress)
+             : read_levels<double>(set, steps, with_nested, options, differences, progress);
 }
 
-std::optional<IndexedLevel> level_of_index(const RasterSet& set, int step,
+std::optional<IndexedLevel> level_of_index(const RasterSet& set, int step, bool with_nested,
                                            const ReadOptions& options,
                                            std::vector<std::string>& doubts) {
   if (!options.use_index || set.box) return std::nullopt;
   const auto state = state_of(set, options);
   if (!state) return std::nullopt;
-  IndexFound found = find_level(index_path(set.terrain.paths), *state, set, step);
+  IndexFound found = find_level(index_path(set.terrain.paths), *state, set, step, with_nested);
   if (!found.why_not.empty()) doubts.push_back(found.why_not);
   return std::move(found.level);
 }
@@ -128,21 +138,26 @@ int step_leaving(int columns, int rows, int least_cells) {
   return step;
 }
 
-std::uint64_t bytes_in_bands(const RasterSet& set, int step) {
+std::uint64_t bytes_in_bands(const RasterSet& set, int step, bool with_nested) {
   const auto width = static_cast<std::uint64_t>(set.grid.columns),
              of_step = static_cast<std::uint64_t>(step);
   const std::uint64_t all = set.grid.size(),
                       bytes = set.are_floats() ? sizeof(float) : sizeof(double);
   // Bands: the one that comes, the last, and what the level's rows still look at.
   const std::uint64_t bands = 2 * kHeightsOfBand + 3 * of_step * width;
-  return bytes * (all / (of_step * of_step) + std::min(bands, all));
+  // Nested heights are a sixteenth, and its share again; what is known of patches is less.
+  const std::uint64_t nested = with_nested ? all / 10 : 0;
+  return bytes * (all / (of_step * of_step) + std::min(bands, all) + nested);
 }
 
 void read_larger_cells(RasterSet& set, int step, const ReadOptions& options,
                        HeightDifferences& differences, std::vector<std::string>& doubts,
                        const std::function<void(double)>& progress) {
-  std::optional<IndexedLevel> level = level_of_index(set, step, options, doubts);
-  if (!level) level = std::move(read_levels(set, {step}, options, differences, progress).front());
+  const bool with_nested = options.large->with_nested;
+  std::optional<IndexedLevel> level = level_of_index(set, step, with_nested, options, doubts);
+  if (!level)
+    level =
+        std::move(read_levels(set, {step}, with_nested, options, differences, progress).front());
   Grid& grid = set.grid;
   grid.lattice = stretched_lattice(grid, level->columns, level->rows);
   grid.columns = level->columns;
@@ -172,7 +187,7 @@ RasterIndex index_of(const std::vector<std::string>& paths, const ReadOptions& o
     throw Error(set.terrain.source + " isn't a file on a disk",
                 "an index is known to be right by the file's size and time: fetch it first");
   HeightDifferences differences;
-  return {*state, read_levels(set, steps, options, differences, progress), gate.doubts()};
+  return {*state, read_levels(set, steps, true, options, differences, progress), gate.doubts()};
 }
 
 IndexState index_state(const std::vector<std::string>& paths, const ReadOptions& options) {

@@ -16,6 +16,7 @@ namespace orograph {
 struct LargeRasters {
   std::uint64_t most_heights = 0; ///< of those that are read as they are
   int least_cells = 0;            ///< along the shorter side, that are left
+  bool with_nested = false;       ///< with the raster's own heights in larger cells
 };
 
 struct ReadOptions {

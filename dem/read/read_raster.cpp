@@ -110,8 +110,8 @@ void check_memory(const RasterSet& set, int step, const ReadOptions& options) {
                   "take out the band of heights, in tiles: gdal_translate -b 1 -co TILED=YES, or "
                   "let it take more with `max_memory`");
   const Grid& grid = set.grid;
-  const std::uint64_t bytes =
-      step > 1 ? bytes_in_bands(set, step) : bytes_to_draw(grid.size(), set.are_floats());
+  const std::uint64_t bytes = step > 1 ? bytes_in_bands(set, step, options.large->with_nested)
+                                       : bytes_to_draw(grid.size(), set.are_floats());
   if (bytes <= *options.max_memory) return;
   throw Error(fmt::format("{} has {} x {} heights, for which {:.2g} GB of memory are needed, and "
                           "{:.2g} GB may be taken",

@@ -18,13 +18,15 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
 #include <variant>
 
 namespace orograph {
 namespace {
 
 // Whether no height of the file is farther than this from the triangles that a part has in cells of
-// 2^level, and none is missing. REQUIRES a part of whole cells.
+// 2^level, and none is missing. Each is looked at once: on a border between two cells, with the
+// latter. REQUIRES a part of whole cells.
 template <class Height>
 bool is_within(const Grid& grid, const Heights<Height>& heights, const PatchPlace& part, int level,
                double most_m) {
@@ -38,13 +40,15 @@ bool is_within(const Grid& grid, const Heights<Height>& heights, const PatchPlac
       };
       const double nw = at(0, 0), ne = at(step, 0), sw = at(0, step), se = at(step, step);
       bool is_off = false;
-      for (int r = 0; r <= step; ++r) {
+      const int columns = column + step < part.last_column ? step : step + 1,
+                rows = row + step < part.last_row ? step : step + 1;
+      for (int r = 0; r < rows; ++r) {
         const double y = r * share;
         const Height* const line = heights.data() + grid.index(column, row + r);
         // On the upper side of the diagonal x > y.
-        for (int c = 0; c <= r; ++c)
+        for (int c = 0; c < std::min(r + 1, columns); ++c)
           is_off |= !(std::abs(nw + (sw - nw) * y + (se - sw) * (c * share) - line[c]) <= most_m);
-        for (int c = r + 1; c <= step; ++c)
+        for (int c = r + 1; c < columns; ++c)
           is_off |= !(std::abs(nw + (ne - nw) * (c * share) + (se - ne) * y - line[c]) <= most_m);
       }
       if (is_off) return false;
@@ -67,10 +71,25 @@ bool is_of_whole_cells(const PatchPlace& part, int level) {
   return is_whole(part.last_column - part.first_column) && is_whole(part.last_row - part.first_row);
 }
 
+template <class IsWithin>
+Patches certified(const Grid& grid, const HeightOnPage& heights, double most_mm,
+                  const IsWithin& is_within_m) {
+  return Patches(grid, {0, coarsest_level(grid)}, [&](int level, const PatchPlace& part) {
+    if (!is_of_whole_cells(part, level)) return false;
+    const double mm_per_m = heights.moves_mm(with_neighbours(grid, part), 1);
+    const double most_m = mm_per_m > 0 ? 0.5 * most_mm / mm_per_m - heights.sag_m(level)
+                                       : std::numeric_limits<double>::max();
+    return most_m > 0 && (level == 0 || is_within_m(level, part, most_m));
+  });
+}
+
 } // namespace
 
 HeightOnPage::HeightOnPage(const Grid& grid, const PlacedView& placed)
-    : grid_(grid), placed_(placed), heights_(grid),
+    : HeightOnPage(grid, placed, HeightRanges(grid)) {}
+
+HeightOnPage::HeightOnPage(const Grid& grid, const PlacedView& placed, HeightRanges heights)
+    : grid_(grid), placed_(placed), heights_(std::move(heights)),
       is_round_(grid.is_on_earth() || placed.view.drop.any()) {
   const GridSteps steps = steps_of(grid);
   cell_m_ = length(steps.column_m) + length(steps.row_m);
@@ -145,15 +164,21 @@ double HeightOnPage::moves_mm(const PatchPlace& part, double departure_m) const 
 }
 
 Patches certified_patches(const Grid& grid, const HeightOnPage& heights, double most_mm) {
-  return Patches(grid, {0, coarsest_level(grid)}, [&](int level, const PatchPlace& part) {
-    if (!is_of_whole_cells(part, level)) return false;
-    const double mm_per_m = heights.moves_mm(with_neighbours(grid, part), 1);
-    const double most_m = mm_per_m > 0 ? 0.5 * most_mm / mm_per_m - heights.sag_m(level)
-                                       : std::numeric_limits<double>::max();
-    return most_m > 0 &&
-           std::visit(
-               [&](const auto& values) { return is_within(grid, values, part, level, most_m); },
-               grid.heights_m);
+  return certified(grid, heights, most_mm, [&](int level, const PatchPlace& part, double most_m) {
+    return std::visit(
+        [&](const auto& values) { return is_within(grid, values, part, level, most_m); },
+        grid.heights_m);
+  });
+}
+
+Patches certified_patches(const Grid& raster, const NestedCells& cells, const HeightOnPage& heights,
+                          double most_mm) {
+  return certified(raster, heights, most_mm, [&](int level, const PatchPlace& part, double most_m) {
+    const int side = kPatchCells << level;
+    return cells
+               .departure(level, static_cast<int>(part.first_column) / side,
+                          static_cast<int>(part.first_row) / side)
+               .greatest_m <= most_m;
   });
 }
 

@@ -6,6 +6,7 @@
 #include "dem/grid.hpp"
 #include "dem/levels/departure.hpp"
 #include "dem/levels/height_ranges.hpp"
+#include "dem/levels/nested_cells.hpp"
 #include "dem/levels/patches.hpp"
 #include "placing/placed_view.hpp"
 
@@ -18,6 +19,8 @@ class HeightOnPage {
 public:
   /// REQUIRES a view of that grid; both outlive this.
   HeightOnPage(const Grid& grid, const PlacedView& placed);
+  /// The same of a grid of which the lattice alone is there. `heights` are its.
+  HeightOnPage(const Grid& grid, const PlacedView& placed, HeightRanges heights);
 
   /// Of a part, its own height apart: by how many millimetres a point of it moves on the page, at
   /// most, if it is moved up or down by this and stays between the lowest and the highest ground
@@ -48,6 +51,11 @@ private:
 /// the grid's end, are of the file's cells. Cost: 1 to 3 ns a height of the grid for each level
 /// that is tried.
 Patches certified_patches(const Grid& grid, const HeightOnPage& heights, double most_mm);
+
+/// The same of a raster that isn't in memory, whose lattice is `raster`. REQUIRES that `cells` are
+/// its. Cost: that of looking at each patch.
+Patches certified_patches(const Grid& raster, const NestedCells& cells, const HeightOnPage& heights,
+                          double most_mm);
 
 /// By how much a point is off at most, on the page. `departures` are those of the patchwork.
 double greatest_error_mm(const Patches& patches, const std::vector<Departure>& departures,

@@ -7,8 +7,10 @@
 #include "dem/levels/patchwork.hpp"
 #include "dem/levels/raster_patches.hpp"
 #include "dem/levels/refine.hpp"
+#include "geometry/error.hpp"
 #include "placing/cell_on_page.hpp"
 #include "placing/certified_patches.hpp"
+#include "placing/certified_raster.hpp"
 #include "placing/land_part.hpp"
 #include "placing/patches_of_raster.hpp"
 #include "placing/patches_of_view.hpp"
@@ -165,12 +167,12 @@ bool buries_eye(const Tin& tin, const View& view) {
   return ground && *ground * view.exaggeration > view.eye_z_m;
 }
 
-// From now on the terrain is made of these patches.
-void take_patchwork(TerrainOfView& terrain, Patchwork made) {
+// From now on the terrain is made of these patches of a grid, which is so far from the file's.
+void take_patchwork(TerrainOfView& terrain, Patchwork made, const Grid& grid, double error_m) {
   const TerrainData& file = terrain.of_file();
-  const Grid& grid = std::get<Grid>(file.surface);
   const auto level = std::make_shared<TerrainLevel>();
   level->terrain = file;
+  level->terrain.surface_error_m = error_m;
   Tin& tin = level->terrain.surface.emplace<Tin>(std::move(made.tin));
   level->facts = facts_of(level->terrain);
   const GridSteps steps = steps_of(grid);
@@ -208,7 +210,7 @@ std::optional<LevelOfDetail> take_patches(TerrainOfView& terrain, const TerrainF
       level, grid, patches, made, [&](const PatchPlace& part) { return scale.mm_per_m(part); },
       placed.exaggeration);
   tell_summits(level, summits_of(grid, made, patches, kSummits), placed);
-  take_patchwork(terrain, std::move(made));
+  take_patchwork(terrain, std::move(made), grid, file.surface_error_m);
   return level;
 }
 
@@ -233,7 +235,17 @@ std::optional<LevelOfDetail> take_patches_of_raster(TerrainOfView& terrain,
       level, of.raster(), of.patches(), made,
       [&](const PatchPlace& part) { return of.mm_per_m(part); }, placed.exaggeration);
   tell_summits(level, summits_of(*file.larger_cells, of.raster(), made, of.patches()), placed);
-  take_patchwork(terrain, std::move(made));
+  take_patchwork(terrain, std::move(made), larger, file.surface_error_m);
+  return level;
+}
+
+LevelOfDetail told_certified(const Grid& grid, const Patches& patches, const Patchwork& made,
+                             const HeightOnPage& heights) {
+  LevelOfDetail level;
+  tell_patches(
+      level, grid, patches, made, [&](const PatchPlace& part) { return heights.moves_mm(part, 1); },
+      1);
+  level.greatest_mm = greatest_error_mm(patches, made.departures, heights) / kFramedAnew;
   return level;
 }
 
@@ -242,24 +254,34 @@ std::optional<LevelOfDetail> take_patches_of_raster(TerrainOfView& terrain,
 // as a TIN.
 std::optional<LevelOfDetail> take_certified(TerrainOfView& terrain, const PlacedView& placed,
                                             double most_mm) {
-  // The picture of the level is framed anew, and may be larger by so much.
-  constexpr double kFramedAnew = 0.97;
-  // Of 4000 x 4000 cells a quarter took 1.9 s, in patches, and all of them 0.9 s.
-  constexpr std::size_t kTimesFewer = 10;
-  const Grid& grid = std::get<Grid>(terrain.of_file().surface);
+  const TerrainData& file = terrain.of_file();
+  const Grid& grid = std::get<Grid>(file.surface);
   const HeightOnPage heights(grid, placed);
   const Patches patches = certified_patches(grid, heights, kFramedAnew * most_mm);
-  if (patches.patches().size() * kPatchCells * kPatchCells > grid.size() / kTimesFewer)
-    return std::nullopt;
+  if (!spare_enough(patches, grid.size())) return std::nullopt;
   Patchwork made = patchwork(grid, patches, patches_of_grid(grid, patches, {}));
   if (made.tin.triangles.empty() || !all_face_up(made.tin)) return std::nullopt;
-  LevelOfDetail level;
-  tell_patches(
-      level, grid, patches, made, [&](const PatchPlace& part) { return heights.moves_mm(part, 1); },
-      1);
-  level.greatest_mm = greatest_error_mm(patches, made.departures, heights) / kFramedAnew;
+  LevelOfDetail level = told_certified(grid, patches, made, heights);
   tell_summits(level, summits_of(grid, made, patches, kSummits), placed);
-  take_patchwork(terrain, std::move(made));
+  take_patchwork(terrain, std::move(made), grid, file.surface_error_m);
+  return level;
+}
+
+// The same of a raster of which larger cells were read, and its own where patches need them.
+LevelOfDetail take_certified_of_raster(TerrainOfView& terrain, const MapSpec& spec,
+                                       const PlacedView& placed) {
+  const TerrainData& file = terrain.of_file();
+  const CertifiedRaster of(file, placed, spec);
+  Patchwork made;
+  if (of.missing().empty())
+    made =
+        patchwork(std::get<Grid>(file.surface), of.patches(), nested_patches(*file.larger_cells));
+  if (made.tin.triangles.empty() || !all_face_up(made.tin))
+    throw Error(file.source + " can't be drawn within a bound from here: a part of it is missing",
+                "ask for cells of a size with `detail`, or keep a part with `bbox`");
+  LevelOfDetail level = told_certified(of.raster(), of.patches(), made, of.heights());
+  tell_summits(level, summits_of(*file.larger_cells, of.raster(), made, of.patches()), placed);
+  take_patchwork(terrain, std::move(made), of.raster(), 0);
   return level;
 }
 
@@ -283,6 +305,8 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   const auto stay = [&] { return stay_with(std::nullopt); };
   if (detail.error_mm) {
     if (needs_lattice(file, spec.style)) return stay();
+    if (file.larger_cells)
+      return take_certified_of_raster(terrain, spec, placed_picture(file, of_file, spec, solids));
     const auto level =
         take_certified(terrain, placed_picture(file, of_file, spec, solids), *detail.error_mm);
     return level ? level : stay();

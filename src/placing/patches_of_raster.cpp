@@ -53,13 +53,27 @@ std::optional<double> height_of_raster(const Grid& raster, const LargerCells& re
 // there it sees more.
 PlacedView on_own_cells(PlacedView placed, const TerrainData& terrain, const Grid& raster) {
   View& view = placed.view;
-  const auto own = height_of_raster(raster, *terrain.larger_cells, view.depth_origin_m),
-             larger = height_at(larger_cells(terrain), view.depth_origin_m);
-  if (own && larger) view.eye_z_m += std::max(0.0, *own - *larger) * view.exaggeration;
+  view.eye_z_m +=
+      std::max(0.0, rise_of_raster(terrain, raster, view.depth_origin_m)) * view.exaggeration;
   return placed;
 }
 
 } // namespace
+
+double rise_of_raster(const TerrainData& terrain, const Grid& raster, Vec2 ground_m) {
+  const auto own = height_of_raster(raster, *terrain.larger_cells, ground_m),
+             larger = height_at(larger_cells(terrain), ground_m);
+  return own && larger ? *own - *larger : 0;
+}
+
+std::vector<GridPart> without_known(std::vector<GridPart> parts, const LargerCells& read) {
+  std::erase_if(parts, [&](const GridPart& part) {
+    return std::ranges::any_of(read.parts, [&](const RasterPart& known) {
+      return known.at.first_column == part.first_column && known.at.first_row == part.first_row;
+    });
+  });
+  return parts;
+}
 
 PatchesOfRaster::PatchesOfRaster(const TerrainData& terrain, PlacedView placed, const MapSpec& spec)
     : terrain_(terrain), raster_(lattice_of_raster(larger_cells(terrain), *terrain.larger_cells)),
@@ -68,14 +82,7 @@ PatchesOfRaster::PatchesOfRaster(const TerrainData& terrain, PlacedView placed, 
       patches_(patches_of_view(raster_, scale_, size_for_eye(spec.style), 0)) {}
 
 std::vector<GridPart> PatchesOfRaster::missing() const {
-  const LargerCells& read = *terrain_.larger_cells;
-  std::vector<GridPart> parts = parts_under(read, patches_);
-  std::erase_if(parts, [&](const GridPart& part) {
-    return std::ranges::any_of(read.parts, [&](const RasterPart& known) {
-      return known.at.first_column == part.first_column && known.at.first_row == part.first_row;
-    });
-  });
-  return parts;
+  return without_known(parts_under(*terrain_.larger_cells, patches_), *terrain_.larger_cells);
 }
 
 } // namespace orograph

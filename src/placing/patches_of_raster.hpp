@@ -14,6 +14,13 @@
 
 namespace orograph {
 
+/// How much higher than the larger cells the raster's own are at a place of the ground frame, in
+/// metres; 0 where these aren't known.
+double rise_of_raster(const TerrainData& terrain, const Grid& raster, Vec2 ground_m);
+
+/// Those of the parts that weren't read.
+std::vector<GridPart> without_known(std::vector<GridPart> parts, const LargerCells& read);
+
 /// Patches of a raster about an eye, none of smaller cells than its own.
 class PatchesOfRaster {
 public:

@@ -4,6 +4,7 @@
 #include "dem/read/raster_parts.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "placing/cell_on_page.hpp"
+#include "placing/certified_raster.hpp"
 #include "placing/patches_of_raster.hpp"
 #include "placing/terrain_facts.hpp"
 #include "placing/terrain_of_view.hpp"
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 namespace orograph {
@@ -25,30 +25,63 @@ constexpr std::uint64_t kMostHeights = std::uint64_t{1} << 24;
 // asked.
 constexpr double kCellsForOne = 2;
 
+// What a view in a file cuts away is cut from the raster's own surface.
+bool cuts(const MapSpec& spec) {
+  return spec.view.file && spec.view.file->cuts();
+}
+
 bool shows_level(const MapSpec& spec) {
   const DetailSpec& detail = spec.style.detail;
   const bool is_level =
-      !detail.of_file && !detail.error_mm && (!spec.ground_points || detail.cell_mm);
-  // Lines that are draped over patches have no lattice to lie on, if it is in degrees.
-  const bool has_drape = spec.view.has_eye() && spec.style.asks_for("drape");
-  return is_level && !spec.view.file && spec.check_of_file == 0 && !has_drape;
+      !detail.of_file && (detail.error_mm || !spec.ground_points || detail.cell_mm);
+  return is_level && !cuts(spec) && spec.check_of_file == 0;
+}
+
+// Lines that are draped over patches have no lattice to lie on, if it is in degrees.
+bool needs_whole(const TerrainData& terrain, const MapSpec& spec) {
+  const bool has_patches = spec.view.has_eye() || spec.style.detail.error_mm;
+  return terrain.map.earth && has_patches && spec.style.asks_for("drape");
 }
 
 // What is asked of a raster that is large: cells along its shorter side; 0: all of them.
-int cells_of_page(const MapSpec& spec) {
-  if (!shows_level(spec)) return 0;
+LevelAsked level_for(const MapSpec& spec) {
+  if (!shows_level(spec)) return {};
   const double page_mm = std::max(spec.page.width_mm, spec.page.height_mm.value_or(0));
-  return static_cast<int>(std::ceil(kCellsForOne * page_mm / asked_size(spec.style).least_mm));
+  return {static_cast<int>(std::ceil(kCellsForOne * page_mm / asked_size(spec.style).least_mm)),
+          spec.style.detail.error_mm.has_value()};
 }
 
-// Whether the page shows cells that much larger than is asked that the raster's next smaller ones
-// are nearer to it.
-bool shows_large_cells(const TerrainData& whole, const MapSpec& spec, const SceneFile* solids) {
+// How many times as large as asked the page shows cells. Infinite where the eye of a view in a file
+// stands over ground.
+double times_too_large(const TerrainData& whole, const MapSpec& spec, const SceneFile* solids) {
   const TerrainOfView terrain(whole, spec.view);
   const TerrainFacts facts = facts_of(*terrain);
   const PlacedView placed = placed_picture(*terrain, facts, spec, solids);
-  return greatest_cell_mm(placed, std::get<Grid>(terrain->surface)) >
-         std::numbers::sqrt2 * asked_size(spec.style).least_mm;
+  return greatest_cell_mm(placed, std::get<Grid>(terrain->surface)) /
+         asked_size(spec.style).least_mm;
+}
+
+// Adds to a terrain in its frame the parts of the raster that a drawing is found to miss, until it
+// misses none. `missing` asks it.
+void read_missing(TerrainData& framed, const std::vector<std::string>& paths,
+                  const ReadOptions& options,
+                  const std::function<std::vector<GridPart>()>& missing) {
+  std::vector<RasterPart>& parts = framed.larger_cells->parts;
+  for (;;) {
+    const std::vector<GridPart> asked = missing();
+    if (asked.empty()) return;
+    std::ranges::move(read_raster_parts(paths, options, asked), std::back_inserter(parts));
+    std::ranges::sort(parts, {}, [](const RasterPart& part) {
+      return std::pair(part.at.first_row, part.at.first_column);
+    });
+  }
+}
+
+// The whole terrain with the parts that were read in a view's frame.
+std::shared_ptr<const TerrainData> with_parts_of(const TerrainData& whole, TerrainData framed) {
+  TerrainData out = whole;
+  out.larger_cells->parts = std::move(framed.larger_cells->parts);
+  return std::make_shared<const TerrainData>(std::move(out));
 }
 
 // With what an eye sees so near that it is to be drawn in the raster's own cells. Which these are
@@ -61,19 +94,26 @@ with_parts_near_eye(const TerrainData& whole, const std::vector<std::string>& pa
   if (!stands_over_ground(spec.view, *terrain, facts)) return nullptr;
   const PlacedView placed = placed_picture(*terrain, facts, spec, solids);
   TerrainData framed = *terrain;
-  for (;;) {
-    std::vector<RasterPart>& parts = framed.larger_cells->parts;
-    const std::vector<GridPart> missing = PatchesOfRaster(framed, placed, spec).missing();
-    if (missing.empty()) {
-      TerrainData out = whole;
-      out.larger_cells->parts = std::move(parts);
-      return std::make_shared<const TerrainData>(std::move(out));
-    }
-    std::ranges::move(read_raster_parts(paths, options, missing), std::back_inserter(parts));
-    std::ranges::sort(parts, {}, [](const RasterPart& part) {
-      return std::pair(part.at.first_row, part.at.first_column);
-    });
-  }
+  read_missing(framed, paths, options,
+               [&] { return PatchesOfRaster(framed, placed, spec).missing(); });
+  return with_parts_of(whole, std::move(framed));
+}
+
+// With what is to be drawn in the raster's own cells, or half as many, lest it be off by more than
+// is asked. Null where its own surface is drawn quicker.
+std::shared_ptr<const TerrainData>
+with_parts_certified(const TerrainData& whole, const std::vector<std::string>& paths,
+                     const ReadOptions& options, const MapSpec& spec, const SceneFile* solids) {
+  const TerrainOfView terrain(whole, spec.view);
+  const PlacedView placed = placed_picture(*terrain, facts_of(*terrain), spec, solids);
+  TerrainData framed = *terrain;
+  bool spares_enough = true;
+  read_missing(framed, paths, options, [&] {
+    const CertifiedRaster of(framed, placed, spec);
+    spares_enough = of.spares_enough();
+    return spares_enough ? of.missing() : std::vector<GridPart>{};
+  });
+  return spares_enough ? with_parts_of(whole, std::move(framed)) : nullptr;
 }
 
 } // namespace
@@ -84,33 +124,43 @@ TerrainsForMaps::TerrainsForMaps(std::vector<std::string> paths, ReadOptions opt
 
 std::shared_ptr<const TerrainData>
 TerrainsForMaps::of(const MapSpec& spec, const std::function<void(double)>& progress) {
-  for (int least_cells = cells_of_page(spec);;) {
-    std::shared_ptr<const TerrainData> terrain = read(least_cells, progress);
+  for (LevelAsked asked = level_for(spec);;) {
+    std::shared_ptr<const TerrainData> terrain = read(asked, progress);
     const auto& larger = terrain->larger_cells;
-    if (!larger || least_cells == 0) return terrain;
+    if (!larger) return terrain;
+    if (needs_whole(*terrain, spec)) return read({}, progress);
+    if (asked.with_nested) {
+      auto with_parts = with_parts_certified(*terrain, paths_, options_, spec, solids_);
+      return with_parts ? with_parts : read({}, progress);
+    }
     if (spec.view.has_eye())
       if (auto with_parts = with_parts_near_eye(*terrain, paths_, options_, spec, solids_))
         return with_parts;
-    if (!shows_large_cells(*terrain, spec, solids_)) return terrain;
+    // A half more or less than what is asked is as near as cells come.
+    const double halvings = std::ceil(std::log2(times_too_large(*terrain, spec, solids_)) - 0.5);
+    if (!(halvings > 0)) return terrain;
     // It isn't seen as a whole, or along its shorter side.
-    least_cells = (std::min(larger->columns, larger->rows) - 1) / (larger->step / 2);
+    const double step = larger->step / std::exp2(halvings);
+    if (step < 1) return read({}, progress);
+    asked.least_cells = (std::min(larger->columns, larger->rows) - 1) / static_cast<int>(step);
   }
 }
 
 std::shared_ptr<const TerrainData> TerrainsForMaps::before_views(const MapSpec& spec) {
-  return read(cells_of_page(spec), {});
+  return read(level_for(spec), {});
 }
 
 std::shared_ptr<const TerrainData>
-TerrainsForMaps::read(int least_cells, const std::function<void(double)>& progress) {
+TerrainsForMaps::read(LevelAsked asked, const std::function<void(double)>& progress) {
   const std::lock_guard lock(mutex_);
   if (not_large_) return not_large_;
-  std::shared_ptr<const TerrainData>& kept = by_cells_[least_cells];
+  std::shared_ptr<const TerrainData>& kept = by_level_[asked];
   if (kept) return kept;
   ReadOptions options = options_;
-  if (least_cells > 0) options.large = LargeRasters{kMostHeights, least_cells};
+  if (asked.least_cells > 0)
+    options.large = LargeRasters{kMostHeights, asked.least_cells, asked.with_nested};
   kept = std::make_shared<const TerrainData>(read_terrain(paths_, options, progress));
-  if (least_cells > 0 && !kept->larger_cells) not_large_ = kept;
+  if (asked.least_cells > 0 && !kept->larger_cells) not_large_ = kept;
   return kept;
 }
 

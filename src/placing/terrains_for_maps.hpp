@@ -7,6 +7,7 @@
 #include "placing/map_spec.hpp"
 #include "solids/scene_file.hpp"
 
+#include <compare>
 #include <functional>
 #include <map>
 #include <memory>
@@ -15,6 +16,14 @@
 #include <vector>
 
 namespace orograph {
+
+/// What is asked of a raster that is large.
+struct LevelAsked {
+  int least_cells = 0; ///< along the shorter side; 0: all
+  bool with_nested = false;
+
+  auto operator<=>(const LevelAsked&) const = default;
+};
 
 /// The terrain of some files, read as often as maps of it need other cells. Several threads may use
 /// it at a time.
@@ -25,9 +34,10 @@ public:
 
   /// For the map; of a raster of more than 16 million heights larger cells: not larger than those
   /// that `choose_level` draws, which are half as large mostly. Where an eye stands over it, the
-  /// raster's own cells as well in parts, for this map alone: those that the page asks for. The
-  /// whole raster where `spec` draws its own surface or looks by a file's view, where lines are
-  /// draped over what an eye sees, and where it is checked against the file. Throws the Errors of
+  /// raster's own cells as well in parts, for this map alone: those that the page asks for; the
+  /// same with nested cells where it is to be within a bound. The whole raster where `spec` draws
+  /// its own surface, where the planes of a file's view cut it, where it is in degrees and lines
+  /// are draped over patches, and where it is checked against the file. Throws the Errors of
   /// `read_terrain`, and of placing the view; `progress` as of the first.
   std::shared_ptr<const TerrainData> of(const MapSpec& spec,
                                         const std::function<void(double)>& progress = {});
@@ -37,15 +47,14 @@ public:
   std::shared_ptr<const TerrainData> before_views(const MapSpec& spec);
 
 private:
-  std::shared_ptr<const TerrainData> read(int least_cells,
+  std::shared_ptr<const TerrainData> read(LevelAsked asked,
                                           const std::function<void(double)>& progress);
 
   const std::vector<std::string> paths_;
   const ReadOptions options_;
   const SceneFile* const solids_;
   std::mutex mutex_;
-  /// By how many cells at least are left along the shorter side; 0: all.
-  std::map<int, std::shared_ptr<const TerrainData>> by_cells_;
+  std::map<LevelAsked, std::shared_ptr<const TerrainData>> by_level_;
   std::shared_ptr<const TerrainData> not_large_; ///< once it is known: serves all maps
 };
 

@@ -56,6 +56,9 @@ TEST_CASE("a large raster is drawn the same with an index, and without one that 
   CHECK(report["level_of_detail"]["greatest_departure_mm"] ==
         report["error_budget_mm"]["level_of_detail"]);
 
+  folder.write("large.vrt.levels", "orolev01, of an older version");
+  CHECK(holds(draw("old.svg", {}), "large.vrt.levels isn't used: it is no index, or of another"));
+  CHECK(folder.read("old.svg") == folder.read("without.svg"));
   REQUIRE(run({"index", "large.vrt"}).exit_code == 0);
   CHECK(holds(run({"info", "large.vrt"}).out, "large.vrt.levels: cells 4 to 32 times as large"));
   CHECK(!holds(draw("with.svg", {}), ".levels"));
@@ -74,6 +77,18 @@ TEST_CASE("a large raster is drawn the same with an index, and without one that 
   const std::string with_index = folder.read("eye.svg");
   draw("eye.svg", without);
   CHECK(folder.read("eye.svg") == with_index);
+
+  // Within a bound, without all of it in memory (70 MB, and its drawing as much again).
+  const std::vector<std::string> bound{"--level-error", "0.5",      "--max-memory",
+                                       "120MB",         "--report", "c.json"};
+  draw("bound.svg", bound);
+  const auto certified = nlohmann::json::parse(folder.read("c.json"));
+  CHECK(certified["level_of_detail"]["most_step"].get<double>() >= 8);
+  CHECK(certified["error_budget_mm"]["level_of_detail"].get<double>() <= 0.5);
+  without = bound;
+  without.insert(without.end(), {"--index", "off", "--jobs", "1"});
+  draw("bound-without.svg", without);
+  CHECK(folder.read("bound.svg") == folder.read("bound-without.svg"));
 
   const std::filesystem::path source = folder.path("hill.tif");
   std::filesystem::last_write_time(source, std::filesystem::last_write_time(source) +
@@ -103,6 +118,33 @@ TEST_CASE("a sweep over a large raster draws what render does, in what memory re
     run(with({"render", "large.vrt", "a.svg", "--view-from", azimuth + "/12", "--overwrite"}));
     CHECK(folder.read("a.svg") == folder.read("turn/azimuth-" + azimuth + ".svg"));
   }
+}
+
+TEST_CASE(
+    "a view in a file, and lines draped over what an eye sees, need no more of a large raster") {
+  const MadeFolder folder;
+  make_large(folder);
+  folder.write("view.toml", R"(projection = "parallel"
+vrp = [521000, 4979000, 0]
+vpn = [0, -1, 1]
+prp = [0, 0, 1]
+window = [-30000, -20000, 30000, 20000]
+)");
+  folder.write("way.geojson", R"({"type": "LineString", "crs": {"type": "name",
+    "properties": {"name": "EPSG:32632"}}, "coordinates": [[520100, 4979000], [521000, 4985000]]})");
+  const auto draw = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "large.vrt", "a.svg", "--title", "a", "--overwrite",
+                                     "--max-memory", "110MB", "--report", "a.json"});
+    const auto result = run_orograph(options, {.folder = folder.path()});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return nlohmann::json::parse(folder.read("a.json"))["level_of_detail"];
+  };
+  CHECK(draw({"--view", "view.toml"})["step"].get<double>() >= 4);
+  const auto seen = draw({"--eye", "520000,4980000", "--eye-height", "40", "--look-azimuth", "10",
+                          "--fov", "60", "--drape", "way.geojson"});
+  CHECK(seen["step"] == 1);
+  CHECK(seen["most_step"].get<double>() >= 8);
 }
 
 TEST_CASE("a raster that takes too much memory is refused, and another's file isn't replaced") {

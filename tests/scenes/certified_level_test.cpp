@@ -2,16 +2,26 @@
 // Larger cells within a bound on the page: no point of the ground is off by more, and the file's
 // own surface hides nothing that is drawn by more than twice that.
 #include "dem/height_at.hpp"
+#include "dem/levels/generalise.hpp"
+#include "dem/levels/nested_in_bands.hpp"
+#include "dem/levels/patchwork.hpp"
+#include "dem/levels/raster_patches.hpp"
 #include "map/draw_level.hpp"
+#include "placing/certified_raster.hpp"
 #include "placing/level_of_detail.hpp"
+#include "placing/patches_of_raster.hpp"
 #include "placing/placed_view.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/earth_terrain.hpp"
 #include "tests/support/plane_terrain.hpp"
 #include "tests/support/random.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
+#include <variant>
 
 namespace orograph::certified_level_test {
 namespace {
@@ -78,6 +88,52 @@ double greatest_mm(const Grid& file, const Surface& drawn, const PlacedView& pla
   return greatest;
 }
 
+NestedCells nested_cells(const Grid& grid) {
+  return std::visit(
+      [&]<class Height>(const Heights<Height>& heights) {
+        NestedInBands<Height> nested(grid.columns, grid.rows);
+        nested.take({0, grid.rows,
+                     std::make_shared<const std::vector<Height>>(heights.data(),
+                                                                 heights.data() + grid.size())});
+        return nested.move_cells();
+      },
+      grid.heights_m);
+}
+
+// As a large raster is read: in larger cells, with nested ones.
+TerrainData in_larger_cells(const TerrainData& file, int step) {
+  const Grid& grid = std::get<Grid>(file.surface);
+  TerrainData out = file;
+  const Grid larger = generalised(grid, step, [](int, int) { return false; });
+  out.larger_cells =
+      LargerCells{step, grid.columns, grid.rows, departure_of(larger, grid), tops_of(grid, 16, 10)};
+  out.larger_cells->nested = std::make_shared<const NestedCells>(nested_cells(grid));
+  out.surface = larger;
+  return out;
+}
+
+// What its patches look at.
+void add_parts(TerrainData& whole, const Grid& file, const MapSpec& spec) {
+  const TerrainOfView terrain(whole, spec.view);
+  const PlacedView placed = placed_picture(*terrain, facts_of(*terrain), spec, nullptr);
+  TerrainData framed = *terrain;
+  for (int round = 0;; ++round) {
+    REQUIRE(round < 5);
+    const auto missing = CertifiedRaster(framed, placed, spec).missing();
+    if (missing.empty()) break;
+    auto& parts = framed.larger_cells->parts;
+    for (const GridPart& part : missing) parts.push_back({part, part_of_grid(file, part)});
+    std::ranges::sort(parts, {}, [](const RasterPart& part) {
+      return std::pair(part.at.first_row, part.at.first_column);
+    });
+  }
+  whole.larger_cells->parts = framed.larger_cells->parts;
+}
+
+bool are_same(const Patchwork& a, const Patchwork& b) {
+  return a.places == b.places && a.heights_m == b.heights_m && a.tin.triangles == b.tin.triangles;
+}
+
 } // namespace
 
 TEST_CASE("no point of a certified level is off by more than is told, or asked for",
@@ -117,6 +173,58 @@ TEST_CASE("no point of a certified level is off by more than is told, or asked f
   CHECK(levels > enough<10>);
   CHECK(tight > enough<6>);  // or the bound would be no measure
   CHECK(ties > enough<300>); // which the file's surface hides by less
+}
+
+TEST_CASE("a raster that isn't in memory has the certified patches that it has in memory") {
+  std::size_t several = 0, patches_of_levels = 0;
+  for (std::uint64_t seed = 1; seed <= last_seed(10); ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    const bool on_earth = random.chance(0.4);
+    const TerrainData file = made_terrain(random, on_earth);
+    MapSpec spec;
+    spec.style.detail.error_mm = random.pick({0.3, 0.8, 2.0});
+    spec.style.light.reset();
+    look_somehow(spec.view, random, on_earth);
+    TerrainData whole = in_larger_cells(file, random.pick({2, 4}));
+    add_parts(whole, std::get<Grid>(file.surface), spec);
+
+    // In the same picture: the same patches, and the same surface, to the bit.
+    const TerrainOfView of_file(file, spec.view), of_larger(whole, spec.view);
+    const PlacedView placed = placed_picture(*of_larger, facts_of(*of_larger), spec, nullptr);
+    const CertifiedRaster certified(*of_larger, placed, spec);
+    const Grid& grid = std::get<Grid>(of_file->surface);
+    PlacedView raised = placed;
+    if (spec.view.has_eye())
+      raised.view.eye_z_m +=
+          placed.view.exaggeration *
+          rise_of_raster(*of_larger, certified.raster(), placed.view.depth_origin_m);
+    const HeightOnPage heights(grid, raised);
+    const Patches patches =
+        certified_patches(grid, heights, kFramedAnew * *spec.style.detail.error_mm);
+    REQUIRE(patches.patches() == certified.patches().patches());
+    const Patchwork made = patchwork(grid, patches, patches_of_grid(grid, patches, {}));
+    const Patchwork from_nested = patchwork(std::get<Grid>(of_larger->surface), patches,
+                                            nested_patches(*of_larger->larger_cells));
+    CHECK(are_same(made, from_nested));
+    for (std::size_t i = 0; i < made.departures.size(); ++i) {
+      // Which look at a patch's far borders as well.
+      CHECK(from_nested.departures[i].greatest_m > made.departures[i].greatest_m - 1e-9);
+      CHECK(std::abs(made.departures[i].rms_m - from_nested.departures[i].rms_m) < 1e-9);
+    }
+    for (const Patch& patch : patches.patches()) patches_of_levels += patch.level >= kFinestKept;
+
+    // And what is drawn of it is within the bound, from the file's own surface.
+    TerrainOfView terrain(whole, spec.view);
+    const auto level = choose_level(terrain, spec, nullptr, nullptr);
+    REQUIRE(level);
+    several += level->most_step > level->step;
+    CHECK(level->greatest_mm <= *spec.style.detail.error_mm);
+    CHECK(greatest_mm(grid, terrain->surface, placed_view(terrain, spec), random) <=
+          level->greatest_mm);
+  }
+  CHECK(several > enough<5>);
+  CHECK(patches_of_levels > enough<100>);
 }
 
 } // namespace orograph::certified_level_test

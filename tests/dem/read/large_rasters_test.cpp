@@ -18,6 +18,8 @@
 #include <cstring>
 #include <variant>
 
+#include "gdal/gdal.hpp"
+
 namespace orograph::large_rasters_test {
 namespace {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An index beside a raster gives what the raster gives, or nothing.
+#include "dem/levels/nested_cells.hpp"
 #include "dem/read/level_index.hpp"
 #include "dem/read/raster_bands.hpp"
 #include "geometry/error.hpp"
@@ -36,7 +37,7 @@ struct Indexed {
   ReadOptions options;
 
   Indexed() {
-    options.large = LargeRasters{1000, 129};
+    options.large = LargeRasters{1000, 129, true};
     Random random(3);
     RasterFile raster = counting_raster(kPixels, kLines);
     for (double& value : raster.values) value = random.chance(0.01) ? -1 : random.between(0, 900);
@@ -51,6 +52,22 @@ struct Indexed {
   }
 };
 
+template <class Value>
+bool have_same_bits(const std::vector<Value>& a, const std::vector<Value>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0;
+}
+
+bool are_same(const NestedCells& a, const NestedCells& b) {
+  bool same = have_same_bits(a.ranges, b.ranges) && a.departures.size() == b.departures.size() &&
+              a.heights.size() == b.heights.size();
+  for (std::size_t i = 0; same && i < a.departures.size(); ++i)
+    same = have_same_bits(a.departures[i], b.departures[i]);
+  for (std::size_t i = 0; same && i < a.heights.size(); ++i)
+    same = have_same_bits(std::get<std::vector<float>>(a.heights[i]),
+                          std::get<std::vector<float>>(b.heights[i]));
+  return same;
+}
+
 bool are_same(const TerrainData& a, const TerrainData& b) {
   const auto &of_a = std::get<Heights<float>>(grid_of(a).heights_m),
              &of_b = std::get<Heights<float>>(grid_of(b).heights_m);
@@ -59,7 +76,8 @@ bool are_same(const TerrainData& a, const TerrainData& b) {
          a.larger_cells->tops == b.larger_cells->tops &&
          a.larger_cells->departure.greatest_m == b.larger_cells->departure.greatest_m &&
          a.larger_cells->departure.rms_m == b.larger_cells->departure.rms_m &&
-         a.surface_error_m == b.surface_error_m;
+         a.surface_error_m == b.surface_error_m &&
+         are_same(*a.larger_cells->nested, *b.larger_cells->nested);
 }
 
 } // namespace
