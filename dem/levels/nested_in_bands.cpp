@@ -16,46 +16,60 @@ constexpr int kGroup = 64;    // rows: one cell of the coarsest level that there
 constexpr int kStrip = 1024;  // columns: one patch of it, so that no two strips share one
 constexpr int kColumns = 256; // at a time: what is known of them stays in the nearest cache
 
-// A row of cells of a level, between two rows of the grid, at so many of its columns: planes of
-// their upper and lower triangles in the order of `certified_patches`, to the bit.
-struct CellRow {
-  std::array<double, kColumns> share;                  // of a cell from its west
-  std::array<double, kColumns> from, down, across;     // below the diagonal
-  std::array<double, kColumns> from_upper, down_upper; // above it
-
+// Some columns of a row of cells of a level, between two rows of the grid, and how far the grid's
+// rows are from its triangles: in the order of `certified_patches`, to the bit. All of it are plain
+// loops, which the processor does several steps of at a time.
+class CellRow {
+public:
   template <class Height>
   void lay(const Height* north, const Height* south, int columns, int step) {
+    columns_ = static_cast<std::size_t>(columns);
+    step_ = static_cast<std::size_t>(step);
+    const double share = 1.0 / step;
     for (int first = 0; first < columns; first += step) {
       const double nw = north[first], ne = north[first + step], sw = south[first],
                    se = south[first + step];
       for (int c = 0; c < step; ++c) {
         const auto i = static_cast<std::size_t>(first + c);
-        const double x = c * (1.0 / step);
-        share[i] = x;
-        from[i] = nw;
-        down[i] = sw - nw;
-        across[i] = (se - sw) * x;
-        from_upper[i] = nw + (ne - nw) * x;
-        down_upper[i] = se - ne;
+        from_[i] = nw + (ne - nw) * (c * share);
+        down_[i] = se - ne;
+        across_[i] = 0;
+        from_below_[i] = nw;
+        down_below_[i] = sw - nw;
+        across_below_[i] = (se - sw) * (c * share);
       }
     }
   }
-};
 
-struct Apart {
-  std::array<double, kColumns> greatest{}, squares{};
-
-  // `weight` 0 for a row that is another patch's first: a missing height makes NaN of it as well.
+  /// The `r`th of the rows from one to the other, `step` and one. REQUIRES that they come in order.
+  /// The last is another cell's first, too: what is missing there counts, its squares don't.
   template <class Height>
-  void add(const CellRow& cells, const Height* line, int columns, double y, double weight) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(columns); ++i) {
-      const double below = cells.from[i] + cells.down[i] * y + cells.across[i],
-                   above = cells.from_upper[i] + cells.down_upper[i] * y;
-      const double apart = std::abs((cells.share[i] <= y ? below : above) - line[i]);
-      greatest[i] = apart > greatest[i] ? apart : greatest[i];
-      squares[i] += weight * (apart * apart);
+  void compare(const Height* line, std::size_t r) {
+    for (std::size_t i = r; i < columns_ && r < step_; i += step_) { // now below the diagonal
+      from_[i] = from_below_[i];
+      down_[i] = down_below_[i];
+      across_[i] = across_below_[i];
+    }
+    const double y = static_cast<double>(r) * (1.0 / static_cast<double>(step_)),
+                 weight = r < step_ ? 1 : 0;
+    for (std::size_t i = 0; i < columns_; ++i) {
+      const double apart = std::abs(from_[i] + down_[i] * y + across_[i] - line[i]);
+      greatest_[i] = apart > greatest_[i] ? apart : greatest_[i];
+      squares_[i] += weight * (apart * apart);
     }
   }
+
+  void begin() {
+    greatest_.fill(0);
+    squares_.fill(0);
+  }
+  double greatest_m(int column) const { return greatest_[static_cast<std::size_t>(column)]; }
+  double squares(int column) const { return squares_[static_cast<std::size_t>(column)]; }
+
+private:
+  std::size_t columns_ = 0, step_ = 1;
+  std::array<double, kColumns> from_, down_, across_, from_below_, down_below_, across_below_;
+  std::array<double, kColumns> greatest_, squares_;
 };
 
 // The last column of a cell that ends a patch.
@@ -176,36 +190,39 @@ void NestedInBands<Height>::compare(int level, int first_row,
             whole_rows = (cells_.rows - 1) / step * step;
   const int end = std::min((strip + 1) * kStrip, whole_columns),
             end_row = std::min(first_row + kGroup, whole_rows);
+  const auto line = [&](int row) { return lines[static_cast<std::size_t>(row - first_row)]; };
   CellRow cells;
   for (int begin = strip * kStrip; begin < end; begin += kColumns) {
     const int columns = std::min(kColumns, end - begin);
+    std::vector<int> ends; // of patches
+    for (int column = (begin / side + 1) * side; column < begin + columns; column += side)
+      ends.push_back(column);
+    if (begin + columns == whole_columns || (begin + columns) % side == 0)
+      ends.push_back(begin + columns);
     for (int from = first_row; from < end_row; from += std::min(side, kGroup)) {
-      Apart apart;
       Sums* const sums =
           sums_[static_cast<std::size_t>(level - 1)].data() +
           static_cast<std::ptrdiff_t>(from / side) * patches_along(cells_.columns, level);
+      cells.begin();
       for (int row = from; row < std::min(from + side, end_row); row += step) {
-        const Height* const north = lines[static_cast<std::size_t>(row - first_row)];
-        const Height* const south = lines[static_cast<std::size_t>(row + step - first_row)];
+        const Height *const north = line(row), *const south = line(row + step);
         cells.lay(north + begin, south + begin, columns, step);
         const bool ends_patch = (row + step) % side == 0 || row + step == whole_rows;
         for (int r = 0; r < (ends_patch ? step + 1 : step); ++r) {
-          const Height* const line = lines[static_cast<std::size_t>(row + r - first_row)];
-          const double y = r * (1.0 / step);
-          apart.add(cells, line + begin, columns, y, r < step ? 1 : 0);
-          for (int column = begin + step; column <= begin + columns; column += step) {
-            if (column % side != 0 && column != whole_columns) continue;
+          cells.compare(line(row + r) + begin, static_cast<std::size_t>(r));
+          for (const int column : ends) {
+            const double apart =
+                apart_at_end(north, south, line(row + r), column, step, r * (1.0 / step));
             Sums& of = sums[(column - 1) / side];
-            const double at_end = apart_at_end(north, south, line, column, step, y);
-            of.greatest_m = std::max(of.greatest_m, at_end);
-            of.squares += 0 * at_end; // NaN where it is missing
+            of.greatest_m = std::max(of.greatest_m, apart);
+            of.squares += 0 * apart; // NaN where it is missing
           }
         }
       }
       for (int i = 0; i < columns; ++i) {
         Sums& of = sums[(begin + i) / side];
-        of.greatest_m = std::max(of.greatest_m, apart.greatest[static_cast<std::size_t>(i)]);
-        of.squares += apart.squares[static_cast<std::size_t>(i)];
+        of.greatest_m = std::max(of.greatest_m, cells.greatest_m(i));
+        of.squares += cells.squares(i);
       }
     }
   }
