@@ -37,9 +37,17 @@ Made<Height> random_grid(Random& random) {
     for (int column = 0; column < out.columns; ++column)
       out.heights.push_back(static_cast<Height>(
           90 * std::sin(column * 0.03) * std::cos(row * 0.05) + random.between(-2, 2)));
-  for (int i = 0; i < voids; ++i)
-    out.heights[static_cast<std::size_t>(random.whole(
-        0, static_cast<int>(out.heights.size()) - 1))] = std::numeric_limits<Height>::quiet_NaN();
+  // Often on patches' borders, of which some other one begins there.
+  const auto place = [&](int vertices) {
+    const int at = random.whole(0, vertices - 1);
+    return random.chance(0.5) ? at / 32 * 32 : at;
+  };
+  for (int i = 0; i < voids; ++i) {
+    const auto row = static_cast<std::size_t>(place(out.rows)),
+               column = static_cast<std::size_t>(place(out.columns));
+    out.heights[row * static_cast<std::size_t>(out.columns) + column] =
+        std::numeric_limits<Height>::quiet_NaN();
+  }
   return out;
 }
 
