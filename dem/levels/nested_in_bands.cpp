@@ -155,13 +155,13 @@ void NestedInBands<Height>::keep_heights(int row, const Height* line) {
 template <class Height>
 void NestedInBands<Height>::find_ranges(int first_row, const std::vector<const Height*>& lines,
                                         int strip) {
-  constexpr Height kInfinity = std::numeric_limits<Height>::infinity();
+  constexpr Height kFar = std::numeric_limits<Height>::infinity();
   const int begin = strip * kStrip, end = std::min(begin + kStrip, cells_.columns - 1),
             last_line = static_cast<int>(lines.size()) - 1;
   std::array<Height, kStrip + 1> low, high;
   for (int from = 0; from < last_line; from += kPatchCells) {
-    low.fill(kInfinity);
-    high.fill(-kInfinity);
+    low.fill(kFar);
+    high.fill(-kFar);
     for (int row = from; row <= std::min(from + kPatchCells, last_line); ++row) {
       const Height* const line = lines[static_cast<std::size_t>(row)] + begin;
       for (std::size_t i = 0; i <= static_cast<std::size_t>(end - begin); ++i) { // false for NaN

@@ -21,7 +21,7 @@ struct Refused {
 };
 
 /// Of words of eight bytes; what is left over counts as one that is filled up. (FNV-1a by words.)
-class Sum {
+class Checksum {
 public:
   void add(const void* bytes, std::size_t size) {
     const auto* at = static_cast<const char*>(bytes);
@@ -41,7 +41,7 @@ private:
 
 template <class Values>
 std::uint64_t sum_of(const Values& values) {
-  Sum sum;
+  Checksum sum;
   sum.add(values.data(), values.size() * sizeof(values[0]));
   return sum.state();
 }
