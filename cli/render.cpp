@@ -14,6 +14,7 @@
 #include "map/draw_level.hpp"
 #include "map/look_around.hpp"
 #include "map/name_places.hpp"
+#include "placing/grounds.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/observer.hpp"
 #include "placing/placed_view.hpp"
@@ -73,24 +74,6 @@ void tell_check(const std::optional<CheckOfFile>& check) {
 }
 
 } // namespace
-
-bool is_scene(const std::string& input) {
-  return input.ends_with(".toml") || input.ends_with(".TOML");
-}
-
-bool stands_on_nothing(const RenderSettings& settings) {
-  return settings.inputs.size() == 1 && is_scene(settings.inputs.front());
-}
-
-TerrainData read_ground(const RenderSettings& settings) {
-  if (!stands_on_nothing(settings)) return read_terrain(settings.inputs, settings.reading);
-  TerrainData bare;
-  bare.surface = Tin{};
-  bare.map.crs_name = "none";
-  bare.source = settings.inputs.front();
-  bare.paths = settings.inputs;
-  return bare;
-}
 
 void check_not_empty(const Map& map, const RenderSettings& settings) {
   if (map.facts.counts.strokes == 0)

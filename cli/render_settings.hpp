@@ -3,16 +3,13 @@
 #pragma once
 
 #include "cli/options/option.hpp"
-#include "dem/read/read_options.hpp"
-#include "dem/read/read_overlay.hpp"
 #include "draw/assign_pens.hpp"
 #include "draw/drawing.hpp"
 #include "draw/sheets.hpp"
+#include "placing/grounds.hpp"
 #include "placing/map_spec.hpp"
-#include "solids/scene_file.hpp"
 #include "write/write_drawing.hpp"
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,18 +17,10 @@
 
 namespace orograph {
 
-struct RenderSettings {
-  std::vector<std::string> inputs; ///< one at least; several are joined
+struct RenderSettings : GroundFiles {
   std::string output;
-  ReadOptions reading;
-
-  std::string scene_file;                  ///< its path; empty: no solids
-  std::shared_ptr<const SceneFile> solids; ///< what it holds
-
-  std::vector<OverlayInput> overlays;
+  std::string scene_file;     ///< that `solids` are of; empty: none
   std::string overlays_where; ///< of all of them
-
-  OverlayInput labels; ///< places with names; an empty path: none
   std::string labels_where;
 
   MapSpec map;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/visible.hpp"
 
-#include "cli/render.hpp"
 #include "cli/report/skyline_table.hpp"
 #include "cli/say.hpp"
 #include "cli/tell_map.hpp"

@@ -2,7 +2,6 @@
 #include "bench/page/view_list.hpp"
 
 #include "cli/options/options.hpp"
-#include "cli/render.hpp"
 #include "geometry/error.hpp"
 #include "map/draw_map.hpp"
 

@@ -6,7 +6,6 @@
 #include "cli/progress.hpp"
 #include "cli/report/measurements.hpp"
 #include "cli/tell_map.hpp"
-#include "cli/text_file.hpp"
 #include "dem/read/read_raster.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"

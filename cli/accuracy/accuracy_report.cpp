@@ -2,6 +2,7 @@
 #include "cli/accuracy/accuracy_report.hpp"
 
 #include "cli/report/measurements.hpp"
+#include "text/aligned_table.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,6 @@
 #include "cli/progress.hpp"
 #include "cli/report/measurements.hpp"
 #include "cli/tell_map.hpp"
-#include "cli/text_file.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
 #include "placing/terrain_of_view.hpp"

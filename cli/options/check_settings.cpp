@@ -2,53 +2,23 @@
 // What one option alone can't tell.
 #include "cli/options/check_settings.hpp"
 
-#include "cli/options/option_values.hpp"
-#include "cli/render.hpp"
 #include "cli/report/run_report.hpp"
 #include "geometry/error.hpp"
 #include "map/check_spec.hpp"
 #include "map/layer_table.hpp"
 #include "solids/read_scene.hpp"
+#include "write/same_file.hpp"
 #include "write/write_drawing.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <string_view>
 
 namespace orograph {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Equal by inode where both exist; by name, links resolved, where one is still to be written.
-bool same_file(const fs::path& a, const fs::path& b) {
-  std::error_code error;
-  if (fs::equivalent(a, b, error) && !error) return true;
-  const fs::path whole_a = fs::weakly_canonical(fs::absolute(a, error), error);
-  if (error) return false;
-  const fs::path whole_b = fs::weakly_canonical(fs::absolute(b, error), error);
-  return !error && whole_a == whole_b;
-}
-
-/// The file names that a GDAL dataset name may hold, besides itself.
-std::vector<std::string> file_names_in(const std::string& input) {
-  std::vector<std::string> names{input};
-  std::string unquoted = input;
-  std::replace(unquoted.begin(), unquoted.end(), '"', ':');
-  for (auto& part : split(unquoted, ':')) names.push_back(std::move(part));
-  for (std::size_t i = 0; i < names.size(); ++i) // grows: /vsigzip//vsitar/a.tar/…
-    if (names[i].starts_with("/vsi"))
-      if (const auto slash = names[i].find('/', 1); slash != std::string::npos) {
-        std::string rest = names[i].substr(slash + 1);
-        names.push_back("/" + rest);
-        names.push_back(std::move(rest));
-      }
-  return names;
-}
 
 void check_no_input(const RenderSettings& settings, const std::string& path,
                     const std::string& option, const std::string& its_name) {
@@ -296,17 +266,6 @@ void check_no_shape_file(const RenderSettings& settings) {
 void check_dpi(const RenderSettings& settings, const GivenOptions& given) {
   if (settings.write.format != Format::png)
     refuse(given, "--dpi", "in a vector format", "leave it out, or write PNG with --of png");
-}
-
-bool replaces_input(const std::string& input, const std::string& output) {
-  for (const auto& name : file_names_in(input))
-    // Every folder on the way: one of them may be an archive, and OUTPUT is never a folder.
-    for (fs::path part = name; !part.empty(); part = part.parent_path()) {
-      std::error_code error;
-      if (!fs::is_directory(part, error) && same_file(part, output)) return true;
-      if (part == part.root_path() || part == part.parent_path()) break;
-    }
-  return false;
 }
 
 void check_output_file(const RenderSettings& settings, const std::string& path,

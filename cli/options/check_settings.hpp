@@ -46,11 +46,6 @@ void check_skyline(const RenderSettings& settings, const GivenOptions& given);
 void check_output_file(const RenderSettings& settings, const std::string& path,
                        const std::string& option);
 
-/// Whether writing `output` would replace a file that `input` is read from: the same file by any
-/// spelling or link, also behind GDAL's /vsi prefixes ("/vsizip/a.zip/b.tif") and subdataset names
-/// ("NETCDF:\"a.nc\":band").
-bool replaces_input(const std::string& input, const std::string& output);
-
 /// Throws UsageError where an input is a scene.
 void refuse_scenes(const std::vector<std::string>& inputs);
 

@@ -2,7 +2,7 @@
 // What every command takes, or every one that draws: cores, memory, settings, messages, help.
 #include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
-#include "cli/options/option_values.hpp"
+#include "text/quantities.hpp"
 
 #include <sys/resource.h>
 

@@ -5,6 +5,7 @@
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
 #include "geometry/error.hpp"
+#include "text/quantities.hpp"
 
 #include <fmt/format.h>
 

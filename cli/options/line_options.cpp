@@ -6,6 +6,7 @@
 #include "draw/colour.hpp"
 #include "geometry/error.hpp"
 #include "map/layer_table.hpp"
+#include "text/quantities.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>

@@ -4,10 +4,10 @@
 #include "cli/options/check_settings.hpp"
 #include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
-#include "cli/options/option_values.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/parse_arguments.hpp"
 #include "geometry/error.hpp"
+#include "text/quantities.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>

@@ -9,7 +9,7 @@ namespace orograph {
 namespace {
 
 // Fields that messages of the library name, with what sets them on the command line.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 43> kOptions{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 46> kOptions{{
     {"terrain", "INPUT"},
     {"solids", "--scene"},
     // ReadOptions
@@ -31,6 +31,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 43> kOptions
     {"from_azimuth", "--view-from AZ/EL"},
     {"distance_m", "--distance"},
     {"field_of_view", "--fov"},
+    {"azimuth_range", "--azimuth-range"},
+    {"altitude_range", "--altitude-range"},
     {"eye_map", "--eye"},
     {"eye_lonlat", "--eye-lonlat"},
     {"eye_summit_m", "--eye-summit"},
@@ -38,6 +40,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 43> kOptions
     {"look_at_lonlat", "--look-at-lonlat"},
     {"curvature", "--curvature"},
     {"projection", "--projection"},
+    {"step_m", "--eye-step"},
     // LabelSpec
     {"labels.field", "--label-field"},
     {"labels.weight_field", "--label-weight"},

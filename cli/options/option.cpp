@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/options/option.hpp"
 
-#include "cli/options/option_values.hpp"
 #include "geometry/error.hpp"
+#include "text/words.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/options/option_group.hpp"
 
-#include "cli/options/option_values.hpp"
+#include "text/quantities.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>

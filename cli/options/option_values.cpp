@@ -1,56 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The values of options, from text.
 #include "cli/options/option_values.hpp"
 
+#include "text/quantities.hpp"
 #include "text/words.hpp"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <utility>
 
 namespace orograph {
-namespace {
-
-template <typename Number>
-std::optional<Number> parse_whole(std::string_view text) {
-  // from_chars knows no leading plus, and people write one.
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  Number value{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
-}
-
-/// As many numbers as asked for, with the separator between them.
-std::optional<std::vector<double>> parse_numbers(std::string_view text, char separator,
-                                                 std::size_t count) {
-  const auto parts = split(text, separator);
-  if (parts.size() != count) return std::nullopt;
-  std::vector<double> numbers;
-  for (const auto& part : parts) {
-    const auto number = parse_number(part);
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
-
-} // namespace
-
-std::optional<double> parse_number(std::string_view text) {
-  const auto value = parse_whole<double>(text);
-  if (!value || !std::isfinite(*value)) return std::nullopt;
-  return value;
-}
-
-std::optional<int> parse_integer(std::string_view text) {
-  return parse_whole<int>(text);
-}
-
 std::optional<GivenPlace> parse_place(std::string_view text) {
   if (const auto n = parse_numbers(text, ',', 2)) return GivenPlace((*n)[0], (*n)[1]);
   if (const auto n = parse_numbers(text, ',', 3)) return GivenPlace({(*n)[0], (*n)[1], (*n)[2]});
@@ -72,20 +29,6 @@ std::optional<Box2> parse_lonlat_box(std::string_view text) {
   if (box.high.x < box.low.x) box.high.x += 360;
   if (!(box.width() > 0 && box.width() <= 360)) return std::nullopt;
   return box;
-}
-
-std::optional<double> parse_compass_deg(std::string_view text) {
-  constexpr std::array<std::string_view, 16> kRose{"n",  "nne", "ne", "ene", "e",  "ese",
-                                                   "se", "sse", "s",  "ssw", "sw", "wsw",
-                                                   "w",  "wnw", "nw", "nnw"};
-  const auto* const found = std::ranges::find(kRose, in_lower_case(text));
-  if (found == kRose.end()) return std::nullopt;
-  return 22.5 * static_cast<double>(found - kRose.begin());
-}
-
-std::optional<double> parse_azimuth_deg(std::string_view text) {
-  const auto by_name = parse_compass_deg(text);
-  return by_name ? by_name : parse_number(text);
 }
 
 std::optional<ViewFrom> parse_view_from(std::string_view text) {
@@ -145,54 +88,6 @@ std::optional<PlanRequest> parse_spacing(std::string_view text) {
   return GroundSpacing{*length};
 }
 
-std::optional<double> parse_metres(std::string_view text) {
-  if (text.ends_with("mm") || !text.ends_with("m")) return std::nullopt;
-  text.remove_suffix(1);
-  const auto length = parse_number(text);
-  if (!length || *length < 0) return std::nullopt;
-  return length;
-}
-
-std::optional<std::uint64_t> parse_bytes(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, double>, 3> kUnits{
-      {{"kB", 1e3}, {"MB", 1e6}, {"GB", 1e9}}};
-  for (const auto& [unit, bytes] : kUnits) {
-    if (!text.ends_with(unit)) continue;
-    text.remove_suffix(unit.size());
-    const auto number = parse_number(text);
-    constexpr double kMost = 1e18; // as many as an integer holds
-    if (!number || !(*number >= 0) || *number * bytes > kMost) return std::nullopt;
-    return static_cast<std::uint64_t>(*number * bytes);
-  }
-  return std::nullopt;
-}
-
-std::optional<GivenHeights> parse_heights(std::string_view text) {
-  constexpr double kFoot_m = 0.3048;
-  GivenHeights out;
-  if (text.ends_with("ft")) {
-    out.unit_m = kFoot_m;
-    text.remove_suffix(2);
-  } else if (text.ends_with("m")) {
-    out.unit_m = 1;
-    text.remove_suffix(1);
-  }
-  for (const std::string& part : split(text, ',')) {
-    const auto height = parse_number(part);
-    if (!height) return std::nullopt;
-    out.values.push_back(*height);
-  }
-  return out;
-}
-
-std::optional<double> parse_arc_deg(std::string_view text) {
-  double unit_deg = 1;
-  for (; text.ends_with('\''); text.remove_suffix(1)) unit_deg /= 60;
-  const auto arc = parse_number(text);
-  if (!arc || *arc < 0 || unit_deg < 1.0 / 3601) return std::nullopt;
-  return *arc * unit_deg;
-}
-
 std::optional<PageSize> parse_page_size(std::string_view text) {
   const auto parts = split(text, 'x');
   if (parts.size() != 2) return std::nullopt;
@@ -222,12 +117,6 @@ std::optional<Vec2> parse_range(std::string_view text) {
   return Vec2{*from, *to};
 }
 
-std::optional<double> parse_scale(std::string_view text) {
-  if (text.starts_with("1:")) text.remove_prefix(2);
-  const auto scale = parse_number(text);
-  return scale && *scale > 0 ? scale : std::nullopt;
-}
-
 // A file may have colons in its own name.
 OverlayInput parse_overlay(const std::string& text) {
   const std::size_t colon = text.rfind(':');
@@ -236,16 +125,6 @@ OverlayInput parse_overlay(const std::string& text) {
       text.find('/', colon) != std::string::npos)
     return {.path = text};
   return {.path = text.substr(0, colon), .layer = text.substr(colon + 1)};
-}
-
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (;;) {
-    const auto at = text.find(separator);
-    parts.emplace_back(text.substr(0, at));
-    if (at == std::string_view::npos) return parts;
-    text.remove_prefix(at + 1);
-  }
 }
 
 } // namespace orograph

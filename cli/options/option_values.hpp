@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The values of options, from text. Nothing here knows which option it reads.
+// The values of options that are more than quantities, from text. Nothing here knows which option
+// it reads.
 #pragma once
 
 #include "dem/read/overlay_input.hpp"
@@ -11,20 +12,14 @@
 #include "profiles/plan_request.hpp"
 #include "view/view_request.hpp"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace orograph {
 
-// Each of these reads the whole text, in the same way under every locale (a point, never a decimal
-// comma; exponents and a leading plus are allowed), and returns nothing where the text isn't that
-// kind of value. NaN, infinities and numbers too large for a double are no numbers.
+// Each of these reads the whole text as those of text/quantities.hpp do.
 
-std::optional<double> parse_number(std::string_view text);
-std::optional<int> parse_integer(std::string_view text);
 /// "X,Y" or "X,Y,Z".
 std::optional<GivenPlace> parse_place(std::string_view text);
 /// "XMIN,YMIN,XMAX,YMAX" with XMIN < XMAX and YMIN < YMAX.
@@ -33,11 +28,6 @@ std::optional<Box2> parse_box(std::string_view text);
 /// "W,S,E,N" in degrees, longitudes from -360 to 360 and less than a turn apart or just one,
 /// latitudes S < N. W above E goes across 180 degrees: the box's high x is beyond then.
 std::optional<Box2> parse_lonlat_box(std::string_view text);
-
-/// Degrees, or one of the 16 directions of a compass rose in any letter case: "N", "nw", "NNE".
-std::optional<double> parse_azimuth_deg(std::string_view text);
-/// The same where only a name will do.
-std::optional<double> parse_compass_deg(std::string_view text);
 
 /// "A:B".
 std::optional<Vec2> parse_range(std::string_view text);
@@ -62,23 +52,6 @@ std::optional<LineWidths> parse_pen_width(std::string_view text);
 /// "AZ/ALT" in degrees, clockwise from north and above the horizontal, ALT 0 to 90; or "picture".
 std::optional<LightSpec> parse_light(std::string_view text);
 
-/// A number of bytes with kB, MB or GB, from 0 on.
-std::optional<std::uint64_t> parse_bytes(std::string_view text);
-
-/// "2m", from 0 on.
-std::optional<double> parse_metres(std::string_view text);
-
-/// Numbers with commas between, and behind the last one the unit of all: "m", "ft", or none, which
-/// is the file's own.
-struct GivenHeights {
-  std::vector<double> values;
-  std::optional<double> unit_m;
-};
-std::optional<GivenHeights> parse_heights(std::string_view text);
-
-/// Degrees, or minutes "10'", or seconds "30''", from 0 on.
-std::optional<double> parse_arc_deg(std::string_view text);
-
 /// "WxH" or "Wxauto" in millimetres, each 1 to 10000.
 struct PageSize {
   double width_mm;
@@ -89,13 +62,7 @@ std::optional<PageSize> parse_page_size(std::string_view text);
 /// "2x3": columns and rows of sheets, each 1 to 20.
 std::optional<SheetsRequest> parse_sheets(std::string_view text);
 
-/// "1:25000", or the number alone, above 0: how much smaller the page is.
-std::optional<double> parse_scale(std::string_view text);
-
 /// "FILE" or "FILE:LAYER".
 OverlayInput parse_overlay(const std::string& text);
-
-/// The parts between separators; empty parts stay.
-std::vector<std::string> split(std::string_view text, char separator);
 
 } // namespace orograph

@@ -3,6 +3,7 @@
 #include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
+#include "text/quantities.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/options/suggest_option.hpp"
 
-#include "cli/options/option_values.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>

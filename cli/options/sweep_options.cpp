@@ -5,13 +5,15 @@
 #include "cli/options/option.hpp"
 #include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
-#include "cli/options/option_values.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/parse_arguments.hpp"
 #include "geometry/error.hpp"
 #include "map/check_spec.hpp"
 #include "placing/fingerprint.hpp"
+#include "text/number_list.hpp"
+#include "text/quantities.hpp"
 #include "text/text_of_file.hpp"
+#include "text/words.hpp"
 #include "write/device.hpp"
 
 #include <fmt/format.h>
@@ -84,7 +86,9 @@ void add_listed(OptionGroup& group, const ListOption& list, const Option& single
       name + " LIST", list.help, fmt::format("{}; {}", kList, allowed), by_default,
       [name, list, allowed, single, &s](const std::string& text) {
         if (list.parameter == Parameter::exaggeration && text == "auto") return single.take(text);
-        Axis axis{list.parameter, parse_number_list(name, text)};
+        const bool by_name = list.parameter == Parameter::azimuth; // N, NNE, …
+        Axis axis{list.parameter,
+                  parse_number_list(name, text, by_name ? parse_azimuth_deg : parse_number)};
         for (const double value : axis.values)
           if (!single.take(fmt::format("{}{}{}", list.before, number_text(value), list.after)))
             throw UsageError(

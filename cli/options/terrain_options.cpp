@@ -9,6 +9,9 @@
 #include "cli/options/parse_arguments.hpp"
 #include "dem/read/length_units.hpp"
 #include "geometry/error.hpp"
+#include "text/quantities.hpp"
+#include "text/words.hpp"
+#include "write/same_file.hpp"
 
 #include <fmt/format.h>
 

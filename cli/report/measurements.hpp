@@ -31,10 +31,6 @@ Value known(const Optional& x) {
 /// Seconds as milliseconds, with so many decimals.
 std::string milliseconds(double seconds, int decimals);
 
-/// Columns as wide as their widest cell, counted in characters; the first to the left, the others
-/// to the right. REQUIRES that all rows have as many cells.
-std::string aligned_table(const std::vector<std::vector<std::string>>& rows);
-
 /// A line of names and a line for each record; texts quoted, empty where nothing is known. REQUIRES
 /// that all records have the same names.
 std::string csv_of(const std::vector<Record>& records);

@@ -2,7 +2,7 @@
 #include "cli/report/skyline_table.hpp"
 
 #include "cli/say.hpp"
-#include "cli/text_file.hpp"
+#include "write/output_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/columns.hpp"
 
+#include "text/words.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>

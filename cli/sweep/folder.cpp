@@ -4,9 +4,9 @@
 #include "cli/say.hpp"
 #include "cli/sweep/journal.hpp"
 #include "cli/sweep/page.hpp"
-#include "cli/text_file.hpp"
 #include "geometry/error.hpp"
 #include "write/byte_sink.hpp"
+#include "write/output_file.hpp"
 
 #include <fmt/format.h>
 

@@ -2,13 +2,14 @@
 #include "cli/sweep/journal.hpp"
 
 #include "cli/report/measurements.hpp"
-#include "cli/text_file.hpp"
 #include "cli/version.hpp"
 #include "dem/read/asked_window.hpp"
 #include "geometry/error.hpp"
 #include "placing/fingerprint.hpp"
 #include "text/nesting.hpp"
+#include "text/text_of_file.hpp"
 #include "text/words.hpp"
+#include "write/output_file.hpp"
 #include "write/write_drawing.hpp"
 
 #include <fmt/format.h>

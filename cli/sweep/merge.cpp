@@ -3,8 +3,9 @@
 #include "cli/sweep/folder.hpp"
 #include "cli/sweep/journal.hpp"
 #include "cli/sweep/sweep.hpp"
-#include "cli/text_file.hpp"
 #include "geometry/error.hpp"
+#include "text/text_of_file.hpp"
+#include "write/output_file.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,6 @@
 #include "cli/render_settings.hpp"
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace orograph {
@@ -43,16 +42,5 @@ struct Axis {
 
 /// Gives the parameter its value. REQUIRES neither `view` nor `eye`, which take more than a number.
 void set_parameter(RenderSettings& settings, Parameter parameter, double value);
-
-/// The numbers of "0:360:5", from the first up (or down) to the last in steps, or "1,2,5", or of
-/// both: "0:10:2,15". A range ends at the last number that doesn't pass its end. Its
-/// numbers are rounded to twelve digits of the largest, so that steps of 0.1 stay numbers of one
-/// decimal. Throws UsageError, which names the
-/// option, where there is no number, a step is zero or leads away from the end, or there would be
-/// more than ten million.
-std::vector<double> parse_number_list(const std::string& option, const std::string& text);
-
-/// Twelve digits at most, as few as tell it.
-std::string number_text(double number);
 
 } // namespace orograph

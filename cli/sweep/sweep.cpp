@@ -8,7 +8,6 @@
 #include "cli/report/run_report.hpp"
 #include "cli/sweep/columns.hpp"
 #include "cli/sweep/folder.hpp"
-#include "cli/sweep/grounds.hpp"
 #include "cli/sweep/journal.hpp"
 #include "cli/sweep/ranks.hpp"
 #include "cli/tell_map.hpp"
@@ -16,6 +15,7 @@
 #include "map/describe_map.hpp"
 #include "map/draw_level.hpp"
 #include "map/name_places.hpp"
+#include "placing/grounds.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/terrain_of_view.hpp"
@@ -164,7 +164,7 @@ std::optional<ChosenDirection> chosen_direction(const Ground& ground, const View
 // What is made once of the settings; its parts refer to each other.
 struct Prepared {
   explicit Prepared(const SweepSettings& settings)
-      : grounds(settings.render), first(grounds.before_views()),
+      : grounds(settings.render), first(grounds.before_views(settings.render.map)),
         views(settings, first->terrain->map), columns(settings, views),
         plan(make_plan(settings, views, columns, *first->terrain,
                        chosen_direction(*first, views))) {}

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep/view_list.hpp"
 
-#include "cli/sweep/parameter.hpp"
 #include "geometry/error.hpp"
 #include "placing/view_file.hpp"
+#include "text/number_list.hpp"
 
 #include <fmt/format.h>
 

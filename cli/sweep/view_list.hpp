@@ -2,10 +2,10 @@
 // The views of a sweep: which there are, and what each is called.
 #pragma once
 
-#include "cli/sweep/eye_path.hpp"
 #include "cli/sweep/parameter.hpp"
 #include "cli/sweep/sweep.hpp"
 #include "dem/terrain.hpp"
+#include "placing/eye_path.hpp"
 
 #include <cstddef>
 #include <string>

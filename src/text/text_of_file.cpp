@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 namespace orograph {
 
@@ -34,6 +36,25 @@ std::string text_of_file(const std::string& path, const TextKind& kind) {
     throw Error(fmt::format("{} is too large for {} (over {} MB)", path, kind.noun,
                             kind.most_bytes / 1'000'000),
                 kind.right);
+  return text;
+}
+
+std::optional<std::string> whole_file(const std::string& path) {
+  // Streams throw, or tell nothing, where a folder is opened as a file.
+  errno = 0;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             std::fclose);
+  if (!file && (errno == ENOENT || errno == ENOTDIR)) return std::nullopt;
+  std::string text;
+  char block[65536];
+  while (file) {
+    const std::size_t count = std::fread(block, 1, sizeof block, file.get());
+    text.append(block, count);
+    if (count < sizeof block) break;
+  }
+  if (!file || std::ferror(file.get()))
+    throw Error(fmt::format("{} can't be read ({})", path, std::strerror(errno)),
+                "look at what it is, and at its rights");
   return text;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <vector>
 
 namespace orograph {
 namespace {
@@ -20,6 +19,16 @@ std::string with_between(std::span<const Word> words, std::string_view between) 
 }
 
 } // namespace
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (;;) {
+    const auto at = text.find(separator);
+    parts.emplace_back(text.substr(0, at));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
 
 std::string joined(std::span<const std::string> words, std::string_view between) {
   return with_between(words, between);

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace orograph {
 
@@ -80,6 +81,9 @@ private:
   std::string_view rest_, line_;
   std::size_t number_ = 0;
 };
+
+/// The parts between separators; empty parts stay.
+std::vector<std::string> split(std::string_view text, char separator);
 
 /// One after the other, with the same between two of them.
 std::string joined(std::span<const std::string> words, std::string_view between);

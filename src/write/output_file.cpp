@@ -228,4 +228,12 @@ void remove_temporary_files() noexcept {
     if (slot.state == SlotState::used) remove_with_companions(slot.path.data());
 }
 
+void write_text(const std::string& text, const std::string& path, bool overwrite) {
+  OutputFile place(path, overwrite);
+  ByteSink out(place.temporary_path(), path);
+  out.append(text);
+  out.finish();
+  place.commit();
+}
+
 } // namespace orograph

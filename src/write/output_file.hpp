@@ -44,6 +44,10 @@ private:
 /// those before it stay.
 void commit_together(std::span<const std::unique_ptr<OutputFile>> files);
 
+/// Writes the text whole or not at all. Throws Error where it can't be written, or exists and
+/// `overwrite` is off.
+void write_text(const std::string& text, const std::string& path, bool overwrite);
+
 /// Removes the temporary files of all OutputFiles that live in this process, for a program that
 /// ends at once; safe in signal handlers. A file is noted for it before it is there.
 void remove_temporary_files() noexcept;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The options of `render` and `info`: each one's effect, each refusal.
-#include "cli/options/check_settings.hpp"
 #include "cli/options/options.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/given_options.hpp"
 #include "tests/cli/made_files.hpp"
+#include "write/same_file.hpp"
 
 #include <array>
 #include <cmath>

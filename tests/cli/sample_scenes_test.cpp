@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scenes of data_samples/: each is read, and those of the sources have the edges, light and
 // dark, that these tell (Chen and Sabbagh 1983; Angell and Jones 1983, chapter 9).
-#include "cli/render.hpp"
 #include "cli/report/run_report.hpp"
 #include "placing/placed_view.hpp"
 #include "solids/read_scene.hpp"

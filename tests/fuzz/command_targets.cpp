@@ -6,6 +6,8 @@
 #include "cli/report/run_report.hpp"
 #include "cli/sweep/journal.hpp"
 #include "tests/fuzz/scratch_file.hpp"
+#include "text/number_list.hpp"
+#include "text/words.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -141,7 +143,7 @@ void fuzz_values(FuzzBytes bytes) {
   read_or_refuse([&] {
     // Up to ten million numbers are a list: here a few.
     if (text.find(':') == text.npos)
-      expect(!parse_number_list("--azimuth", text).empty(), "a list of nothing");
+      expect(!parse_number_list("--azimuth", text, parse_azimuth_deg).empty(), "a list of nothing");
   });
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A line in a vector file, and eyes along it, against the plane's geometry and GeographicLib's.
-#include "cli/sweep/eye_path.hpp"
 #include "dem/read/read_line.hpp"
 #include "geometry/error.hpp"
+#include "placing/eye_path.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
 #include "tests/sweep/made_sweep.hpp"
@@ -283,5 +283,5 @@ TEST_CASE("paths that nobody can stand along") {
           "its line has no length");
   refused("empty.csv", "id,WKT\n1,\"LINESTRING EMPTY\"\n", std::nullopt, "line");
   refused("steps.csv", "id,WKT\n1,\"LINESTRING(500000 0,510000 0)\"\n", 1e-6,
-          "steps of 1e-06 m make 1e+10 eyes: give a larger --eye-step");
+          "steps of 1e-06 m make 1e+10 eyes: give a larger `step_m`");
 }

@@ -14,7 +14,7 @@ namespace orograph {
 
 struct PathEye {
   GivenPlace place; ///< in the terrain's map coordinates
-  Angle look;       ///< where the path leads, as `--look-azimuth` takes it
+  Angle look;       ///< where the path leads, as `ViewSpec::look_azimuth`
 };
 
 /// The line's vertices, or places every `step_m` along it from its first vertex on, as far as it

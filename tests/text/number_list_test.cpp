@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lists and ranges of numbers against counting in whole numbers.
-#include "cli/sweep/parameter.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/random.hpp"
+#include "text/number_list.hpp"
 
 #include <fmt/format.h>
 

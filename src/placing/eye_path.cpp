@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sweep/eye_path.hpp"
+#include "placing/eye_path.hpp"
 
 #include "dem/frame/local_frame.hpp"
 #include "dem/read/lonlat.hpp"
@@ -66,7 +66,7 @@ std::vector<Stop> stops(const std::vector<Vec3>& points, const std::vector<Way>&
   if (!(total_m / *step_m <= kMostEyes))
     throw Error(fmt::format("{} is {:.4g} m long: steps of {} m make {:.3g} eyes", path, total_m,
                             *step_m, total_m / *step_m),
-                "give a larger --eye-step");
+                "give a larger `step_m`");
   double begin_m = 0; // of the leg
   std::size_t leg = 0;
   for (double i = 0;; ++i) {
