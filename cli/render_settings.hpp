@@ -6,6 +6,7 @@
 #include "draw/assign_pens.hpp"
 #include "draw/drawing.hpp"
 #include "draw/sheets.hpp"
+#include "map/pen_work.hpp"
 #include "placing/grounds.hpp"
 #include "placing/map_spec.hpp"
 #include "write/write_drawing.hpp"
@@ -34,9 +35,8 @@ struct RenderSettings : GroundFiles {
   std::string template_file;         ///< of furniture and letters; empty: none
   std::optional<LetterKind> text;    ///< none: as format, pens and sheets want
   std::optional<PenOrder> pen_order; ///< none: as the format wants
-  // Of the pen that will draw; none: no minutes are told, and the like.
-  std::optional<double> pen_speed_mm_s, pen_up_speed_mm_s, pen_lift_s;
-  std::string pens_file; ///< empty: none
+  PenSpeeds pen_speeds;              ///< of the pen that will draw
+  std::string pens_file;             ///< empty: none
   std::vector<PenOfLayers> pens;
   bool pause_between_pens = false;
   std::optional<Vec2> clip_to_mm;
@@ -58,12 +58,6 @@ struct RenderSettings : GroundFiles {
 
   /// Whether layers have colours of their own, those beside pens too.
   bool has_colours() const { return map.style.palette != Palette::mono || !colours.empty(); }
-  /// None without a speed. The pen is as fast up as down unless told.
-  std::optional<PenSpeed> pen_speed() const {
-    if (!pen_speed_mm_s) return std::nullopt;
-    return PenSpeed{*pen_speed_mm_s, pen_up_speed_mm_s.value_or(*pen_speed_mm_s),
-                    pen_lift_s.value_or(0)};
-  }
 };
 
 } // namespace orograph

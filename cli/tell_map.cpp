@@ -2,7 +2,6 @@
 #include "cli/tell_map.hpp"
 
 #include "cli/finish_drawing.hpp"
-#include "cli/report/pen_time.hpp"
 #include "cli/say.hpp"
 #include "dem/extent.hpp"
 #include "dem/surface.hpp"
@@ -160,7 +159,8 @@ void tell_doubts(const TerrainData& terrain) {
 std::vector<std::string> closing_lines(const Map& map, std::span<const Drawing> sheets,
                                        const PlacedView& placed, const RenderSettings& settings,
                                        double seconds) {
-  const PenWork work = pen_work(sheets.empty() ? std::span(&map.drawing, 1) : sheets, settings);
+  const PenWork work =
+      pen_work(sheets.empty() ? std::span(&map.drawing, 1) : sheets, settings.pen_speeds);
   const auto known = sum_of(work.minutes);
   const std::string minutes =
       known ? fmt::format(", {:.0f} minutes for the pen", std::ceil(*known)) : "";

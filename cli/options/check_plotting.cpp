@@ -174,7 +174,7 @@ void check_sheets(RenderSettings& settings, const GivenOptions& given) {
 void check_pen_time(const RenderSettings& settings, const GivenOptions& given) {
   const bool has_speed = std::any_of(settings.pens.begin(), settings.pens.end(),
                                      [](const auto& of) { return of.pen.speed_mm_s.has_value(); });
-  if (settings.pen_speed_mm_s || has_speed) return;
+  if (settings.pen_speeds.down_mm_s || has_speed) return;
   refuse(given, "--pen-up-speed --pen-lift-s", "without --pen-speed", "give --pen-speed MM/S too");
 }
 

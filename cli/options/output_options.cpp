@@ -4,6 +4,7 @@
 #include "cli/options/option_groups.hpp"
 #include "cli/options/option_values.hpp"
 #include "draw/page.hpp"
+#include "text/quantities.hpp"
 #include "text/words.hpp"
 #include "write/write_drawing.hpp"
 
@@ -130,11 +131,11 @@ void add_pen_time_options(std::vector<Option>& options, RenderSettings& s) {
   group.number("--pen-speed MM/S",
                "Tell how many minutes a pen of this speed draws; what it takes to speed up and "
                "slow down comes on top",
-               mm_s, s.pen_speed_mm_s, "no minutes");
-  group.number("--pen-up-speed MM/S", "Speed between strokes", mm_s, s.pen_up_speed_mm_s,
+               mm_s, s.pen_speeds.down_mm_s, "no minutes");
+  group.number("--pen-up-speed MM/S", "Speed between strokes", mm_s, s.pen_speeds.up_mm_s,
                "as fast as --pen-speed");
   group.number("--pen-lift-s S", "What lifting the pen and setting it down takes",
-               {.unit = "seconds", .low = 0}, s.pen_lift_s, "no time");
+               {.unit = "seconds", .low = 0}, s.pen_speeds.lift_s, "no time");
 }
 
 } // namespace orograph

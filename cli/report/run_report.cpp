@@ -5,7 +5,6 @@
 #include "cli/finish_drawing.hpp"
 #include "cli/render_settings.hpp"
 #include "cli/report/name_report.hpp"
-#include "cli/report/pen_time.hpp"
 #include "cli/version.hpp"
 #include "geometry/error.hpp"
 #include "write/output_file.hpp"
@@ -199,10 +198,10 @@ void count_sheets(RunReport& report, std::span<const Drawing> sheets,
                   const RenderSettings& settings) {
   const std::vector<std::string> names = output_names(settings);
   for (std::size_t i = 0; i < sheets.size(); ++i) {
-    const PenWork one = pen_work(sheets.subspan(i, 1), settings);
+    const PenWork one = pen_work(sheets.subspan(i, 1), settings.pen_speeds);
     report.sheets.push_back({names[i], one.strokes, one.travel(), sum_of(one.minutes)});
   }
-  const PenWork all = pen_work(sheets, settings);
+  const PenWork all = pen_work(sheets, settings.pen_speeds);
   report.layers = all.layers;
   report.minutes_of_layers = all.minutes;
   report.counts.strokes = all.strokes;
@@ -332,7 +331,7 @@ RunReport run_report(const Map& map, const RenderSettings& settings,
   report.scene_path = settings.scene_file;
   report.settings = settings_of(map.facts, settings);
   report.page = map.drawing.page;
-  report.minutes_of_layers = minutes_by_layer(map.drawing, settings);
+  report.minutes_of_layers = minutes_by_layer(map.drawing, settings.pen_speeds);
   if (!sheets.empty()) count_sheets(report, sheets, settings);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/report/pen_time.hpp"
+#include "map/pen_work.hpp"
 
 #include <cstddef>
 
 namespace orograph {
-namespace {
 
-std::optional<PenSpeed> speed_of(const Layer& layer, const RenderSettings& settings) {
-  if (!layer.pen || !layer.pen->speed_mm_s) return settings.pen_speed();
-  const double down_mm_s = *layer.pen->speed_mm_s;
-  const double up_mm_s = settings.pen_speed_mm_s.value_or(down_mm_s);
-  return PenSpeed{down_mm_s, settings.pen_up_speed_mm_s.value_or(up_mm_s),
-                  settings.pen_lift_s.value_or(0)};
+std::optional<PenSpeed> PenSpeeds::of(const std::optional<Pen>& pen) const {
+  const std::optional<double> own_mm_s = pen && pen->speed_mm_s ? pen->speed_mm_s : down_mm_s;
+  if (!own_mm_s) return std::nullopt;
+  return PenSpeed{*own_mm_s, up_mm_s.value_or(down_mm_s.value_or(*own_mm_s)), lift_s.value_or(0)};
 }
 
-} // namespace
-
 std::vector<std::optional<double>> minutes_by_layer(const Drawing& drawing,
-                                                    const RenderSettings& settings) {
+                                                    const PenSpeeds& speeds) {
   const std::vector<PenTravel> travel = pen_travel_by_layer(drawing);
   std::vector<std::optional<double>> minutes;
   for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
-    const auto speed = speed_of(drawing.layers[i], settings);
+    const auto speed = speeds.of(drawing.layers[i].pen);
     minutes.push_back(speed ? std::optional(pen_minutes(travel[i], *speed)) : std::nullopt);
     if (drawing.layers[i].is_pen_way) minutes.back() = 0;
   }
@@ -48,11 +43,11 @@ PenTravel PenWork::travel() const {
   return sum;
 }
 
-PenWork pen_work(std::span<const Drawing> pages, const RenderSettings& settings) {
+PenWork pen_work(std::span<const Drawing> pages, const PenSpeeds& speeds) {
   PenWork work;
   for (const Drawing& page : pages) {
     const std::vector<PenTravel> travel = pen_travel_by_layer(page);
-    const std::vector<std::optional<double>> minutes = minutes_by_layer(page, settings);
+    const std::vector<std::optional<double>> minutes = minutes_by_layer(page, speeds);
     work.layers.resize(travel.size());
     work.minutes.resize(travel.size(), 0.0);
     for (std::size_t i = 0; i < travel.size(); ++i) {
