@@ -2,13 +2,10 @@
 // What every command takes, or every one that draws: cores, memory, settings, messages, help.
 #include "cli/options/option_group.hpp"
 #include "cli/options/option_groups.hpp"
+#include "geometry/free_memory.hpp"
 #include "text/quantities.hpp"
 
-#include <sys/resource.h>
-
-#include <algorithm>
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
 
@@ -17,37 +14,6 @@ namespace {
 
 OptionGroup general(std::vector<Option>& options) {
   return OptionGroup(options, "General");
-}
-
-// The number after a word, or the first one where no word is asked for.
-std::optional<std::uint64_t> number_in(const char* path, const std::string& word) {
-  std::ifstream file(path);
-  std::string name;
-  std::uint64_t number = 0;
-  if (word.empty()) return file >> number ? std::optional(number) : std::nullopt;
-  while (file >> name)
-    if (name == word) return file >> number ? std::optional(number) : std::nullopt;
-  return std::nullopt;
-}
-
-// Bytes that can be had without others' being moved to a disk: as the kernel estimates it for the
-// machine, and no more than this process's container and limit of address space leave. None where
-// neither is told.
-std::optional<std::uint64_t> free_memory() {
-  std::optional<std::uint64_t> least;
-  const auto limit_to = [&](std::uint64_t bytes) {
-    least = std::min(least.value_or(bytes), bytes);
-  };
-  if (const auto kilobytes = number_in("/proc/meminfo", "MemAvailable:"))
-    limit_to(*kilobytes * 1024);
-  // A container's own, where it has one ("max" isn't a number).
-  const auto most = number_in("/sys/fs/cgroup/memory.max", {}),
-             used = number_in("/sys/fs/cgroup/memory.current", {});
-  if (most && used) limit_to(*most > *used ? *most - *used : 0);
-  rlimit address_space{};
-  if (getrlimit(RLIMIT_AS, &address_space) == 0 && address_space.rlim_cur != RLIM_INFINITY)
-    limit_to(address_space.rlim_cur);
-  return least;
 }
 
 bool is_asked_for(const std::string&) {
@@ -62,7 +28,7 @@ void add_jobs(std::vector<Option>& options, int& jobs) {
 }
 
 void add_memory(std::vector<Option>& options, std::optional<std::uint64_t>& bytes) {
-  if (const auto free = free_memory()) bytes = *free / 2;
+  if (const auto free = free_memory_bytes()) bytes = *free / 2;
   general(options).parsed(
       "--max-memory SIZE", "Refuse a raster that would take more memory than this",
       "a number with kB, MB or GB, such as 4GB", "half of what is free", parse_bytes, bytes);
