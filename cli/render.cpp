@@ -75,16 +75,6 @@ void tell_check(const std::optional<CheckOfFile>& check) {
 
 } // namespace
 
-void check_not_empty(const Map& map, const RenderSettings& settings) {
-  if (map.facts.counts.strokes == 0)
-    throw Error(fmt::format("nothing of the {} is on the page",
-                            is_scene(settings.inputs.front()) ? "scene" : "terrain"),
-                settings.map.view.file ? "turn the view towards it, or widen its window"
-                : settings.map.view.altitude_range
-                    ? "widen --altitude-range, or leave it out"
-                    : "turn the view towards it, widen --fov, or raise an eye that faces a slope");
-}
-
 void render(const RenderSettings& settings) {
   const auto start = Clock::now();
   check_outputs(settings);
@@ -125,7 +115,7 @@ void render(const RenderSettings& settings) {
   Map map = draw_level(terrain, placed, spec, level, [&](double fraction) {
     bar.show(read_share + (1 - read_share) * fraction);
   });
-  check_not_empty(map, settings);
+  check_not_empty(map, spec.view, stands_on_nothing(settings));
   finish_drawing(map, settings);
 
   const auto write_start = Clock::now();

@@ -4,8 +4,8 @@
 #include "cli/finish_drawing.hpp"
 #include "cli/info.hpp"
 #include "cli/options/options.hpp"
-#include "cli/render.hpp"
 #include "dem/read/lonlat.hpp"
+#include "map/draw_map.hpp"
 
 #include <limits>
 #include <utility>
@@ -57,7 +57,7 @@ Drawn Views::draw(const NamedValues& options, const Control& control) {
   Control own = control;
   own.jobs = drawn.settings.jobs;
   drawn.map = session_for(drawn.settings, own).draw(drawn.settings.map, own);
-  check_not_empty(drawn.map, drawn.settings);
+  check_not_empty(drawn.map, drawn.settings.map.view);
   finish_drawing(drawn.map, drawn.settings);
   return drawn;
 }

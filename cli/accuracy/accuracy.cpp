@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which rows `orograph accuracy` measures, what they are called and promise, and the command.
 #include "cli/accuracy/accuracy.hpp"
 
 #include "cli/accuracy/accuracy_report.hpp"
 #include "cli/progress.hpp"
 #include "cli/report/measurements.hpp"
 #include "cli/tell_map.hpp"
-#include "dem/read/read_raster.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
 #include "write/output_file.hpp"
@@ -17,86 +15,6 @@
 #include <filesystem>
 
 namespace orograph {
-namespace {
-
-// As many as the file has, told by which of them can be read. The coarsest may be too small to be a
-// terrain.
-int overview_count(const RenderSettings& settings) {
-  ReadOptions options = settings.reading;
-  for (int level = 0;; ++level) {
-    options.overview = level;
-    try {
-      read_rasters(settings.inputs, options);
-    } catch (const Error&) {
-      return level;
-    }
-  }
-}
-
-} // namespace
-
-std::string name_of(const AccuracyRow& row) {
-  const RowSettings& s = row.settings;
-  std::string name =
-      fmt::format("{}, {} profiles", s.occluder == Occluder::surface ? "surface" : "profiles",
-                  row.profile_count);
-  if (s.simplify_mm != RowSettings{}.simplify_mm)
-    name += fmt::format(", simplify {} mm", s.simplify_mm);
-  if (s.overview) name += fmt::format(", overview {}", *s.overview);
-  if (s.level_error_mm) name += fmt::format(", level error {} mm", *s.level_error_mm);
-  if (!s.collapse) name += ", no collapse";
-  if (s.arithmetic == Arithmetic::float32) name += ", float";
-  if (s.arithmetic == Arithmetic::float64 && row.group == "arithmetic") name += ", double";
-  if (s.arithmetic == Arithmetic::exact) name += ", exact";
-  return name;
-}
-
-std::vector<AccuracyRow> accuracy_rows(const AccuracySettings& settings) {
-  std::vector<AccuracyRow> rows;
-  const auto add = [&](const std::string& group, const RowSettings& row) {
-    rows.emplace_back();
-    rows.back().group = group;
-    rows.back().settings = row;
-  };
-  for (const Occluder occluder : {Occluder::surface, Occluder::profiles})
-    for (const auto& number : settings.profiles)
-      add("profiles", {.occluder = occluder, .profiles = number});
-
-  // All else is varied at one number of profiles, the middle one.
-  const auto number = settings.profiles[settings.profiles.size() / 2];
-  for (const double mm : {0.0, 0.1}) add("simplify", {.profiles = number, .simplify_mm = mm});
-  const int overviews = overview_count(settings.render);
-  for (int level = 0; level < overviews; ++level)
-    add("overview", {.profiles = number, .overview = level});
-  for (const double mm : {0.05, 0.2, 0.8})
-    add("level error", {.profiles = number, .level_error_mm = mm});
-  // The surface's horizon rises by silhouettes alone; these two are about profiles that hide.
-  add("collapse", {.occluder = Occluder::profiles, .profiles = number, .collapse = false});
-  for (const Arithmetic arithmetic : {Arithmetic::float32, Arithmetic::float64, Arithmetic::exact})
-    add("arithmetic",
-        {.occluder = Occluder::profiles, .profiles = number, .arithmetic = arithmetic});
-  return rows;
-}
-
-std::string broken_promise(const AccuracyRow& row) {
-  const RowPromise& promise = row.promise;
-  const InkSample ink = row.profiles + row.lines;
-  if (promise.ink_error && ink.error() > *promise.ink_error)
-    return fmt::format("its ink error is {:.3g} %, promised {:.3g} %", 100 * ink.error(),
-                       100 * *promise.ink_error);
-  if (promise.displacement_mm && row.displacement_mm() > *promise.displacement_mm)
-    return fmt::format("its displacement is {:.3g} mm, promised {:.3g} mm", row.displacement_mm(),
-                       *promise.displacement_mm);
-  if (promise.detail_mm && row.detail_mm && *row.detail_mm > *promise.detail_mm)
-    return fmt::format("its larger cells moved a point by {:.3g} mm, promised {:.3g} mm",
-                       *row.detail_mm, *promise.detail_mm);
-  if (promise.simplified_mm && row.simplified &&
-      row.simplified->largest_mm > *promise.simplified_mm)
-    return fmt::format("its simplification moved a point by {:.3g} mm, promised {:.3g} mm",
-                       row.simplified->largest_mm, *promise.simplified_mm);
-  return "";
-}
-
 void check_promises(const std::vector<AccuracyRow>& rows) {
   for (const AccuracyRow& row : rows)
     if (const std::string broken = broken_promise(row); !broken.empty())
@@ -113,13 +31,15 @@ void accuracy(const AccuracySettings& settings) {
     for (const std::string& path : {csv, json, svg}) check_writable(path, render.write);
   }
 
-  const TerrainData whole = read_terrain(render.inputs, render.reading);
-  if (!render.quiet) tell_doubts(whole);
-  std::vector<AccuracyRow> rows = accuracy_rows(settings);
+  const MeasuredTerrain terrain{render.inputs, render.reading,
+                                read_terrain(render.inputs, render.reading)};
+  const std::string& source = terrain.whole.source;
+  if (!render.quiet) tell_doubts(terrain.whole);
+  std::vector<AccuracyRow> rows = accuracy_rows(settings, terrain);
   ProgressBar bar(shows_progress(render.quiet, render.progress));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     bar.show(static_cast<double>(i) / static_cast<double>(rows.size()));
-    measure_row(rows[i], settings, whole);
+    measure_row(rows[i], settings, terrain, render.map);
   }
   bar.finish();
 
@@ -127,11 +47,11 @@ void accuracy(const AccuracySettings& settings) {
   std::fwrite(table.data(), 1, table.size(), stdout);
   if (!settings.prefix.empty()) {
     write_text(accuracy_csv(rows), csv, render.write.overwrite);
-    write_text(accuracy_json(rows, whole.source), json, render.write.overwrite);
+    write_text(accuracy_json(rows, source), json, render.write.overwrite);
     OutputFile curve(svg, render.write.overwrite);
     const std::string name = !render.map.title.empty()
                                  ? render.map.title
-                                 : std::filesystem::path(whole.source).filename().string();
+                                 : std::filesystem::path(source).filename().string();
     plot_accuracy(rows, name, curve.temporary_path());
     curve.commit();
   }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which rows `orograph fragmentation` measures, what they are called and promise, and the command.
 #include "cli/fragmentation/fragmentation.hpp"
 
 #include "cli/fragmentation/fragmentation_report.hpp"
-#include "cli/fragmentation/worst_cases.hpp"
 #include "cli/progress.hpp"
 #include "cli/report/measurements.hpp"
 #include "cli/tell_map.hpp"
@@ -17,43 +15,9 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "measure/worst_cases.hpp"
+
 namespace orograph {
-
-std::string name_of(const FragmentationRow& row) {
-  return fmt::format("{}{} hide{}, from {}/{}, {} profiles",
-                     row.scene == "terrain" ? "" : row.scene + ", ",
-                     row.occluder == Occluder::surface ? "the surface" : "profiles",
-                     row.occluder == Occluder::surface ? "s" : "", row.azimuth_deg,
-                     row.elevation_deg, row.profiles);
-}
-
-std::vector<FragmentationRow> fragmentation_rows(const FragmentationSettings& settings) {
-  std::vector<FragmentationRow> rows;
-  for (const Occluder occluder : {Occluder::profiles, Occluder::surface})
-    for (const double azimuth_deg : settings.azimuths_deg)
-      for (const double elevation_deg : settings.elevations_deg)
-        for (const int profiles : settings.profiles) {
-          FragmentationRow& row = rows.emplace_back();
-          row.scene = "terrain";
-          row.occluder = occluder;
-          row.azimuth_deg = azimuth_deg;
-          row.elevation_deg = elevation_deg;
-          row.profiles = profiles;
-        }
-  return rows;
-}
-
-std::string broken_promise(const FragmentationRow& row) {
-  if (!row.least) return "";
-  const HorizonDifferences& found = row.least->differences;
-  if (found.fragments > 0)
-    return fmt::format("{} pieces of its horizons could be joined to their neighbours",
-                       found.fragments);
-  if (found.wrong > 0)
-    return fmt::format("its horizons differ from the true ones in {} places, and not by ties",
-                       found.wrong);
-  return "";
-}
 
 void check_promises(const std::vector<FragmentationRow>& rows) {
   for (const FragmentationRow& row : rows)
@@ -83,9 +47,9 @@ void fragmentation(const FragmentationSettings& settings) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     bar.show(static_cast<double>(i) / static_cast<double>(rows.size()));
     if (rows[i].scene == "terrain")
-      measure_row(rows[i], settings, terrain);
+      measure_row(rows[i], settings, terrain, render.map);
     else
-      measure_row(rows[i], settings, worst_case_terrain(rows[i]));
+      measure_row(rows[i], settings, worst_case_terrain(rows[i]), render.map);
   }
   bar.finish();
 

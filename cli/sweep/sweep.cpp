@@ -100,7 +100,7 @@ void draw_view(const SweepRun& run, std::size_t view) {
     Map map = drawn_or_why([&] {
       Map out =
           draw_level(*terrain, placed, settings.map, level, [](double) {}, {.observers = {&meter}});
-      check_not_empty(out, settings);
+      check_not_empty(out, settings.map.view, stands_on_nothing(settings));
       finish_drawing(out, settings);
       return out;
     });

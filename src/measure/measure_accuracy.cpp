@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One row's runs: one that measures lengths, one that asks the ray walk, those that are timed, and
 // those in exact arithmetic or with all points that it is compared with.
-#include "cli/accuracy/accuracy.hpp"
-#include "cli/render.hpp"
 #include "dem/read/read_raster.hpp"
 #include "dem/terrain.hpp"
 #include "draw/drawing.hpp"
@@ -10,7 +8,6 @@
 #include "map/draw_map.hpp"
 #include "map/error_budget.hpp"
 #include "map/line_on_page.hpp"
-#include "map/meters.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/terrain_of_view.hpp"
@@ -28,6 +25,9 @@
 #include <utility>
 #include <vector>
 
+#include "measure/accuracy.hpp"
+#include "measure/meters.hpp"
+
 namespace orograph {
 namespace {
 
@@ -43,20 +43,30 @@ int one_a_cell(const Surface& surface) {
   return static_cast<int>(std::clamp(std::round(side_m / cell_size_m(surface)), 1.0, 10000.0));
 }
 
-RenderSettings settings_of(const AccuracyRow& row, const RenderSettings& render,
-                           const TerrainData& full) {
-  RenderSettings out = render;
-  out.map.style.occluder = row.settings.occluder;
-  out.map.style.plan = ProfileCount{row.settings.profiles.value_or(one_a_cell(full.surface))};
-  out.map.style.simplify_mm = row.settings.simplify_mm;
+MapSpec spec_of(const AccuracyRow& row, const MapSpec& map, const TerrainData& full) {
+  MapSpec out = map;
+  out.style.occluder = row.settings.occluder;
+  out.style.plan = ProfileCount{row.settings.profiles.value_or(one_a_cell(full.surface))};
+  out.style.simplify_mm = row.settings.simplify_mm;
   // Strokes are compared one by one: none is cut for its width, joined with others or left out.
-  out.map.style.light.reset();
-  out.map.style.join_mm = 0;
-  out.map.style.min_stroke_mm = 0;
-  out.reading.overview = row.settings.overview;
-  out.map.style.detail = {.of_file = !row.settings.level_error_mm,
-                          .error_mm = row.settings.level_error_mm};
-  if (row.settings.arithmetic == Arithmetic::exact) out.map.style.layers = {"profiles"};
+  out.style.light.reset();
+  out.style.join_mm = 0;
+  out.style.min_stroke_mm = 0;
+  out.style.detail = {.of_file = !row.settings.level_error_mm,
+                      .error_mm = row.settings.level_error_mm};
+  if (row.settings.arithmetic == Arithmetic::exact) out.style.layers = {"profiles"};
+  return out;
+}
+
+// In the frame of the full heights.
+TerrainData overview_of(const MeasuredTerrain& terrain, int overview, const TerrainData& full,
+                        const ViewSpec& view) {
+  ReadOptions reading = terrain.reading;
+  reading.overview = overview;
+  TerrainData out = read_rasters(terrain.inputs, reading);
+  if (const auto& earth = full.map.earth)
+    reframe(out, earth->local.origin_lon_deg(), earth->local.origin_lat_deg(), earth->exaggeration);
+  if (auto cut = cut_by_view(out, view)) return std::move(*cut);
   return out;
 }
 
@@ -227,7 +237,8 @@ std::optional<double> distance(std::span<const Vec2> kept, std::span<const Vec2>
 }
 
 // How far a drawing's lines are from those of the same drawing with all its points. REQUIRES that
-// `simplified` and `whole` were drawn with the same settings but for `--simplify`. Cost O(points).
+// `simplified` and `whole` were drawn with the same settings but for how far they are
+// simplified. Cost O(points).
 SimplifiedDistance simplified_distance(const Drawing& simplified, const Drawing& whole) {
   SimplifiedDistance out;
   for (std::size_t l = 0; l < simplified.layers.size(); ++l) {
@@ -251,25 +262,20 @@ SimplifiedDistance simplified_distance(const Drawing& simplified, const Drawing&
 
 } // namespace
 
-void measure_row(AccuracyRow& row, const AccuracySettings& settings, const TerrainData& whole) {
-  TerrainOfView of_view(whole, settings.render.map.view);
+void measure_row(AccuracyRow& row, const AccuracySpec& spec, const MeasuredTerrain& measured,
+                 const MapSpec& map) {
+  TerrainOfView of_view(measured.whole, map.view);
   const TerrainData& full = of_view.without_level();
-  const RenderSettings render = settings_of(row, settings.render, full);
+  const MapSpec drawn = spec_of(row, map, full);
   std::optional<TerrainData> overview;
-  if (row.settings.overview) {
-    overview = read_rasters(render.inputs, render.reading);
-    if (const auto& earth = full.map.earth)
-      reframe(*overview, earth->local.origin_lon_deg(), earth->local.origin_lat_deg(),
-              earth->exaggeration);
-    if (auto cut = cut_by_view(*overview, render.map.view)) overview = std::move(cut);
-  }
-  const std::optional<LevelOfDetail> level = choose_level(of_view, render.map, nullptr, nullptr);
+  if (row.settings.overview)
+    overview = overview_of(measured, *row.settings.overview, full, drawn.view);
+  const std::optional<LevelOfDetail> level = choose_level(of_view, drawn, nullptr, nullptr);
   const TerrainData& terrain = overview ? *overview : *of_view;
   const Surface* full_heights = overview || level ? &full.surface : nullptr;
-  const PlacedView scene =
-      overview ? placed_view(terrain, render.map) : placed_view(of_view, render.map);
+  const PlacedView scene = overview ? placed_view(terrain, drawn) : placed_view(of_view, drawn);
   row.profile_count = scene.depths_m.size();
-  row.promise = promise_of(row.settings, error_budget(terrain, scene, render.map, level));
+  row.promise = promise_of(row.settings, error_budget(terrain, scene, drawn, level));
 
   const bool exact = row.settings.arithmetic == Arithmetic::exact;
   const auto run = [&](const std::vector<LineObserver*>& observers) {
@@ -280,23 +286,23 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
                                       row.settings.arithmetic == Arithmetic::float32,
                                   .beyond_page = true};
     return draw_map(
-        terrain, scene, render.map, [](double) {}, instruments);
+        terrain, scene, drawn, [](double) {}, instruments);
   };
 
   // Lengths don't depend on what is hidden, so double precision measures those of any row.
-  MapSpec unsimplified = render.map;
+  MapSpec unsimplified = drawn;
   unsimplified.style.simplify_mm = 0;
-  InkMeter lengths(terrain.surface, scene, render.map, kNever, full_heights);
+  InkMeter lengths(terrain.surface, scene, drawn, kNever, full_heights);
   const Map unthinned = draw_map(terrain, scene, unsimplified, [](double) {},
                                  {.observers = {&lengths}, .beyond_page = true});
-  check_not_empty(unthinned, render);
+  check_not_empty(unthinned, drawn.view);
 
   // Profiles get the points that were asked for, whether other lines are drawn too or not: rows
   // with the same profiles are asked of the same points.
-  const double stride_mm = lengths.profiles().length_mm / settings.probes;
-  InkMeter ink(terrain.surface, scene, render.map, stride_mm, full_heights);
-  const auto ends = static_cast<std::uint64_t>(settings.probes / kProbesAnEnd);
-  EndMeter end_meter(terrain.surface, scene, render.map,
+  const double stride_mm = lengths.profiles().length_mm / spec.probes;
+  InkMeter ink(terrain.surface, scene, drawn, stride_mm, full_heights);
+  const auto ends = static_cast<std::uint64_t>(spec.probes / kProbesAnEnd);
+  EndMeter end_meter(terrain.surface, scene, drawn,
                      {ends / 2 / scene.depths_m.size() + 1, ends / 2 + 1});
   VisibleRecord visible(scene);
   std::vector<LineObserver*> observers{&ink};
@@ -313,7 +319,7 @@ void measure_row(AccuracyRow& row, const AccuracySettings& settings, const Terra
     row.seconds = probed.facts.seconds; // too slow to be repeated
   } else {
     row.simplified = simplified_distance(probed.drawing, unthinned.drawing);
-    for (int i = 0; i < settings.repeats; ++i) keep_least(row.seconds, run({}).facts.seconds);
+    for (int i = 0; i < spec.repeats; ++i) keep_least(row.seconds, run({}).facts.seconds);
     if (row.group == "arithmetic") {
       VisibleRecord exactly(scene);
       draw_exactly(terrain, scene, {&exactly});

@@ -2,11 +2,12 @@
 // Terrains on which horizons fragment as badly as they can, made to be measured.
 #pragma once
 
-#include "cli/fragmentation/fragmentation.hpp"
 #include "dem/terrain.hpp"
 
 #include <string>
 #include <vector>
+
+#include "measure/fragmentation.hpp"
 
 namespace orograph {
 
@@ -20,9 +21,9 @@ TerrainData gate_before_ridges(int ridges);
 /// slope shows in every gap of the comb, so what is visible is the square of what is there.
 TerrainData comb_before_slope(int teeth);
 
-/// Rows of both in growing sizes up to `settings.worst_case`, with as many profiles as there are
+/// Rows of both in growing sizes up to `spec.worst_case`, with as many profiles as there are
 /// ridges or teeth.
-std::vector<FragmentationRow> worst_case_rows(const FragmentationSettings& settings);
+std::vector<FragmentationRow> worst_case_rows(const FragmentationSpec& spec);
 /// The terrain of such a row.
 TerrainData worst_case_terrain(const FragmentationRow& row);
 

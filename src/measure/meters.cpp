@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "map/meters.hpp"
+#include "measure/meters.hpp"
 
 #include "dem/height_at.hpp"
 #include "placing/sector.hpp"

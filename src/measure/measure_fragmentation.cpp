@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One row's runs: with collapse, without, and in exact arithmetic.
-#include "cli/fragmentation/fragmentation.hpp"
 #include "hidden_lines/sector_pass.hpp"
 #include "hidden_lines/surface_lines.hpp"
 #include "map/draw_map.hpp"
@@ -11,19 +10,21 @@
 #include <chrono>
 #include <limits>
 
+#include "measure/fragmentation.hpp"
+
 namespace orograph {
 namespace {
 
-RenderSettings settings_of(const FragmentationRow& row, const RenderSettings& render) {
-  RenderSettings out = render;
-  out.map.style.occluder = row.occluder;
-  out.map.view.from_azimuth = Angle::degrees(row.azimuth_deg);
-  out.map.view.from_elevation = Angle::degrees(row.elevation_deg);
-  out.map.style.plan = ProfileCount{row.profiles};
-  out.map.style.light.reset();       // which changes no horizon
-  out.map.style.silhouette_jump = 0; // which decides what is drawn, after all is clipped
+MapSpec spec_of(const FragmentationRow& row, const MapSpec& map) {
+  MapSpec out = map;
+  out.style.occluder = row.occluder;
+  out.view.from_azimuth = Angle::degrees(row.azimuth_deg);
+  out.view.from_elevation = Angle::degrees(row.elevation_deg);
+  out.style.plan = ProfileCount{row.profiles};
+  out.style.light.reset();       // which changes no horizon
+  out.style.silhouette_jump = 0; // which decides what is drawn, after all is clipped
   // With the paper's occluders the profiles are all there is.
-  if (row.occluder == Occluder::profiles) out.map.style.layers = {"profiles"};
+  if (row.occluder == Occluder::profiles) out.style.layers = {"profiles"};
   return out;
 }
 
@@ -157,12 +158,12 @@ FragmentationRun timed(const MeasuredScene& s, bool collapse, int repeats) {
 
 } // namespace
 
-void measure_row(FragmentationRow& row, const FragmentationSettings& settings,
-                 const TerrainData& terrain) {
-  const RenderSettings render = settings_of(row, settings.render);
-  const PlacedView scene = placed_view(terrain, render.map);
-  const LinesOfView lines{lines_of(terrain, scene, render.map.style), {}, std::nullopt};
-  const MeasuredScene measured{terrain, scene, lines, render.map.style};
+void measure_row(FragmentationRow& row, const FragmentationSpec& spec, const TerrainData& terrain,
+                 const MapSpec& map) {
+  const MapSpec drawn = spec_of(row, map);
+  const PlacedView scene = placed_view(terrain, drawn);
+  const LinesOfView lines{lines_of(terrain, scene, drawn.style), {}, std::nullopt};
+  const MeasuredScene measured{terrain, scene, lines, drawn.style};
   const bool surface = row.occluder == Occluder::surface;
 
   FragmentationRun counted;
@@ -173,11 +174,11 @@ void measure_row(FragmentationRow& row, const FragmentationSettings& settings,
           .counts.segments;
   row.visible = meter.visible();
   row.occluders = surface ? occluders.size() : row.segments;
-  row.collapsed = timed(measured, true, settings.repeats);
-  if (row.occluders <= static_cast<std::uint64_t>(settings.fragmented_segments))
-    row.fragmented = timed(measured, false, settings.repeats);
-  if (row.occluders <= static_cast<std::uint64_t>(settings.exact_segments)) {
-    LeastMeter exact(row.least.emplace(), surface, render.map.style.visibility_tolerance_mm);
+  row.collapsed = timed(measured, true, spec.repeats);
+  if (row.occluders <= static_cast<std::uint64_t>(spec.fragmented_segments))
+    row.fragmented = timed(measured, false, spec.repeats);
+  if (row.occluders <= static_cast<std::uint64_t>(spec.exact_segments)) {
+    LeastMeter exact(row.least.emplace(), surface, drawn.style.visibility_tolerance_mm);
     run(measured, {.observers = {&exact}, .one_list = true, .occluders = &exact.occluders()},
         exact);
     exact.finish();

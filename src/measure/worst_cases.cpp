@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/fragmentation/worst_cases.hpp"
+#include "measure/worst_cases.hpp"
 
 #include "dem/mesh/tin_from_triangles.hpp"
 
@@ -68,7 +68,7 @@ TerrainData comb_before_slope(int teeth) {
   return terrain_of(tin_from_triangles(soup, false, kComb).tin, kComb);
 }
 
-std::vector<FragmentationRow> worst_case_rows(const FragmentationSettings& settings) {
+std::vector<FragmentationRow> worst_case_rows(const FragmentationSpec& spec) {
   std::vector<FragmentationRow> rows;
   const auto add = [&](const std::string& scene, Occluder occluder, int size) {
     FragmentationRow& row = rows.emplace_back();
@@ -81,7 +81,7 @@ std::vector<FragmentationRow> worst_case_rows(const FragmentationSettings& setti
   for (const char* scene : {kGate, kComb})
     for (const Occluder occluder : {Occluder::profiles, Occluder::surface})
       for (int share = 16; share >= 1; share /= 2)
-        if (const int size = settings.worst_case / share; size >= 8) add(scene, occluder, size);
+        if (const int size = spec.worst_case / share; size >= 8) add(scene, occluder, size);
   return rows;
 }
 
