@@ -5,7 +5,7 @@
 #include "cli/info.hpp"
 #include "cli/options/options.hpp"
 #include "dem/read/lonlat.hpp"
-#include "map/draw_map.hpp"
+#include "map/draw_level.hpp"
 
 #include <limits>
 #include <utility>

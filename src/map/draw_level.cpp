@@ -2,8 +2,11 @@
 #include "map/draw_level.hpp"
 
 #include "dem/surface.hpp"
+#include "geometry/error.hpp"
 #include "map/check.hpp"
 #include "map/error_budget.hpp"
+
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -24,6 +27,17 @@ Map draw_level(const TerrainOfView& terrain, const PlacedView& placed, const Map
   map.facts.level = level;
   if (of_file) map.facts.check_of_file = CheckOfFile{within_mm, of_file->counts()};
   return map;
+}
+
+void check_not_empty(const Map& map, const ViewSpec& view, bool of_scene) {
+  if (map.facts.counts.strokes > 0) return;
+  const char* const right =
+      view.file             ? "turn the view towards it, or widen its window"
+      : view.altitude_range ? "widen `altitude_range`, or leave it out"
+                            : "turn the view towards it, widen `field_of_view`, or raise an eye "
+                              "that faces a slope";
+  throw Error(fmt::format("nothing of the {} is on the page", of_scene ? "scene" : "terrain"),
+              right);
 }
 
 } // namespace orograph

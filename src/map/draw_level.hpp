@@ -18,4 +18,7 @@ Map draw_level(const TerrainOfView& terrain, const PlacedView& placed, const Map
                const std::optional<LevelOfDetail>& level,
                const std::function<void(double)>& progress, Instruments instruments = {});
 
+/// Throws Error if nothing is on the page of the terrain, or of a scene that stands on nothing.
+void check_not_empty(const Map& map, const ViewSpec& view, bool of_scene = false);
+
 } // namespace orograph

@@ -10,7 +10,6 @@
 #include "draw/shade_strokes.hpp"
 #include "draw/smooth_strokes.hpp"
 #include "draw/stroke_builder.hpp"
-#include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "hidden_lines/instruments.hpp"
 #include "hidden_lines/sector_ground.hpp"
@@ -27,8 +26,6 @@
 #include "map/layer_table.hpp"
 #include "map/letter_map.hpp"
 #include "map/stroke_darkness.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -396,17 +393,6 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   entitle(drawing, terrain, placed, spec.title);
   watch.mark(seconds.layout);
   return map;
-}
-
-void check_not_empty(const Map& map, const ViewSpec& view, bool of_scene) {
-  if (map.facts.counts.strokes > 0) return;
-  const char* const right =
-      view.file             ? "turn the view towards it, or widen its window"
-      : view.altitude_range ? "widen `altitude_range`, or leave it out"
-                            : "turn the view towards it, widen `field_of_view`, or raise an eye "
-                              "that faces a slope";
-  throw Error(fmt::format("nothing of the {} is on the page", of_scene ? "scene" : "terrain"),
-              right);
 }
 
 } // namespace orograph

@@ -20,7 +20,4 @@ namespace orograph {
 Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec,
              const std::function<void(double)>& progress, Instruments instruments = {});
 
-/// Throws Error if nothing is on the page of the terrain, or of a scene that stands on nothing.
-void check_not_empty(const Map& map, const ViewSpec& view, bool of_scene = false);
-
 } // namespace orograph

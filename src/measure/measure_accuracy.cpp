@@ -5,7 +5,7 @@
 #include "dem/terrain.hpp"
 #include "draw/drawing.hpp"
 #include "hidden_lines/instruments.hpp"
-#include "map/draw_map.hpp"
+#include "map/draw_level.hpp"
 #include "map/error_budget.hpp"
 #include "map/line_on_page.hpp"
 #include "placing/level_of_detail.hpp"
