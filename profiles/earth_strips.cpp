@@ -32,14 +32,15 @@ ProfilePoint EarthStrips::vertex(int line, int at) const {
 }
 
 ProfilePoint EarthStrips::filled_vertex(int line, int at) const {
+  const EarthLattice& earth = grid_->earth();
   const auto height = [&](int i) {
-    return are_rows_ ? grid_->height_m(i, line) : grid_->height_m(line, i);
+    const int column = are_rows_ ? i : line, row = are_rows_ ? line : i;
+    return earth.leaning_height_m(column, row, grid_->height_m(column, row));
   };
   double height_m = height(at);
   for (int i = at - 1; i >= 0 && std::isnan(height_m); --i) height_m = height(i);
   for (int i = at + 1; i < vertices_ && std::isnan(height_m); ++i) height_m = height(i);
   if (std::isnan(height_m)) height_m = 0;
-  const EarthLattice& earth = grid_->earth();
   return to_profile_frame(view_, are_rows_ ? earth.vertex_m(at, line, height_m)
                                            : earth.vertex_m(line, at, height_m));
 }

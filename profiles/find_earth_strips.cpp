@@ -79,9 +79,15 @@ private:
       height_m[i] = from[i * step];
       out.is_filled = out.is_filled | std::isnan(height_m[i]);
     }
+    const EarthLattice& earth = grid_.earth();
+    if (earth.lean_limits()) // what is filled is as high as its neighbour leans
+      for (int i = 0; i < out_.vertices_; ++i) {
+        double& height = height_m[static_cast<std::size_t>(i)];
+        height = out_.are_rows_ ? earth.leaning_height_m(i, line, height)
+                                : earth.leaning_height_m(line, i, height);
+      }
     if (out.is_filled) fill(out.heights_m);
     double *const u = out.u.data(), *const v = out.v.data();
-    const EarthLattice& earth = grid_.earth();
     if (out_.are_rows_) {
       earth.row_vertices_m(line, out.heights_m, out.u, out.v, out.z);
     } else {

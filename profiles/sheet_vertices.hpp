@@ -101,7 +101,8 @@ public:
       const bool is_there = !std::isnan(out[column].z);
       if (!is_there) {
         const int c = static_cast<int>(column), r = static_cast<int>(row);
-        if (was_there) height_m_ = grid_.height_m(c - 1, r);
+        if (was_there)
+          height_m_ = grid_.earth().leaning_height_m(c - 1, r, grid_.height_m(c - 1, r));
         out[column] = to_profile_frame(view_, grid_.earth().vertex_m(c, r, height_m_));
         is_filled = true;
       }

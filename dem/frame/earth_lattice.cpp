@@ -86,16 +86,38 @@ void EarthLattice::place_row(const Row& row, const Height* __restrict heights_m,
   }
 }
 
+Vec3 EarthLattice::limited(Vec3 at, int column, int row, double height_m) const {
+  const LeanLimit* const limit = limits_->of(column, row);
+  if (!limit || std::isnan(height_m)) return at;
+  const auto c = static_cast<std::size_t>(column);
+  const Vec3 leaning = place(rows_[static_cast<std::size_t>(row)], sine_[c], versine_[c],
+                             exaggeration_ * limit->of(height_m));
+  return {leaning.x, leaning.y, at.z};
+}
+
+template <class Height>
+void EarthLattice::limit_row(int row, const Height* heights_m, double* x_m, double* y_m) const {
+  if (!limits_) return;
+  for (const LeanLimit& limit : limits_->of_row(row)) {
+    const auto c = static_cast<std::size_t>(limit.column);
+    const Vec3 at = limited({x_m[c], y_m[c], 0}, limit.column, row, heights_m[c]);
+    x_m[c] = at.x;
+    y_m[c] = at.y;
+  }
+}
+
 void EarthLattice::row_vertices_m(int row, std::span<const float> heights_m, std::span<double> x_m,
                                   std::span<double> y_m, std::span<double> z_m) const {
   place_row(rows_[static_cast<std::size_t>(row)], heights_m.data(), x_m.data(), y_m.data(),
             z_m.data());
+  limit_row(row, heights_m.data(), x_m.data(), y_m.data());
 }
 
 void EarthLattice::row_vertices_m(int row, std::span<const double> heights_m, std::span<double> x_m,
                                   std::span<double> y_m, std::span<double> z_m) const {
   place_row(rows_[static_cast<std::size_t>(row)], heights_m.data(), x_m.data(), y_m.data(),
             z_m.data());
+  limit_row(row, heights_m.data(), x_m.data(), y_m.data());
 }
 
 Vec2 EarthLattice::column_row_of(const GeoPoint& place) const {

@@ -3,10 +3,12 @@
 // ellipsoid for seven multiplications, no trigonometry, nothing resampled.
 #pragma once
 
+#include "dem/frame/lean_limits.hpp"
 #include "dem/frame/local_frame.hpp"
 #include "geometry/vec.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -28,7 +30,8 @@ struct DegreeLattice {
 /// The place of each vertex of a lattice at its exaggerated height: that of LocalFrame::to_frame,
 /// and closer to the true one, within 6e-16 of the distance from the origin (measured on the earth
 /// up to 300 km away: 2e-10 m). Heights are exaggerated before they go to their place, so that the
-/// earth's curvature never is; a NaN height gives a NaN place.
+/// earth's curvature never is; a NaN height gives a NaN place. Vertices with a limit to their lean
+/// stand as high, but not as far aside.
 ///
 /// Tables a column and a row, from the coordinates about the earth's axis, in which longitude and
 /// latitude come apart: a vertex is (N + h) cos(lat) from the axis and (N (1 - e^2) + h) sin(lat)
@@ -44,8 +47,11 @@ public:
 
   Vec3 vertex_m(int column, int row, double height_m) const {
     const auto c = static_cast<std::size_t>(column);
-    return place(rows_[static_cast<std::size_t>(row)], sine_[c], versine_[c],
-                 exaggeration_ * height_m);
+    const Vec3 at = place(rows_[static_cast<std::size_t>(row)], sine_[c], versine_[c],
+                          exaggeration_ * height_m);
+    if (limits_) [[unlikely]]
+      return limited(at, column, row, height_m);
+    return at;
   }
 
   /// The places of one whole row of heights, bit for bit those of vertex_m. The four spans have one
@@ -54,6 +60,18 @@ public:
                       std::span<double> y_m, std::span<double> z_m) const;
   void row_vertices_m(int row, std::span<const double> heights_m, std::span<double> x_m,
                       std::span<double> y_m, std::span<double> z_m) const;
+
+  /// None where all vertices lean by their height.
+  const LeanLimits* lean_limits() const { return limits_.get(); }
+  /// From now on. REQUIRES limits of this lattice's rows.
+  void limit_lean(LeanLimits limits) {
+    limits_ = std::make_shared<const LeanLimits>(std::move(limits));
+  }
+  /// By which height a vertex at a height leans.
+  double leaning_height_m(int column, int row, double height_m) const {
+    const LeanLimit* const limit = limits_ ? limits_->of(column, row) : nullptr;
+    return limit ? limit->of(height_m) : height_m;
+  }
 
   /// Column and row, whole at a vertex, of the place below a point of the ground frame, in the
   /// lattice's own turn of longitudes as far as it can be told.
@@ -80,6 +98,9 @@ private:
             row.up_m + h_m * row.up_a_metre - inward_m * origin_cosine_};
   }
 
+  Vec3 limited(Vec3 at, int column, int row, double height_m) const;
+  template <class Height>
+  void limit_row(int row, const Height* heights_m, double* x_m, double* y_m) const;
   template <class Height>
   void place_row(const Row& row, const Height* heights_m, double* x_m, double* y_m,
                  double* z_m) const;
@@ -90,6 +111,7 @@ private:
   double origin_sine_, origin_cosine_; ///< of the origin's latitude
   std::vector<double> sine_, versine_; ///< sin(d), 1 - cos(d) of longitudes from the origin's
   std::vector<Row> rows_;
+  std::shared_ptr<const LeanLimits> limits_;
 };
 
 } // namespace orograph

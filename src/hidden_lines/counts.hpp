@@ -13,7 +13,7 @@ struct Counts {
   std::uint64_t cut_vertices = 0, segments = 0;
   std::uint64_t pieces_before_collapse = 0, pieces_after_collapse = 0, largest_horizon = 0;
   std::uint64_t strokes = 0, points = 0, ties = 0, dropped_strokes = 0;
-  std::uint64_t turned_over = 0; ///< triangles that the ellipsoid turns over in plan
+  std::uint64_t turned_over = 0; ///< triangles that the ellipsoid would turn over in plan
   double looked_at = 1;          ///< share of the ground that wasn't passed over as a whole
   /// Of overlays: things laid on the ground; of those the ones of which a part lies beside the
   /// terrain or over a void; and those of which nothing is on it, left out of the first.

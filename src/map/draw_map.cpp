@@ -204,6 +204,9 @@ Map draw_map(const TerrainData& terrain, const PlacedView& placed, const MapSpec
   seconds.facing = seconds.cut = seconds.project = seconds.clip = seconds.check = seconds.layout =
       0;
   counts.turned_over = placed.extent.turned_over;
+  if (const Grid* grid = std::get_if<Grid>(&terrain.surface); grid && grid->is_on_earth())
+    if (const LeanLimits* limits = grid->earth().lean_limits())
+      counts.turned_over += limits->turned_over();
   counts.solids = placed.solids.size();
   for (const StandingSolid& solid : placed.solids) counts.solid_edges += solid.solid->edges.size();
   const Style& style = spec.style;

@@ -7,6 +7,7 @@
 #include "dem/levels/patchwork.hpp"
 #include "dem/levels/raster_patches.hpp"
 #include "dem/levels/refine.hpp"
+#include "dem/limit_lean.hpp"
 #include "geometry/error.hpp"
 #include "placing/cell_on_page.hpp"
 #include "placing/certified_patches.hpp"
@@ -76,7 +77,8 @@ std::shared_ptr<const MadeLevel> made_level(const TerrainData& file, const Grid&
   out.step = step;
   const auto level = std::make_shared<TerrainLevel>();
   level->terrain = file;
-  const Grid& made = level->terrain.surface.emplace<Grid>(level_of(grid, step, water));
+  Grid& made = level->terrain.surface.emplace<Grid>(level_of(grid, step, water));
+  if (made.is_on_earth()) limit_lean(made);
   out.departure = step < 1 ? departure_of(grid, made) : departure_of(made, grid);
   level->terrain.surface_error_m += out.departure.greatest_m;
   out.summits =
@@ -334,7 +336,8 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   if (!solids)
     if (const auto part = land_part(*whole, of_file.water.triangles, spec)) {
       land = file;
-      land->surface = part_of_grid(*whole, *part);
+      Grid& kept = land->surface.emplace<Grid>(part_of_grid(*whole, *part));
+      if (kept.is_on_earth()) limit_lean(kept);
       of_land = facts_of(*land);
     }
   const TerrainFacts& facts = of_land ? *of_land : of_file;

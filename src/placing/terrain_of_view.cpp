@@ -2,6 +2,7 @@
 #include "placing/terrain_of_view.hpp"
 
 #include "dem/extent.hpp"
+#include "dem/limit_lean.hpp"
 #include "dem/mesh/keep_within.hpp"
 #include "dem/read/asked_window.hpp"
 #include "dem/read/read_options.hpp"
@@ -57,6 +58,7 @@ void stand_on_earth(TerrainData& terrain, const ViewSpec& view) {
   else
     reframe_at(terrain, given_place(view, terrain).value_or(map_bounds(terrain).centre()),
                exaggeration);
+  limit_lean(std::get<Grid>(terrain.surface));
 }
 
 std::optional<TerrainData> cut_by_view(const TerrainData& terrain, const ViewSpec& view) {

@@ -226,7 +226,7 @@ void put_eye_beside(RandomScene& scene, Random& random) {
 // Draws the scene with its walls asked; false where the view is refused.
 bool check_walls(const RandomScene& scene, Random& random, Instruments instruments, Tally& sum) {
   const std::optional<PlacedView> placed = placed_if_any(scene.terrain, scene.spec);
-  if (!placed || placed->extent.turned_over > 0) return false;
+  if (!placed) return false;
   WallCheck check(scene.terrain, *placed, random);
   instruments.observers = {&check};
   draw_map(

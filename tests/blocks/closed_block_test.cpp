@@ -141,7 +141,7 @@ void close_below(Style& style) {
 // Tells whether it was drawn, and not refused.
 bool check(const TerrainData& terrain, const MapSpec& spec, Random& random, Tally& sum) {
   const std::optional<PlacedView> placed = placed_if_any(terrain, spec);
-  if (!placed || placed->extent.turned_over > 0) return false;
+  if (!placed) return false;
   const Tally before = sum;
   ClosedCheck check(terrain, *placed, random, sum);
   Instruments instruments;

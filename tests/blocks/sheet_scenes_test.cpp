@@ -183,7 +183,7 @@ private:
 // None where the view is refused.
 std::optional<Tally> check(const TerrainData& terrain, const MapSpec& spec, Random& random) {
   const std::optional<PlacedView> placed = placed_if_any(terrain, spec);
-  if (!placed || placed->extent.turned_over > 0) return std::nullopt;
+  if (!placed) return std::nullopt;
   SheetCheck check(terrain, random);
   Instruments instruments;
   instruments.observers = {&check};

@@ -137,7 +137,6 @@ void ask_left_out(const Grid& grid, const Sector& sector, const SeenGround& grou
 
 void ask(const RandomScene& made, Random& random, Tally& tally) {
   const PlacedView scene = placed_view(made.terrain, made.spec);
-  if (scene.extent.turned_over > 0) return;
   const auto ground = ground_of_sectors(made.terrain, scene, made.spec.style, {});
   REQUIRE(ground.size() == scene.sectors.size());
   for (std::size_t i = 0; i < ground.size(); ++i)
