@@ -129,7 +129,8 @@ void fuzz_places(FuzzBytes bytes) {
 }
 
 // Of a raster of 40 x 30 heights. Behind a first byte that is even, the bytes are all that an index
-// tells of its levels, with the right sum over it, and their heights.
+// tells of its levels, by as many bytes as the second says, with the right sum over it, and then
+// their heights and nested cells.
 void fuzz_levels(FuzzBytes bytes) {
   RasterSet set;
   set.sources.resize(1);
@@ -137,27 +138,31 @@ void fuzz_levels(FuzzBytes bytes) {
   set.grid.rows = 30;
   const std::string state = "of this";
   std::string file;
-  if (!bytes.empty() && bytes[0] % 2 == 0) {
+  if (bytes.size() > 1 && bytes[0] % 2 == 0) {
+    const FuzzBytes rest = bytes.subspan(2),
+                    tells = rest.first(std::min<std::size_t>(bytes[1], rest.size()));
     const auto number = [](auto of) {
       return std::string(reinterpret_cast<const char*>(&of), sizeof of);
     };
     const std::string told = number(std::uint64_t{state.size()}) + state +
                              number(std::int32_t{40}) + number(std::int32_t{30}) +
-                             number(std::uint32_t{4}) + std::string(bytes.begin() + 1, bytes.end());
+                             number(std::uint32_t{4}) + std::string(tells.begin(), tells.end());
     std::uint64_t sum = 0xcbf29ce484222325ULL;
     for (std::size_t at = 0; at < told.size(); at += 8) {
       std::uint64_t word = 0;
       std::memcpy(&word, told.data() + at, std::min<std::size_t>(8, told.size() - at));
       sum = std::rotl((sum ^ word) * 0x100000001b3ULL, 29);
     }
-    file = "orolev01" + number(std::uint32_t{0x01020304}) + number(std::uint64_t{told.size()}) +
-           number(sum) + told;
+    file = "orolev02" + number(std::uint32_t{0x01020304}) + number(std::uint64_t{told.size()}) +
+           number(sum) + told +
+           std::string(rest.begin() + static_cast<std::ptrdiff_t>(tells.size()), rest.end());
   } else {
     file.assign(bytes.begin(), bytes.end());
   }
   const FuzzBytes all(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());
   const std::string path = scratch_file("dem.levels", all);
-  const IndexFound found = find_level(path, state, set, 4);
+  const bool with_nested = bytes.size() % 2 == 0;
+  const IndexFound found = find_level(path, state, set, 4, with_nested);
   expect(!found.level || found.why_not.empty(), "a level that isn't used");
   if (found.level)
     expect(std::get<std::vector<float>>(found.level->heights).size() ==
