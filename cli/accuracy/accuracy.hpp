@@ -3,11 +3,10 @@
 #pragma once
 
 #include "cli/render_settings.hpp"
+#include "measure/accuracy.hpp"
 
 #include <string>
 #include <vector>
-
-#include "measure/accuracy.hpp"
 
 namespace orograph {
 

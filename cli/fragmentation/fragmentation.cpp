@@ -7,6 +7,7 @@
 #include "cli/tell_map.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
+#include "measure/worst_cases.hpp"
 #include "placing/terrain_of_view.hpp"
 #include "write/output_file.hpp"
 
@@ -14,8 +15,6 @@
 
 #include <cstdio>
 #include <filesystem>
-
-#include "measure/worst_cases.hpp"
 
 namespace orograph {
 

@@ -3,11 +3,10 @@
 #pragma once
 
 #include "cli/render_settings.hpp"
+#include "measure/fragmentation.hpp"
 
 #include <string>
 #include <vector>
-
-#include "measure/fragmentation.hpp"
 
 namespace orograph {
 

@@ -2,13 +2,12 @@
 #include "cli/fragmentation/fragmentation_report.hpp"
 
 #include "cli/report/measurements.hpp"
+#include "measure/growth.hpp"
 #include "text/aligned_table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "measure/growth.hpp"
 
 namespace orograph {
 namespace {

@@ -28,10 +28,7 @@
 #include "map/stroke_darkness.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <utility>
 

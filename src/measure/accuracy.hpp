@@ -7,13 +7,12 @@
 #include "dem/read/read_options.hpp"
 #include "dem/terrain.hpp"
 #include "map/map_facts.hpp"
+#include "measure/meters.hpp"
 #include "placing/map_spec.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "measure/meters.hpp"
 
 namespace orograph {
 

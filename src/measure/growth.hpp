@@ -2,12 +2,12 @@
 // How the horizon's measures grow with the number of profiles.
 #pragma once
 
+#include "measure/fragmentation.hpp"
+
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "measure/fragmentation.hpp"
 
 namespace orograph {
 

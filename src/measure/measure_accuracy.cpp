@@ -8,6 +8,8 @@
 #include "map/draw_level.hpp"
 #include "map/error_budget.hpp"
 #include "map/line_on_page.hpp"
+#include "measure/accuracy.hpp"
+#include "measure/meters.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/placed_view.hpp"
 #include "placing/terrain_of_view.hpp"
@@ -24,9 +26,6 @@
 #include <optional>
 #include <utility>
 #include <vector>
-
-#include "measure/accuracy.hpp"
-#include "measure/meters.hpp"
 
 namespace orograph {
 namespace {

@@ -3,14 +3,13 @@
 #include "hidden_lines/sector_pass.hpp"
 #include "hidden_lines/surface_lines.hpp"
 #include "map/draw_map.hpp"
+#include "measure/fragmentation.hpp"
 #include "placing/sector.hpp"
 #include "reference/exact_clip.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
-
-#include "measure/fragmentation.hpp"
 
 namespace orograph {
 namespace {

@@ -3,11 +3,10 @@
 #pragma once
 
 #include "dem/terrain.hpp"
+#include "measure/fragmentation.hpp"
 
 #include <string>
 #include <vector>
-
-#include "measure/fragmentation.hpp"
 
 namespace orograph {
 

@@ -3,11 +3,11 @@
 #include "cli/fragmentation/fragmentation.hpp"
 #include "cli/fragmentation/fragmentation_report.hpp"
 #include "cli/options/options.hpp"
-#include "dem/read/read_terrain.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/made_files.hpp"
 #include "tests/cli/run_program.hpp"
+#include "tests/measure/quarry_rows.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -17,22 +17,6 @@
 using namespace orograph;
 
 namespace {
-
-const std::string kQuarry = OROGRAPH_SOURCE_DIR "/data_samples/quarry_points.csv";
-
-const std::vector<FragmentationRow>& quarry_rows() {
-  static const std::vector<FragmentationRow> rows = [] {
-    FragmentationSpec spec;
-    spec.profiles = {15, 60};
-    spec.elevations_deg = {25};
-    spec.azimuths_deg = {180};
-    const TerrainData terrain = read_terrain({kQuarry}, {});
-    std::vector<FragmentationRow> out = fragmentation_rows(spec);
-    for (FragmentationRow& row : out) measure_row(row, spec, terrain, {});
-    return out;
-  }();
-  return rows;
-}
 
 std::string refusal(const std::vector<std::string>& arguments) {
   try {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is measured of a small terrain's drawings, and how it keeps what is promised.
 #include "dem/read/read_raster.hpp"
+#include "measure/accuracy.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "measure/accuracy.hpp"
 
 using namespace orograph;
 

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How horizons fragment, against brute force.
 #include "dem/mesh/verify_tin.hpp"
-#include "dem/read/read_terrain.hpp"
 #include "map/draw_map.hpp"
+#include "measure/fragmentation.hpp"
+#include "measure/growth.hpp"
+#include "measure/worst_cases.hpp"
 #include "tests/catch.hpp"
+#include "tests/measure/quarry_rows.hpp"
 #include "tests/support/envelope_size.hpp"
 #include "tests/support/made_grid.hpp"
 
 #include <algorithm>
 
-#include "measure/fragmentation.hpp"
-#include "measure/growth.hpp"
-#include "measure/worst_cases.hpp"
-
 using namespace orograph;
 
 namespace {
-
-const std::string kQuarry = OROGRAPH_SOURCE_DIR "/data_samples/quarry_points.csv";
 
 // Writes down what the horizon is made of, and how many pieces brute force finds behind each
 // profile.
@@ -71,20 +68,6 @@ std::vector<std::uint32_t> brute_force(const FragmentationRow& row, const Terrai
   draw_map(terrain, scene, render, [](double) {},
            {.observers = {&counter}, .one_list = true, .occluders = &counter.occluders});
   return counter.after;
-}
-
-const std::vector<FragmentationRow>& quarry_rows() {
-  static const std::vector<FragmentationRow> rows = [] {
-    FragmentationSpec spec;
-    spec.profiles = {15, 60};
-    spec.elevations_deg = {25};
-    spec.azimuths_deg = {180};
-    const TerrainData terrain = read_terrain({kQuarry}, {});
-    std::vector<FragmentationRow> out = fragmentation_rows(spec);
-    for (FragmentationRow& row : out) measure_row(row, spec, terrain, {});
-    return out;
-  }();
-  return rows;
 }
 
 double exponent(const std::vector<Growth>& growths, const std::string& scene, Occluder occluder,

@@ -2,7 +2,6 @@
 // Larger cells within a bound on the page: no point of the ground is off by more, and the file's
 // own surface hides nothing that is drawn by more than twice that.
 #include "dem/height_at.hpp"
-#include "dem/levels/generalise.hpp"
 #include "dem/levels/nested_in_bands.hpp"
 #include "dem/levels/patchwork.hpp"
 #include "dem/levels/raster_patches.hpp"
@@ -12,6 +11,7 @@
 #include "placing/patches_of_raster.hpp"
 #include "placing/placed_view.hpp"
 #include "tests/catch.hpp"
+#include "tests/scenes/raster_in_parts.hpp"
 #include "tests/support/earth_terrain.hpp"
 #include "tests/support/plane_terrain.hpp"
 #include "tests/support/random.hpp"
@@ -101,33 +101,11 @@ NestedCells nested_cells(const Grid& grid) {
 }
 
 // As a large raster is read: in larger cells, with nested ones.
-TerrainData in_larger_cells(const TerrainData& file, int step) {
-  const Grid& grid = std::get<Grid>(file.surface);
-  TerrainData out = file;
-  const Grid larger = generalised(grid, step, [](int, int) { return false; });
-  out.larger_cells =
-      LargerCells{step, grid.columns, grid.rows, departure_of(larger, grid), tops_of(grid, 16, 10)};
-  out.larger_cells->nested = std::make_shared<const NestedCells>(nested_cells(grid));
-  out.surface = larger;
+TerrainData in_larger_and_nested_cells(const TerrainData& file, int step) {
+  TerrainData out = in_larger_cells(file, step);
+  out.larger_cells->nested =
+      std::make_shared<const NestedCells>(nested_cells(std::get<Grid>(file.surface)));
   return out;
-}
-
-// What its patches look at.
-void add_parts(TerrainData& whole, const Grid& file, const MapSpec& spec) {
-  const TerrainOfView terrain(whole, spec.view);
-  const PlacedView placed = placed_picture(*terrain, facts_of(*terrain), spec, nullptr);
-  TerrainData framed = *terrain;
-  for (int round = 0;; ++round) {
-    REQUIRE(round < 5);
-    const auto missing = CertifiedRaster(framed, placed, spec).missing();
-    if (missing.empty()) break;
-    auto& parts = framed.larger_cells->parts;
-    for (const GridPart& part : missing) parts.push_back({part, part_of_grid(file, part)});
-    std::ranges::sort(parts, {}, [](const RasterPart& part) {
-      return std::pair(part.at.first_row, part.at.first_column);
-    });
-  }
-  whole.larger_cells->parts = framed.larger_cells->parts;
 }
 
 bool are_same(const Patchwork& a, const Patchwork& b) {
@@ -186,8 +164,8 @@ TEST_CASE("a raster that isn't in memory has the certified patches that it has i
     spec.style.detail.error_mm = random.pick({0.3, 0.8, 2.0});
     spec.style.light.reset();
     look_somehow(spec.view, random, on_earth);
-    TerrainData whole = in_larger_cells(file, random.pick({2, 4}));
-    add_parts(whole, std::get<Grid>(file.surface), spec);
+    TerrainData whole = in_larger_and_nested_cells(file, random.pick({2, 4}));
+    add_parts<CertifiedRaster>(whole, std::get<Grid>(file.surface), spec);
 
     // In the same picture: the same patches, and the same surface, to the bit.
     const TerrainOfView of_file(file, spec.view), of_larger(whole, spec.view);

@@ -2,13 +2,13 @@
 // From an eye over a raster of which larger cells were read and its own near the eye: what is drawn
 // is right by the ray walk, and stands on the raster's own ground.
 #include "dem/height_at.hpp"
-#include "dem/levels/generalise.hpp"
 #include "map/draw_map.hpp"
 #include "placing/cell_on_page.hpp"
 #include "placing/level_of_detail.hpp"
 #include "placing/patches_of_raster.hpp"
 #include "placing/placed_view.hpp"
 #include "tests/catch.hpp"
+#include "tests/scenes/raster_in_parts.hpp"
 #include "tests/support/earth_terrain.hpp"
 #include "tests/support/plane_terrain.hpp"
 #include "tests/support/random.hpp"
@@ -23,34 +23,6 @@ namespace {
 double height_m(double x, double y) {
   return 300 * std::sin(x * 3) * std::cos(y * 2.3) + 120 * std::sin(11 * x + 7 * y) +
          25 * std::sin(90 * x) * std::sin(101 * y);
-}
-
-TerrainData in_larger_cells(const TerrainData& file, int step) {
-  const Grid& grid = std::get<Grid>(file.surface);
-  TerrainData out = file;
-  const Grid larger = generalised(grid, step, [](int, int) { return false; });
-  out.larger_cells =
-      LargerCells{step, grid.columns, grid.rows, departure_of(larger, grid), tops_of(grid, 16, 10)};
-  out.surface = larger;
-  return out;
-}
-
-// As they are read from a file.
-void add_parts(TerrainData& whole, const Grid& file, const MapSpec& spec) {
-  const TerrainOfView terrain(whole, spec.view);
-  const PlacedView placed = placed_picture(*terrain, facts_of(*terrain), spec, nullptr);
-  TerrainData framed = *terrain;
-  for (int round = 0;; ++round) {
-    REQUIRE(round < 5);
-    const auto missing = PatchesOfRaster(framed, placed, spec).missing();
-    if (missing.empty()) break;
-    auto& parts = framed.larger_cells->parts;
-    for (const GridPart& part : missing) parts.push_back({part, part_of_grid(file, part)});
-    std::ranges::sort(parts, {}, [](const RasterPart& part) {
-      return std::pair(part.at.first_row, part.at.first_column);
-    });
-  }
-  whole.larger_cells->parts = framed.larger_cells->parts;
 }
 
 } // namespace
@@ -79,7 +51,7 @@ TEST_CASE("an eye over a raster in larger cells sees its own cells near by") {
     if (seed % 2 == 0) spec.view.projection = Projection::cylindrical;
     spec.view.look_azimuth = Angle::degrees(random.between(0, 360));
     TerrainData whole = in_larger_cells(file, random.pick({2, 4}));
-    add_parts(whole, grid, spec);
+    add_parts<PatchesOfRaster>(whole, grid, spec);
     const std::size_t parts = whole.larger_cells->parts.size();
     std::size_t heights = 0;
     for (const RasterPart& part : whole.larger_cells->parts) heights += part.cells.size();
