@@ -61,7 +61,7 @@ TEST_CASE("what the surface hides is drawn without error, what profiles hide is 
   }
 }
 
-TEST_CASE("simplification is measured, and stays within its promise") {
+TEST_CASE("simplification is measured, and stays within its promise", "[unsanitized]") {
   CHECK(row_named("surface, 25 profiles, simplify 0 mm").simplified->largest_mm == 0);
   const AccuracyRow& row = row_named("surface, 25 profiles, simplify 0.1 mm");
   CHECK(row.simplified->largest_mm > 0.03);
@@ -73,7 +73,7 @@ TEST_CASE("simplification is measured, and stays within its promise") {
   CHECK(std::abs(*row.promise.displacement_mm - (0.1 + 1e-4 + 0.7072e-4)) < 1e-7);
 }
 
-TEST_CASE("arithmetic is measured against exact arithmetic") {
+TEST_CASE("arithmetic is measured against exact arithmetic", "[unsanitized]") {
   CHECK_FALSE(row_named("profiles, 25 profiles, exact").arithmetic_mm);
   // Ends of the clip in double are within 1e-9 mm (docs/how-it-works.md), and float isn't that
   // good.

@@ -158,7 +158,7 @@ TEST_CASE("in degrees heights along a profile are those of its cut a metre aside
     }
   }
   CHECK(compared > 500 * last_seed(60));
-  CHECK(at_edges < compared / 100);
+  CHECK(at_edges < compared / 50);
 }
 
 } // namespace orograph::heights_along_test

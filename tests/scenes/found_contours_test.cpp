@@ -148,7 +148,7 @@ TEST_CASE("contours found on the way are those of a list, whatever the strips") 
     compare(scene, tally);
   }
   report(tally);
-  CHECK(tally.slivers <= kScenes / 100);
+  CHECK(tally.slivers <= 1 + kScenes / 100);
   CHECK(tally.one_sector > kScenes / 3);
   CHECK(tally.refused < kScenes / 4);
   CHECK(tally.pieces > 500 * kScenes);

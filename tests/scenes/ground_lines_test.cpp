@@ -181,7 +181,8 @@ TEST_CASE("the ray walk sees the lines on the water that are drawn, and no other
   ask_ray_walk("lines on water", kScenes, flooded);
 }
 
-TEST_CASE("the ray walk sees the contours and meshes that are drawn, and no others", "[slow]") {
+TEST_CASE("the ray walk sees the contours and meshes that are drawn, and no others",
+          "[slow][unsanitized]") {
   ask_ray_walk("contours and meshes", kScenes, with_lines);
 }
 
