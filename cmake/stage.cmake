@@ -1,8 +1,5 @@
 # How code is compiled that takes no time when it runs.
 set(OROGRAPH_QUICKLY $<$<CONFIG:Release>:-O1>)
-if(OROGRAPH_SANITIZE AND NOT OROGRAPH_FUZZ)
-  set(OROGRAPH_QUICKLY -O0)
-endif()
 
 # orograph_stage(NAME [TOGETHER] [QUICKLY] [IN_LANES] SOURCES a.cpp b.cpp [DEPENDS stage…]
 #   [PRIVATE library…] [COMMON kind [header…]])

@@ -11,6 +11,7 @@
 #include "placing/placed_view.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace orograph {
@@ -34,6 +35,7 @@ public:
   const Patches& patches() const { return patches_; }
   const HeightOnPage& heights() const { return heights_; }
   bool spares_enough() const { return spare_enough(patches_, raster_.size()); }
+  std::uint64_t bytes_to_draw() const; ///< memory that a drawing in these patches takes, about
 
   /// Parts of the raster that the patches need and the terrain doesn't have. An eye on the ground
   /// stands on these: once they are there patches are to be chosen anew.

@@ -89,6 +89,11 @@ TEST_CASE("a large raster is drawn the same with an index, and without one that 
   without.insert(without.end(), {"--index", "off", "--jobs", "1"});
   draw("bound-without.svg", without);
   CHECK(folder.read("bound.svg") == folder.read("bound-without.svg"));
+  const auto refused =
+      run({"render", "large.vrt", "none.svg", "--level-error", "0.001", "--max-memory", "120MB"});
+  CHECK(refused.exit_code == 1);
+  CHECK(holds(refused.err, "within 0.001 mm takes"));
+  CHECK(!std::filesystem::exists(folder.path("none.svg")));
 
   const std::filesystem::path source = folder.path("hill.tif");
   std::filesystem::last_write_time(source, std::filesystem::last_write_time(source) +

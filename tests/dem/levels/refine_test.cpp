@@ -55,8 +55,7 @@ double greatest_kink(const Grid& fine, int parts) {
 
 } // namespace
 
-TEST_CASE("heights stay, with their triangles, and none between leaves its cell's range",
-          "[unsanitized]") {
+TEST_CASE("heights stay, with their triangles, and none between leaves its cell's range") {
   std::size_t cells = 0, level = 0, absent = 0;
   constexpr int kSide = 60;
   for (std::uint64_t seed = 1; seed <= last_seed(300); ++seed) {

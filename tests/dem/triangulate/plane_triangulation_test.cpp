@@ -89,7 +89,7 @@ TEST_CASE("splits that only rounding asks for come to an end") {
   }
 }
 
-TEST_CASE("hundreds of crossings don't carry a line away", "[unsanitized]") {
+TEST_CASE("hundreds of crossings don't carry a line away") {
   Random random(2);
   Lines across, star;
   for (int k = 0; k < 120; ++k) {
