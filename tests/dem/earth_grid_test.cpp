@@ -63,7 +63,7 @@ Above above(const std::array<Vec3, 3>& t, Vec2 p) {
   return {std::min({wa, wb, wc}), wa * t[0].z + wb * t[1].z + wc * t[2].z};
 }
 
-std::vector<std::array<Vec3, 3>> triangles_of(const Grid& grid) {
+std::vector<std::array<Vec3, 3>> drawn_triangles_of(const Grid& grid) {
   std::vector<std::array<Vec3, 3>> triangles;
   for (int r = 0; r + 1 < grid.rows; ++r)
     for (int c = 0; c + 1 < grid.columns; ++c) {
@@ -115,7 +115,7 @@ TEST_CASE("the extent of a grid on the ellipsoid is that of its vertices") {
       REQUIRE(extent.blocks.boxes[i].high == of_block.high);
     }
     CHECK(in_blocks == valid);
-    const auto triangles = triangles_of(grid);
+    const auto triangles = drawn_triangles_of(grid);
     const auto turned = std::count_if(triangles.begin(), triangles.end(), [](const auto& t) {
       return cross(Vec2{t[1].x - t[0].x, t[1].y - t[0].y}, Vec2{t[2].x - t[0].x, t[2].y - t[0].y}) <
              0;
@@ -163,7 +163,7 @@ TEST_CASE("the height at a point on the ellipsoid is that of the triangle that h
     INFO("seed " << seed);
     const TerrainData terrain = made_terrain(random, random.pick({0.0, 0.2}));
     const Grid& grid = grid_of(terrain);
-    const auto triangles = triangles_of(grid);
+    const auto triangles = drawn_triangles_of(grid);
     if (triangles.empty()) continue;
     const Box3 box = extent_of(grid).box;
     const Vec3 size = box.high - box.low;

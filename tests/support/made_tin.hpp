@@ -64,13 +64,6 @@ inline void renumber(Tin& tin, const std::vector<std::uint32_t>& number, std::si
     for (std::uint32_t& v : triangle) v = number[v];
 }
 
-template <class Value>
-void shuffle(Random& random, std::vector<Value>& values) {
-  for (std::size_t i = values.size(); i > 1; --i)
-    std::swap(values[i - 1],
-              values[static_cast<std::size_t>(random.whole(0, static_cast<int>(i) - 1))]);
-}
-
 /// A valid Tin, without vertices that have no triangle; without triangles only where `missing`
 /// took them all. A wall stands on a stretch of a row of vertices: the ground to the north of it is
 /// higher or lower by up to half of the heights' range.

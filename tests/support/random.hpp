@@ -4,9 +4,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace orograph {
 
@@ -58,5 +61,12 @@ public:
 private:
   std::mt19937_64 engine_;
 };
+
+template <class Value>
+void shuffle(Random& random, std::vector<Value>& values) {
+  for (std::size_t i = values.size(); i > 1; --i)
+    std::swap(values[i - 1],
+              values[static_cast<std::size_t>(random.whole(0, static_cast<int>(i) - 1))]);
+}
 
 } // namespace orograph

@@ -67,10 +67,4 @@ inline std::vector<Vec3> random_points(Random& random, int count, int side) {
   return points;
 }
 
-template <class Value>
-void shuffle(Random& random, std::vector<Value>& values) {
-  for (int k = static_cast<int>(values.size()) - 1; k > 0; --k)
-    std::swap(values[k], values[random.whole(0, k)]);
-}
-
 } // namespace orograph
