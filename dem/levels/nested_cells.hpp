@@ -10,6 +10,7 @@
 #include "dem/levels/patches.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <variant>
 #include <vector>
 
@@ -27,6 +28,12 @@ constexpr int nested_places(int vertices, int level) {
 /// Patches of a level along so many vertices.
 constexpr int patches_along(int vertices, int level) {
   return (vertices - 2) / (kPatchCells << level) + 1;
+}
+
+/// So many heights' room all that is known of a raster of so many takes, at most: nested heights
+/// are a sixteenth, and its share again; what is known of patches is less.
+constexpr std::uint64_t nested_size(std::uint64_t heights) {
+  return heights / 10;
 }
 
 /// Row-major.

@@ -145,8 +145,7 @@ std::uint64_t bytes_in_bands(const RasterSet& set, int step, bool with_nested) {
                       bytes = set.are_floats() ? sizeof(float) : sizeof(double);
   // Bands: the one that comes, the last, and what the level's rows still look at.
   const std::uint64_t bands = 2 * kHeightsOfBand + 3 * of_step * width;
-  // Nested heights are a sixteenth, and its share again; what is known of patches is less.
-  const std::uint64_t nested = with_nested ? all / 10 : 0;
+  const std::uint64_t nested = with_nested ? nested_size(all) : 0;
   return bytes * (all / (of_step * of_step) + std::min(bands, all) + nested);
 }
 

@@ -4,7 +4,7 @@
 #include "dem/read/network.hpp"
 #include "dem/read/open_rasters.hpp"
 #include "dem/read/read_rows.hpp"
-#include "geometry/error.hpp"
+#include "geometry/free_memory.hpp"
 #include "geometry/on_all_cores.hpp"
 
 #include <fmt/format.h>
@@ -25,12 +25,9 @@ std::vector<RasterPart> read_raster_parts(const std::vector<std::string>& paths,
   for (const GridPart& part : parts)
     bytes += static_cast<std::uint64_t>(part.columns) * static_cast<std::uint64_t>(part.rows) *
              (set.are_floats() ? sizeof(float) : sizeof(double));
-  if (options.max_memory && bytes > *options.max_memory)
-    throw Error(fmt::format("what is near the eye in {} takes {:.2g} GB of memory, and {:.2g} GB "
-                            "may be taken",
-                            set.terrain.source, static_cast<double>(bytes) / 1e9,
-                            static_cast<double>(*options.max_memory) / 1e9),
-                "take an `overview`, ask for larger cells, or let it take more with `max_memory`");
+  check_memory(static_cast<double>(bytes), options.max_memory,
+               fmt::format("what is near the eye in {}", set.terrain.source),
+               "take an `overview`, ask for larger cells");
   HeightDifferences differences;
   std::vector<RasterPart> out;
   for (const GridPart& part : parts) {

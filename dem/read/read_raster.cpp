@@ -98,26 +98,19 @@ bool has_block_above(const RasterSource& source, const ReadOptions& options) {
   return options.max_memory && source.block_bytes > static_cast<double>(*options.max_memory);
 }
 
-void check_memory(const RasterSet& set, int step, const ReadOptions& options) {
-  if (!options.max_memory) return;
-  const auto gigabytes = [](auto of) { return static_cast<double>(of) / 1e9; };
+void check_memory_of(const RasterSet& set, int step, const ReadOptions& options) {
   for (const RasterSource& source : set.sources)
-    if (has_block_above(source, options))
-      throw Error(fmt::format("{} is in blocks of which one, with all bands side by side, takes "
-                              "{:.2g} GB of memory, and {:.2g} GB may be taken",
-                              source.path, gigabytes(source.block_bytes),
-                              gigabytes(*options.max_memory)),
-                  "take out the band of heights, in tiles: gdal_translate -b 1 -co TILED=YES, or "
-                  "let it take more with `max_memory`");
+    check_memory(
+        source.block_bytes, options.max_memory,
+        fmt::format("{} is in blocks of which one, with all bands side by side,", source.path),
+        "take out the band of heights, in tiles: gdal_translate -b 1 -co TILED=YES");
   const Grid& grid = set.grid;
-  const std::uint64_t bytes = step > 1 ? bytes_in_bands(set, step, options.large->with_nested)
-                                       : bytes_to_draw(grid.size(), set.are_floats());
-  if (bytes <= *options.max_memory) return;
-  throw Error(fmt::format("{} has {} x {} heights, for which {:.2g} GB of memory are needed, and "
-                          "{:.2g} GB may be taken",
-                          set.terrain.source, grid.columns, grid.rows, gigabytes(bytes),
-                          gigabytes(*options.max_memory)),
-              "keep a part with `bbox`, take an `overview`, or let it take more with `max_memory`");
+  check_memory(
+      static_cast<double>(step > 1 ? bytes_in_bands(set, step, options.large->with_nested)
+                                   : bytes_to_draw(grid.size(), set.are_floats())),
+      options.max_memory,
+      fmt::format("to draw the {} x {} heights of {}", grid.columns, grid.rows, set.terrain.source),
+      "keep a part with `bbox`, take an `overview`");
 }
 
 TerrainData read_listening(const std::vector<std::string>& paths, const ReadOptions& options,
@@ -134,7 +127,7 @@ TerrainData read_listening(const std::vector<std::string>& paths, const ReadOpti
     if (paths.size() == 1 && !may_be_large && !may_be_refused) early.begin(source, options);
   });
   const int step = step_of(set.grid, options);
-  check_memory(set, step, options);
+  check_memory_of(set, step, options);
   HeightDifferences differences;
   std::vector<std::string> doubts; // about an index
   if (step > 1)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/free_memory.hpp"
 
+#include "geometry/error.hpp"
+
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -38,6 +41,14 @@ std::optional<std::uint64_t> free_memory_bytes() {
   if (getrlimit(RLIMIT_AS, &address_space) == 0 && address_space.rlim_cur != RLIM_INFINITY)
     limit_to(address_space.rlim_cur);
   return least;
+}
+
+void check_memory(double bytes, std::optional<std::uint64_t> most, std::string_view what,
+                  std::string_view right) {
+  if (!most || bytes <= static_cast<double>(*most)) return;
+  throw Error(fmt::format("{} takes {:.2g} GB of memory, and {:.2g} GB may be taken", what,
+                          bytes / 1e9, static_cast<double>(*most) / 1e9),
+              fmt::format("{}, or let it take more with `max_memory`", right));
 }
 
 } // namespace orograph

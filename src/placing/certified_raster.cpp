@@ -45,12 +45,12 @@ CertifiedRaster::CertifiedRaster(const TerrainData& terrain, PlacedView placed, 
       patches_(certified_patches(raster_, nested_cells(terrain), heights_,
                                  kFramedAnew * *spec.style.detail.error_mm)) {}
 
-// Patches are sewn, and drawn as a TIN: 213 to 250 bytes a cell of 8000 x 8000 to 20,000 x 20,000
-// heights, within 0.2 to 0.5 mm on A3 and A2, beside nested heights, which are a tenth.
+// Patches are sewn, and drawn as a TIN: 213 to 250 bytes a cell, of 8000 x 8000 to 20,000 x 20,000
+// heights within 0.2 to 0.5 mm on A3 and A2.
 std::uint64_t CertifiedRaster::bytes_to_draw() const {
   constexpr std::uint64_t kOfCell = 240;
   return patches_.patches().size() * kPatchCells * kPatchCells * kOfCell +
-         raster_.size() / 10 * sizeof(float);
+         nested_size(raster_.size()) * sizeof(float);
 }
 
 std::vector<GridPart> CertifiedRaster::missing() const {

@@ -3,7 +3,7 @@
 
 #include "dem/read/raster_parts.hpp"
 #include "dem/read/read_terrain.hpp"
-#include "geometry/error.hpp"
+#include "geometry/free_memory.hpp"
 #include "placing/cell_on_page.hpp"
 #include "placing/certified_raster.hpp"
 #include "placing/patches_of_raster.hpp"
@@ -102,18 +102,6 @@ with_parts_near_eye(const TerrainData& whole, const std::vector<std::string>& pa
   return with_parts_of(whole, std::move(framed));
 }
 
-void check_memory(const CertifiedRaster& of, const TerrainData& whole, const ReadOptions& options,
-                  const MapSpec& spec) {
-  if (!options.max_memory || of.bytes_to_draw() <= *options.max_memory) return;
-  const auto gigabytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / 1e9; };
-  throw Error(fmt::format("to draw {} within {} mm takes {:.2g} GB of memory, and {:.2g} GB may be "
-                          "taken",
-                          whole.source, *spec.style.detail.error_mm, gigabytes(of.bytes_to_draw()),
-                          gigabytes(*options.max_memory)),
-              "ask for a larger bound or a smaller page, keep a part with `bbox`, or let it take "
-              "more with `max_memory`");
-}
-
 // With what is to be drawn in the raster's own cells, or half as many, lest it be off by more than
 // is asked. Null where its own surface is drawn quicker.
 std::shared_ptr<const TerrainData>
@@ -126,8 +114,11 @@ with_parts_certified(const TerrainData& whole, const std::vector<std::string>& p
   read_missing(framed, paths, options, [&] {
     const CertifiedRaster of(framed, placed, spec);
     spares_enough = of.spares_enough();
-    if (spares_enough) check_memory(of, whole, options, spec);
-    return spares_enough ? of.missing() : std::vector<GridPart>{};
+    if (!spares_enough) return std::vector<GridPart>{};
+    check_memory(static_cast<double>(of.bytes_to_draw()), options.max_memory,
+                 fmt::format("to draw {} within {} mm", whole.source, *spec.style.detail.error_mm),
+                 "ask for a larger bound or a smaller page, keep a part with `bbox`");
+    return of.missing();
   });
   return spares_enough ? with_parts_of(whole, std::move(framed)) : nullptr;
 }

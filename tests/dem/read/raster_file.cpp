@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/dem/read/raster_file.hpp"
 
+#include "tests/dem/read/demand.hpp"
+
 #include <cpl_string.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <memory>
 #include <numeric>
-#include <stdexcept>
 
 namespace orograph {
 namespace {
-
-void demand(bool done, const char* what) {
-  if (!done) throw std::runtime_error(what);
-}
 
 void set_place(GDALDataset& dataset, const RasterFile& raster) {
   if (raster.geotransform) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/dem/read/vector_file.hpp"
 
+#include "tests/dem/read/demand.hpp"
+
 #include <cpl_conv.h>
 #include <cpl_string.h>
 #include <gdal_priv.h>
@@ -9,14 +11,9 @@
 
 #include <limits>
 #include <memory>
-#include <stdexcept>
 
 namespace orograph {
 namespace {
-
-void demand_of_ogr(bool done, const char* what) {
-  if (!done) throw std::runtime_error(what);
-}
 
 class MarkedToNan : public OGRDefaultGeometryVisitor {
 public:
@@ -27,8 +24,8 @@ public:
 
 OGRGeometryUniquePtr geometry_of(const std::string& wkt) {
   OGRGeometry* geometry = nullptr;
-  demand_of_ogr(OGRGeometryFactory::createFromWkt(wkt.c_str(), nullptr, &geometry) == OGRERR_NONE,
-                "no geometry in the test file");
+  demand(OGRGeometryFactory::createFromWkt(wkt.c_str(), nullptr, &geometry) == OGRERR_NONE,
+         "no geometry in the test file");
   MarkedToNan visitor;
   geometry->accept(&visitor);
   return OGRGeometryUniquePtr(geometry);
@@ -45,7 +42,7 @@ void add_feature(const VectorFeature& given, OGRLayer& layer) {
   if (given.height) feature.SetField("height", *given.height);
   if (given.surface_error_m) feature.SetField("surface_error_m", *given.surface_error_m);
   if (!given.wkt.empty()) feature.SetGeometryDirectly(geometry_of(given.wkt).release());
-  demand_of_ogr(layer.CreateFeature(&feature) == OGRERR_NONE, "no feature in the test file");
+  demand(layer.CreateFeature(&feature) == OGRERR_NONE, "no feature in the test file");
 }
 
 } // namespace
@@ -54,26 +51,25 @@ void write_vector(const VectorFile& file, const std::string& path) {
   GDALAllRegister();
   CPLSetConfigOption("OGR_SQLITE_SYNCHRONOUS", "OFF"); // the files don't outlive the test
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(file.driver.c_str());
-  demand_of_ogr(driver, "no such driver for the test file");
+  demand(driver, "no such driver for the test file");
   const std::unique_ptr<GDALDataset> dataset(
       file.append ? GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE)
                   : driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-  demand_of_ogr(dataset != nullptr, "no create in the test file");
+  demand(dataset != nullptr, "no create in the test file");
   OGRSpatialReference crs;
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   if (!file.crs.empty())
-    demand_of_ogr(crs.SetFromUserInput(file.crs.c_str()) == OGRERR_NONE, "no CRS in the test file");
+    demand(crs.SetFromUserInput(file.crs.c_str()) == OGRERR_NONE, "no CRS in the test file");
   CPLStringList options;
   if (file.driver == "GeoJSON") options.SetNameValue("RFC7946", "NO");
   OGRLayer* layer = dataset->CreateLayer(file.layer.c_str(), file.crs.empty() ? nullptr : &crs,
                                          type_of(file), options.List());
-  demand_of_ogr(layer, "no layer in the test file");
+  demand(layer, "no layer in the test file");
   if (file.driver != "DXF") {
     OGRFieldDefn height("height", file.height_type == "Real" ? OFTReal : OFTString);
     OGRFieldDefn error("surface_error_m", OFTReal);
-    demand_of_ogr(layer->CreateField(&height) == OGRERR_NONE &&
-                      layer->CreateField(&error) == OGRERR_NONE,
-                  "no field in the test file");
+    demand(layer->CreateField(&height) == OGRERR_NONE && layer->CreateField(&error) == OGRERR_NONE,
+           "no field in the test file");
   }
   for (const VectorFeature& feature : file.features) add_feature(feature, *layer);
 }
