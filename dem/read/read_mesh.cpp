@@ -4,6 +4,7 @@
 #include "dem/read/length_units.hpp"
 #include "dem/read/map_shapes.hpp"
 #include "geometry/error.hpp"
+#include "text/printable.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +50,8 @@ double next_length(std::string_view& words, std::string_view key, bool may_be_ze
 
 void read_crs(std::string_view wkt, MapShapes& shapes) {
   const GdalMessages messages;
-  const Crs crs = crs_from_text(std::string(wkt));
+  // PROJ would look for bytes that are no text among all its names, half a second for 4 kB of them.
+  const Crs crs = printable(wkt) == wkt ? crs_from_text(std::string(wkt)) : nullptr;
   if (!tells_place(crs.get())) {
     shapes.notes.push_back("The CRS in the file's comment can't be understood: it is left out.");
     return;
@@ -75,9 +77,10 @@ void read_units(std::string_view words, MapShapes& shapes) {
 //     orograph: crs WKT
 //     orograph: units METRES_IN_A_UNIT METRES_IN_A_UNIT_OF_HEIGHT
 //     orograph: surface_error_m METRES
-// each on one line. `text` may be the whole file. Throws Error where one of them can't be right.
+// each on one line; of several of a kind the last counts. `text` may be the whole file. Throws
+// Error where one of them can't be right.
 void read_mesh_comments(std::string_view text, MapShapes& shapes) {
-  std::string_view units;
+  std::string_view crs, units;
   for (std::size_t at = text.find(mark); at != std::string_view::npos;
        at = text.find(mark, at + mark.size())) {
     std::string_view line = comment_at(text, at);
@@ -87,12 +90,13 @@ void read_mesh_comments(std::string_view text, MapShapes& shapes) {
       return true;
     };
     if (starts("crs "))
-      read_crs(line, shapes);
+      crs = line;
     else if (starts("units "))
       units = line;
     else if (starts("surface_error_m "))
       shapes.surface_error_m = next_length(line, "surface_error_m", true, shapes);
   }
+  if (!crs.empty()) read_crs(crs, shapes);
   // After the CRS, whose units they make more precise.
   if (!units.empty()) read_units(units, shapes);
 }

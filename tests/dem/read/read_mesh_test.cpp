@@ -165,6 +165,11 @@ TEST_CASE("comments tell the CRS, the units and the error") {
   CHECK(std::abs(epsg.map.unit_m - 1200. / 3937.) < 1e-12);
   CHECK(epsg.map.height_unit_m == epsg.map.unit_m);
   CHECK(has_word(read_back("a.obj", "# orograph: crs nonsense\n" + obj).notes, "can't be underst"));
+  CHECK(has_word(read_back("a.obj", "# orograph: crs +proj=utm +zone=32 +title=\xff\n" + obj).notes,
+                 "can't be underst"));
+  const TerrainData last_counts =
+      read_back("a.obj", "# orograph: crs EPSG:4326\n# orograph: crs EPSG:2229\n" + obj);
+  CHECK(last_counts.map.crs_wkt == epsg.map.crs_wkt);
   // Not one of our comments.
   CHECK(read_back("a.obj", "o orograph: surface_error_m 3\n" + obj).surface_error_m == 0);
   refused("a.obj", "# orograph: surface_error_m -1\n" + obj, {"surface_error_m", "metres"});
