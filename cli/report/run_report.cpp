@@ -254,7 +254,8 @@ Json json_of(const LevelOfDetail& level) {
           {"rms_departure_m", level.rms_m},
           {"greatest_departure_mm", level.greatest_mm},
           {"summits", level.summits},
-          {"summit_moved_mm", level.summit_moved_mm}};
+          {"summit_moved_mm", level.summit_moved_mm},
+          {"summits_moved", level.summits_moved}};
 }
 
 Json json_of(const StageSeconds& seconds) {

@@ -6,6 +6,9 @@
 
 namespace orograph {
 
+/// A pen's line: a summit that far from its true place on the page is counted as moved.
+constexpr double kSummitMoved_mm = 0.3;
+
 struct LevelOfDetail {
   double step = 1;      ///< of the file's cells to one that is drawn; 0.5 halves them; the least
   double most_step = 1; ///< of patches; else the same
@@ -16,6 +19,8 @@ struct LevelOfDetail {
   double greatest_mm = 0;
   std::size_t summits = 0;    ///< of the ten highest, those on the page
   double summit_moved_mm = 0; ///< on the page, at most of these
+  /// How many of these are farther than `kSummitMoved_mm` from their true place on the page.
+  std::size_t summits_moved = 0;
 };
 
 } // namespace orograph

@@ -98,9 +98,10 @@ void tell_summits(LevelOfDetail& level, const std::vector<Summit>& summits,
     const Vec3 from = place(summit.of_file_m), to = place(summit.drawn_m);
     if (!is_on_page(placed, from) || !(to.z > 0)) continue;
     ++level.summits;
-    level.summit_moved_mm =
-        std::max(level.summit_moved_mm,
-                 std::hypot(from.x / from.z - to.x / to.z, from.y / from.z - to.y / to.z));
+    const double moved_mm =
+        std::hypot(from.x / from.z - to.x / to.z, from.y / from.z - to.y / to.z);
+    level.summit_moved_mm = std::max(level.summit_moved_mm, moved_mm);
+    level.summits_moved += moved_mm > kSummitMoved_mm ? 1 : 0;
   }
 }
 

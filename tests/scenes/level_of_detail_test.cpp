@@ -55,6 +55,7 @@ Drawn draw(const TerrainData& whole, const MapSpec& spec) {
 } // namespace
 
 TEST_CASE("a level is drawn as the terrain that it is, and by the ray walk rightly") {
+  std::size_t moved = 0;
   for (std::uint64_t seed = 1; seed <= last_seed(10); ++seed) {
     Random random(seed);
     const bool on_earth = seed % 3 == 0;
@@ -69,6 +70,9 @@ TEST_CASE("a level is drawn as the terrain that it is, and by the ray walk right
     CHECK(level->step >= 2);
     CHECK(level->cell_mm <= spec.style.detail.cell_mm.value() * std::sqrt(2) * 1.001);
     CHECK(level->cell_mm >= spec.style.detail.cell_mm.value() / std::sqrt(2) / 1.001);
+    CHECK(level->summits_moved <= level->summits);
+    CHECK((level->summits_moved > 0) == (level->summit_moved_mm > 0.3));
+    moved += level->summits_moved;
     const Map map = draw_map(*terrain, placed_view(terrain, spec), spec, [](double) {});
     REQUIRE(map.facts.check);
     CHECK(map.facts.check->asked > 1000);
@@ -81,6 +85,7 @@ TEST_CASE("a level is drawn as the terrain that it is, and by the ray walk right
     const Map again = draw_map(*terrain, placed_view(*terrain, as_it_is), as_it_is, [](double) {});
     CHECK(difference(map.drawing, again.drawing).empty());
   }
+  CHECK(moved > 0);
 }
 
 TEST_CASE("the file's own surface is drawn where it is asked for, or is coarse enough",
@@ -125,6 +130,7 @@ TEST_CASE("smaller cells are drawn as the terrain that they are, and by the ray 
     CHECK(drawn.level->step < 1);
     CHECK(drawn.level->summits > 0);
     CHECK(drawn.level->summit_moved_mm == 0);
+    CHECK(drawn.level->summits_moved == 0);
     CHECK(drawn.level->greatest_m > drawn.level->rms_m);
     REQUIRE(drawn.map.facts.check);
     CHECK(drawn.map.facts.check->asked > 1000);
