@@ -36,12 +36,13 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
   const Verdict right = drawn ? Verdict::visible : Verdict::hidden;
   const ProfilePoint at = point_between(line.from, line.to, t);
   const bool vertical = line.from.u == line.to.u && line.from.v == line.to.v;
-  if (vertical) {
-    // A vertical line that is seen from above has no picture.
-    const Vec2 place = project(*view_, at);
-    const double rise = std::abs(project(*view_, {at.u, at.v, line.to.z}).y -
-                                 project(*view_, {at.u, at.v, line.from.z}).y);
-    if (rise <= tolerance_.at(place.x, place.y)) return Verdict::tied;
+  // What runs straight away from the eye has no picture: a vertical line seen from above, a level
+  // one that a level view looks along.
+  if (!view_->is_perspective() || (line.from.v > 0 && line.to.v > 0)) {
+    const Vec2 from = project(*view_, line.from), to = project(*view_, line.to);
+    const double tied_within = tolerance_.at(from.x, from.y);
+    if (std::abs(to.x - from.x) <= tied_within && std::abs(to.y - from.y) <= tied_within)
+      return Verdict::tied;
   }
   const Verdict found = verdict(at, on_edge);
   if (found == right || found == Verdict::tied) return found;

@@ -195,6 +195,14 @@ TEST_CASE("a line nearly straight away from the eye that ends at the border is s
   CHECK(visible > 49000);
 }
 
+// A mesh along the view over a plateau: 2 of its 2,356 points were "visible but not drawn".
+TEST_CASE("a line on level ground that a level view looks along has no picture") {
+  Asked sum;
+  std::uint64_t visible = 0;
+  ask_scene(930810, with_lines, sum, visible);
+  CHECK(sum.asked > 2000);
+}
+
 TEST_CASE("every other layer is the same with lines on the water and without") {
   for (std::uint64_t seed = 1; seed <= kScenes / 3; ++seed) {
     Random random(seed);
