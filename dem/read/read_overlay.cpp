@@ -355,9 +355,11 @@ Overlay read_overlay(const OverlayInput& input, const MapFrame& map, const Box2&
                             input.where.empty() ? "" : fmt::format(" where {}", input.where)),
                 input.where.empty() ? "it must hold features" : "widen the condition");
   OGREnvelope all;
-  std::string where = "elsewhere";
-  if (layer.GetExtent(&all, TRUE) == OGRERR_NONE)
-    where = "between " + text_of({{all.MinX, all.MinY}, {all.MaxX, all.MaxY}}) + " in its own CRS";
+  if (layer.GetExtent(&all, TRUE) != OGRERR_NONE)
+    throw Error(fmt::format("no feature of {} has a geometry", out.source),
+                "give a layer of points, lines or areas");
+  const std::string where =
+      "between " + text_of({{all.MinX, all.MinY}, {all.MaxX, all.MaxY}}) + " in its own CRS";
   throw Error(fmt::format("nothing of {} is on the terrain: it lies {}", out.source, where),
               fmt::format("features between {} in the terrain's CRS, or a layer that tells its CRS",
                           text_of(bounds)));

@@ -164,6 +164,7 @@ TEST_CASE("what GDAL warns of is told once, and nothing is written beside GML") 
 
 TEST_CASE("overlays that can't be laid anywhere get a line") {
   check_message(refusal({.features = {{"POINT (0 0)"}}}), {"nothing of", "is on the terrain"});
+  check_message(refusal({.features = {{""}}}), {"no feature of", "has a geometry", "points"});
   check_message(refusal({.features = {kInside}}, {"", "roads", ""}),
                 {"no layer 'roads'", "survey"});
   check_message(
