@@ -36,12 +36,14 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
   const Verdict right = drawn ? Verdict::visible : Verdict::hidden;
   const ProfilePoint at = point_between(line.from, line.to, t);
   const bool vertical = line.from.u == line.to.u && line.from.v == line.to.v;
-  // What runs straight away from the eye has no picture: a vertical line seen from above, a level
-  // one that a level view looks along.
+  // What runs straight away from the eye has no picture: a vertical line seen from above, and to
+  // rounding, a level one that a level view looks along.
   if (!view_->is_perspective() || (line.from.v > 0 && line.to.v > 0)) {
     const Vec2 from = project(*view_, line.from), to = project(*view_, line.to);
-    const double tied_within = tolerance_.at(from.x, from.y);
-    if (std::abs(to.x - from.x) <= tied_within && std::abs(to.y - from.y) <= tied_within)
+    const double extent = vertical ? tolerance_.at(from.x, from.y)
+                                   : 4 * std::numeric_limits<double>::epsilon() *
+                                         (std::abs(from.x) + std::abs(from.y));
+    if (std::abs(to.x - from.x) <= extent && std::abs(to.y - from.y) <= extent)
       return Verdict::tied;
   }
   const Verdict found = verdict(at, on_edge);
