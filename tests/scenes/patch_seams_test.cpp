@@ -80,16 +80,27 @@ private:
 };
 
 struct Mean {
-  double sum = 0, weight = 0;
-  void add(double value) { sum += value, weight += 1; }
-  void add(const Mean& other) { sum += other.sum, weight += other.weight; }
-  double value() const { return sum / weight; }
+  double sum = 0, count = 0;
+  void add(double value) { sum += value, count += 1; }
+  double value() const { return sum / count; }
+};
+
+// Lengths in the visibility plane. Profiles are evenly spaced on the page, so theirs tells how much
+// of it that is.
+struct Ink {
+  double profiles = 0, silhouettes = 0;
+  double silhouettes_of_page() const { return silhouettes / profiles; }
+};
+
+struct Seams {
+  Mean turns, turns_in_larger, turns_in_smaller; ///< in radians, on seams and in the cells beside
+  Ink near, farther; ///< in larger cells: within one of them from a seam, and within four
 };
 
 // Adds up what is visible on seams and beside them.
 class SeamObserver : public LineObserver {
 public:
-  explicit SeamObserver(const Tin& tin) : sizes_(tin) {}
+  SeamObserver(const Tin& tin, Seams& seams) : sizes_(tin), seams_(seams) {}
 
   void see(const SeenProfile& seen) override {
     const View& view = seen.sector.view;
@@ -112,13 +123,15 @@ public:
       const double turn = std::abs(std::atan2(cross(in, out), dot(in, out)));
       const auto wide = sizes_.around(place, 2.5 * close.most_m);
       if (close.most_m > 1.5 * close.least_m)
-        turns_at_seams.add(turn);
+        seams_.turns.add(turn);
       else if (wide.most_m > 1.5 * wide.least_m && wide.least_m > 0)
-        (close.most_m > 0.7 * wide.most_m ? turns_in_larger : turns_in_smaller).add(turn);
+        (close.most_m > 0.7 * wide.most_m ? seams_.turns_in_larger : seams_.turns_in_smaller)
+            .add(turn);
     }
     for (const Piece& piece : seen.visible) {
       const double x = (piece.x_begin + piece.x_end) / 2;
-      add_ink(view, {x * profile.depth_m, profile.depth_m, 0}, piece.x_end - piece.x_begin, 0);
+      add_ink(view, {x * profile.depth_m, profile.depth_m, 0}, piece.x_end - piece.x_begin,
+              &Ink::profiles);
     }
   }
 
@@ -129,17 +142,12 @@ public:
       const ProfilePoint from = seen.lines.point(part.line, part.t_begin),
                          to = seen.lines.point(part.line, part.t_end);
       add_ink(view, seen.lines.point(part.line, (part.t_begin + part.t_end) / 2),
-              length(project(view, to) - project(view, from)), 1);
+              length(project(view, to) - project(view, from)), &Ink::silhouettes);
     }
   }
 
-  Mean turns_at_seams, turns_in_larger, turns_in_smaller;
-  // In larger cells, no farther than one of them from a seam, and up to four: of profiles, which
-  // tell how much of the page that is, and of silhouettes.
-  double ink_near[2] = {}, ink_farther[2] = {};
-
 private:
-  void add_ink(const View& view, ProfilePoint at, double ink, int kind) {
+  void add_ink(const View& view, ProfilePoint at, double length, double Ink::*kind) {
     const Vec3 ground = to_ground_m(view, at);
     const auto here = sizes_.around({ground.x, ground.y}, sizes_.unit_m() / 64);
     if (here.least_m == 0 || here.most_m > 1.5 * here.least_m) return;
@@ -148,20 +156,20 @@ private:
       return sizes_.around({ground.x, ground.y}, away_m).least_m < 0.7 * cell_m;
     };
     if (is_seam_within(cell_m))
-      ink_near[kind] += ink;
+      seams_.near.*kind += length;
     else if (is_seam_within(4 * cell_m))
-      ink_farther[kind] += ink;
+      seams_.farther.*kind += length;
   }
 
   CellSizes sizes_;
+  Seams& seams_;
 };
 
 } // namespace
 
 TEST_CASE("nothing shows where patches meet") {
   for (const double noise_m : {0.0, 12.0}) {
-    Mean at_seams, in_larger, in_smaller;
-    double near[2] = {}, farther[2] = {};
+    Seams seams;
     for (std::uint64_t seed = 1; seed <= last_seed(12); ++seed) {
       Random random(700 + seed);
       const TerrainData whole = plane_terrain(220, 220, [&](double x, double y) {
@@ -178,26 +186,20 @@ TEST_CASE("nothing shows where patches meet") {
       REQUIRE(level);
       const auto* tin = std::get_if<Tin>(&terrain->surface);
       REQUIRE(tin);
-      SeamObserver observer(*tin);
+      SeamObserver observer(*tin, seams);
       Instruments instruments;
       instruments.observers = {&observer};
       draw_map(
           *terrain, placed_view(terrain, spec), spec, [](double) {}, instruments);
-      at_seams.add(observer.turns_at_seams);
-      in_larger.add(observer.turns_in_larger);
-      in_smaller.add(observer.turns_in_smaller);
-      for (int kind = 0; kind < 2; ++kind) {
-        near[kind] += observer.ink_near[kind];
-        farther[kind] += observer.ink_farther[kind];
-      }
     }
-    WARN("noise of " << noise_m << " m: profiles turn by " << at_seams.value() << " at "
-                     << at_seams.weight << " places on seams, " << in_larger.value()
-                     << " in larger cells beside them, " << in_smaller.value() << " in smaller");
-    CHECK(at_seams.weight > 1000);
-    CHECK(at_seams.value() < in_larger.value());
+    WARN("noise of " << noise_m << " m: profiles turn by " << seams.turns.value() << " at "
+                     << seams.turns.count << " places on seams, " << seams.turns_in_larger.value()
+                     << " in larger cells beside them, " << seams.turns_in_smaller.value()
+                     << " in smaller");
+    CHECK(seams.turns.count > 1000);
+    CHECK(seams.turns.value() < seams.turns_in_larger.value());
     // A fourth more than farther away would be a seam that one sees.
-    CHECK(near[1] / near[0] < 1.25 * farther[1] / farther[0]);
+    CHECK(seams.near.silhouettes_of_page() < 1.25 * seams.farther.silhouettes_of_page());
   }
 }
 
