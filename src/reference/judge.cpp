@@ -36,15 +36,12 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
   const Verdict right = drawn ? Verdict::visible : Verdict::hidden;
   const ProfilePoint at = point_between(line.from, line.to, t);
   const bool vertical = line.from.u == line.to.u && line.from.v == line.to.v;
-  // What runs straight away from the eye has no picture: a vertical line seen from above, and to
-  // rounding, a level one that a level view looks along.
-  if (!view_->is_perspective() || (line.from.v > 0 && line.to.v > 0)) {
-    const Vec2 from = project(*view_, line.from), to = project(*view_, line.to);
-    const double extent = vertical ? tolerance_.at(from.x, from.y)
-                                   : 4 * std::numeric_limits<double>::epsilon() *
-                                         (std::abs(from.x) + std::abs(from.y));
-    if (std::abs(to.x - from.x) <= extent && std::abs(to.y - from.y) <= extent)
-      return Verdict::tied;
+  if (vertical) {
+    // A vertical line that is seen from above has no picture.
+    const Vec2 place = project(*view_, at);
+    const double rise = std::abs(project(*view_, {at.u, at.v, line.to.z}).y -
+                                 project(*view_, {at.u, at.v, line.from.z}).y);
+    if (rise <= tolerance_.at(place.x, place.y)) return Verdict::tied;
   }
   const Verdict found = verdict(at, on_edge);
   if (found == right || found == Verdict::tied) return found;
@@ -56,6 +53,14 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
       kRounding * (std::abs(ground.x) + std::abs(ground.y) + std::abs(view_->depth_origin_m.x) +
                    std::abs(view_->depth_origin_m.y) + length);
   if (length <= rounding_m) return Verdict::tied;
+  // A level line that a level view looks along has no picture, so none of it can lack.
+  if (!view_->is_perspective() || (line.from.v > 0 && line.to.v > 0)) {
+    const Vec2 from = project(*view_, line.from), to = project(*view_, line.to);
+    const double rounding =
+        4 * std::numeric_limits<double>::epsilon() * (std::abs(from.x) + std::abs(from.y));
+    if (std::abs(to.x - from.x) <= rounding && std::abs(to.y - from.y) <= rounding)
+      return Verdict::tied;
+  }
   // Across the ray as far as it takes for it to miss what stands nearer to the eye.
   const InFront front = walk_.in_front(at);
   const bool perspective = view_->is_perspective();
