@@ -4,6 +4,7 @@
 #include "dem/frame/local_frame.hpp"
 #include "geometry/angle.hpp"
 #include "geometry/error.hpp"
+#include "text/printable.hpp"
 
 #include <cpl_conv.h>
 #include <fmt/format.h>
@@ -95,6 +96,9 @@ void ReleaseCrs::operator()(OGRSpatialReference* crs) const {
 }
 
 Crs crs_from_text(const std::string& text) {
+  // A name of bytes that are no text PROJ would look for among all its names: half a second for 4
+  // kB of them. In WKT names may be in another encoding.
+  if (text.find('[') == std::string::npos && printable(text) != text) return nullptr;
   const GdalMessages unheard;
   Crs crs(new OGRSpatialReference);
   // Never from a file or an address that the text might name.

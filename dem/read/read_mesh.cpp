@@ -4,7 +4,6 @@
 #include "dem/read/length_units.hpp"
 #include "dem/read/map_shapes.hpp"
 #include "geometry/error.hpp"
-#include "text/printable.hpp"
 #include "text/words.hpp"
 
 #include <fmt/format.h>
@@ -50,8 +49,7 @@ double next_length(std::string_view& words, std::string_view key, bool may_be_ze
 
 void read_crs(std::string_view wkt, MapShapes& shapes) {
   const GdalMessages messages;
-  // PROJ would look for bytes that are no text among all its names, half a second for 4 kB of them.
-  const Crs crs = printable(wkt) == wkt ? crs_from_text(std::string(wkt)) : nullptr;
+  const Crs crs = crs_from_text(std::string(wkt));
   if (!tells_place(crs.get())) {
     shapes.notes.push_back("The CRS in the file's comment can't be understood: it is left out.");
     return;

@@ -53,7 +53,7 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
       kRounding * (std::abs(ground.x) + std::abs(ground.y) + std::abs(view_->depth_origin_m.x) +
                    std::abs(view_->depth_origin_m.y) + length);
   if (length <= rounding_m) return Verdict::tied;
-  // A level line that a level view looks along has no picture, so none of it can lack.
+  // A level line that a level view looks along has no picture, so none of it can be missing.
   if (!view_->is_perspective() || (line.from.v > 0 && line.to.v > 0)) {
     const Vec2 from = project(*view_, line.from), to = project(*view_, line.to);
     const double rounding =

@@ -167,6 +167,9 @@ TEST_CASE("comments tell the CRS, the units and the error") {
   CHECK(has_word(read_back("a.obj", "# orograph: crs nonsense\n" + obj).notes, "can't be underst"));
   CHECK(has_word(read_back("a.obj", "# orograph: crs +proj=utm +zone=32 +title=\xff\n" + obj).notes,
                  "can't be underst"));
+  std::string latin1 = epsg.map.crs_wkt;
+  latin1.replace(latin1.find("NAD83"), 5, "R\xe9union");
+  CHECK(read_back("a.obj", "# orograph: crs " + latin1 + "\n" + obj).map.crs_name != "none");
   const TerrainData last_counts =
       read_back("a.obj", "# orograph: crs EPSG:4326\n# orograph: crs EPSG:2229\n" + obj);
   CHECK(last_counts.map.crs_wkt == epsg.map.crs_wkt);
