@@ -11,8 +11,10 @@ namespace orograph {
 /// Whether the lattice's order is the quicker way through a sector. Pieces of profiles between two
 /// lines of the lattice are taken one by one; where there are about as many as cells (a profile a
 /// row, aslant of the rows), slabs between profiles, which are taken whole, cost less: rough 2000²
-/// from 213/25 0.9 s beside 1.5 s. `strips`: of a grid on the earth.
-bool pays_in_order(const Grid& grid, const Sector& sector, const EarthStrips* strips);
+/// from 213/25 0.9 s beside 1.5 s. `strips`: of a grid on the earth. `contours`: many are drawn,
+/// which the order finds itself; slabs have them listed first.
+bool pays_in_order(const Grid& grid, const Sector& sector, const EarthStrips* strips,
+                   bool contours);
 
 /// As `strips_pass`, of a surface that hides and is a grid, on a map plane or with strips in order.
 SectorParts lattice_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,

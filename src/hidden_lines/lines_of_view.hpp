@@ -40,6 +40,9 @@ struct LinesOfView {
   /// Of overlays those that an earlier pass hasn't taken, alone: all else was drawn by that.
   bool are_more_overlays = false;
 
+  /// Whether there are so many contours that the lattice's order pays for nearly all views.
+  bool pays_by_contours = false;
+
   /// On the earth: the strips of the view's sector, where they have an order and that pays.
   std::optional<EarthStrips> earth_strips = {};
 
@@ -56,11 +59,11 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
 bool take_more_overlays(const TerrainData& terrain, const PlacedView& placed, const Style& style,
                         const Instruments& instruments, LinesOfView& lines);
 
-/// The grid, if its sectors may be taken in the lattice's order; and whether one of them is, with
-/// its strips if the grid is on the earth.
+/// The grid, if its sectors may be taken in the lattice's order; and whether one of them is, if
+/// the grid is on the earth by the lines' strips.
 const Grid* grid_in_order(const TerrainData& terrain, const Style& style,
                           const Instruments& instruments);
-bool goes_in_order(const Grid& grid, const Sector& sector, const EarthStrips* strips,
+bool goes_in_order(const Grid& grid, const Sector& sector, const LinesOfView& lines,
                    const Instruments& instruments);
 
 /// What of X a sector is asked for; `in_list`: with the horizon in one list.

@@ -273,7 +273,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     profile_done();
   };
   watch.mark(seconds.facing);
-  const bool in_order = grid && goes_in_order(*grid, sector, strips, instruments);
+  const bool in_order = grid && goes_in_order(*grid, sector, lines, instruments);
   SectorParts found_parts =
       work.sheet ? sheet_pass(work, lay_out, show, counts, seconds)
       : in_list  ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command, spared its start: to load and link GDAL's 140 shared libraries takes 50 ms, most of
 // what the runs of a thousand tests took. Here it is done once, and each run that a test asks for
-// is a fork of this process, in which nothing but that has been done. What `main` does beside
-// stands in cli/main.cpp: nothing.
+// is a fork of this process, in which nothing but that has been done. What cli/main.cpp does beside
+// is to say how memory is kept, which decides no drawing.
 #include "cli/command_line.hpp"
 #include "tests/cli/asked_run.hpp"
 

@@ -137,7 +137,7 @@ def test_importing_takes_little():
         "import numpy, time; begin = time.process_time(); import orograph; "
         "print(time.process_time() - begin)"
     )
-    assert min(float(run_python(code).stdout) for _ in range(3)) < 0.15
+    assert min(float(run_python(code).stdout) for _ in range(3)) < 0.5
 
 
 def test_numpy_alone_is_needed(tmp_path):
