@@ -15,7 +15,7 @@ bool is_unlimited(__rlimit_resource_t resource) {
 }
 
 // Keeps memory that is freed for what comes next, and has the first gigabyte of it in large pages:
-// to get pages of 4 kB, many of them again and again, took a fifth to a third of a drawing's time
+// to get pages of 4 kB, many of them again and again, took a seventh to half of a drawing's time
 // (decision 66). What is reserved is addresses; where those are limited, nothing is changed.
 void keep_memory_in_large_pages() {
   if (!is_unlimited(RLIMIT_AS) || !is_unlimited(RLIMIT_DATA)) return;
