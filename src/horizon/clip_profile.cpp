@@ -189,16 +189,6 @@ void clip_run(const ProjectedProfile& profile, VertexRun run, XRange range, Bloc
   RunClip(profile, horizon, tolerance, visible, counts).clip(run, range);
 }
 
-namespace {
-
-template <class AnyHorizon>
-double height_of(const AnyHorizon& horizon, double x) {
-  const auto piece = pieces_from(horizon, x);
-  return is_sky(*piece) ? -std::numeric_limits<double>::infinity() : height_at(piece->source, x);
-}
-
-} // namespace
-
 template <class AnyHorizon>
 std::vector<Piece> visible_uprights(std::span<const Segment> uprights, const AnyHorizon& horizon,
                                     double beside) {
@@ -206,7 +196,7 @@ std::vector<Piece> visible_uprights(std::span<const Segment> uprights, const Any
   for (std::uint32_t i = 0; i < uprights.size(); ++i) {
     const Segment& s = uprights[i];
     const double horizon_y =
-        std::min(height_of(horizon, s.x0 - beside), height_of(horizon, s.x0 + beside));
+        std::min(horizon_height(horizon, s.x0 - beside), horizon_height(horizon, s.x0 + beside));
     if (s.y0 == s.y1 || std::max(s.y0, s.y1) <= horizon_y) continue;
     const double share = std::min(s.y0, s.y1) >= horizon_y ? 0 : (horizon_y - s.y0) / (s.y1 - s.y0);
     if (s.y0 < s.y1)

@@ -76,4 +76,12 @@ inline PieceCursor pieces_from(const Horizon& horizon, double x) {
       end};
 }
 
+/// The horizon's height at x: -infinity where there is sky alone. Of two pieces that meet at x, the
+/// left one's. AnyHorizon is what `pieces_from` takes.
+template <class AnyHorizon>
+double horizon_height(const AnyHorizon& horizon, double x) {
+  const auto piece = pieces_from(horizon, x);
+  return is_sky(*piece) ? -std::numeric_limits<double>::infinity() : height_at(piece->source, x);
+}
+
 } // namespace orograph

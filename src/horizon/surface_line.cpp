@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every stretch is told by t along its line's source, so that a steep line keeps its ends exact.
+// Every portion is told by t along its line's source, so that a steep line keeps its ends exact.
 #include "horizon/surface_line.hpp"
 
 #include "horizon/compare.hpp"
@@ -13,20 +13,21 @@
 namespace orograph {
 namespace {
 
-struct Stretch {
+// Of a line, as shares of the way along it.
+struct Portion {
   double begin, end;
   bool empty() const { return !(begin < end); }
 };
 
 // Where a linear function is positive, as shares of the way from where it is f0 to where it is f1.
-Stretch positive(double f0, double f1) {
+Portion positive(double f0, double f1) {
   if (f0 > 0 && f1 > 0) return {0, 1};
   if (f0 <= 0 && f1 <= 0) return {0, 0};
   const double zero = f0 / (f0 - f1);
-  return f0 > 0 ? Stretch{0, zero} : Stretch{zero, 1};
+  return f0 > 0 ? Portion{0, zero} : Portion{zero, 1};
 }
 
-Stretch intersection(Stretch a, Stretch b) {
+Portion intersection(Portion a, Portion b) {
   return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
 }
 
@@ -63,19 +64,13 @@ double greatest_height(const AnyHorizon& horizon, double x, double beside) {
   return height;
 }
 
-template <class AnyHorizon>
-double height_of(const AnyHorizon& horizon, double x) {
-  const auto piece = pieces_from(horizon, x);
-  return is_sky(*piece) ? -std::numeric_limits<double>::infinity() : height_at(piece->source, x);
-}
-
 // What an upright line has to be above.
 template <class AnyHorizon>
 double height_before(const SurfaceLine& line, const AnyHorizon& horizon) {
   const double x = line.source.x0;
-  return line.vertical()
-             ? std::min(height_of(horizon, x - line.beside), height_of(horizon, x + line.beside))
-             : greatest_height(horizon, x, line.beside);
+  return line.vertical() ? std::min(horizon_height(horizon, x - line.beside),
+                                    horizon_height(horizon, x + line.beside))
+                         : greatest_height(horizon, x, line.beside);
 }
 
 template <class AnyHorizon>
@@ -106,14 +101,14 @@ void above_horizon(const SurfaceLine& line, const AnyHorizon& horizon,
                  end = std::min(line.end, piece->x_end);
     if (begin < end)
       take_above(line.source, *piece, begin, end, tolerance, [&](double t_begin, double t_end) {
-        take(Stretch{t_begin, t_end});
+        take(Portion{t_begin, t_end});
       });
   }
 }
 
 // A line straight away from the eye shows where it rises above all in front of it. Where it doesn't
 // rise, its own nearer end hides it.
-Stretch upright_above(const SurfaceLine& line, double height) {
+Portion upright_above(const SurfaceLine& line, double height) {
   const double y0 = line.source.y0, y1 = line.source.y1;
   if (!(y1 > y0)) return {0, 0};
   if (height == -std::numeric_limits<double>::infinity()) return {line.begin, line.end};
@@ -135,21 +130,22 @@ double height_in_front(const SurfaceLine& upright, const BlockedHorizon& horizon
 
 double lower_height_beside(const SurfaceLine& upright, const BlockedHorizon& horizon) {
   const double x = upright.source.x0;
-  return std::min(height_of(horizon, x - upright.beside), height_of(horizon, x + upright.beside));
+  return std::min(horizon_height(horizon, x - upright.beside),
+                  horizon_height(horizon, x + upright.beside));
 }
 
 template <class AnyHorizon>
 void add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
                        const TieTolerance& tolerance, std::vector<VisibleLinePart>& parts) {
   above_horizon(line, horizon, tolerance,
-                [&](Stretch seen) { append(parts, number, seen.begin, seen.end); });
+                [&](Portion seen) { append(parts, number, seen.begin, seen.end); });
 }
 template void add_above_horizon(const SurfaceLine&, std::uint32_t, const BlockedHorizon&,
                                 const TieTolerance&, std::vector<VisibleLinePart>&);
 
 void add_above_height(const SurfaceLine& line, std::uint32_t number, double height,
                       std::vector<VisibleLinePart>& parts) {
-  const Stretch seen = upright_above(line, height);
+  const Portion seen = upright_above(line, height);
   append(parts, number, seen.begin, seen.end);
 }
 
@@ -162,9 +158,9 @@ void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t 
     const double x = std::clamp(b.source.x0, f.begin, f.end);
     const double nearness = nearness_at(f, x), height = height_at(f.source, x);
     if (b.vertical() && std::abs(nearness - b.nearness0) <= 2 * nearness_rounding_at(f, x)) return;
-    const Stretch stretch = intersection(positive(nearness - b.nearness0, nearness - b.nearness1),
+    const Portion portion = intersection(positive(nearness - b.nearness0, nearness - b.nearness1),
                                          positive(height - b.source.y0, height - b.source.y1));
-    if (!stretch.empty()) hidden_.push_back({behind, stretch.begin, stretch.end});
+    if (!portion.empty()) hidden_.push_back({behind, portion.begin, portion.end});
     return;
   }
   const double low = std::max(f.begin, b.begin), high = std::min(f.end, b.end);
@@ -186,18 +182,18 @@ void SlabHorizon::hide_behind(std::span<const SurfaceLine> lines, std::uint32_t 
   // may end at `f`, and the slab hold less than that of it.
   one_place = one_place && are_at_one_place(std::max(f.source.x0, b.source.x0),
                                             std::min(f.source.x1, b.source.x1));
-  Stretch stretch = one_place ? Stretch{0, 1} : positive(nearer_low, nearer_high);
+  Portion portion = one_place ? Portion{0, 1} : positive(nearer_low, nearer_high);
   const bool one_line = !one_place && f.drawn && tolerance.mm > 0 &&
                         compare(b.source, f.source, tolerance).kind == Standing::Kind::tied;
   if (!one_line)
-    stretch = intersection(stretch, positive(height_difference(f.source, b.source, low),
+    portion = intersection(portion, positive(height_difference(f.source, b.source, low),
                                              height_difference(f.source, b.source, high)));
-  if (stretch.empty()) return;
+  if (portion.empty()) return;
   const double t_low = parameter_at(b.source, low), t_high = parameter_at(b.source, high);
   const auto t_at = [&](double share) {
     return share >= 1 ? t_high : t_low + share * (t_high - t_low);
   };
-  hidden_.push_back({behind, t_at(stretch.begin), t_at(stretch.end)});
+  hidden_.push_back({behind, t_at(portion.begin), t_at(portion.end)});
 }
 
 template <class AnyHorizon>
@@ -247,7 +243,7 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
     while (hidden != hidden_.end() && hidden->line == i) ++hidden;
     if (!line.drawn) continue;
     // What is above the horizon, less the hidden stretches.
-    const auto take = [&](Stretch seen) {
+    const auto take = [&](Portion seen) {
       double begin = seen.begin;
       for (auto h = first; h != hidden; ++h) {
         append(parts_, i, begin, std::min(h->begin, seen.end));

@@ -22,8 +22,7 @@
 #include <optional>
 #include <sstream>
 
-using namespace orograph;
-
+namespace orograph::clip_cases_test {
 namespace {
 
 struct Wanted {
@@ -207,3 +206,5 @@ TEST_CASE("hard cases of the clip come out as they say") {
   }
   CHECK(count >= 15);
 }
+
+} // namespace orograph::clip_cases_test

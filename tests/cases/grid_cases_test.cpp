@@ -25,8 +25,7 @@
 #include <limits>
 #include <sstream>
 
-using namespace orograph;
-
+namespace orograph::grid_cases_test {
 namespace {
 
 struct WantedLayer {
@@ -178,3 +177,5 @@ TEST_CASE("hard cases of the whole program come out as they say") {
   }
   CHECK(count >= 20);
 }
+
+} // namespace orograph::grid_cases_test
