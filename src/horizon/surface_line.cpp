@@ -242,7 +242,7 @@ std::span<const VisibleLinePart> SlabHorizon::visible_parts(std::vector<SurfaceL
     const auto first = hidden;
     while (hidden != hidden_.end() && hidden->line == i) ++hidden;
     if (!line.drawn) continue;
-    // What is above the horizon, less the hidden stretches.
+    // What is above the horizon, less the hidden portions.
     const auto take = [&](Portion seen) {
       double begin = seen.begin;
       for (auto h = first; h != hidden; ++h) {

@@ -16,6 +16,8 @@
 namespace orograph::replay_test {
 namespace {
 
+const std::filesystem::path kHere = OROGRAPH_SOURCE_DIR "/tests/fuzz";
+
 std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
@@ -42,8 +44,6 @@ void run(const FuzzTarget& target, const std::string& bytes) {
 }
 
 } // namespace
-
-const std::filesystem::path kHere = OROGRAPH_SOURCE_DIR "/tests/fuzz";
 
 TEST_CASE("seeds of fuzzing, and what once showed a fault, show none") {
   for (const FuzzTarget& target : fuzz_targets()) {
