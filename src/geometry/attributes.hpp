@@ -9,9 +9,11 @@
 
 namespace orograph {
 
+using AttributeValue = std::variant<std::int64_t, double, std::string>;
+
 struct Attribute {
   std::string name;
-  std::variant<std::int64_t, double, std::string> value;
+  AttributeValue value;
 
   bool operator==(const Attribute&) const = default;
 };

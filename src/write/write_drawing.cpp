@@ -78,7 +78,6 @@ void write_to_file(const Drawing& drawing, const std::string& path, const WriteO
   } else {
     ByteSink out(file.temporary_path(), path);
     write_to_sink(drawing, options, out);
-    if (options.format == Format::geojson) prove_geojson(drawing, file.temporary_path(), path);
   }
 }
 

@@ -34,7 +34,6 @@ void write_geojson(const Drawing& drawing, ByteSink& out);
 /// Replaces the file at `path`; messages call it `name`. REQUIRES map points.
 void write_geopackage(const Drawing& drawing, const std::string& path, const std::string& name);
 /// Opens the file again and throws unless all strokes are there.
-void prove_geojson(const Drawing& drawing, const std::string& path, const std::string& name);
 void prove_geopackage(const Drawing& drawing, const std::string& path, const std::string& name);
 
 } // namespace orograph

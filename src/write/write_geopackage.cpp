@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GeoJSON and GeoPackage through OGR: one layer of line strings with heights, in the terrain's CRS.
-#include "write/byte_sink.hpp"
+// One layer of line strings with heights, in the terrain's CRS.
 #include "write/format_text.hpp"
 #include "write/ogr_writing.hpp"
-#include "write/sink_filesystem.hpp"
+#include "write/stroke_attributes.hpp"
 #include "write/writers.hpp"
 
 #include <cpl_string.h>
@@ -11,16 +10,11 @@
 #include <ogrsf_frmts.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <memory>
-#include <optional>
-#include <span>
 #include <string>
-#include <string_view>
-#include <utility>
 
 namespace orograph {
 namespace {
@@ -28,22 +22,8 @@ namespace {
 constexpr const char* kLayerName = "strokes";
 constexpr std::size_t kStrokesInTransaction = 100000;
 
-constexpr auto kFields =
-    std::to_array<std::pair<const char*, OGRFieldType>>({{"layer", OFTString},
-                                                         {"profile", OFTInteger},
-                                                         {"depth", OFTReal},
-                                                         {"visible", OFTInteger},
-                                                         {"level", OFTInteger},
-                                                         {"darkness", OFTReal}});
-
-// As simplestyle calls it, and programs that show GeoJSON: "#rrggbb". It is there where a layer has
-// a colour of its own.
-constexpr const char* kColourField = "stroke";
-
-bool tells_colours(const Drawing& drawing) {
-  return std::ranges::any_of(drawing.layers,
-                             [](const Layer& layer) { return layer.ink().has_value(); });
-}
+constexpr std::array<OGRFieldType, kStrokeFields.size()> kStrokeFieldTypes{
+    OFTString, OFTInteger, OFTReal, OFTInteger, OFTInteger, OFTReal};
 
 struct IgnoresCase {
   bool operator()(const std::string& a, const std::string& b) const {
@@ -53,15 +33,6 @@ struct IgnoresCase {
 // The fields of all things that strokes are lines of: a name each, in whatever case, since OGR and
 // SQL don't tell cases apart; and the type that holds every value.
 using MoreFields = std::map<std::string, OGRFieldType, IgnoresCase>;
-
-// Names that strokes' own fields have, or GeoPackage's, get a mark.
-std::string field_name(const std::string& attribute, bool with_colour) {
-  const auto is_called = [&](const char* name) { return EQUAL(name, attribute.c_str()); };
-  const bool is_own =
-      std::ranges::any_of(kFields, [&](const auto& field) { return is_called(field.first); }) ||
-      is_called("fid") || is_called("geom") || (with_colour && is_called(kColourField));
-  return is_own ? attribute + "_" : attribute;
-}
 
 MoreFields fields_of(const Drawing& drawing) {
   const bool with_colour = tells_colours(drawing);
@@ -79,15 +50,17 @@ MoreFields fields_of(const Drawing& drawing) {
   return out;
 }
 
-void set_attributes(const Attributes& attributes, bool with_colour, OGRFeature& feature) {
+void set_attributes(const Attributes& attributes, OGRFeature& feature) {
   for (const auto& [name, value] : attributes) {
-    const int field = feature.GetFieldIndex(field_name(name, with_colour).c_str());
+    const int field = feature.GetFieldIndex(name.c_str());
     if (const auto* whole = std::get_if<std::int64_t>(&value))
       feature.SetField(field, static_cast<GIntBig>(*whole));
-    else if (const auto* real = std::get_if<double>(&value))
-      feature.SetField(field, *real);
+    else if (const auto* text = std::get_if<std::string>(&value))
+      feature.SetField(field, text->c_str());
+    else if (const double real = std::get<double>(value); std::isnan(real))
+      feature.SetFieldNull(field);
     else
-      feature.SetField(field, std::get<std::string>(value).c_str());
+      feature.SetField(field, real);
   }
 }
 
@@ -99,12 +72,12 @@ OGRLayer* add_layer(GDALDataset& dataset, const Drawing& drawing, CPLStringList 
   OGRLayer* const layer = dataset.CreateLayer(kLayerName, drawing.crs_wkt.empty() ? nullptr : &crs,
                                               wkbLineString25D, options.List());
   if (layer == nullptr) return nullptr;
-  for (const auto& [name, type] : kFields) {
-    OGRFieldDefn field(name, type);
+  for (std::size_t i = 0; i < kStrokeFields.size(); ++i) {
+    OGRFieldDefn field(kStrokeFields[i].data(), kStrokeFieldTypes[i]);
     if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
   }
   if (tells_colours(drawing)) {
-    OGRFieldDefn field(kColourField, OFTString);
+    OGRFieldDefn field(kColourField.data(), OFTString);
     if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
   }
   for (const auto& [name, type] : fields_of(drawing)) {
@@ -117,24 +90,7 @@ OGRLayer* add_layer(GDALDataset& dataset, const Drawing& drawing, CPLStringList 
 std::unique_ptr<OGRFeature> feature_of(const Stroke& stroke, const Layer& from, bool with_colour,
                                        OGRLayer& to) {
   auto feature = std::make_unique<OGRFeature>(to.GetLayerDefn());
-  feature->SetField("layer", from.name.c_str());
-  feature->SetField("profile", stroke.profile);
-  if (std::isnan(stroke.depth_m))
-    feature->SetFieldNull(feature->GetFieldIndex("depth"));
-  else
-    feature->SetField("depth", stroke.depth_m);
-  feature->SetField("visible", from.is_hidden ? 0 : 1);
-  if (stroke.feature >= 0)
-    set_attributes(from.features[static_cast<std::size_t>(stroke.feature)], with_colour, *feature);
-  if (with_colour) feature->SetField(kColourField, hex_colour(from).c_str());
-  if (stroke.profile < 0)
-    feature->SetFieldNull(feature->GetFieldIndex("level"));
-  else
-    feature->SetField("level", stroke.level);
-  if (std::isnan(stroke.darkness))
-    feature->SetFieldNull(feature->GetFieldIndex("darkness"));
-  else
-    feature->SetField("darkness", std::round(1e4 * static_cast<double>(stroke.darkness)) / 1e4);
+  set_attributes(attributes_of(stroke, from, with_colour), *feature);
   auto line = std::make_unique<OGRLineString>();
   const auto count = static_cast<int>(stroke.point_count);
   line->setNumPoints(count, FALSE);
@@ -146,14 +102,10 @@ std::unique_ptr<OGRFeature> feature_of(const Stroke& stroke, const Layer& from, 
   return feature;
 }
 
-// Whether all went well. Transactions make GeoPackage quick, and their size bounds what it keeps;
-// GeoJSON has none and says so, which is no failure.
+// Whether all went well. Transactions make it quick, and their size bounds what is kept.
 bool add_strokes(GDALDataset& dataset, const Drawing& drawing, OGRLayer& layer) {
-  const bool in_transactions = dataset.TestCapability(ODsCTransactions) != FALSE;
-  const auto start = [&] { return !in_transactions || dataset.StartTransaction() == OGRERR_NONE; };
-  const auto commit = [&] {
-    return !in_transactions || dataset.CommitTransaction() == OGRERR_NONE;
-  };
+  const auto start = [&] { return dataset.StartTransaction() == OGRERR_NONE; };
+  const auto commit = [&] { return dataset.CommitTransaction() == OGRERR_NONE; };
   const bool with_colour = tells_colours(drawing);
   std::size_t count = 0;
   if (!start()) return false;
@@ -167,9 +119,9 @@ bool add_strokes(GDALDataset& dataset, const Drawing& drawing, OGRLayer& layer) 
 }
 
 // Whether all went well, up to and including the closing.
-bool write(const char* driver_name, const std::string& path, const Drawing& drawing,
-           const CPLStringList& layer_options, const GdalMessages& messages) {
-  Dataset dataset = create_dataset(driver_name, path);
+bool write(const std::string& path, const Drawing& drawing, const CPLStringList& layer_options,
+           const GdalMessages& messages) {
+  Dataset dataset = create_dataset("GPKG", path);
   if (!dataset) return false;
   OGRLayer* const layer = add_layer(*dataset, drawing, layer_options);
   if (layer == nullptr || !add_strokes(*dataset, drawing, *layer)) return false;
@@ -198,19 +150,6 @@ std::string first_value(GDALDataset& dataset, const char* sql) {
 
 } // namespace
 
-void write_geojson(const Drawing& drawing, ByteSink& out) {
-  const OnOneDay day;
-  const GdalMessages messages;
-  const SinkFilesystem filesystem(out);
-  CPLStringList options;
-  options.SetNameValue("RFC7946", "NO"); // RFC 7946 would have it reprojected to degrees
-  options.SetNameValue("SIGNIFICANT_FIGURES", "17"); // reads back to the same number
-  set_text(options, "DESCRIPTION", drawing.title);
-  const std::string path = std::string(SinkFilesystem::kFolder) + "strokes.geojson";
-  if (!write("GeoJSON", path, drawing, options, messages) && out.append({}))
-    throw gdal_error(out.name(), messages);
-}
-
 void write_geopackage(const Drawing& drawing, const std::string& path, const std::string& name) {
   const OnOneDay day;
   const GdalMessages messages;
@@ -218,17 +157,7 @@ void write_geopackage(const Drawing& drawing, const std::string& path, const std
   set_text(options, "IDENTIFIER", drawing.title);
   set_text(options, "DESCRIPTION", drawing.description);
   ::unlink(path.c_str()); // the driver creates it and nothing else
-  if (!write("GPKG", path, drawing, options, messages)) throw gdal_error(name, messages);
-}
-
-void prove_geojson(const Drawing& drawing, const std::string& path, const std::string& name) {
-  const GdalMessages messages;
-  const char* const drivers[] = {"GeoJSON", nullptr};
-  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
-  OGRLayer* const layer = dataset ? dataset->GetLayer(0) : nullptr;
-  const auto expected = static_cast<GIntBig>(stroke_count(drawing));
-  if (layer == nullptr || layer->GetFeatureCount() != expected || messages.has_failure())
-    throw gdal_error(name, messages);
+  if (!write(path, drawing, options, messages)) throw gdal_error(name, messages);
 }
 
 void prove_geopackage(const Drawing& drawing, const std::string& path, const std::string& name) {
