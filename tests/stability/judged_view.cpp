@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -141,6 +142,28 @@ private:
     return r * (1 + std::max(std::abs(x0), std::abs(x1))) / (std::abs(x0 - x1) * nearest);
   }
 
+  // By how much of the line a place is off that is told as a share of the line's picture from the
+  // near plane on, to 16 roundings: three sums and quotients, there and back. That is far below all
+  // else, but where the picture reaches a million widths to the side.
+  long double rounding_of_share(const ProfileLine& line, double t) const {
+    constexpr double kFar = 1024;
+    const View& view = sector_.view;
+    if (!view.is_perspective()) return 0;
+    const ProfileLine ahead = ahead_of_near_plane(line);
+    const double width = std::abs(project(view, ahead.from).x - project(view, ahead.to).x);
+    if (!(width > kFar)) return 0;
+    const ProfilePoint at = point_between(line.from, line.to, t);
+    const double u = line.to.u - line.from.u, v = line.to.v - line.from.v;
+    const double x_per_share = std::abs(u * at.v - at.u * v) / (at.v * at.v);
+    return 16 * std::numeric_limits<double>::epsilon() * width / x_per_share;
+  }
+  ProfileLine ahead_of_near_plane(const ProfileLine& line) const {
+    const double near_m = sector_.view.near_m, v0 = line.from.v, v1 = line.to.v;
+    if (std::min(v0, v1) >= near_m) return line;
+    const ProfilePoint cut = point_between(line.from, line.to, (near_m - v0) / (v1 - v0));
+    return v0 < near_m ? ProfileLine{cut, line.to} : ProfileLine{line.from, cut};
+  }
+
   // Along the line, as a share of it, and across the ray.
   bool turns_within_rounding(const ProfileLine& line, double t, Standing standing) const {
     const double length = std::hypot(line.to.u - line.from.u, line.to.v - line.from.v);
@@ -148,8 +171,9 @@ private:
     const long double r = 2 * sight_.rounding_m(); // what is nearer by less isn't in front
     const long double of_x = rounding_of_x(line, r);
     if (mm_per_share(line, t) <= tolerance_mm_ || length <= r || !(of_x < 1)) return true;
+    const long double of_share = rounding_of_share(line, t);
     if (length > 0)
-      for (const long double by : {-r / length, r / length, -of_x, of_x})
+      for (const long double by : {-r / length, r / length, -of_x, of_x, -of_share, of_share})
         if (standing_of(place_on(line, std::clamp(t + by, 0.0L, 1.0L))) != standing) return true;
     for (const LongPlace& by : {LongPlace{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}})
       if (standing_of({at.u + by.u, at.v + by.v, at.z}) != standing) return true;
