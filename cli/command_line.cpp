@@ -57,11 +57,13 @@ extern "C" void remove_all_and_exit(int signal_number) {
   _exit(128 + signal_number);
 }
 
-// GDAL and json-c call abort() where a call of theirs has no memory. What else aborts is a fault,
-// and ends as it would without this.
+// GDAL and json-c call abort() where a call of theirs has no memory, or go on without what they
+// asked for. What else ends so is a fault, and ends as it would without this, but that nothing
+// half-written is left.
 extern "C" void tell_of_memory_and_exit(int signal_number) {
-  if (errno == ENOMEM) {
-    remove_temporary_files();
+  const bool for_want_of_memory = errno == ENOMEM;
+  remove_temporary_files();
+  if (for_want_of_memory) {
     fail_without_memory();
     _exit(1);
   }
@@ -71,7 +73,7 @@ extern "C" void tell_of_memory_and_exit(int signal_number) {
 
 // From now on SIGHUP, SIGINT and SIGTERM remove temporary files and exit with 129, 130 and 143,
 // unless they are ignored, as by nohup; SIGXFSZ and SIGPIPE are ignored, so that a file-size limit
-// or a closed pipe shows as a write error; and SIGABRT for want of memory is told.
+// or a closed pipe shows as a write error; and an end for want of memory is told.
 void remove_output_files_on_signals() {
   constexpr std::array<int, 3> kInterrupting{SIGHUP, SIGINT, SIGTERM};
   struct sigaction action {};
@@ -85,7 +87,11 @@ void remove_output_files_on_signals() {
   }
   for (const int of_writing : {SIGXFSZ, SIGPIPE}) signal(of_writing, SIG_IGN);
   action.sa_handler = tell_of_memory_and_exit;
-  sigaction(SIGABRT, &action, nullptr);
+  for (const int fault : {SIGABRT, SIGSEGV, SIGBUS}) {
+    struct sigaction before {};
+    sigaction(fault, nullptr, &before);
+    if (before.sa_handler == SIG_DFL) sigaction(fault, &action, nullptr); // or a sanitizer has it
+  }
 }
 
 void print(const std::string& text) {

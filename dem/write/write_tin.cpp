@@ -201,11 +201,12 @@ bool write(const TerrainData& terrain, const std::string& path, const GdalMessag
   OGRLayer* const layer = dataset ? add_layer(*dataset, terrain.map) : nullptr;
   if (layer == nullptr) return false;
   {
-    OGRFeature feature(layer->GetLayerDefn());
-    feature.SetField("height_unit_m", terrain.map.height_unit_m);
-    if (terrain.surface_error_m > 0) feature.SetField("surface_error_m", terrain.surface_error_m);
-    feature.SetGeometryDirectly(geometry_of(terrain, std::get<Tin>(terrain.surface)).release());
-    if (layer->CreateFeature(&feature) != OGRERR_NONE) return false;
+    const OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(layer->GetLayerDefn()));
+    if (!feature) return false; // no memory for its fields
+    feature->SetField("height_unit_m", terrain.map.height_unit_m);
+    if (terrain.surface_error_m > 0) feature->SetField("surface_error_m", terrain.surface_error_m);
+    feature->SetGeometryDirectly(geometry_of(terrain, std::get<Tin>(terrain.surface)).release());
+    if (layer->CreateFeature(feature.get()) != OGRERR_NONE) return false;
   }
   dataset.reset();
   return !messages.has_failure();

@@ -123,7 +123,7 @@ std::pair<std::string, std::size_t> create_temporary(const std::string& path) {
     const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) {
       ::close(descriptor);
-      return {temporary, *number};
+      return {std::move(temporary), *number}; // a copy may fail, and would leave the file
     }
     const int error_number = errno;
     forget_removal(*number);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,9 +31,10 @@ int dxf_weight(double width_mm) {
 }
 
 // As CAD has them: Y up, a layer, a colour and a weight for each line.
-std::unique_ptr<OGRFeature> polyline_of(const Stroke& stroke, const Layer& from, double height_mm,
-                                        OGRLayer& to) {
-  auto feature = std::make_unique<OGRFeature>(to.GetLayerDefn());
+OGRFeatureUniquePtr polyline_of(const Stroke& stroke, const Layer& from, double height_mm,
+                                OGRLayer& to) {
+  OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(to.GetLayerDefn()));
+  if (!feature) throw std::bad_alloc(); // its constructor would leave the fields out
   feature->SetField("Layer", clean_utf8(from.name).c_str());
   const double width_mm = stroke.width_mm > 0 ? stroke.width_mm : from.pen_width_mm;
   feature->SetStyleString(

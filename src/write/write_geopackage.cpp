@@ -14,6 +14,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <new>
 #include <string>
 
 namespace orograph {
@@ -87,9 +88,10 @@ OGRLayer* add_layer(GDALDataset& dataset, const Drawing& drawing, CPLStringList 
   return layer;
 }
 
-std::unique_ptr<OGRFeature> feature_of(const Stroke& stroke, const Layer& from, bool with_colour,
-                                       OGRLayer& to) {
-  auto feature = std::make_unique<OGRFeature>(to.GetLayerDefn());
+OGRFeatureUniquePtr feature_of(const Stroke& stroke, const Layer& from, bool with_colour,
+                               OGRLayer& to) {
+  OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(to.GetLayerDefn()));
+  if (!feature) throw std::bad_alloc(); // its constructor would leave the fields out
   set_attributes(attributes_of(stroke, from, with_colour), *feature);
   auto line = std::make_unique<OGRLineString>();
   const auto count = static_cast<int>(stroke.point_count);
