@@ -3,7 +3,7 @@
 // beginning of `main` on, in the first process alone. By the environment:
 //   OROGRAPH_FAULT=KIND:N    the Nth fails; KIND:N+ all from the Nth on; KIND:0 none. Kinds: write,
 //                            short (half is written or read), sync, rename, open, mkdir, read,
-//                            memory, thread
+//                            memory, opened (there is no memory right behind the Nth open), thread
 //   OROGRAPH_FAULT_COUNT=FD  how many calls of the kind there were is written there in the end
 //   OROGRAPH_FAULT_TRACE=1   tells on stderr from where the call came that failed
 #include <dlfcn.h>
@@ -34,13 +34,14 @@ void* __libc_memalign(size_t, size_t);
 
 namespace {
 
-enum class Kind { none, write, short_io, sync, rename, open, mkdir, read, memory, thread };
+enum class Kind { none, write, short_io, sync, rename, open, mkdir, read, memory, opened, thread };
 constexpr struct {
   const char* name;
   Kind kind;
 } kKinds[] = {{"write", Kind::write},   {"short", Kind::short_io}, {"sync", Kind::sync},
               {"rename", Kind::rename}, {"open", Kind::open},      {"mkdir", Kind::mkdir},
-              {"read", Kind::read},     {"memory", Kind::memory},  {"thread", Kind::thread}};
+              {"read", Kind::read},     {"memory", Kind::memory},  {"opened", Kind::opened},
+              {"thread", Kind::thread}};
 
 std::atomic<Kind> asked = Kind::none; ///< none before `main` and after it
 std::atomic<unsigned long> calls = 0;
@@ -60,6 +61,13 @@ bool fails(Kind kind) {
     asked = kind;
   }
   return failing;
+}
+
+std::atomic<bool> no_memory_now = false;
+
+bool memory_fails() {
+  return fails(Kind::memory) ||
+         (no_memory_now.load(std::memory_order_relaxed) && no_memory_now.exchange(false));
 }
 
 template <class Function>
@@ -220,7 +228,9 @@ int renameat2(int from_folder, const char* from, int to_folder, const char* to,
     va_end(rest);                                                                                  \
     if (fails(Kind::open)) return fail(EMFILE);                                                    \
     NEXT(name);                                                                                    \
-    return real(path, flags, mode);                                                                \
+    const int file = real(path, flags, mode);                                                      \
+    if (fails(Kind::opened)) no_memory_now = true;                                                 \
+    return file;                                                                                   \
   }
 OPENS(open)
 OPENS(open64)
@@ -230,7 +240,9 @@ FILE* fopen(const char* path, const char* mode) {
     return nullptr;
   }
   NEXT(fopen);
-  return real(path, mode);
+  FILE* const file = real(path, mode);
+  if (fails(Kind::opened)) no_memory_now = true;
+  return file;
 }
 FILE* fopen64(const char* path, const char* mode) {
   if (fails(Kind::open)) {
@@ -238,7 +250,9 @@ FILE* fopen64(const char* path, const char* mode) {
     return nullptr;
   }
   NEXT(fopen64);
-  return real(path, mode);
+  FILE* const file = real(path, mode);
+  if (fails(Kind::opened)) no_memory_now = true;
+  return file;
 }
 
 int mkdir(const char* path, mode_t mode) noexcept {
@@ -248,33 +262,33 @@ int mkdir(const char* path, mode_t mode) noexcept {
 }
 
 void* malloc(size_t size) noexcept {
-  if (fails(Kind::memory)) {
+  if (memory_fails()) {
     errno = ENOMEM;
     return nullptr;
   }
   return __libc_malloc(size);
 }
 void* calloc(size_t count, size_t size) noexcept {
-  if (fails(Kind::memory)) {
+  if (memory_fails()) {
     errno = ENOMEM;
     return nullptr;
   }
   return __libc_calloc(count, size);
 }
 void* realloc(void* old, size_t size) noexcept {
-  if (fails(Kind::memory)) {
+  if (memory_fails()) {
     errno = ENOMEM;
     return nullptr;
   }
   return __libc_realloc(old, size);
 }
 int posix_memalign(void** out, size_t alignment, size_t size) noexcept {
-  if (fails(Kind::memory)) return ENOMEM;
+  if (memory_fails()) return ENOMEM;
   *out = __libc_memalign(alignment, size);
   return *out ? 0 : ENOMEM;
 }
 void* aligned_alloc(size_t alignment, size_t size) noexcept {
-  if (fails(Kind::memory)) {
+  if (memory_fails()) {
     errno = ENOMEM;
     return nullptr;
   }

@@ -35,6 +35,16 @@ TEST_CASE("a call that fails leaves a right file, or one line and none") {
   CHECK(refused > faults / 3);
 }
 
+TEST_CASE("no memory right behind any open leaves a right file, or one line and none") {
+  for (const WalkedCommand& command : walked_commands()) {
+    if (command.name != "a report") continue;
+    const Walk found = walk(command, {"opened"}, 1000);
+    CHECK(found.faults > 5);
+    CHECK(found.refused > 1);
+    for (const std::string& wrong : found.wrong) FAIL_CHECK(wrong);
+  }
+}
+
 // The whole walk, by hand: OROGRAPH_WALK_EACH calls of each kind (50) of the commands whose names
 // hold OROGRAPH_WALK_COMMAND (all).
 TEST_CASE("the whole walk", "[.walk][slow]") {

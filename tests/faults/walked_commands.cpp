@@ -275,7 +275,8 @@ Walk walk(const WalkedCommand& command, const std::vector<std::string>& kinds, s
       walk.refused += outcome.run.exit_code == 1 ? 1 : 0;
       const std::string wrong = walker.fault_of(outcome);
       if (wrong.empty()) continue;
-      if (outcome.run.exit_code > 128 && kind == "memory" && walker.is_of_others(fault))
+      if (outcome.run.exit_code > 128 && (kind == "memory" || kind == "opened") &&
+          walker.is_of_others(fault))
         ++walk.ended_by_others;
       else
         walk.wrong.push_back(command.name + " " + fault + ": " + wrong);
@@ -286,7 +287,7 @@ Walk walk(const WalkedCommand& command, const std::vector<std::string>& kinds, s
 
 const std::vector<std::string>& fault_kinds() {
   static const std::vector<std::string> kinds{"write", "short", "sync",   "rename", "open",
-                                              "mkdir", "read",  "memory", "thread"};
+                                              "mkdir", "read",  "memory", "opened", "thread"};
   return kinds;
 }
 
