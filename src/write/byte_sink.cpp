@@ -70,14 +70,13 @@ ByteSink ByteSink::into(std::string& text) {
 ByteSink::ByteSink(ByteSink&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)), owns_descriptor_(other.owns_descriptor_),
       text_(other.text_), error_number_(other.error_number_), name_(std::move(other.name_)),
-      waiting_(std::move(other.waiting_)), size_(other.size_), written_(other.written_) {}
+      waiting_(std::move(other.waiting_)), written_(other.written_) {}
 
 ByteSink::~ByteSink() {
   if (descriptor_ >= 0 && owns_descriptor_) ::close(descriptor_);
 }
 
 bool ByteSink::append(std::string_view bytes) noexcept {
-  size_ += bytes.size();
   if (waiting_.size() + bytes.size() > kBufferBytes) {
     write_out(waiting_);
     waiting_.clear();

@@ -30,8 +30,6 @@ public:
   /// Whether all bytes up to now went out or wait in the buffer.
   bool append(std::string_view bytes) noexcept;
   const std::string& name() const { return name_; }
-  /// Bytes appended.
-  std::uint64_t size() const { return size_; }
   /// Writes what waits and closes. Throws Error where this or any write before has failed.
   void finish();
 
@@ -46,7 +44,7 @@ private:
   int error_number_ = 0;
   std::string name_;
   std::string waiting_;
-  std::uint64_t size_ = 0, written_ = 0;
+  std::uint64_t written_ = 0;
 };
 
 } // namespace orograph
