@@ -221,6 +221,10 @@ std::string first_value(GDALDataset& dataset, const char* sql) {
   return value;
 }
 
+// GDAL makes two that keep a layer's count, and says nothing where it has no memory for one.
+constexpr const char* kCountTriggers = "SELECT COUNT(*) FROM sqlite_master WHERE type = 'trigger' "
+                                       "AND name LIKE '%feature_count%'";
+
 // Closing doesn't tell of everything that was lost on a full disk: opened again, the database has
 // to be whole and its one geometry to have room for every triangle.
 bool is_whole(const std::string& path, std::uint64_t triangles, const GdalMessages& messages) {
@@ -229,7 +233,8 @@ bool is_whole(const std::string& path, std::uint64_t triangles, const GdalMessag
   const auto enough = fmt::format("SELECT COUNT(*) FROM {} WHERE LENGTH(geom) >= {}", kLayerName,
                                   triangles * kTriangleBytes);
   return dataset && first_value(*dataset, "PRAGMA quick_check(1)") == "ok" &&
-         first_value(*dataset, enough.c_str()) == "1" && !messages.has_failure();
+         first_value(*dataset, enough.c_str()) == "1" &&
+         first_value(*dataset, kCountTriggers) != "1" && !messages.has_failure();
 }
 
 void write_tin_geopackage(const TerrainData& terrain, const std::string& path,
