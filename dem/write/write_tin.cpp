@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "gdal/gdal.hpp"
+#include "gdal/whole_geopackage.hpp"
 
 namespace orograph {
 namespace {
@@ -212,29 +213,11 @@ bool write(const TerrainData& terrain, const std::string& path, const GdalMessag
   return !messages.has_failure();
 }
 
-std::string first_value(GDALDataset& dataset, const char* sql) {
-  OGRLayer* const rows = dataset.ExecuteSQL(sql, nullptr, nullptr);
-  if (rows == nullptr) return {};
-  std::string value;
-  if (const OGRFeatureUniquePtr row(rows->GetNextFeature()); row) value = row->GetFieldAsString(0);
-  dataset.ReleaseResultSet(rows);
-  return value;
-}
-
-// GDAL makes two that keep a layer's count, and says nothing where it has no memory for one.
-constexpr const char* kCountTriggers = "SELECT COUNT(*) FROM sqlite_master WHERE type = 'trigger' "
-                                       "AND name LIKE '%feature_count%'";
-
-// Closing doesn't tell of everything that was lost on a full disk: opened again, the database has
-// to be whole and its one geometry to have room for every triangle.
+// With one geometry that has room for every triangle.
 bool is_whole(const std::string& path, std::uint64_t triangles, const GdalMessages& messages) {
-  const char* const drivers[] = {"GPKG", nullptr};
-  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
   const auto enough = fmt::format("SELECT COUNT(*) FROM {} WHERE LENGTH(geom) >= {}", kLayerName,
                                   triangles * kTriangleBytes);
-  return dataset && first_value(*dataset, "PRAGMA quick_check(1)") == "ok" &&
-         first_value(*dataset, enough.c_str()) == "1" &&
-         first_value(*dataset, kCountTriggers) != "1" && !messages.has_failure();
+  return is_whole_geopackage(path, enough, "1") && !messages.has_failure();
 }
 
 void write_tin_geopackage(const TerrainData& terrain, const std::string& path,

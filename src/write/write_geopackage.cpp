@@ -6,7 +6,6 @@
 #include "write/writers.hpp"
 
 #include <cpl_string.h>
-#include <fmt/format.h>
 #include <ogrsf_frmts.h>
 #include <unistd.h>
 
@@ -17,15 +16,12 @@
 #include <new>
 #include <string>
 
+#include "gdal/whole_geopackage.hpp"
+
 namespace orograph {
 namespace {
 
 constexpr const char* kLayerName = "strokes";
-// GDAL makes two triggers that keep a layer's count, and says nothing where it has no memory for
-// one.
-constexpr const char* kCountTriggers =
-    "SELECT COUNT(*) FROM sqlite_master WHERE type = 'trigger' AND "
-    "name LIKE '%feature_count%'";
 constexpr std::size_t kStrokesInTransaction = 100000;
 
 constexpr std::array<OGRFieldType, kStrokeFields.size()> kStrokeFieldTypes{
@@ -146,15 +142,6 @@ std::size_t stroke_count(const Drawing& drawing) {
   return count;
 }
 
-std::string first_value(GDALDataset& dataset, const char* sql) {
-  OGRLayer* const rows = dataset.ExecuteSQL(sql, nullptr, nullptr);
-  if (rows == nullptr) return {};
-  std::string value;
-  if (const OGRFeatureUniquePtr row(rows->GetNextFeature()); row) value = row->GetFieldAsString(0);
-  dataset.ReleaseResultSet(rows);
-  return value;
-}
-
 } // namespace
 
 void write_geopackage(const Drawing& drawing, const std::string& path, const std::string& name) {
@@ -170,12 +157,9 @@ void write_geopackage(const Drawing& drawing, const std::string& path, const std
 void prove_geopackage(const Drawing& drawing, const std::string& path, const std::string& name) {
   const OnOneDay day;
   const GdalMessages messages;
-  const char* const drivers[] = {"GPKG", nullptr};
-  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
-  const std::string expected = fmt::format("{}", stroke_count(drawing));
-  if (!dataset || first_value(*dataset, "PRAGMA quick_check(1)") != "ok" ||
-      first_value(*dataset, "SELECT COUNT(*) FROM strokes") != expected ||
-      first_value(*dataset, kCountTriggers) == "1" || messages.has_failure())
+  if (!is_whole_geopackage(path, "SELECT COUNT(*) FROM strokes",
+                           std::to_string(stroke_count(drawing))) ||
+      messages.has_failure())
     throw gdal_error(name, messages);
 }
 

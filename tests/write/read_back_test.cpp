@@ -122,6 +122,13 @@ TEST_CASE("the proof sees missing strokes and damaged files") {
   CHECK_THROWS_AS(prove_geopackage(longer, path, "map"), Error);
 
   const std::string whole = content_of(path);
+  {
+    const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+    REQUIRE(dataset);
+    dataset->ExecuteSQL("DROP TRIGGER trigger_insert_feature_count_strokes", nullptr, nullptr);
+  }
+  CHECK_THROWS_AS(prove_geopackage(drawing, path, "map"), Error);
+
   fill_file(path, whole.substr(0, whole.size() - 3)); // half a last page
   CHECK_THROWS_AS(prove_geopackage(drawing, path, "map"), Error);
   fill_file(path, whole.substr(0, whole.size() / 2));
