@@ -69,8 +69,8 @@ function(orograph_compile_options target)
       -Wcast-align -Woverloaded-virtual -Werror -Wno-maybe-uninitialized -Wno-restrict)
   endif()
   if(OROGRAPH_FUZZ)
-    # Places of our own functions are counted. What std, CGAL, JSON and TOML give as templates would be
-    # four fifths of them, in a copy for each caller, hence without inlining (docs/stability.md).
+    # Places of our own functions are counted. Most would be those of templates of std, CGAL, JSON and TOML
+    # otherwise, in a copy for each caller, hence without inlining (docs/stability.md).
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link -fno-inline
       -fsanitize-coverage-allowlist=${PROJECT_SOURCE_DIR}/tests/fuzz/own_functions.txt)
   endif()
