@@ -1,13 +1,16 @@
 # How code is compiled that takes no time when it runs.
 set(OROGRAPH_QUICKLY $<$<CONFIG:Release>:-O1>)
 
+# How loops are compiled that are reckoned several steps at once: for that nobody may ask for an operation's
+# error number or traps, which changes no number.
+set(OROGRAPH_IN_LANES -fno-math-errno -fno-trapping-math)
+
 # orograph_stage(NAME [TOGETHER] [QUICKLY] [IN_LANES] SOURCES a.cpp b.cpp [DEPENDS stage…]
 #   [PRIVATE library…] [COMMON kind [header…]])
 # One library for each folder. Stages link only downhill (DEPENDS); foreign libraries are PRIVATE,
 # behind the one source file that includes them. TOGETHER: several files are compiled at a time,
 # compile_once.cmake. QUICKLY: nothing in it takes time. IN_LANES: its loops are reckoned several steps
-# at once; for that nobody may ask for an operation's error number or traps, which changes no number.
-# COMMON: headers of ours that nearly all of its files come to include are compiled once for all stages
+# at once. COMMON: headers of ours that nearly all of its files come to include are compiled once for all stages
 # of this kind, the first of which names them; without it, those of std and fmt alone.
 function(orograph_stage name)
   cmake_parse_arguments(STAGE "TOGETHER;QUICKLY;IN_LANES" "" "SOURCES;DEPENDS;PRIVATE;COMMON" ${ARGN})
@@ -29,10 +32,16 @@ function(orograph_stage name)
     list(TRANSFORM STAGE_COMMON PREPEND ${PROJECT_SOURCE_DIR}/ REGEX "[.]hpp$")
     orograph_precompile(orograph_${name} ${STAGE_COMMON})
   elseif(STAGE_IN_LANES) # alone, so common headers of its own would cost more than they spare
-    target_compile_options(orograph_${name} PRIVATE -fno-math-errno -fno-trapping-math)
+    target_compile_options(orograph_${name} PRIVATE ${OROGRAPH_IN_LANES})
   else()
     orograph_precompile(orograph_${name} plain)
   endif()
+endfunction()
+
+# orograph_in_lanes(a.cpp…): these files of a stage are compiled as a stage is that says IN_LANES.
+function(orograph_in_lanes)
+  set_source_files_properties(${ARGN} PROPERTIES
+    SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "${OROGRAPH_IN_LANES}")
 endfunction()
 
 # orograph_by_cgal(NAME a.cpp…): these files of the stage include CGAL, whose intervals need

@@ -47,14 +47,13 @@ void generalise(const Grid& grid, const Heights<Height>& heights,
   on_all_cores(part.rows, [&](std::size_t j) {
     const std::size_t row = part.first_row + j;
     const int nearest_row = down[row].nearest();
+    const std::vector<double> made = heights_with_character(around, row);
     for (std::size_t i = 0; i < part.columns; ++i) {
       const std::size_t column = part.first_column + i;
       const int nearest = across[column].nearest();
-      out[j * part.columns + i] =
-          is_kept(nearest, nearest_row)
-              ? heights[grid.index(nearest, nearest_row)]
-              : static_cast<Height>(
-                    height_with_character(around, static_cast<int>(column), static_cast<int>(row)));
+      out[j * part.columns + i] = is_kept(nearest, nearest_row)
+                                      ? heights[grid.index(nearest, nearest_row)]
+                                      : static_cast<Height>(made[column]);
     }
   });
 }

@@ -75,11 +75,10 @@ template <class Height>
 AroundRow RowGathering<Height>::around(std::span<const Height> nearest,
                                        const std::vector<LevelWindow>& columns) const {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const std::size_t across = columns.size();
-  AroundRow out{std::vector<double>(across, kNone), std::vector<double>(across, kNone),
-                std::vector<double>(across, kNone)};
-  for (std::size_t i = 0; i < across; ++i) {
-    const LevelWindow& column = columns[i];
+  const std::vector<double> none(columns.size() + 2, kNone);
+  AroundRow out{none, none, none};
+  for (std::size_t i = 1; i <= columns.size(); ++i) {
+    const LevelWindow& column = columns[i - 1];
     if (std::isnan(nearest[static_cast<std::size_t>(column.nearest())])) continue;
     double total = 0, of_weights = 0;
     for (int c = column.first; c <= column.last; ++c) {
@@ -98,43 +97,52 @@ AroundRow RowGathering<Height>::around(std::span<const Height> nearest,
   return out;
 }
 
-double height_with_character(const std::vector<AroundRow>& rows, int column, int row) {
-  const auto at = static_cast<std::size_t>(column);
-  const AroundRow& here = rows[static_cast<std::size_t>(row)];
-  const double mean = here.mean[at], lowest = here.lowest[at], highest = here.highest[at];
-  if (!(highest > lowest)) return mean;
-  const auto columns = static_cast<int>(here.mean.size()), down_to = static_cast<int>(rows.size());
-  // By how much it is above what lies on both sides; a slope isn't.
-  double bend = 0;
-  int ways = 0;
-  bool is_summit = true;
-  for (const auto& [across, down] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}}) {
-    bool is_between = true;
-    double beside = 0;
-    for (const int side : {-1, 1}) {
-      const int c = column + side * across, r = row + side * down;
-      const bool is_in = c >= 0 && r >= 0 && c < columns && r < down_to;
-      const AroundRow* const other = is_in ? &rows[static_cast<std::size_t>(r)] : nullptr;
-      const auto i = static_cast<std::size_t>(c);
-      if (!other || std::isnan(other->mean[i])) {
-        is_between = false;
-        continue;
-      }
-      beside += other->mean[i];
-      const bool is_later = std::pair(row, column) < std::pair(r, c);
-      is_summit = is_summit && other->highest[i] <= highest &&
-                  (other->mean[i] < mean || (other->mean[i] == mean && is_later));
-    }
-    if (!is_between) continue;
-    bend += mean - 0.5 * beside;
-    ++ways;
+// Without a branch, so that the compiler reckons several vertices at a time; comparisons with NaN
+// are false.
+std::vector<double> heights_with_character(std::span<const AroundRow> rows, std::size_t row) {
+  const std::size_t width = rows[row].mean.size();
+  const std::vector<double> none(row > 0 && row + 1 < rows.size() ? 0 : width,
+                                 std::numeric_limits<double>::quiet_NaN());
+  const AroundRow beyond{none, none, none};
+  const AroundRow& row_above = row > 0 ? rows[row - 1] : beyond;
+  const AroundRow& row_below = row + 1 < rows.size() ? rows[row + 1] : beyond;
+  struct Line {
+    const double *mean, *highest;
+  };
+  const Line above{row_above.mean.data(), row_above.highest.data()},
+      here{rows[row].mean.data(), rows[row].highest.data()},
+      below{row_below.mean.data(), row_below.highest.data()};
+  const double* const lowest = rows[row].lowest.data();
+  std::vector<double> out(width - 2);
+  for (std::size_t i = 1; i + 1 < width; ++i) {
+    const double mean = here.mean[i], low = lowest[i], high = here.highest[i];
+    // By how much it is above what lies on both sides; a slope isn't.
+    double bend = 0, ways = 0;
+    bool is_summit = true;
+    const auto look = [&](const Line& first, std::size_t at_first, const Line& second,
+                          std::size_t at_second) {
+      const double before = first.mean[at_first], behind = second.mean[at_second];
+      const double bend_here = mean - 0.5 * (before + behind);
+      const bool has_both = bend_here == bend_here;
+      bend += has_both ? bend_here : 0;
+      ways += has_both ? 1 : 0;
+      // Of vertices of one height the first is the summit.
+      is_summit = is_summit & !(first.highest[at_first] > high) &
+                  !(second.highest[at_second] > high) & !(before >= mean) & !(behind > mean);
+    };
+    look(here, i - 1, here, i + 1);
+    look(above, i, below, i);
+    look(above, i - 1, below, i + 1);
+    look(above, i + 1, below, i - 1);
+    const double ridge = std::abs(bend / (ways * (high - low)));
+    double share = (ridge - kSomeRidge) / (kFullRidge - kSomeRidge);
+    share = share > 0 ? share : 0;
+    share = share < 1 ? share : 1;
+    double height = mean + kAddedBack * share * ((bend > 0 ? high : low) - mean);
+    height = is_summit ? high : height;
+    out[i - 1] = (ways > 0) & (high > low) ? height : mean;
   }
-  if (ways == 0) return mean;
-  if (is_summit) return highest;
-  bend /= ways * (highest - lowest);
-  const double share =
-      kAddedBack * std::clamp((std::abs(bend) - kSomeRidge) / (kFullRidge - kSomeRidge), 0.0, 1.0);
-  return mean + share * ((bend > 0 ? highest : lowest) - mean);
+  return out;
 }
 
 template class RowGathering<float>;

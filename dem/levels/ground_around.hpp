@@ -10,7 +10,8 @@
 
 namespace orograph {
 
-/// Around the vertices of a row of a level; NaN where what is nearest to one is a void.
+/// Around the vertices of a row of a level; NaN where what is nearest to one is a void, and beyond
+/// both ends of the row, which have a place of their own: vertex 0 is at 1.
 struct AroundRow {
   std::vector<double> mean, lowest, highest;
 };
@@ -37,9 +38,9 @@ private:
   std::vector<Height> low_, high_;
 };
 
-/// The height of a vertex of a level, from what is around it and those beside it: a mean, and where
-/// the ground is a ridge or a valley floor something of the highest or the lowest. REQUIRES the
-/// rows above and below, where the level has them.
-double height_with_character(const std::vector<AroundRow>& rows, int column, int row);
+/// The heights of a row's vertices of a level, from what is around each and those beside it: a
+/// mean, and where the ground is a ridge or a valley floor something of the highest or the lowest.
+/// REQUIRES the rows above and below, where the level has them.
+std::vector<double> heights_with_character(std::span<const AroundRow> rows, std::size_t row);
 
 } // namespace orograph

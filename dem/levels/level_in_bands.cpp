@@ -94,13 +94,12 @@ void LevelInBands<Height>::make_rows() {
     const std::size_t j = made_ + i;
     const int nearest = down_[j].nearest();
     const auto above = line(nearest - 1), here = line(nearest), below = line(nearest + 1);
+    const std::vector<double> made = heights_with_character(around_, j);
     for (std::size_t column = 0; column < across_.size(); ++column) {
       const int at = across_[column].nearest();
-      heights_[j * across_.size() + column] =
-          is_level(above, here, below, at)
-              ? here[static_cast<std::size_t>(at)]
-              : static_cast<Height>(
-                    height_with_character(around_, static_cast<int>(column), static_cast<int>(j)));
+      heights_[j * across_.size() + column] = is_level(above, here, below, at)
+                                                  ? here[static_cast<std::size_t>(at)]
+                                                  : static_cast<Height>(made[column]);
     }
   });
   for (std::size_t j = made_ > 0 ? made_ - 1 : 0; j + 1 < end; ++j) around_[j] = {};

@@ -19,37 +19,6 @@ std::size_t squares_along(int vertices, int side) {
   return static_cast<std::size_t>((vertices + side - 1) / side);
 }
 
-// Of each square of so many vertices on a side.
-std::vector<Top> highest_of_squares(const Grid& grid, int side) {
-  const std::size_t across = squares_along(grid.columns, side),
-                    down = squares_along(grid.rows, side);
-  std::vector<Top> squares(across * down, kNoTop);
-  std::visit(
-      [&](const auto& heights) {
-        on_all_cores(down, [&](std::size_t band) {
-          const int first = static_cast<int>(band) * side, end = std::min(first + side, grid.rows);
-          for (int row = first; row < end; ++row)
-            for (int column = 0; column < grid.columns; ++column) {
-              Top& highest = squares[band * across + static_cast<std::size_t>(column / side)];
-              const double height = heights[grid.index(column, row)];
-              if (height > highest.height_m) highest = {height, column, row};
-            }
-        });
-      },
-      grid.heights_m);
-  return squares;
-}
-
-// None beside it is higher.
-bool is_top(const Grid& grid, const Top& highest) {
-  for (int row = std::max(0, highest.row - 1); row <= std::min(grid.rows - 1, highest.row + 1);
-       ++row)
-    for (int column = std::max(0, highest.column - 1);
-         column <= std::min(grid.columns - 1, highest.column + 1); ++column)
-      if (grid.height_m(column, row) > highest.height_m) return false;
-  return true;
-}
-
 // Minus infinity where there is none. Several at a time, as each comparison waits for the last.
 template <class Height>
 Height highest_of(std::span<const Height> heights) {
@@ -89,8 +58,23 @@ std::vector<Top> highest_apart(std::vector<Top> squares, int side, std::size_t m
 } // namespace
 
 std::vector<Top> tops_of(const Grid& grid, int side, std::size_t most) {
-  return highest_apart(highest_of_squares(grid, side), side, most,
-                       [&](const Top& highest) { return is_top(grid, highest); });
+  TopsInRows tops(grid.columns, grid.rows, side);
+  std::visit(
+      [&]<class Height>(const Heights<Height>& heights) {
+        const auto line = [&](int row) {
+          const auto width = static_cast<std::size_t>(grid.columns);
+          return row < 0 || row >= grid.rows
+                     ? std::span<const Height>()
+                     : std::span(heights.data() + grid.index(0, row), width);
+        };
+        on_all_cores(squares_along(grid.rows, side), [&](std::size_t band) {
+          const int first = static_cast<int>(band) * side, end = std::min(first + side, grid.rows);
+          for (int row = first; row < end; ++row)
+            tops.add(row, line(row - 1), line(row), line(row + 1));
+        });
+      },
+      grid.heights_m);
+  return tops.tops(most);
 }
 
 TopsInRows::TopsInRows(int columns, int rows, int side)
