@@ -191,10 +191,10 @@ std::string suggestion(const Command& command, std::string_view name) {
     if (option.is_positional()) continue;
     const std::string known = without_dashes(option.name);
     const bool begins = known.starts_with(given) && given.size() > 1;
-    if (is_nearer(known, begins ? 0 : edit_distance(given, known))) nearest = &option;
+    if (is_nearer(known, begins ? 0 : edit_distance(given, known, least))) nearest = &option;
   }
   for (const OtherWord& word : other_words()) {
-    const int distance = edit_distance(given, word.word);
+    const int distance = edit_distance(given, word.word, 3);
     // There are many words: short ones are near to anything.
     if (distance <= 2 && word.word.size() > 5 && is_of_use(word, command) &&
         is_nearer(word.word, distance))

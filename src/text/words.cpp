@@ -38,7 +38,9 @@ std::string joined(std::span<const std::string_view> words, std::string_view bet
   return with_between(words, between);
 }
 
-int edit_distance(std::string_view a, std::string_view b) {
+int edit_distance(std::string_view a, std::string_view b, int limit) {
+  const auto [shorter, longer] = std::minmax({a.size(), b.size()});
+  if (longer - shorter >= static_cast<std::size_t>(limit)) return limit;
   std::vector<int> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -50,14 +52,14 @@ int edit_distance(std::string_view a, std::string_view b) {
       row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
     }
   }
-  return row.back();
+  return std::min(row.back(), limit);
 }
 
 std::string_view nearest_word(std::string_view given, std::span<const std::string_view> words) {
   std::string_view nearest;
   int least = 4; // farther than that, a suggestion is a guess
   for (const std::string_view word : words) {
-    const int distance = edit_distance(given, word);
+    const int distance = edit_distance(given, word, least);
     // A word of three letters is within 3 edits of any other.
     if (distance < least && distance < static_cast<int>(word.size())) {
       least = distance;

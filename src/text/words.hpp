@@ -89,8 +89,9 @@ std::vector<std::string> split(std::string_view text, char separator);
 std::string joined(std::span<const std::string> words, std::string_view between);
 std::string joined(std::span<const std::string_view> words, std::string_view between);
 
-/// Edits (insert, remove, replace) that turn one word into the other.
-int edit_distance(std::string_view a, std::string_view b);
+/// Edits (insert, remove, replace) that turn one word into the other, or `limit` where these aren't
+/// fewer: a word of many letters costs nothing then.
+int edit_distance(std::string_view a, std::string_view b, int limit);
 
 /// The word that may have been meant: the first of those fewest edits away, if these are at most
 /// three and fewer than the word has letters. Empty where there is none.

@@ -27,16 +27,24 @@
 namespace orograph {
 namespace {
 
-// A header of a few bytes may tell of a raster that takes minutes: its size is a bound of the
-// machine, not of the reader.
-constexpr double kMostCells = 1e6;
+// A header of a few bytes may tell of a raster, or of a block of one, that takes minutes: its size
+// is a bound of the machine, not of the reader.
+constexpr double kMostCells = 1e5;
 
 bool is_small_raster(const std::string& path) {
   const GdalMessages messages;
   const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER));
-  return !dataset || static_cast<double>(dataset->GetRasterXSize()) *
-                             static_cast<double>(dataset->GetRasterYSize()) <=
-                         kMostCells;
+  if (!dataset) return true;
+  const auto is_small = [](int columns, int rows) {
+    return static_cast<double>(columns) * static_cast<double>(rows) <= kMostCells;
+  };
+  if (!is_small(dataset->GetRasterXSize(), dataset->GetRasterYSize())) return false;
+  for (GDALRasterBand* const band : dataset->GetBands()) {
+    int columns = 0, rows = 0;
+    band->GetBlockSize(&columns, &rows);
+    if (!is_small(columns, rows)) return false;
+  }
+  return true;
 }
 
 void check_surface(const Grid& grid) {

@@ -7,10 +7,13 @@
 using namespace orograph;
 
 TEST_CASE("edit distance counts single edits") {
-  CHECK(edit_distance("fov", "fov") == 0);
-  CHECK(edit_distance("fow", "fov") == 1);
-  CHECK(edit_distance("", "fov") == 3);
-  CHECK(edit_distance("kitten", "sitting") == 3);
+  CHECK(edit_distance("fov", "fov", 9) == 0);
+  CHECK(edit_distance("fow", "fov", 9) == 1);
+  CHECK(edit_distance("", "fov", 9) == 3);
+  CHECK(edit_distance("kitten", "sitting", 9) == 3);
+  CHECK(edit_distance("kitten", "sitting", 2) == 2);
+  CHECK(edit_distance("", "fov", 2) == 2);
+  CHECK(edit_distance("", "", 0) == 0);
 }
 
 TEST_CASE("the nearest word is at most three edits away, and fewer than it has letters") {
