@@ -81,9 +81,9 @@ std::optional<CurvatureRadii> radii_at(const OGRSpatialReference& crs, Vec2 plac
   projected->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   const std::unique_ptr<OGRCoordinateTransformation> to_degrees(
       OGRCreateCoordinateTransformation(projected.get(), geographic.get()));
-  double longitude = place.x, latitude_deg = place.y;
-  if (!to_degrees || !to_degrees->Transform(1, &longitude, &latitude_deg)) return std::nullopt;
-  latitude_deg *= geographic->GetAngularUnits() * 180 / std::numbers::pi;
+  const std::optional<Vec2> there = to_degrees ? moved(*to_degrees, place) : std::nullopt;
+  if (!there) return std::nullopt;
+  const double latitude_deg = there->y * geographic->GetAngularUnits() * 180 / std::numbers::pi;
   const Ellipsoid ellipsoid{geographic->GetSemiMajor(), geographic->GetInvFlattening()};
   return CurvatureRadii{euler_radius_m(ellipsoid, latitude_deg, Angle()),
                         euler_radius_m(ellipsoid, latitude_deg, Angle::degrees(90))};
@@ -188,6 +188,14 @@ void set_centre(MapFrame& map, Vec2 centre) {
   const double unit_deg = map.earth->unit_deg;
   const LocalFrame local(centre.x * unit_deg, centre.y * unit_deg, map.earth->local.ellipsoid());
   map.earth = EarthFrame{local, unit_deg};
+}
+
+std::optional<Vec2> moved(OGRCoordinateTransformation& way, Vec2 place) {
+  constexpr double kFarthest = 1e11; // also in millimetres
+  if (!(std::abs(place.x) <= kFarthest && std::abs(place.y) <= kFarthest)) return std::nullopt;
+  if (!way.Transform(1, &place.x, &place.y) || !std::isfinite(place.x) || !std::isfinite(place.y))
+    return std::nullopt;
+  return place;
 }
 
 std::string crs_for_command(const std::string& wkt) {

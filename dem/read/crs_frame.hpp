@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+class OGRCoordinateTransformation;
 class OGRSpatialReference;
 
 namespace orograph {
@@ -49,6 +50,11 @@ std::optional<double> whole_turn(const std::string& wkt);
 /// Says where the terrain's middle is, in the CRS's own coordinates: there it has its radii, and
 /// its frame, if that is on the earth, has its origin. Nothing happens without a CRS.
 void set_centre(MapFrame& map, Vec2 centre);
+
+/// A place in another CRS, by GDAL. Empty where it has none there, or is a hundred million
+/// kilometres away: from the coordinates of web maps GDAL takes whole turns about the earth away
+/// one by one, and does so for ever at 1e98.
+std::optional<Vec2> moved(OGRCoordinateTransformation& way, Vec2 place);
 
 /// "EPSG:32632", or the name if it has no code: as a command line takes it.
 std::string crs_for_command(const std::string& wkt);

@@ -221,7 +221,10 @@ JoinedTiles join_tiles(std::vector<Tile> tiles, std::optional<double> turn,
                        std::optional<int> overview) {
   if (turn) bring_together(tiles, *turn);
   std::vector<Window> windows;
-  for (const Tile& tile : tiles) windows.push_back(window_on(tiles.front(), tile, overview));
+  const Tile& base = tiles.front();
+  for (const Tile& tile : tiles)
+    windows.push_back(&tile == &base ? Window{0, 0, tile.lattice.pixels, tile.lattice.lines}
+                                     : window_on(base, tile, overview));
   check_touching(tiles, windows);
   return joined(tiles, windows);
 }

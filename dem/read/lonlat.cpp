@@ -46,15 +46,17 @@ OGRCoordinateTransformation* transformation(const std::string& crs_wkt, Way way)
 }
 
 // All of the places, or nothing.
-std::optional<std::vector<Vec2>> moved(const std::string& crs_wkt, Way way,
-                                       const std::vector<Vec2>& places) {
+std::optional<std::vector<Vec2>> all_moved(const std::string& crs_wkt, Way way,
+                                           const std::vector<Vec2>& places) {
   const GdalMessages unheard;
   OGRCoordinateTransformation* const transform = transformation(crs_wkt, way);
   if (!transform) return std::nullopt;
-  std::vector<Vec2> out = places;
-  for (Vec2& p : out)
-    if (!transform->Transform(1, &p.x, &p.y) || !std::isfinite(p.x) || !std::isfinite(p.y))
-      return std::nullopt;
+  std::vector<Vec2> out;
+  for (const Vec2 place : places) {
+    const std::optional<Vec2> there = moved(*transform, place);
+    if (!there) return std::nullopt;
+    out.push_back(*there);
+  }
   return out;
 }
 
@@ -84,13 +86,14 @@ bool is_on_earth(const std::string& crs_wkt) {
 }
 
 std::optional<Vec2> lonlat_of_map(const std::string& crs_wkt, Vec2 map) {
-  const auto places = moved(crs_wkt, Way::to_lonlat, {map});
+  const auto places = all_moved(crs_wkt, Way::to_lonlat, {map});
   if (!places) return std::nullopt;
   return places->front();
 }
 
 std::optional<Vec2> map_of_lonlat(const std::string& crs_wkt, Vec2 lonlat_deg) {
-  const auto places = moved(crs_wkt, Way::to_map, {{within_half_turn(lonlat_deg.x), lonlat_deg.y}});
+  const auto places =
+      all_moved(crs_wkt, Way::to_map, {{within_half_turn(lonlat_deg.x), lonlat_deg.y}});
   if (!places) return std::nullopt;
   return places->front();
 }
@@ -102,7 +105,7 @@ std::optional<Box2> lonlat_bounds(const std::string& crs_wkt, const Box2& map) {
     for (int k = 0; k <= kSteps; ++k)
       lattice.push_back(
           {map.low.x + map.width() * i / kSteps, map.low.y + map.height() * k / kSteps});
-  const auto places = moved(crs_wkt, Way::to_lonlat, lattice);
+  const auto places = all_moved(crs_wkt, Way::to_lonlat, lattice);
   if (!places) return std::nullopt;
   Box2 bounds;
   for (const Vec2 p : *places) {
@@ -123,7 +126,7 @@ std::optional<Box2> map_bounds_of_lonlat(const std::string& crs_wkt, const Box2&
       const Vec2 p = corners[side] + i / double{kSteps} * (corners[side + 1] - corners[side]);
       sides.push_back({within_half_turn(p.x), p.y});
     }
-  auto places = moved(crs_wkt, Way::to_map, sides);
+  auto places = all_moved(crs_wkt, Way::to_map, sides);
   if (!places) return std::nullopt;
   Box2 bounds;
   Vec2 before = places->front();
@@ -140,7 +143,7 @@ std::optional<Angle> map_azimuth(const std::string& crs_wkt, Vec2 map, Angle tru
   if (!at) return std::nullopt;
   const Vec2 along = direction_of_azimuth(true_azimuth), per_degree = metres_per_degree(at->y);
   const Vec2 step{kStep_m * along.x / per_degree.x, kStep_m * along.y / per_degree.y};
-  const auto ends = moved(crs_wkt, Way::to_map, {*at - step, *at + step});
+  const auto ends = all_moved(crs_wkt, Way::to_map, {*at - step, *at + step});
   if (!ends) return std::nullopt;
   const Vec2 on_map = ends->back() - ends->front();
   return atan2_angle(on_map.x, on_map.y);
@@ -148,7 +151,7 @@ std::optional<Angle> map_azimuth(const std::string& crs_wkt, Vec2 map, Angle tru
 
 std::optional<Angle> true_azimuth(const std::string& crs_wkt, Vec2 map, Angle map_azimuth) {
   const Vec2 step = kStep_m * direction_of_azimuth(map_azimuth);
-  const auto ends = moved(crs_wkt, Way::to_lonlat, {map - step, map, map + step});
+  const auto ends = all_moved(crs_wkt, Way::to_lonlat, {map - step, map, map + step});
   if (!ends) return std::nullopt;
   const Vec2 per_degree = metres_per_degree((*ends)[1].y), turned = ends->back() - ends->front();
   return atan2_angle(per_degree.x * within_half_turn(turned.x), per_degree.y * turned.y);

@@ -3,6 +3,7 @@
 
 #include "dem/read/crs_frame.hpp"
 #include "dem/read/length_units.hpp"
+#include "dem/read/netcdf_header.hpp"
 #include "dem/read/raster_shares.hpp"
 #include "geometry/error.hpp"
 
@@ -184,9 +185,24 @@ bool has_georeference(GDALDataset& dataset) {
   return dataset.GetGeoTransform(gt.data()) == CE_None && gt != unset;
 }
 
+// Where vertices' coordinates are rounded so much that their cells aren't of one size any more.
+void refuse_far(const RasterLattice& lattice, const std::string& path) {
+  const Box2 box = box_of(lattice);
+  const double farthest = std::max({-box.low.x, -box.low.y, box.high.x, box.high.y}),
+               apart = std::nextafter(farthest, HUGE_VAL) - farthest,
+               cell = std::min(length(lattice.pixel_step), length(lattice.line_step));
+  constexpr double kMostRounding = 1e-3; // of a cell: far below what a page shows of one
+  if (apart <= kMostRounding * cell) return;
+  throw Error(
+      fmt::format("{}: its coordinates reach {:.5g}, where numbers are {:.3g} apart, which is "
+                  "too much for cells of {:.5g}",
+                  path, farthest, apart, cell),
+      "set its place anew: gdal_edit.py -a_ullr WEST NORTH EAST SOUTH " + path);
+}
+
 // From the geotransform: vertices at cell centres, in map coordinates. Without one, cells of size
 // 1 with line 0 in the north, and a doubt. Throws Error where the place is told by control points,
-// RPCs or geolocation arrays only, or the geotransform doesn't span a plane.
+// RPCs or geolocation arrays only, the geotransform doesn't span a plane, or is too far away.
 RasterLattice raster_lattice(GDALDataset& dataset, const std::string& path,
                              std::vector<std::string>& doubts) {
   std::array<double, 6> gt{};
@@ -208,6 +224,7 @@ RasterLattice raster_lattice(GDALDataset& dataset, const std::string& path,
   if (!spans_a_plane(lattice))
     throw Error(fmt::format("{}: its geotransform has no area", path),
                 "pixel and line steps must be finite and span a cell; see gdalinfo");
+  refuse_far(lattice, path);
   return lattice;
 }
 
@@ -292,6 +309,7 @@ Dataset open_raster(const std::string& path, const std::vector<std::string>& ope
       throw Error(fmt::format("open option '{}' has no value", option), "write NAME=VALUE");
     options.AddString(option.c_str());
   }
+  check_netcdf_header(path);
   messages.forget();
   Dataset dataset(GDALDataset::Open(path.c_str(),
                                     GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,

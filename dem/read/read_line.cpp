@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/read_line.hpp"
 
+#include "dem/read/netcdf_header.hpp"
 #include "dem/read/network.hpp"
 #include "geometry/error.hpp"
 
@@ -58,6 +59,7 @@ std::string wkt_of(const OGRSpatialReference& crs) {
 
 MapLine read_line(const std::string& path, bool allow_network) {
   const NetworkGate gate({path}, allow_network);
+  check_netcdf_header(path);
   GdalMessages messages;
   const Dataset dataset(GDALDataset::Open(path.c_str(),
                                           GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,

@@ -145,11 +145,6 @@ public:
   std::optional<Vec2> back(Vec2 place) const { return !back_ ? place : moved(*back_, place); }
 
 private:
-  static std::optional<Vec2> moved(OGRCoordinateTransformation& way, Vec2 place) {
-    if (!way.Transform(1, &place.x, &place.y) || !std::isfinite(place.x) || !std::isfinite(place.y))
-      return std::nullopt;
-    return place;
-  }
   Transformation there_, back_;
 };
 

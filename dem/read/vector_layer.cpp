@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/read/vector_layer.hpp"
 
+#include "dem/read/netcdf_header.hpp"
 #include "geometry/error.hpp"
 
 #include <cpl_string.h>
@@ -15,6 +16,7 @@
 namespace orograph {
 
 Dataset open_vector(const std::string& path, const std::vector<std::string>& options) {
+  check_netcdf_header(path);
   CPLStringList open_options;
   for (const std::string& option : options) open_options.AddString(option.c_str());
   open_options.AddString("@WRITE_GFS=NO"); // @: drivers that don't know it aren't to warn

@@ -95,6 +95,21 @@ TEST_CASE("places of another CRS come to the terrain's, and long lines bend with
   CHECK(farthest_m < 0.1 * kCell_m);
 }
 
+TEST_CASE("places that are nowhere on earth are left out of an overlay, and don't keep it") {
+  // From the coordinates of web maps to degrees GDAL's way never ended at 1e98.
+  VectorFile file{.features = {{"LINESTRING (1000000 5780000,1e98 5780000)"},
+                               {"LINESTRING (1000000 5780000,1001000 5780000)"}}};
+  file.crs = "EPSG:3857";
+  const TempFolder folder;
+  write_vector(file, folder.file("a.gpkg"));
+  MapFrame degrees;
+  degrees.crs_wkt = degrees.crs_name = "EPSG:4326";
+  const Overlay found =
+      read_overlay({.path = folder.file("a.gpkg")}, degrees, {{8.9, 45.9}, {9.1, 46.1}}, 0.001);
+  CHECK(found.places.size() >= 2);
+  for (const Vec2 place : found.places) CHECK(std::abs(place.x - 8.99) < 0.02);
+}
+
 TEST_CASE("a line that goes over the terrain without a place on it is there") {
   const Overlay found = read({.features = {{"LINESTRING (489000 5099500,492000 5099500)"}}});
   CHECK(found.features.size() == 1);

@@ -89,6 +89,46 @@ TEST_CASE("netCDF that is cut off is refused, before its heights are read as 0")
   check_message(message(20000, 36), {"is cut off", "take 1600000000"});
 }
 
+TEST_CASE("classic netCDF that tells of more than it holds is refused before room is made for it") {
+  const TempFolder folder;
+  const std::string whole = netcdf(6, 36);
+  const auto message = [&](std::size_t at, const std::string& bytes, std::size_t length) {
+    std::string file = whole.substr(0, length);
+    file.replace(at, bytes.size(), bytes);
+    std::ofstream(folder.file("dem.nc"), std::ios::binary) << file;
+    return raster_message(folder.file("dem.nc"));
+  };
+  // Where the header has the number of dimensions, the length of the first one's name, and the
+  // number of the variable's dimensions.
+  for (const std::size_t at : {12U, 16U, 64U})
+    check_message(message(at, "\x2c", whole.size()),
+                  {"dem.nc is cut off or damaged", "its 240 bytes", "fetch it again"});
+  for (std::size_t length = 5; length < 96; ++length) {
+    INFO(length << " bytes");
+    check_message(message(0, "CDF", length), {"is cut off or damaged"});
+  }
+  // What isn't such a header is for others to refuse.
+  check_message(message(0, "CDG", whole.size()), {"can't be opened as a raster"});
+  check_message(message(3, "\x07", whole.size()), {"can't be opened as a raster"});
+}
+
+TEST_CASE("a raster whose coordinates are too large for its cells is refused, wherever it is") {
+  const TempFolder folder;
+  const auto message = [&](double west, double cell, const std::string& crs) {
+    RasterFile raster = counting_raster(4, 3);
+    raster.geotransform = {west, cell, 0, 5000000, 0, -cell};
+    raster.crs = crs;
+    write_raster(raster, folder.file("far.tif"));
+    return raster_message(folder.file("far.tif"));
+  };
+  for (const std::string crs : {"", "EPSG:32632", "EPSG:3857"}) {
+    check_message(message(1e98, 10, crs), {"far.tif", "reach 1e+98", "cells of 10"});
+    CHECK(message(1e9, 10, crs) == "");
+    // GDAL's way from the coordinates of web maps to degrees never ended here.
+    CHECK(message(1e98, 1e97, crs) == "");
+  }
+}
+
 TEST_CASE("files that aren't rasters are refused") {
   const TempFolder folder;
   check_message(raster_message(folder.file("missing.tif")), {"missing.tif", "no such file"});
