@@ -173,8 +173,11 @@ private:
     if (mm_per_share(line, t) <= tolerance_mm_ || length <= r || !(of_x < 1)) return true;
     const long double of_share = rounding_of_share(line, t);
     if (length > 0)
-      for (const long double by : {-r / length, r / length, -of_x, of_x, -of_share, of_share})
-        if (standing_of(place_on(line, std::clamp(t + by, 0.0L, 1.0L))) != standing) return true;
+      for (const long double by : {-r / length, r / length, -of_x, of_x, -of_share, of_share}) {
+        const long double there = t + by; // beyond the line's own ends nothing tells
+        if (!(there > 0 && there < 1) || standing_of(place_on(line, there)) != standing)
+          return true;
+      }
     for (const LongPlace& by : {LongPlace{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}})
       if (standing_of({at.u + by.u, at.v + by.v, at.z}) != standing) return true;
     return false;
