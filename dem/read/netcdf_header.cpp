@@ -109,12 +109,12 @@ std::optional<int> classic_version(VSILFILE& file) {
 } // namespace
 
 void check_netcdf_header(const std::string& path) {
+  VSIStatBufL status{}; // what is read of a pipe is gone
+  if (VSIStatL(path.c_str(), &status) != 0 || !VSI_ISREG(status.st_mode)) return;
   const std::unique_ptr<VSILFILE, CloseFile> file(VSIFOpenL(path.c_str(), "rb"));
   const std::optional<int> version = file ? classic_version(*file) : std::nullopt;
   if (!version) return;
-  VSIFSeekL(file.get(), 0, SEEK_END);
-  const std::uint64_t size = VSIFTellL(file.get());
-  VSIFSeekL(file.get(), 4, SEEK_SET);
+  const auto size = static_cast<std::uint64_t>(status.st_size);
   try {
     Header(*file, size, *version).check();
   } catch (const NotUnderstood&) {

@@ -8,7 +8,8 @@ namespace orograph {
 
 /// Throws Error where a file is a classic netCDF whose header tells of more names, numbers or
 /// attributes than its bytes could hold: the library makes room for them first, 1.5 GB and nine
-/// seconds for one of 680 bytes. Any other file passes, and so does one that isn't there.
+/// seconds for one of 680 bytes. Any other file passes, and so does what is no file; of a pipe
+/// nothing is read.
 /// Cost: a few reads.
 void check_netcdf_header(const std::string& path);
 

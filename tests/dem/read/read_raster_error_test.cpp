@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every way in which a file can't be terrain is told in one line that says what would be right.
+#include "dem/read/netcdf_header.hpp"
 #include "dem/read/read_raster.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/dem/read/raster_file.hpp"
 #include "tests/dem/temp_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -110,6 +116,19 @@ TEST_CASE("classic netCDF that tells of more than it holds is refused before roo
   // What isn't such a header is for others to refuse.
   check_message(message(0, "CDG", whole.size()), {"can't be opened as a raster"});
   check_message(message(3, "\x07", whole.size()), {"can't be opened as a raster"});
+}
+
+TEST_CASE("the look at netCDF's header takes nothing from a pipe") {
+  const TempFolder folder;
+  const std::string path = folder.file("pipe");
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  const int pipe = ::open(path.c_str(), O_RDWR | O_NONBLOCK);
+  REQUIRE(pipe >= 0);
+  CHECK(::write(pipe, "CDF\x01", 4) == 4);
+  check_netcdf_header(path);
+  std::array<char, 8> left{};
+  CHECK(::read(pipe, left.data(), left.size()) == 4);
+  ::close(pipe);
 }
 
 TEST_CASE("a raster whose coordinates are too large for its cells is refused, wherever it is") {
