@@ -1,8 +1,8 @@
 # How code is compiled that takes no time when it runs.
 set(OROGRAPH_QUICKLY $<$<CONFIG:Release>:-O1>)
 
-# How loops are compiled that are reckoned several steps at once: for that nobody may ask for an operation's
-# error number or traps, which changes no number.
+# How loops are compiled that are reckoned several steps at once: for that nobody may ask for an
+# operation's error number or traps, which changes no number.
 set(OROGRAPH_IN_LANES -fno-math-errno -fno-trapping-math)
 
 # orograph_stage(NAME [TOGETHER] [QUICKLY] [IN_LANES] SOURCES a.cpp b.cpp [DEPENDS stage…]
@@ -10,8 +10,8 @@ set(OROGRAPH_IN_LANES -fno-math-errno -fno-trapping-math)
 # One library for each folder. Stages link only downhill (DEPENDS); foreign libraries are PRIVATE,
 # behind the one source file that includes them. TOGETHER: several files are compiled at a time,
 # compile_once.cmake. QUICKLY: nothing in it takes time. IN_LANES: its loops are reckoned several steps
-# at once. COMMON: headers of ours that nearly all of its files come to include are compiled once for all stages
-# of this kind, the first of which names them; without it, those of std and fmt alone.
+# at once. COMMON: headers of ours that nearly all of its files come to include are compiled once for
+# all stages of this kind, the first of which names them; without it, those of std and fmt alone.
 function(orograph_stage name)
   cmake_parse_arguments(STAGE "TOGETHER;QUICKLY;IN_LANES" "" "SOURCES;DEPENDS;PRIVATE;COMMON" ${ARGN})
   add_library(orograph_${name} STATIC ${STAGE_SOURCES})
