@@ -1,10 +1,7 @@
 # Every foreign library, in one place. All of them are Debian 12 packages: scripts/install-dependencies.
 find_package(PkgConfig REQUIRED)
 find_package(GDAL 3.6 CONFIG REQUIRED)
-pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo>=1.16)
-pkg_check_modules(PANGOCAIRO REQUIRED IMPORTED_TARGET pangocairo>=1.50)
-# -pthread, which the precompiled headers aren't made with; nothing of Pango's headers asks for it.
-set_target_properties(PkgConfig::PANGOCAIRO PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+pkg_check_modules(PANGOCAIRO REQUIRED pangocairo>=1.50 cairo>=1.16)
 # no CMake package in Debian 12
 pkg_check_modules(GEOGRAPHICLIB REQUIRED IMPORTED_TARGET geographiclib>=2.1)
 find_package(fmt 9 CONFIG REQUIRED)

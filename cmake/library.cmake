@@ -14,16 +14,15 @@ endforeach()
 add_library(orograph_shared SHARED ${objects})
 set_target_properties(orograph_shared PROPERTIES OUTPUT_NAME orograph EXPORT_NAME orograph
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
-target_link_libraries(orograph_shared PRIVATE GDAL::GDAL PkgConfig::CAIRO PkgConfig::PANGOCAIRO PkgConfig::GEOGRAPHICLIB
-  fmt::fmt pugixml::pugixml tomlplusplus::tomlplusplus TBB::tbb CGAL::CGAL)
+target_link_libraries(orograph_shared PRIVATE GDAL::GDAL PkgConfig::GEOGRAPHICLIB fmt::fmt
+  pugixml::pugixml tomlplusplus::tomlplusplus TBB::tbb CGAL::CGAL)
 target_link_options(orograph_shared PRIVATE LINKER:--no-undefined)
 
 add_library(orograph_static STATIC ${objects})
 set_target_properties(orograph_static PROPERTIES OUTPUT_NAME orograph EXPORT_NAME static)
 # As Debian names them; the shared library brings its own.
-target_link_libraries(orograph_static INTERFACE gdal pangocairo-1.0 pango-1.0 gobject-2.0
-  glib-2.0 cairo GeographicLib fmt pugixml tomlplusplus tbb
-  mpfr gmp)
+target_link_libraries(orograph_static INTERFACE gdal GeographicLib fmt pugixml
+  tomlplusplus tbb mpfr gmp)
 
 set(face_header ${PROJECT_BINARY_DIR}/generated/install/orograph.hpp)
 file(GLOB_RECURSE face_parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.hpp

@@ -58,6 +58,12 @@ function(orograph_by_cgal name)
   target_link_libraries(orograph_${name} PRIVATE mpfr gmp)
 endfunction()
 
+# orograph_by_cairo(NAME): files of the stage include Cairo's headers and Pango's. Nothing is linked to
+# these libraries: src/lettering/cairo_function.hpp.
+function(orograph_by_cairo name)
+  target_include_directories(orograph_${name} SYSTEM PRIVATE ${PANGOCAIRO_INCLUDE_DIRS})
+endfunction()
+
 # The same drawing for the same input on every machine: no contraction to fused multiply-add
 # (docs/how-it-works.md).
 #

@@ -3,6 +3,7 @@
 // drawn, on any surface.
 #include "lettering/font_letters.hpp"
 
+#include "lettering/cairo_function.hpp"
 #include "text/words.hpp"
 
 #include <cairo.h>
@@ -18,6 +19,57 @@
 
 namespace orograph {
 namespace {
+
+OROGRAPH_CAIRO(cairo_copy_path_flat);
+OROGRAPH_CAIRO(cairo_create);
+OROGRAPH_CAIRO(cairo_destroy);
+OROGRAPH_CAIRO(cairo_font_options_create);
+OROGRAPH_CAIRO(cairo_font_options_destroy);
+OROGRAPH_CAIRO(cairo_font_options_set_antialias);
+OROGRAPH_CAIRO(cairo_font_options_set_hint_metrics);
+OROGRAPH_CAIRO(cairo_font_options_set_hint_style);
+OROGRAPH_CAIRO(cairo_image_surface_create);
+OROGRAPH_CAIRO(cairo_move_to);
+OROGRAPH_CAIRO(cairo_new_path);
+OROGRAPH_CAIRO(cairo_path_destroy);
+OROGRAPH_CAIRO(cairo_restore);
+OROGRAPH_CAIRO(cairo_rotate);
+OROGRAPH_CAIRO(cairo_save);
+OROGRAPH_CAIRO(cairo_scale);
+OROGRAPH_CAIRO(cairo_set_tolerance);
+OROGRAPH_CAIRO(cairo_surface_destroy);
+OROGRAPH_CAIRO(cairo_translate);
+OROGRAPH_CAIRO(g_object_unref);
+OROGRAPH_CAIRO(g_unichar_decompose);
+OROGRAPH_CAIRO(pango_cairo_context_set_font_options);
+OROGRAPH_CAIRO(pango_cairo_font_map_new);
+OROGRAPH_CAIRO(pango_cairo_layout_line_path);
+OROGRAPH_CAIRO(pango_cairo_show_layout_line);
+OROGRAPH_CAIRO(pango_context_get_metrics);
+OROGRAPH_CAIRO(pango_context_set_language);
+OROGRAPH_CAIRO(pango_context_set_round_glyph_positions);
+OROGRAPH_CAIRO(pango_font_describe);
+OROGRAPH_CAIRO(pango_font_description_free);
+OROGRAPH_CAIRO(pango_font_description_get_family);
+OROGRAPH_CAIRO(pango_font_description_new);
+OROGRAPH_CAIRO(pango_font_description_set_absolute_size);
+OROGRAPH_CAIRO(pango_font_description_set_family);
+OROGRAPH_CAIRO(pango_font_description_set_style);
+OROGRAPH_CAIRO(pango_font_description_set_weight);
+OROGRAPH_CAIRO(pango_font_map_create_context);
+OROGRAPH_CAIRO(pango_font_map_load_font);
+OROGRAPH_CAIRO(pango_font_metrics_get_ascent);
+OROGRAPH_CAIRO(pango_font_metrics_get_descent);
+OROGRAPH_CAIRO(pango_font_metrics_unref);
+OROGRAPH_CAIRO(pango_language_from_string);
+OROGRAPH_CAIRO(pango_layout_get_extents);
+OROGRAPH_CAIRO(pango_layout_get_line_readonly);
+OROGRAPH_CAIRO(pango_layout_get_unknown_glyphs_count);
+OROGRAPH_CAIRO(pango_layout_line_get_resolved_direction);
+OROGRAPH_CAIRO(pango_layout_new);
+OROGRAPH_CAIRO(pango_layout_set_font_description);
+OROGRAPH_CAIRO(pango_layout_set_single_paragraph_mode);
+OROGRAPH_CAIRO(pango_layout_set_text);
 
 constexpr double kEm = 100;          // surface units that a text is laid out at
 constexpr double kFlat = 1e-3 * kEm; // of outlines
@@ -66,6 +118,11 @@ Owned<PangoContext> context_of(PangoFontMap* map) {
 struct FontHeights {
   double ascent, descent;
 };
+
+// Of a text in UTF-8: RFC 3629, section 3.
+bool is_inside_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80;
+}
 
 // What fontconfig finds in the place of whichever font is there.
 bool is_alias(const std::string& family) {
@@ -166,8 +223,8 @@ std::string FontLetters::missing_of(std::string_view text) {
   if (pango_layout_get_unknown_glyphs_count(parts_->layout.get()) == 0) return {};
   std::string missing;
   for (std::size_t at = 0; at < text.size();) {
-    const char* const begin = text.data() + at;
-    const auto bytes = static_cast<std::size_t>(g_utf8_next_char(begin) - begin);
+    std::size_t bytes = 1;
+    while (at + bytes < text.size() && is_inside_character(text[at + bytes])) ++bytes;
     const std::string_view one = text.substr(at, bytes);
     at += bytes;
     parts_->set(one, false, false);

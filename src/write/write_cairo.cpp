@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PDF, PostScript and PNG through Cairo. Coordinates are scaled here and not by Cairo's matrix,
 // which would be written out for each stroke.
+#include "lettering/cairo_function.hpp"
 #include "write/cairo_filters.hpp"
 #include "write/format_text.hpp"
 #include "write/writers.hpp"
@@ -21,6 +22,32 @@
 namespace orograph {
 namespace {
 
+OROGRAPH_CAIRO(cairo_create);
+OROGRAPH_CAIRO(cairo_destroy);
+OROGRAPH_CAIRO(cairo_image_surface_create);
+OROGRAPH_CAIRO(cairo_line_to);
+OROGRAPH_CAIRO(cairo_new_sub_path);
+OROGRAPH_CAIRO(cairo_paint);
+OROGRAPH_CAIRO(cairo_pdf_surface_create_for_stream);
+OROGRAPH_CAIRO(cairo_pdf_surface_set_metadata);
+OROGRAPH_CAIRO(cairo_ps_surface_create_for_stream);
+OROGRAPH_CAIRO(cairo_ps_surface_dsc_comment);
+OROGRAPH_CAIRO(cairo_ps_surface_set_eps);
+OROGRAPH_CAIRO(cairo_set_line_cap);
+OROGRAPH_CAIRO(cairo_set_line_join);
+OROGRAPH_CAIRO(cairo_set_line_width);
+OROGRAPH_CAIRO(cairo_set_operator);
+OROGRAPH_CAIRO(cairo_set_source_rgb);
+OROGRAPH_CAIRO(cairo_set_source_rgba);
+OROGRAPH_CAIRO(cairo_status);
+OROGRAPH_CAIRO(cairo_status_to_string);
+OROGRAPH_CAIRO(cairo_stroke);
+OROGRAPH_CAIRO(cairo_surface_destroy);
+OROGRAPH_CAIRO(cairo_surface_finish);
+OROGRAPH_CAIRO(cairo_surface_show_page);
+OROGRAPH_CAIRO(cairo_surface_status);
+OROGRAPH_CAIRO(cairo_surface_write_to_png_stream);
+
 constexpr double kMmPerInch = 25.4;
 constexpr double kPointsPerMm = 72 / kMmPerInch;
 // Cairo keeps a page until it is shown, 1 kB for each path and 9 bytes for each point: with a path
@@ -29,8 +56,12 @@ constexpr std::size_t kMostPointsInPath = 500;
 constexpr double kLargestPixels = 1e8;      // a byte each, or four with colours
 constexpr double kLargestPixelSide = 32767; // Cairo's own limit
 
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+struct Destroy {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
+using Context = std::unique_ptr<cairo_t, Destroy>;
 using Append = std::function<bool(std::string_view)>;
 
 cairo_status_t call_append(void* append, const unsigned char* data, unsigned int size) {
@@ -48,7 +79,7 @@ void check(cairo_status_t status, const ByteSink& out) {
 // Short neighbouring strokes share a path. `ink` sets a layer's colour.
 void draw(cairo_surface_t* surface, const Drawing& drawing, double scale,
           void (*ink)(cairo_t*, const Layer& layer), const ByteSink& out) {
-  const Context context(cairo_create(surface), cairo_destroy);
+  const Context context(cairo_create(surface));
   cairo_t* const pen = context.get();
   cairo_set_line_cap(pen, CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
@@ -93,8 +124,7 @@ void write_pdf(const Drawing& drawing, ByteSink& out) {
   Append append = [&](std::string_view bytes) { return out.append(bytes); };
   const Surface surface(cairo_pdf_surface_create_for_stream(call_append, &append,
                                                             drawing.page.width_mm * kPointsPerMm,
-                                                            drawing.page.height_mm * kPointsPerMm),
-                        cairo_surface_destroy);
+                                                            drawing.page.height_mm * kPointsPerMm));
   const auto set = [&](cairo_pdf_metadata_t key, const std::string& text) {
     cairo_pdf_surface_set_metadata(surface.get(), key, text.c_str());
   };
@@ -111,8 +141,7 @@ void write_postscript(const Drawing& drawing, bool is_eps, ByteSink& out) {
   Append append = [&](std::string_view bytes) { return filter.append(bytes); };
   const Surface surface(cairo_ps_surface_create_for_stream(call_append, &append,
                                                            drawing.page.width_mm * kPointsPerMm,
-                                                           drawing.page.height_mm * kPointsPerMm),
-                        cairo_surface_destroy);
+                                                           drawing.page.height_mm * kPointsPerMm));
   cairo_ps_surface_set_eps(surface.get(), is_eps);
   cairo_ps_surface_dsc_comment(surface.get(), postscript_title(drawing.title).c_str());
   draw(surface.get(), drawing, kPointsPerMm, set_colour, out);
@@ -152,11 +181,10 @@ void write_png(const Drawing& drawing, double dpi, ByteSink& out) {
   const auto set_ink = has_levels ? set_level : set_colour;
   const Surface surface(
       cairo_image_surface_create(has_levels ? CAIRO_FORMAT_A8 : CAIRO_FORMAT_RGB24,
-                                 static_cast<int>(width), static_cast<int>(height)),
-      cairo_surface_destroy);
+                                 static_cast<int>(width), static_cast<int>(height)));
   check(cairo_surface_status(surface.get()), out);
   {
-    const Context paper(cairo_create(surface.get()), cairo_destroy);
+    const Context paper(cairo_create(surface.get()));
     Layer white;
     white.grey = 1;
     set_ink(paper.get(), white);

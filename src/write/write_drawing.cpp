@@ -3,6 +3,7 @@
 #include "write/write_drawing.hpp"
 
 #include "geometry/error.hpp"
+#include "lettering/cairo_function.hpp"
 #include "text/words.hpp"
 #include "write/output_file.hpp"
 #include "write/writers.hpp"
@@ -21,6 +22,8 @@
 
 namespace orograph {
 namespace {
+
+OROGRAPH_CAIRO(cairo_version_string);
 
 constexpr std::string_view kStandardOutput = "-";
 

@@ -5,6 +5,7 @@
 #include "tests/cli/run_program.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,6 +59,27 @@ TEST_CASE("Texts are text in SVG, strokes where a pen draws, and the options are
     REQUIRE(render(folder, name, four).exit_code == 0);
     CHECK((folder.read(name) == bytes));
   }
+}
+
+TEST_CASE("Cairo and Pango are loaded for what needs them, and not for a plain SVG") {
+  const MadeFolder folder;
+  write_files(folder);
+  const auto loads_them = [&](const std::string& output) {
+    const std::string told =
+        folder.path() + "/" + output + ".libraries"; // and the process's number
+    REQUIRE(RunningProgram({"env", "LD_DEBUG=files", "LD_DEBUG_OUTPUT=" + told, OROGRAPH_PROGRAM,
+                            "render", "hill.asc", output},
+                           {.folder = folder.path()})
+                .wait()
+                .exit_code == 0);
+    std::string libraries;
+    for (const auto& file : std::filesystem::directory_iterator(folder.path()))
+      if (file.path().string().starts_with(told)) libraries += folder.read(file.path().filename());
+    REQUIRE(has(libraries, "libgdal.so"));
+    return has(libraries, "libpangocairo-1.0.so");
+  };
+  CHECK_FALSE(loads_them("plain.svg"));
+  CHECK(loads_them("plain.pdf"));
 }
 
 TEST_CASE("What no letters are there for is told in a line") {
