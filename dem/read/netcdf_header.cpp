@@ -20,7 +20,7 @@ struct CloseFile {
 };
 
 struct HoldsLess {};     // than the header tells of
-struct NotUnderstood {}; // the library knows better, or refuses it
+struct NotUnderstood {}; // no such header
 
 // By the format's grammar (NetCDF Classic Format Specification, Unidata): lists of dimensions,
 // attributes and variables, all counts before what they count, in steps of four bytes.
@@ -117,7 +117,9 @@ void check_netcdf_header(const std::string& path) {
   const auto size = static_cast<std::uint64_t>(status.st_size);
   try {
     Header(*file, size, *version).check();
-  } catch (const NotUnderstood&) {
+  } catch (const NotUnderstood&) { // on some of these the library itself breaks off
+    throw Error(fmt::format("{} is damaged: its header isn't one of netCDF", path),
+                "fetch it again");
   } catch (const HoldsLess&) {
     throw Error(fmt::format("{} is cut off or damaged: its {} bytes can't hold what its header "
                             "tells of",

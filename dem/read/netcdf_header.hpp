@@ -7,9 +7,9 @@
 namespace orograph {
 
 /// Throws Error where a file is a classic netCDF whose header tells of more names, numbers or
-/// attributes than its bytes could hold: the library makes room for them first, 1.5 GB and nine
-/// seconds for one of 680 bytes. Any other file passes, and so does what is no file; of a pipe
-/// nothing is read.
+/// attributes than its bytes could hold, for which the library makes room first, 1.5 GB and nine
+/// seconds for one of 680 bytes; and where it isn't such a header at all, on which the library may
+/// break off. Any other file passes, and so does what is no file; of a pipe nothing is read.
 /// Cost: a few reads.
 void check_netcdf_header(const std::string& path);
 

@@ -13,7 +13,7 @@
 namespace orograph {
 namespace {
 
-constexpr double kMostValues = 1e7;
+constexpr double kMostValues = 1e6; // which take half a second
 
 // The nearest number of so many decimals: what a sum of steps of 0.1 should be, also where it comes
 // close to 0.

@@ -3,8 +3,10 @@
 // refuse it with an Error.
 #include "dem/overlay.hpp"
 #include "dem/read/level_index.hpp"
+#include "dem/read/netcdf_header.hpp"
 #include "dem/read/read_overlay.hpp"
 #include "dem/read/read_terrain.hpp"
+#include "geometry/error.hpp"
 #include "map/layer_table.hpp"
 #include "placing/view_file.hpp"
 #include "solids/read_scene.hpp"
@@ -32,6 +34,11 @@ namespace {
 constexpr double kMostCells = 1e5;
 
 bool is_small_raster(const std::string& path) {
+  try {
+    check_netcdf_header(path);
+  } catch (const Error&) {
+    return true; // the reader refuses it before anything is opened
+  }
   const GdalMessages messages;
   const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER));
   if (!dataset) return true;

@@ -116,7 +116,9 @@ private:
     return tolerance_.at(at.x, at.y);
   }
   Standing standing_of(const LongPlace& place) const {
-    const long double above = sight_.above(place);
+    return standing_of(place, sight_.above(place));
+  }
+  Standing standing_of(const LongPlace& place, long double above) const {
     if (std::abs(above) <= tolerance_at(place)) return Standing::tied;
     return above > 0 ? Standing::visible : Standing::hidden;
   }
@@ -180,7 +182,9 @@ private:
       }
     for (const LongPlace& by : {LongPlace{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}})
       if (standing_of({at.u + by.u, at.v + by.v, at.z}) != standing) return true;
-    return false;
+    // What runs along beside the line in front of it by less than that, down to about one rounding
+    // (r is 32), may hide it or not: an edge that ends where the line does.
+    return standing_of(at, sight_.above(at, r / 32)) != standing;
   }
 
   // Length on the page of a small share of the line, over the share.

@@ -42,7 +42,7 @@ SightThroughTriangles::SightThroughTriangles(const Grid& grid, const View& view)
                  std::abs(view.depth_origin_m.x) + std::abs(view.depth_origin_m.y));
 }
 
-long double SightThroughTriangles::above(const LongPlace& place) const {
+long double SightThroughTriangles::above(const LongPlace& place, long double nearer_m) const {
   const bool perspective = view_.is_perspective();
   // The ray in plan, and a place of it: the eye in perspective.
   const long double along_u = perspective ? place.u : -static_cast<long double>(view_.x_per_v);
@@ -54,7 +54,7 @@ long double SightThroughTriangles::above(const LongPlace& place) const {
                        : at.z * view_.y_per_z + at.depth * view_.y_per_v;
   };
   const long double nearest = perspective ? view_.near_m : -kLongInfinity;
-  const long double in_front = place.v - rounding_m_;
+  const long double in_front = place.v - nearer_m;
   long double greatest = -kLongInfinity;
   for (const auto& corners : triangles_) {
     std::array<long double, 3> aside{};

@@ -24,8 +24,10 @@ public:
 
   /// How far a place of the surface is above all that stands in front of it, in Y of the visibility
   /// plane; negative below it, infinite where nothing does. What leads up to the place is in front
-  /// of it where it begins. REQUIRES a place beyond the near plane. Cost: all triangles.
-  long double above(const LongPlace& place) const;
+  /// of it where it begins. What is nearer by less than `nearer_m` counts as being at the place.
+  /// REQUIRES a place beyond the near plane. Cost: all triangles.
+  long double above(const LongPlace& place, long double nearer_m) const;
+  long double above(const LongPlace& place) const { return above(place, rounding_m_); }
 
   /// Bound on the rounding of a place on the ground in double precision, along any direction.
   long double rounding_m() const { return rounding_m_; }

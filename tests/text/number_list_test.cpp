@@ -128,7 +128,7 @@ TEST_CASE("what is no list of numbers is told in one line that names the option"
            {"0:1e300:1e-300", "values"},
            {"-1e308:1e308:1", "values"},
            {"0:10000000:1", "10000001 values"},
-           {"0:99999:1,0:9999999:1", "0:9999999:1' can't be used: 10000000 values are too many"}}) {
+           {"0:99999:1,0:999999:1", "0:999999:1' can't be used: 1000000 values are too many"}}) {
     const std::string fault = fault_in(text);
     INFO(text << ": " << fault);
     if (words.empty()) {

@@ -113,7 +113,10 @@ TEST_CASE("classic netCDF that tells of more than it holds is refused before roo
     INFO(length << " bytes");
     check_message(message(0, "CDF", length), {"is cut off or damaged"});
   }
-  // What isn't such a header is for others to refuse.
+  // What should be a list of dimensions is none: the library broke off on one that it couldn't use.
+  check_message(message(11, "\x63", whole.size()),
+                {"dem.nc is damaged", "isn't one of netCDF", "fetch it again"});
+  // What doesn't begin as such a file is for others to refuse.
   check_message(message(0, "CDG", whole.size()), {"can't be opened as a raster"});
   check_message(message(3, "\x07", whole.size()), {"can't be opened as a raster"});
 }
