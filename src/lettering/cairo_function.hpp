@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Functions of Cairo and Pango, which are loaded when one of them is called first. With all that they
-// need they are 27 of the 147 shared libraries of a program that is linked to them, and an eighth of
-// the time that it takes to start; SVG, map formats and plotters need none of them.
+// Functions of Cairo and Pango, which are loaded when one of them is called first. With all that
+// they need they are 27 of the 147 shared libraries of a program that is linked to them, and an
+// eighth of the time that it takes to start; SVG, map formats and plotters need none of them.
 #pragma once
 
 #include <atomic>
 
 namespace orograph {
 
-/// The function of this name in Pango's library for Cairo, or in one of those that it brings: Cairo,
-/// Pango and GLib. Throws Error where they can't be loaded.
+/// The function of this name in Pango's library for Cairo, or in one of those that it brings:
+/// Cairo, Pango and GLib. Throws Error where they can't be loaded.
 void* find_cairo_function(const char* name);
 
 /// Does what the function does that it is named after, by `OROGRAPH_CAIRO(cairo_create);` inside

@@ -3,7 +3,6 @@
 // drawn, on any surface.
 #include "lettering/font_letters.hpp"
 
-#include "lettering/cairo_function.hpp"
 #include "text/words.hpp"
 
 #include <cairo.h>
@@ -16,6 +15,8 @@
 #include <initializer_list>
 #include <optional>
 #include <utility>
+
+#include "lettering/cairo_function.hpp"
 
 namespace orograph {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PDF, PostScript and PNG through Cairo. Coordinates are scaled here and not by Cairo's matrix,
 // which would be written out for each stroke.
-#include "lettering/cairo_function.hpp"
 #include "write/cairo_filters.hpp"
 #include "write/format_text.hpp"
 #include "write/writers.hpp"
@@ -17,6 +16,7 @@
 #include <memory>
 #include <optional>
 
+#include "lettering/cairo_function.hpp"
 #include "lettering/font_letters.hpp"
 
 namespace orograph {

@@ -3,7 +3,6 @@
 #include "write/write_drawing.hpp"
 
 #include "geometry/error.hpp"
-#include "lettering/cairo_function.hpp"
 #include "text/words.hpp"
 #include "write/output_file.hpp"
 #include "write/writers.hpp"
@@ -18,6 +17,7 @@
 #include <numbers>
 #include <optional>
 
+#include "lettering/cairo_function.hpp"
 #include "lettering/lettering.hpp"
 
 namespace orograph {
