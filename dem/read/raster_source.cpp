@@ -5,6 +5,7 @@
 #include "dem/read/length_units.hpp"
 #include "dem/read/netcdf_header.hpp"
 #include "dem/read/raster_shares.hpp"
+#include "dem/read/xyz_places.hpp"
 #include "geometry/error.hpp"
 
 #include <cpl_string.h>
@@ -316,6 +317,7 @@ Dataset open_raster(const std::string& path, const std::vector<std::string>& ope
                                     nullptr, options.List(), nullptr));
   if (!dataset) refuse(path, messages);
   if (dataset->GetRasterCount() == 0) refuse_container(*dataset, path);
+  if (std::string_view(dataset->GetDriverName()) == "XYZ") check_xyz_places(path);
   return dataset;
 }
 

@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace orograph::read_raster_error_test {
@@ -119,6 +120,20 @@ TEST_CASE("classic netCDF that tells of more than it holds is refused before roo
   // What doesn't begin as such a file is for others to refuse.
   check_message(message(0, "CDG", whole.size()), {"can't be opened as a raster"});
   check_message(message(3, "\x07", whole.size()), {"can't be opened as a raster"});
+}
+
+TEST_CASE("a text of places as a raster, one of which isn't finite, is refused") {
+  const TempFolder folder;
+  const auto message = [&](const std::string& text) {
+    std::ofstream(folder.file("dem.txyz")) << text;
+    return raster_message(folder.file("dem.txyz"));
+  };
+  CHECK(message("x,y,z\n2,2,1\n5,2,63\n2,5,1\n5,5,7\n") == "");
+  CHECK(message("x,y,z\n2,2,nan\n5,2,63\n2,5,1\n5,5,7\n") == "");
+  // Column by column GDAL finds a raster of 2 x 2 here, and broke off when it was read.
+  for (const char* const number : {"nan", "-1.#QNAN", "-NAN"})
+    check_message(message("x,y,z\n2,2,1\n5,2,63\n" + std::string(number) + ",188,1888\n"),
+                  {"dem.txyz, line 4", number, "finite number"});
 }
 
 TEST_CASE("the look at netCDF's header takes nothing from a pipe") {
