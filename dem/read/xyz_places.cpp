@@ -23,6 +23,7 @@ struct CloseText {
   void operator()(VSILFILE* file) const { VSIFCloseL(file); }
 };
 
+// As the driver parts them: several marks in a row are one.
 std::vector<std::string> columns_of(std::string_view line) {
   std::vector<std::string> columns;
   constexpr std::string_view kBetween = " \t,;\r";
