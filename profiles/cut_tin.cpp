@@ -57,15 +57,15 @@ bool is_beside(const View& view, const TinPlaces::BorderSide& side, const URange
   return std::max(from, to) < part.low_m - rounding || std::min(from, to) > part.high_m + rounding;
 }
 
-// Whether a place may be in a triangle, seen from above, or is within rounding of it.
-bool may_have(const Tin& tin, std::uint32_t triangle, Vec2 place) {
+// Whether a place may be in a triangle, seen from above, or is within rounding of it. `reach_m`:
+// what the place is a sum of.
+bool may_have(const Tin& tin, std::uint32_t triangle, Vec2 place, double reach_m) {
   constexpr double kRounding = 0x1p-40;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2 from = plan_m(tin, tin.triangles[triangle][k]),
                to = plan_m(tin, tin.triangles[triangle][(k + 1) % 3]);
-    const double scale =
-        (std::abs(place.x) + std::abs(place.y) + std::abs(from.x) + std::abs(from.y)) *
-        (std::abs(to.x - from.x) + std::abs(to.y - from.y));
+    const double scale = (reach_m + std::abs(from.x) + std::abs(from.y)) *
+                         (std::abs(to.x - from.x) + std::abs(to.y - from.y));
     if (cross(to - from, place - from) < -kRounding * scale) return false;
   }
   return true;
@@ -165,10 +165,12 @@ void TinCutter::cut(double depth_m, std::span<const URange> ranges, Profile& out
     if (run) runs.push_back(*run);
   };
   const Vec2 left_end = view_.depth_origin_m + part.low_m * view_.right + depth_m * view_.forward;
-  const double slack = 0x1p-40 * (std::abs(left_end.x) + std::abs(left_end.y));
+  // Which may be next to the frame's origin, where it is no more than the rounding of its parts.
+  const double reach_m = length(view_.depth_origin_m) + std::abs(part.low_m) + std::abs(depth_m);
+  const double slack = 0x1p-40 * reach_m;
   index_->meeting({left_end - Vec2{slack, slack}, left_end + Vec2{slack, slack}}, about);
   for (const std::uint32_t t : about) {
-    if (!may_have(tin_, t, left_end)) continue;
+    if (!may_have(tin_, t, left_end, reach_m)) continue;
     for (std::uint8_t k = 0; k < 3; ++k) {
       const TinSide side{t, k};
       if (mesh.across(side)) add(walk.over(side));

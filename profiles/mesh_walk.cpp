@@ -21,6 +21,37 @@ void keep_ground_in_front(std::vector<Run>& runs) {
   });
 }
 
+namespace {
+
+bool is_wall(const Profile& found, const Run& run) {
+  return run.u_first == run.u_last && found.after[run.begin] == Span::wall;
+}
+
+bool is_before(const Run& a, const Run& b) {
+  return a.u_first != b.u_first ? a.u_first < b.u_first : a.u_last < b.u_last;
+}
+
+// A wall that nothing joins to the ground, as where another of the same edge is missing, stands
+// where that ground begins or ends. What rounds to a place within it is there as well.
+void put_walls_at_ends(const Profile& found, std::vector<Run>& runs) {
+  const Run* ground = nullptr;
+  bool is_moved = false;
+  for (Run& run : runs) {
+    if (!is_wall(found, run)) {
+      ground = &run;
+      continue;
+    }
+    const double u = run.u_first;
+    if (!ground || !(u > ground->u_first && u < ground->u_last)) continue;
+    const bool at_begin = u - ground->u_first < ground->u_last - u;
+    run.u_first = run.u_last = at_begin ? ground->u_first : ground->u_last;
+    is_moved = true;
+  }
+  if (is_moved) std::sort(runs.begin(), runs.end(), is_before);
+}
+
+} // namespace
+
 void put_in_order(Profile& from, std::vector<Run>& runs, Profile& out) {
   if (runs.size() == 1 && runs.front().begin == 0 && runs.front().end == from.size()) {
     std::swap(from.u_m, out.u_m);
@@ -29,9 +60,8 @@ void put_in_order(Profile& from, std::vector<Run>& runs, Profile& out) {
     std::swap(from.triangles, out.triangles);
     return;
   }
-  std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
-    return a.u_first != b.u_first ? a.u_first < b.u_first : a.u_last < b.u_last;
-  });
+  std::sort(runs.begin(), runs.end(), is_before);
+  put_walls_at_ends(from, runs);
   for (const Run& run : runs) {
     std::size_t i = run.begin;
     if (out.size() > 0) {

@@ -67,12 +67,15 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
   const double farther = perspective && front.at_depth_m > 0 ? at.v / front.at_depth_m : 1;
   const double by_m = farther * std::max(rounding_m, 16 * front.rounding_m);
   const double away_m = std::hypot(at.u, at.v);
+  const double above_at = above(at, on_edge);
   const auto is_same = [&](double way_m, double nearer_m) {
     ProfilePoint aside{at.u + way_m, at.v - nearer_m, at.z};
     if (perspective)
       aside = {at.u + (way_m * at.v - nearer_m * at.u) / away_m,
                at.v - (way_m * at.u + nearer_m * at.v) / away_m, at.z};
-    return verdict(aside, on_edge) == found;
+    // Where its own ground rises aside, a place as high is under that by a rounding.
+    return verdict(aside, on_edge) == found &&
+           (found == Verdict::visible || above(aside, on_edge) <= 0.5 * above_at);
   };
   for (const double way_m : {-by_m, by_m}) {
     const double along = std::clamp(t + way_m / length, 0.0, 1.0);

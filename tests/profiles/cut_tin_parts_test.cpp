@@ -7,8 +7,11 @@
 #include "tests/support/made_tin.hpp"
 #include "tests/support/random.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <utility>
 
 namespace orograph::cut_tin_parts_test {
 
@@ -50,6 +53,33 @@ TEST_CASE("parts of a TIN's profiles are those of whole ones, bit for bit") {
   CHECK(sum.vertices > enough<50000>);
   CHECK(sum.gaps > enough<1000>);
   CHECK(sum.shorter > enough<10000>);
+}
+
+// A place there is what is left of numbers a million times as large, and so is its rounding.
+TEST_CASE("a part that begins at the frame's own origin has what begins there, or ends") {
+  const TriangleSet no_level;
+  for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    View view = looking(direction_of_azimuth(Angle::degrees(random.between(0, 360))));
+    view.depth_origin_m = {random.between(-100, 100), random.between(-100, 100)};
+    // To the left of the origin or to the right.
+    const double side = random.pick({-1.0, 1.0});
+    const Vec2 near = 5.0 * (side * view.right) - 4.0 * view.forward,
+               far = 6.0 * (side * view.right) + 3.0 * view.forward;
+    Tin tin;
+    tin.vertices_m = {{0, 0, 16}, {near.x, near.y, 40}, {far.x, far.y, 11}};
+    tin.triangles = {{0, 1, 2}};
+    if (side < 0) std::swap(tin.triangles[0][1], tin.triangles[0][2]);
+    tin.neighbours = {{kNoTriangle, kNoTriangle, kNoTriangle}};
+    const auto places = std::make_shared<const TinPlaces>(tin_places(tin));
+    const TinCutter cutter(tin, view, no_level, places, std::make_shared<const TinIndex>(tin));
+    const ProfilePoint origin = to_profile_frame(view, tin.vertices_m[0]);
+    const URange part{origin.u, origin.u + 1};
+    Profile some;
+    cutter.cut(origin.v, std::span(&part, 1), some);
+    REQUIRE(std::ranges::find(some.u_m, origin.u) != some.u_m.end());
+  }
 }
 
 } // namespace orograph::cut_tin_parts_test

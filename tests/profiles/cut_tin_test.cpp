@@ -4,6 +4,7 @@
 #include "dem/approximate/tin_of_grid.hpp"
 #include "profiles/cut_grid.hpp"
 #include "profiles/cut_mesh.hpp"
+#include "profiles/mesh_walk.hpp"
 #include "tests/catch.hpp"
 #include "tests/profiles/tin_sections.hpp"
 #include "tests/profiles/triangle_cuts.hpp"
@@ -356,6 +357,37 @@ TEST_CASE("many planes through a large TIN") {
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   WARN(kPlanes << " planes, " << vertices << " vertices, " << taken.count() << " s");
   CHECK(vertices > std::size_t{kPlanes} * kSide);
+}
+
+// Of two walls on an edge one is missing, so that nothing joins the other to the ground.
+TEST_CASE("a wall whose place rounds to within the ground beside it is there") {
+  const double u = -2.3232210942835896;
+  for (const double ground_end : {-6.7, 6.5}) { // to the left of it, or to the right
+    for (const double wall : {u, std::nextafter(u, -10), std::nextafter(u, 10)}) {
+      CAPTURE(ground_end, u - wall);
+      Profile found;
+      const auto add = [&](double at, double z, Span after) {
+        found.u_m.push_back(at);
+        found.z_m.push_back(z);
+        found.after.push_back(after);
+      };
+      add(std::min(u, ground_end), 79, Span::slope);
+      add(std::max(u, ground_end), 79, Span::gap);
+      add(wall, 61, Span::wall);
+      add(wall, 53, Span::gap);
+      std::vector<Run> runs{{0, 2, found.u_m[0], found.u_m[1], false}, {2, 4, wall, wall, false}};
+      Profile out;
+      put_in_order(found, runs, out);
+      REQUIRE(out.size() == 4);
+      const std::size_t first = ground_end < u ? 2 : 0; // of the wall's
+      CHECK(out.after[first] == Span::wall);
+      CHECK(out.z_m[first] == 61);
+      CHECK(out.z_m[first + 1] == 53);
+      CHECK(out.u_m[first] == out.u_m[first + 1]);
+      CHECK(std::abs(out.u_m[first] - u) < 1e-15);
+      CHECK(std::is_sorted(out.u_m.begin(), out.u_m.end()));
+    }
+  }
 }
 
 } // namespace orograph::cut_tin_test

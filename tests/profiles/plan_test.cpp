@@ -240,6 +240,10 @@ TEST_CASE("the depths that a window may show, by rays all over it") {
       for (int y = 0; y <= 40; ++y) {
         const Vec3 ray = ray_of_picture(view, {view.window.low.x + view.window.width() * x / 40,
                                                view.window.low.y + view.window.height() * y / 40});
+        // In front of a ray's first place there may be ground at the ray's own height there.
+        const double at_first = view.eye_z_m + first / ray.z * ray.y;
+        if (first > 0 && ray.z > 0 && std::abs(at_first - 250) <= ground.relief_m)
+          low = std::min(low, first);
         for (int k = -10; k <= 10; ++k) {
           const double height = 250 + ground.relief_m * k / 10 - view.eye_z_m, t = height / ray.y;
           if (!(t > 0) || t * ray.z < first || t * ray.z > ground.farthest_m) continue;

@@ -80,10 +80,11 @@ Found by_definition(const std::vector<Corners>& triangles, Real eye_z, Vec2 dire
     }
     for (const Corner& at : section) {
       const Real slope = (at.z - eye_z) / at.along;
+      // An edge that is nearly along the look is crossed here or there.
       if (!is_along && at.along > 8 * (rounding_m + at.off_m) &&
-          at.along < distance_m - 2 * rounding_m)
+          at.along + 8 * at.off_m < distance_m - 2 * rounding_m)
         found.least = std::max(found.least, slope);
-      if (at.along > 4 * rounding_m / 2 && at.along < distance_m + 2 * rounding_m)
+      if (at.along > 2 * rounding_m && at.along - 8 * at.off_m < distance_m + 2 * rounding_m)
         found.most = std::max(found.most, slope);
     }
     for (const Corner& a : section)

@@ -87,7 +87,12 @@ void check(const Grid& grid, const View& view, Vec2 ground_m, Sums& sums) {
   double sampled = -kInfinity;
   for (int i = 0; i < samples; ++i) {
     const double w = begin + (p.v - begin) * i / samples;
-    sampled = std::max(sampled, surface_y(grid, view, on_ray(view, p, w)).value_or(-kInfinity));
+    const ProfilePoint place = on_ray(view, p, w);
+    const auto y = surface_y(grid, view, place);
+    // Along a void's border rounding decides whether the ray is over ground.
+    if (y && *y > sampled && surface_y(grid, view, {place.u - 1e-9, w, 0}) &&
+        surface_y(grid, view, {place.u + 1e-9, w, 0}))
+      sampled = *y;
   }
   const double own = project(view, p).y;
   INFO("ground " << ground_m.x << ", " << ground_m.y << ": walk " << front.greatest_y << " at "

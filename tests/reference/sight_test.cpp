@@ -9,6 +9,8 @@
 #include "tests/support/made_solids.hpp"
 #include "tests/support/random.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace orograph::sight_test {
@@ -265,10 +267,15 @@ TEST_CASE("over the ground, the same as the ray walk") {
       unsure += verdict.unsure;
       CAPTURE(p.u, p.v, p.z, front.greatest_y, y, above.value_or(-1));
       if (verdict.unsure) continue;
-      // The walk doesn't know of the ground over a point.
+      // The walk doesn't know of the ground over a point, which at a border rounding may miss.
+      const bool may_be_under = std::ranges::any_of(
+          std::array{Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}, [&](Vec2 way) {
+            return height_at(surface, Vec2{at.x, at.y} + 1e-9 * way).value_or(at.z) > at.z;
+          });
       if (above && *above > at.z)
         CHECK(verdict.hidden);
-      else if (std::abs(front.greatest_y - y) > front.rounding || std::isinf(front.greatest_y))
+      else if (!may_be_under &&
+               (std::abs(front.greatest_y - y) > front.rounding || std::isinf(front.greatest_y)))
         CHECK(verdict.hidden == (front.greatest_y > y));
     }
   }

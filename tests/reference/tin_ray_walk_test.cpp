@@ -2,6 +2,7 @@
 // The ray walk over a TIN against every triangle's section by the plane of the ray, in long double,
 // against the walk over a grid, and against cases reckoned by hand.
 #include "dem/approximate/tin_of_grid.hpp"
+#include "reference/judge.hpp"
 #include "reference/ray_walk.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_grid.hpp"
@@ -310,6 +311,33 @@ TEST_CASE("straight over an edge, a hair beside it, rounding is as small as anyw
     const InFront front = TinRayWalk(tin, view).in_front({-0.05, 20, 0});
     CHECK(std::abs(front.greatest_y - -60 / 0.5) < 1e-6); // at the near plane
     CHECK(front.rounding < 1e-9);
+  }
+}
+
+// The eye stands over the top of a wall and looks along it, edge-on: whether the ground beyond its
+// top hides its foot is a matter of rounding.
+TEST_CASE("the foot of a wall that is seen edge-on may be hidden or not") {
+  Tin tin;
+  const Vec2 eye{-679960, -159920};
+  for (const Vec3 at :
+       {Vec3{0, 0, 3}, {-8, -1, 32}, {-8, -9, 32}, {0, 0, -22}, {-8, -1, 24}, {1, 7, 32}})
+    tin.vertices_m.push_back({eye.x + at.x, eye.y + at.y, at.z});
+  tin.triangles = {{0, 1, 2}, {4, 1, 3}, {3, 1, 0}, {5, 4, 3}};
+  const double length = std::hypot(39, 8);
+  const View view = looking(Projection::perspective, {-39 / length, 8 / length}, 0, eye, 4.7);
+  const Surface surface = tin;
+  const Judge judge(surface, view, {});
+  const auto at = [&](std::size_t vertex) {
+    return to_profile_frame(view, tin.vertices_m[vertex]);
+  };
+  for (const double t : {0.5, 0.8, 0.84, 0.851}) {
+    CAPTURE(t);
+    CHECK(judge.verdict({at(4), at(3)}, t, true, true) == Verdict::tied);
+    CHECK(judge.verdict({at(4), at(3)}, t, true, false) == Verdict::hidden);
+    // Well behind the ground over the wall's top there's no doubt.
+    const ProfilePoint aside{at(4).u - 0.1, at(4).v - 0.1, at(4).z}, near = at(3);
+    CHECK(judge.verdict({aside, {near.u - 0.1, near.v + 0.6, near.z}}, t, true, true) ==
+          Verdict::hidden);
   }
 }
 

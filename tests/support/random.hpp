@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <initializer_list>
 #include <random>
 #include <utility>
@@ -42,7 +43,7 @@ constexpr auto enough = count * 0;
 
 class Random {
 public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Random(std::uint64_t seed) : engine_(seed + scenes_from()) {}
 
   /// In [0, 1).
   double share() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
@@ -59,6 +60,13 @@ public:
   }
 
 private:
+  /// OROGRAPH_SEED, which makes all scenes others, as `scripts/test seeds` does; 0 without it.
+  static std::uint64_t scenes_from() {
+    static const char* const text = std::getenv("OROGRAPH_SEED");
+    static const std::uint64_t from = text ? std::strtoull(text, nullptr, 10) : 0;
+    return from;
+  }
+
   std::mt19937_64 engine_;
 };
 
