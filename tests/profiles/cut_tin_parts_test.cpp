@@ -55,7 +55,7 @@ TEST_CASE("parts of a TIN's profiles are those of whole ones, bit for bit") {
   CHECK(sum.shorter > enough<10000>);
 }
 
-// A place there is what is left of numbers a million times as large, and so is its rounding.
+// A place there is a sum that cancels, and is off by what its parts round to.
 TEST_CASE("a part that begins at the frame's own origin has what begins there, or ends") {
   const TriangleSet no_level;
   for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
