@@ -131,9 +131,7 @@ void ask_parts(const Judge& judge, const SectorFound& pass, std::span<const Line
     const double t = part.t_begin + random.between(0.02, 0.98) * (part.t_end - part.t_begin);
     const double x = project(lines.sector().view, lines.point(part.line, t)).x;
     if (!(x >= pass.range.begin && x <= pass.range.end)) continue;
-    // A millimetre in front of the eye's own plane: no page reaches as far to the side.
-    constexpr double kFarthest = 1e5;
-    if (std::abs(x) > kFarthest && lines.sector().view.is_perspective()) continue;
+    if (lines.is_moved(lines.line(part.line).edge)) continue; // from the eye's own plane
     ++asked.points;
     const Verdict verdict =
         judge.verdict(lines.whole(part.line), t, lines.is_edge(part.line), visible);
