@@ -51,15 +51,7 @@ TEST_CASE("an eye is inside of a solid where the solid surrounds it") {
                                  size.z * random.between(-0.3, 1.3)};
       const int winding = winding_at(standing, eye);
       bool on_surface = false;
-      // Along the axes, too: at a narrow corner it is inside that way alone.
-      for (const Vec3 aside : {Vec3{1, 2, 3},
-                               {-2, 1, -3},
-                               {2, -3, -1},
-                               {-1, -2, 3},
-                               {1, 0, 0},
-                               {-1, 0, 0},
-                               {0, 1, 0},
-                               {0, -1, 0}})
+      for (const Vec3 aside : {Vec3{1, 2, 3}, {-2, 1, -3}, {2, -3, -1}, {-1, -2, 3}})
         on_surface = on_surface || winding_at(standing, eye + 1e-5 * aside) != winding;
       if (on_surface) continue;
       const bool is_inside = (mirrored ? -winding : winding) > 0;
