@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -196,6 +197,29 @@ int crossing(const Corner& a, const Corner& b) {
   return b_west ? 1 : -1;
 }
 
+// Whether a triangle that the upright through the eye goes through is above the eye there.
+bool is_above(std::span<const Corner, 3> corners, double rounding_m) {
+  const auto plan = [](const Corner& corner) { return Vec2{corner.from_eye.x, corner.from_eye.y}; };
+  const Vec2 a = plan(corners[0]), ab = plan(corners[1]) - a, ac = plan(corners[2]) - a;
+  const double area = cross(ab, ac);
+  if (std::abs(area) > rounding_m * (length(ab) + length(ac))) {
+    const double height_by_area =
+        dot(corners[0].from_eye, cross(corners[1].from_eye, corners[2].from_eye));
+    return (height_by_area > 0) == (area > 0);
+  }
+  // It stands upright, so that its plane goes through the eye: its sides tell.
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner &from = corners[i], &to = corners[(i + 1) % 3];
+    const Vec2 way = plan(to) - plan(from);
+    const double square = dot(way, way);
+    const double t = square > 0 ? std::clamp(-dot(plan(from), way) / square, 0.0, 1.0) : 0;
+    if (length(plan(from) + t * way) <= rounding_m)
+      lowest = std::min(lowest, from.from_eye.z + t * (to.from_eye.z - from.from_eye.z));
+  }
+  return lowest > 0 && std::isfinite(lowest);
+}
+
 } // namespace
 
 bool holds_eye(const StandingSolid& standing, const View& view) {
@@ -211,13 +235,17 @@ bool holds_eye(const StandingSolid& standing, const View& view) {
   if (!spans(box.low.x, box.high.x) || !spans(box.low.y, box.high.y) ||
       !spans(box.low.z, box.high.z))
     return false;
+  double reach_m = length(view.depth_origin_m);
+  for (const Vec3& vertex : standing.vertices_m)
+    reach_m = std::max(reach_m, std::abs(vertex.x) + std::abs(vertex.y));
+  const double rounding_m = 16 * std::numeric_limits<double>::epsilon() * reach_m;
   int above = 0; // triangles that the upright goes out of, less those that it goes into
   for (const auto& triangle : standing.solid->triangles) {
     Corner corners[3];
     for (std::size_t i = 0; i < 3; ++i) corners[i] = {from_eye[triangle[i]], triangle[i]};
     const auto& [a, b, c] = corners;
     const int turn = crossing(a, b) + crossing(b, c) + crossing(c, a);
-    if (turn != 0 && turn * dot(a.from_eye, cross(b.from_eye, c.from_eye)) > 0) above += turn;
+    if (turn != 0 && is_above(corners, rounding_m)) above += turn;
   }
   return standing.mirrored ? above < 0 : above > 0;
 }

@@ -65,6 +65,26 @@ TEST_CASE("an eye is inside of a solid where the solid surrounds it") {
   CHECK(inside > 120);
 }
 
+// A side that stands upright there has the eye in its plane, to rounding.
+TEST_CASE("an eye straight over a corner of a solid is outside of it") {
+  Random random(96);
+  for (int i = 0; i < 400; ++i) {
+    const bool mirrored = i % 2 == 1;
+    const Vec3 size{random.between(1, 30), random.between(1, 30), random.between(1, 30)};
+    const Vec3 at{5e5, 5e6, random.between(-50, 900)};
+    const Solid solid = i % 4 < 2 ? made_tetrahedron() : made_pyramid();
+    const StandingSolid standing = stand(solid, mirrored, [&](Vec3 v) {
+      return at + Vec3{(mirrored ? -1 : 1) * size.x * v.x, size.y * v.y, size.z * v.z};
+    });
+    for (const Vec3& corner : standing.vertices_m) {
+      const Vec3 over{corner.x, corner.y, corner.z + 0.2 * size.z};
+      if (std::abs(winding_number(standing, over)) > 1e-6) continue; // within, or on a side
+      INFO(i);
+      CHECK_FALSE(holds_eye(standing, view_from(random, over, random.between(0.5, 4))));
+    }
+  }
+}
+
 TEST_CASE("an eye inside is found however finely the surface is divided, wires hold none") {
   Random random(95);
   const Solid round = made_round(3000, false);
