@@ -5,22 +5,6 @@
 #include <utility>
 
 namespace orograph {
-
-void keep_ground_in_front(std::vector<Run>& runs) {
-  std::vector<Run> through;
-  for (const Run& run : runs)
-    if (!run.along) through.push_back(run);
-  std::sort(through.begin(), through.end(),
-            [](const Run& a, const Run& b) { return a.u_last < b.u_last; });
-  std::erase_if(runs, [&](const Run& run) {
-    if (!run.along) return false;
-    const auto next = std::partition_point(through.begin(), through.end(), [&](const Run& other) {
-      return other.u_last <= run.u_first;
-    });
-    return next != through.end() && next->u_first < run.u_last;
-  });
-}
-
 namespace {
 
 bool is_wall(const Profile& found, const Run& run) {
@@ -51,6 +35,21 @@ void put_walls_at_ends(const Profile& found, std::vector<Run>& runs) {
 }
 
 } // namespace
+
+void keep_ground_in_front(std::vector<Run>& runs) {
+  std::vector<Run> through;
+  for (const Run& run : runs)
+    if (!run.along) through.push_back(run);
+  std::sort(through.begin(), through.end(),
+            [](const Run& a, const Run& b) { return a.u_last < b.u_last; });
+  std::erase_if(runs, [&](const Run& run) {
+    if (!run.along) return false;
+    const auto next = std::partition_point(through.begin(), through.end(), [&](const Run& other) {
+      return other.u_last <= run.u_first;
+    });
+    return next != through.end() && next->u_first < run.u_last;
+  });
+}
 
 void put_in_order(Profile& from, std::vector<Run>& runs, Profile& out) {
   if (runs.size() == 1 && runs.front().begin == 0 && runs.front().end == from.size()) {

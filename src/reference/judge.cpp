@@ -16,17 +16,20 @@ void Judge::set_view(const View& view, const TieTolerance& tolerance) {
   walk_.set_view(view);
 }
 
-double Judge::above(ProfilePoint at, bool on_edge) const {
-  const InFront front = walk_.in_front(at);
-  return project(*view_, at).y - (on_edge ? front.greatest_y_apart : front.greatest_y);
-}
-
-Verdict Judge::verdict(ProfilePoint at, bool on_edge) const {
+Judge::Asked Judge::ask(ProfilePoint at, bool on_edge) const {
   const Vec2 plane = project(*view_, at);
   const InFront front = walk_.in_front(at);
   const double above = plane.y - (on_edge ? front.greatest_y_apart : front.greatest_y);
-  if (std::abs(above) <= tolerance_.at(plane.x, plane.y) + front.rounding) return Verdict::tied;
-  return above > 0 ? Verdict::visible : Verdict::hidden;
+  const bool is_tied = std::abs(above) <= tolerance_.at(plane.x, plane.y) + front.rounding;
+  return {front, above, is_tied ? Verdict::tied : above > 0 ? Verdict::visible : Verdict::hidden};
+}
+
+double Judge::above(ProfilePoint at, bool on_edge) const {
+  return ask(at, on_edge).above;
+}
+
+Verdict Judge::verdict(ProfilePoint at, bool on_edge) const {
+  return ask(at, on_edge).verdict;
 }
 
 // Where an edge in front ends just at the point's X, rounding of the place decides whether the walk
@@ -43,7 +46,8 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
                                  project(*view_, {at.u, at.v, line.from.z}).y);
     if (rise <= tolerance_.at(place.x, place.y)) return Verdict::tied;
   }
-  const Verdict found = verdict(at, on_edge);
+  const Asked asked = ask(at, on_edge);
+  const Verdict found = asked.verdict;
   if (found == right || found == Verdict::tied) return found;
   constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
   const double length =
@@ -62,20 +66,20 @@ Verdict Judge::verdict(const ProfileLine& line, double t, bool on_edge, bool dra
       return Verdict::tied;
   }
   // Across the ray as far as it takes for it to miss what stands nearer to the eye.
-  const InFront front = walk_.in_front(at);
+  const InFront& front = asked.front;
   const bool perspective = view_->is_perspective();
   const double farther = perspective && front.at_depth_m > 0 ? at.v / front.at_depth_m : 1;
   const double by_m = farther * std::max(rounding_m, 16 * front.rounding_m);
   const double away_m = std::hypot(at.u, at.v);
-  const double above_at = above(at, on_edge);
   const auto is_same = [&](double way_m, double nearer_m) {
     ProfilePoint aside{at.u + way_m, at.v - nearer_m, at.z};
     if (perspective)
       aside = {at.u + (way_m * at.v - nearer_m * at.u) / away_m,
                at.v - (way_m * at.u + nearer_m * at.v) / away_m, at.z};
     // Where its own ground rises aside, a place as high is under that by a rounding.
-    return verdict(aside, on_edge) == found &&
-           (found == Verdict::visible || above(aside, on_edge) <= 0.5 * above_at);
+    const Asked there = ask(aside, on_edge);
+    return there.verdict == found &&
+           (found == Verdict::visible || there.above <= 0.5 * asked.above);
   };
   for (const double way_m : {-by_m, by_m}) {
     const double along = std::clamp(t + way_m / length, 0.0, 1.0);

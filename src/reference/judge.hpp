@@ -30,6 +30,13 @@ public:
   Verdict verdict(const ProfileLine& line, double t, bool on_edge, bool drawn) const;
 
 private:
+  struct Asked {
+    InFront front;
+    double above; ///< as `above` tells
+    Verdict verdict;
+  };
+  Asked ask(ProfilePoint at, bool on_edge) const;
+
   const View* view_;
   TieTolerance tolerance_;
   RayWalk walk_;
