@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  /// OROGRAPH_SEED, which makes all scenes others, as `scripts/test seeds` does; 0 without it.
+  /// OROGRAPH_SEED, which makes all scenes others (docs/stability.md); 0 without it.
   static std::uint64_t scenes_from() {
     static const char* const text = std::getenv("OROGRAPH_SEED");
     static const std::uint64_t from = text ? std::strtoull(text, nullptr, 10) : 0;
