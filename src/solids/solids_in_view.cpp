@@ -92,17 +92,20 @@ SeenBox seen_box(const View& view, const Vec3* points, std::size_t count) {
   return box;
 }
 
+double rounding_of_positions_m(const StandingSolid& standing, const View& view) {
+  double reach_m = length(view.depth_origin_m);
+  for (const Vec3& vertex : standing.vertices_m)
+    reach_m = std::max({reach_m, length(vertex), length(as_vec(to_profile_frame(view, vertex)))});
+  return 16 * std::numeric_limits<double>::epsilon() * reach_m;
+}
+
 SolidInView in_view(const StandingSolid& standing, const View& view) {
   const Solid& solid = *standing.solid;
   SolidInView out;
   out.standing = &standing;
-  double reach_m = length(view.depth_origin_m);
-  for (const Vec3& vertex : standing.vertices_m) {
-    const Vec3 p = as_vec(to_profile_frame(view, vertex));
-    out.vertices.push_back(p);
-    reach_m = std::max({reach_m, length(vertex), length(p)});
-  }
-  out.rounding_m = 16 * std::numeric_limits<double>::epsilon() * reach_m;
+  for (const Vec3& vertex : standing.vertices_m)
+    out.vertices.push_back(as_vec(to_profile_frame(view, vertex)));
+  out.rounding_m = rounding_of_positions_m(standing, view);
   out.box = seen_box(view, out.vertices.data(), out.vertices.size());
 
   const SightRays rays = sight_rays(view);
@@ -235,10 +238,7 @@ bool holds_eye(const StandingSolid& standing, const View& view) {
   if (!spans(box.low.x, box.high.x) || !spans(box.low.y, box.high.y) ||
       !spans(box.low.z, box.high.z))
     return false;
-  double reach_m = length(view.depth_origin_m);
-  for (const Vec3& vertex : standing.vertices_m)
-    reach_m = std::max(reach_m, std::abs(vertex.x) + std::abs(vertex.y));
-  const double rounding_m = 16 * std::numeric_limits<double>::epsilon() * reach_m;
+  const double rounding_m = rounding_of_positions_m(standing, view);
   int above = 0; // triangles that the upright goes out of, less those that it goes into
   for (const auto& triangle : standing.solid->triangles) {
     Corner corners[3];
