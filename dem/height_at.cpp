@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/height_at.hpp"
 
+#include "geometry/on_all_cores.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
 
 namespace orograph {
 namespace {
@@ -139,14 +144,22 @@ std::optional<double> height_at(const Grid& grid, Vec2 ground_m,
 }
 
 std::optional<double> height_at(const Tin& tin, Vec2 ground_m) {
-  std::optional<double> highest;
-  for (const auto& [a, b, c] : tin.triangles) {
-    const Vec3 &p = tin.vertices_m[a], &q = tin.vertices_m[b], &r = tin.vertices_m[c];
-    if (std::max({p.x, q.x, r.x}) < ground_m.x || std::min({p.x, q.x, r.x}) > ground_m.x) continue;
-    const auto height = height_in({p, q, r}, ground_m);
-    if (height && (!highest || *height > *highest)) highest = height;
-  }
-  return highest;
+  constexpr std::size_t kOfTask = 65536;
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  const std::size_t count = tin.triangles.size();
+  std::vector<double> highest((count + kOfTask - 1) / kOfTask, kNone);
+  on_all_cores(highest.size(), [&](std::size_t task) {
+    for (std::size_t t = task * kOfTask; t < std::min(count, (task + 1) * kOfTask); ++t) {
+      const auto& [a, b, c] = tin.triangles[t];
+      const Vec3 &p = tin.vertices_m[a], &q = tin.vertices_m[b], &r = tin.vertices_m[c];
+      if (std::max({p.x, q.x, r.x}) < ground_m.x || std::min({p.x, q.x, r.x}) > ground_m.x)
+        continue;
+      if (const auto height = height_in({p, q, r}, ground_m))
+        highest[task] = std::max(highest[task], *height);
+    }
+  });
+  const double height = highest.empty() ? kNone : *std::ranges::max_element(highest);
+  return height > kNone ? std::optional(height) : std::nullopt;
 }
 
 std::optional<double> height_at(const Surface& surface, Vec2 ground_m) {

@@ -20,7 +20,7 @@ std::optional<double> height_at(const Grid& grid, Vec2 ground_m, Vec3 nearby_m);
 /// REQUIRES a grid on a map plane.
 std::optional<double> height_at(const Grid& grid, Vec2 ground_m,
                                 const std::function<double(int, int)>& height_m);
-/// The highest where a wall stands. Cost: one pass over the triangles.
+/// The highest where a wall stands. Cost: one pass over the triangles, on all cores.
 std::optional<double> height_at(const Tin& tin, Vec2 ground_m);
 std::optional<double> height_at(const Surface& surface, Vec2 ground_m);
 

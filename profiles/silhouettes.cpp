@@ -103,6 +103,18 @@ void find_on_all_cores(const Grid& grid, const View& view, const SeenGround* gro
                });
 }
 
+std::vector<SurfaceEdge> joined(const std::vector<std::vector<SurfaceEdge>>& of_tasks) {
+  std::size_t count = 0;
+  for (const auto& some : of_tasks) count += some.size();
+  std::vector<SurfaceEdge> edges;
+  edges.reserve(count);
+  for (const auto& some : of_tasks) {
+    throw_if_stopped();
+    edges.insert(edges.end(), some.begin(), some.end());
+  }
+  return edges;
+}
+
 } // namespace
 
 std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view,
@@ -115,15 +127,7 @@ std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view,
                        static_cast<std::uint32_t>(grid.index(to.column, to.row))});
     };
   });
-  std::size_t count = 0;
-  for (const auto& some : of_tasks) count += some.size();
-  std::vector<SurfaceEdge> edges;
-  edges.reserve(count);
-  for (const auto& some : of_tasks) {
-    throw_if_stopped();
-    edges.insert(edges.end(), some.begin(), some.end());
-  }
-  return edges;
+  return joined(of_tasks);
 }
 
 SilhouetteMarks silhouette_marks(const Grid& grid, const View& view, bool rows_are_strips,
@@ -150,16 +154,19 @@ SilhouetteMarks silhouette_marks(const Grid& grid, const View& view, bool rows_a
 
 std::vector<SurfaceEdge> silhouette_edges(const Tin& tin, const View& view) {
   const std::vector<std::uint8_t> facing = facing_of_triangles(tin, view);
-  std::vector<SurfaceEdge> edges;
-  for_each_edge(tin, [&](const TinEdge& e) {
-    if (e.left == kNoTriangle || e.right == kNoTriangle ||
-        !are_seen_and_turned(facing[e.left], facing[e.right]))
-      return;
-    const auto at = [&](std::uint32_t i) { return to_profile_frame(view, tin.vertices_m[i]); };
-    if (may_be_ridge(at(e.edge.from), at(e.edge.to), at(apex_of(tin, e.left, e.edge)),
-                     at(apex_of(tin, e.right, e.edge))))
-      edges.push_back(e.edge);
+  std::vector<std::vector<SurfaceEdge>> of_tasks(tasks_of_triangles(tin));
+  on_all_cores(of_tasks.size(), [&](std::size_t task) {
+    for_each_edge(tin, triangles_of_task(tin, task), [&](const TinEdge& e) {
+      if (e.left == kNoTriangle || e.right == kNoTriangle ||
+          !are_seen_and_turned(facing[e.left], facing[e.right]))
+        return;
+      const auto at = [&](std::uint32_t i) { return to_profile_frame(view, tin.vertices_m[i]); };
+      if (may_be_ridge(at(e.edge.from), at(e.edge.to), at(apex_of(tin, e.left, e.edge)),
+                       at(apex_of(tin, e.right, e.edge))))
+        of_tasks[task].push_back(e.edge);
+    });
   });
+  std::vector<SurfaceEdge> edges = joined(of_tasks);
   std::size_t steps = 0;
   std::sort(edges.begin(), edges.end(), StoppableLess(steps));
   return edges;

@@ -77,26 +77,33 @@ std::map<Place, double> ground_in_front(const Tin& tin, const TriangleSet& walls
 std::vector<std::uint8_t> facing_of_triangles(const Tin& tin, const View& view) {
   std::vector<std::uint8_t> facing(tin.triangles.size());
   const auto at = [&](std::uint32_t i) { return to_profile_frame(view, tin.vertices_m[i]); };
-  for (std::size_t t = 0; t < facing.size(); ++t) {
-    throw_if_stopped(t);
-    const auto [a, b, c] = lowest_first(tin.triangles[t]);
-    facing[t] = facing_of(view, at(a), at(b), at(c));
-  }
+  on_all_cores(tasks_of_triangles(tin), [&](std::size_t task) {
+    for (const std::uint32_t t : triangles_of_task(tin, task)) {
+      const auto [a, b, c] = lowest_first(tin.triangles[t]);
+      facing[t] = facing_of(view, at(a), at(b), at(c));
+    }
+  });
   return facing;
 }
 
 TriangleSet walls_of(const Tin& tin) {
+  std::vector<std::vector<std::uint32_t>> of_tasks(tasks_of_triangles(tin));
+  on_all_cores(of_tasks.size(), [&](std::size_t task) {
+    for (const std::uint32_t t : triangles_of_task(tin, task)) {
+      const auto& [a, b, c] = tin.triangles[t];
+      const Vec3 p = tin.vertices_m[a], q = tin.vertices_m[b], r = tin.vertices_m[c];
+      const double one = (q.x - p.x) * (r.y - p.y), other = (q.y - p.y) * (r.x - p.x);
+      constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+      if (std::abs(one - other) > kRounding * (std::abs(one) + std::abs(other))) continue;
+      of_tasks[task].push_back(t);
+    }
+  });
   TriangleSet walls;
-  for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
-    throw_if_stopped(t);
-    const auto& [a, b, c] = tin.triangles[t];
-    const Vec3 p = tin.vertices_m[a], q = tin.vertices_m[b], r = tin.vertices_m[c];
-    const double one = (q.x - p.x) * (r.y - p.y), other = (q.y - p.y) * (r.x - p.x);
-    constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
-    if (std::abs(one - other) > kRounding * (std::abs(one) + std::abs(other))) continue;
-    if (walls.empty()) walls = TriangleSet(tin.triangles.size());
-    walls.add(t);
-  }
+  for (const auto& of_task : of_tasks)
+    for (const std::uint32_t t : of_task) {
+      if (walls.empty()) walls = TriangleSet(tin.triangles.size());
+      walls.add(t);
+    }
   return walls;
 }
 

@@ -10,10 +10,14 @@
 #include "view/view.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <ranges>
 #include <vector>
 
 namespace orograph {
+
+constexpr std::size_t kTrianglesOfTask = 8192;
 
 /// From the vertex of lower index to the higher, with the triangles on its left and right seen from
 /// above; kNoTriangle where there is none.
@@ -29,16 +33,33 @@ inline TinEdge edge_opposite(const Tin& tin, std::uint32_t t, std::size_t k) {
   return a < b ? TinEdge{{a, b}, t, other} : TinEdge{{b, a}, other, t};
 }
 
-/// Calls take(TinEdge) for every edge once, triangle by triangle.
-template <class Take>
-void for_each_edge(const Tin& tin, const Take& take) {
-  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
+/// A TIN's triangles are looked at on all cores in so many tasks of some thousands each.
+inline std::size_t tasks_of_triangles(const Tin& tin) {
+  return (tin.triangles.size() + kTrianglesOfTask - 1) / kTrianglesOfTask;
+}
+inline auto triangles_of_task(const Tin& tin, std::size_t task) {
+  return std::views::iota(
+      static_cast<std::uint32_t>(task * kTrianglesOfTask),
+      static_cast<std::uint32_t>(std::min(tin.triangles.size(), (task + 1) * kTrianglesOfTask)));
+}
+
+/// Calls take(TinEdge) for every edge of these triangles that no triangle before them has.
+template <class Triangles, class Take>
+void for_each_edge(const Tin& tin, const Triangles& triangles, const Take& take) {
+  for (const std::uint32_t t : triangles) {
     throw_if_stopped(t);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t other = tin.neighbours[t][k];
       if (other == kNoTriangle || t < other) take(edge_opposite(tin, t, k));
     }
   }
+}
+/// Calls take(TinEdge) for every edge once, triangle by triangle.
+template <class Take>
+void for_each_edge(const Tin& tin, const Take& take) {
+  for_each_edge(
+      tin, std::views::iota(std::uint32_t{0}, static_cast<std::uint32_t>(tin.triangles.size())),
+      take);
 }
 
 /// The vertex of a triangle that isn't an end of the edge.
@@ -48,7 +69,7 @@ inline std::uint32_t apex_of(const Tin& tin, std::uint32_t triangle, SurfaceEdge
   return edge.from; // not reached: a triangle has three vertices
 }
 
-/// Bits of every triangle (profiles/facing.hpp). Cost: one pass.
+/// Bits of every triangle (profiles/facing.hpp). Cost: one pass, on all cores.
 std::vector<std::uint8_t> facing_of_triangles(const Tin& tin, const View& view);
 
 /// Vertical triangles: no area seen from above, to rounding. Empty where there are none.

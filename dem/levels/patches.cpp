@@ -16,10 +16,9 @@ std::int64_t half(std::int64_t number) {
 
 } // namespace
 
-int coarsest_level(const Grid& grid) {
-  constexpr int kMost = 6;
+int coarsest_level(const Grid& grid, int most) {
   int level = 0;
-  while (level < kMost && std::min(grid.columns, grid.rows) > (kPatchCells << level)) ++level;
+  while (level < most && std::min(grid.columns, grid.rows) > (kPatchCells << level)) ++level;
   return level;
 }
 

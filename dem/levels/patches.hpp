@@ -33,9 +33,12 @@ struct Patch {
   bool operator==(const Patch&) const = default;
 };
 
+/// Far ground isn't shown in larger cells than of this level.
+constexpr int kCoarsestShown = 6;
+
 /// The coarsest level that a grid's patches may have: one of them is as large as the grid's shorter
-/// side, and of a large one far ground isn't drawn in larger cells than of the sixth.
-int coarsest_level(const Grid& grid);
+/// side.
+int coarsest_level(const Grid& grid, int most = kCoarsestShown);
 
 /// A grid's patches: together they are all of it, none lies on another, and two that touch differ
 /// by one level at most.

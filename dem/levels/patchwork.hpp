@@ -30,8 +30,4 @@ struct Patchwork {
 /// corners of the grid that they part. Cost: some 0.5 us a vertex, and that of the source.
 Patchwork patchwork(const Grid& grid, const Patches& patches, const PatchSource& source);
 
-/// Of the grid itself, as `patches_of_grid`.
-Patchwork patchwork(const Grid& grid, const Patches& patches,
-                    const std::function<bool(int column, int row)>& is_kept);
-
 } // namespace orograph

@@ -9,8 +9,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace orograph {
 namespace {
@@ -113,6 +116,22 @@ std::vector<double> heights_in_larger(const Grid& larger, const LargerCells& rea
                        is_kept);
 }
 
+// Where nobody looks, the nearest vertices' do: to generalise a raster of 20,000 x 20,000 beside
+// the page took 15 ms.
+std::vector<double> nearest_heights(const Grid& larger, const LargerCells& read,
+                                    const PatchHeights& lattice) {
+  const auto nearest = [](const Axis& axis, std::int64_t place) {
+    return static_cast<int>(std::lround(static_cast<double>(place) * axis.to_larger()));
+  };
+  std::vector<double> out;
+  out.reserve(lattice.columns.size() * lattice.rows.size());
+  for (const std::int64_t row : lattice.rows)
+    for (const std::int64_t column : lattice.columns)
+      out.push_back(larger.height_m(nearest({larger.columns, read.columns}, column),
+                                    nearest({larger.rows, read.rows}, row)));
+  return out;
+}
+
 // Each once, under patches of levels below one.
 std::vector<GridPart> parts_under(const LargerCells& read, const Patches& patches, int level) {
   std::vector<GridPart> parts;
@@ -176,6 +195,29 @@ std::vector<GridPart> parts_under_finest(const LargerCells& read, const Patches&
   return parts_under(read, patches, kFinestKept);
 }
 
+Grid own_cells_in(const GridPart& window, const Grid& raster, const LargerCells& read) {
+  Grid out{window.columns, window.rows, lattice_of_part(raster, window), {}};
+  std::vector<float> heights_m(out.size(), std::numeric_limits<float>::quiet_NaN());
+  for (const RasterPart& part : read.parts) {
+    const int first_column = std::max(window.first_column, part.at.first_column),
+              end_column = std::min(window.first_column + window.columns,
+                                    part.at.first_column + part.at.columns),
+              first_row = std::max(window.first_row, part.at.first_row),
+              end_row = std::min(window.first_row + window.rows, part.at.first_row + part.at.rows);
+    std::visit(
+        [&](const auto& of_part) {
+          for (int row = first_row; row < end_row; ++row)
+            for (int column = first_column; column < end_column; ++column)
+              heights_m[out.index(column - window.first_column, row - window.first_row)] =
+                  static_cast<float>(of_part[part.cells.index(column - part.at.first_column,
+                                                              row - part.at.first_row)]);
+        },
+        part.cells.heights_m);
+  }
+  out.heights_m = Heights<float>(std::move(heights_m));
+  return out;
+}
+
 PatchSource nested_patches(const LargerCells& read) {
   return {[&](const Patch& patch, const PatchHeights& lattice) {
             return patch.level < kFinestKept ? own_heights(found_part(read, patch), lattice)
@@ -190,9 +232,10 @@ PatchSource nested_patches(const LargerCells& read) {
 PatchSource patches_of_raster(const Grid& larger, const LargerCells& read, const Patches& patches,
                               std::function<bool(int, int)> is_kept) {
   return {[&, is_kept = std::move(is_kept)](const Patch& patch, const PatchHeights& lattice) {
-            return patch.level < level_of(read)
-                       ? heights_in_part(found_part(read, patch), patch, lattice)
-                       : heights_in_larger(larger, read, patches, patch, lattice, is_kept);
+            if (patch.level < level_of(read))
+              return heights_in_part(found_part(read, patch), patch, lattice);
+            if (patch.level > kCoarsestShown) return nearest_heights(larger, read, lattice);
+            return heights_in_larger(larger, read, patches, patch, lattice, is_kept);
           },
           [&](const Patch& patch, const PatchHeights& own) {
             if (patch.level >= level_of(read)) return departure_from_larger(larger, read, own);

@@ -25,8 +25,9 @@ struct Neighbours {
   std::vector<std::vector<TriangleSide>> crowded;
 };
 
-/// REQUIRES triangles of three different vertices, all below `vertices`. An edge is its two
-/// vertices' indices. Cost O(triangles + vertices), and a sort at each vertex.
+/// REQUIRES triangles of three different vertices, all below `vertices`, and no more than a third
+/// of what 32 bits count. An edge is its two vertices' indices. Cost O(triangles + vertices), and a
+/// sort at each vertex, on all cores.
 Neighbours find_neighbours(std::span<const std::array<std::uint32_t, 3>> triangles,
                            std::size_t vertices);
 

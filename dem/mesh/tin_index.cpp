@@ -6,14 +6,18 @@
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 namespace orograph {
 namespace {
 
 constexpr std::size_t most_entries = 16; // a triangle
+// A triangle. With one each most triangles are in six, and large ones, beside small ones, in many.
+constexpr double kBuckets = 0.25;
 
 // Range of x, or an empty one.
 struct Run {
@@ -57,27 +61,49 @@ constexpr double rounding = 0x1p-49; // of a place on an edge, a share of the la
 } // namespace
 
 TinIndex::TinIndex(const Tin& tin) : tin_(tin) {
-  for (const auto& triangle : tin.triangles)
-    for (const std::uint32_t v : triangle) box_.include({tin.vertices_m[v].x, tin.vertices_m[v].y});
+  std::mutex box_mutex;
+  for_each_task([&](std::uint32_t begin, std::uint32_t end) {
+    Box2 box;
+    for (std::uint32_t t = begin; t < end; ++t) {
+      const Box2 of_triangle = box_of(t);
+      box.include(of_triangle.low);
+      box.include(of_triangle.high);
+    }
+    const std::lock_guard lock(box_mutex);
+    box_.include(box.low);
+    box_.include(box.high);
+  });
   rounding_m_ = rounding * greatest_coordinate(box_);
 
-  const auto triangles = static_cast<double>(tin.triangles.size());
-  const double width = finite(box_.width()), height = finite(box_.height());
-  lay_buckets(std::max(std::sqrt(width) * std::sqrt(height / triangles),
-                       std::max(width, height) / triangles));
-  while (!count(begin_, most_entries * tin.triangles.size())) lay_buckets(2 * bucket_m_);
+  const double width = finite(box_.width()), height = finite(box_.height()),
+               buckets = std::max(1.0, kBuckets * static_cast<double>(tin.triangles.size()));
+  lay_buckets(
+      std::max(std::sqrt(width) * std::sqrt(height / buckets), std::max(width, height) / buckets));
+  while (!count(most_entries * tin.triangles.size())) lay_buckets(2 * bucket_m_);
 
+  // Each is its bucket's end until that is filled, from the end down. In which order cores come
+  // there doesn't matter: what is found is sorted.
   std::uint32_t sum = 0;
-  for (std::uint32_t& b : begin_) sum += std::exchange(b, sum);
+  for (std::uint32_t& b : begin_) b = sum += b;
   triangles_.resize(sum);
-  // From the last triangle to the first, from each bucket's end down: begin_ is right in the end.
-  for (std::size_t i = 0; i + 1 < begin_.size(); ++i) begin_[i] = begin_[i + 1];
-  for (std::uint32_t t = static_cast<std::uint32_t>(tin.triangles.size()); t-- > 0;) {
-    throw_if_stopped(t);
-    for_each_run(t, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i <= last; ++i) triangles_[--begin_[i]] = t;
-    });
-  }
+  for_each_task([&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t t = begin; t < end; ++t)
+      for_each_run(t, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i <= last; ++i)
+          triangles_[std::atomic_ref(begin_[i]).fetch_sub(1, std::memory_order_relaxed) - 1] = t;
+      });
+  });
+}
+
+// Calls task(begin, end) for all triangles, some thousands at a time, on all cores.
+template <class Task>
+void TinIndex::for_each_task(const Task& task) const {
+  constexpr std::size_t kOfTask = 8192;
+  const std::size_t count = tin_.triangles.size();
+  on_all_cores((count + kOfTask - 1) / kOfTask, [&](std::size_t i) {
+    task(static_cast<std::uint32_t>(i * kOfTask),
+         static_cast<std::uint32_t>(std::min(count, (i + 1) * kOfTask)));
+  });
 }
 
 void TinIndex::lay_buckets(double bucket_m) {
@@ -87,16 +113,19 @@ void TinIndex::lay_buckets(double bucket_m) {
 }
 
 // Entries of every bucket; false if they are more than `most`.
-bool TinIndex::count(std::vector<std::uint32_t>& counts, std::size_t most) const {
-  counts.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-  std::size_t entries = 0;
-  for (std::uint32_t t = 0; t < tin_.triangles.size() && entries <= most; ++t) {
-    throw_if_stopped(t);
-    for_each_run(t, [&](std::size_t first, std::size_t last) {
-      entries += last - first + 1;
-      for (std::size_t i = first; i <= last; ++i) ++counts[i];
-    });
-  }
+bool TinIndex::count(std::size_t most) {
+  begin_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+  std::atomic<std::size_t> entries = 0;
+  for_each_task([&](std::uint32_t begin, std::uint32_t end) {
+    std::size_t of_task = 0;
+    for (std::uint32_t t = begin; t < end && entries + of_task <= most; ++t)
+      for_each_run(t, [&](std::size_t first, std::size_t last) {
+        of_task += last - first + 1;
+        for (std::size_t i = first; i <= last; ++i)
+          std::atomic_ref(begin_[i]).fetch_add(1, std::memory_order_relaxed);
+      });
+    entries += of_task;
+  });
   return entries <= most;
 }
 

@@ -10,14 +10,14 @@
 
 namespace orograph {
 
-/// Square buckets over the ground, about one a triangle, each with the triangles that meet it (and
-/// perhaps some that come near). Where triangles are long, buckets are larger, so that there are
-/// never more than 16 entries a triangle.
+/// Square buckets over the ground, about one for four triangles, each with the triangles that meet
+/// it (and perhaps some that come near). Where triangles are long, buckets are larger, so that
+/// there are never more than 16 entries a triangle.
 class TinIndex {
 public:
   /// REQUIRES that `tin` outlives the index, a triangle at least, indices in range and finite
-  /// coordinates; the Tin needn't be valid otherwise. Cost O(triangles) time and memory, and
-  /// a factor log(triangles) in time where triangles are long.
+  /// coordinates; the Tin needn't be valid otherwise. Cost O(triangles) time, on all cores, and
+  /// memory, and a factor log(triangles) in time where triangles are long.
   explicit TinIndex(const Tin& tin);
 
   /// Triangles by number, in ascending order, each once, into `out`: all that meet `box` seen from
@@ -28,7 +28,9 @@ public:
   void along(Vec2 from, Vec2 to, double slack_m, std::vector<std::uint32_t>& out) const;
 
 private:
-  bool count(std::vector<std::uint32_t>& counts, std::size_t most) const;
+  bool count(std::size_t most);
+  template <class Task>
+  void for_each_task(const Task& task) const;
   void lay_buckets(double bucket_m);
   int column_of(double x) const;
   int row_of(double y) const;

@@ -9,6 +9,7 @@
 #include "dem/levels/refine.hpp"
 #include "dem/limit_lean.hpp"
 #include "geometry/error.hpp"
+#include "geometry/on_all_cores.hpp"
 #include "placing/cell_on_page.hpp"
 #include "placing/certified_patches.hpp"
 #include "placing/certified_raster.hpp"
@@ -18,8 +19,10 @@
 #include "placing/placed_view.hpp"
 #include "placing/places.hpp"
 #include "profiles/level_ground.hpp"
+#include "profiles/surface_edges.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -115,10 +118,15 @@ void tell_larger_cells(LevelOfDetail& level, const LargerCells& read) {
 }
 
 bool all_face_up(const Tin& tin) {
-  return std::ranges::all_of(tin.triangles, [&](const auto& corners) {
-    const Vec2 a = plan_m(tin, corners[0]);
-    return cross(plan_m(tin, corners[1]) - a, plan_m(tin, corners[2]) - a) > 0;
+  std::atomic<bool> all = true;
+  on_all_cores(tasks_of_triangles(tin), [&](std::size_t task) {
+    for (const std::uint32_t t : triangles_of_task(tin, task)) {
+      const auto& corners = tin.triangles[t];
+      const Vec2 a = plan_m(tin, corners[0]);
+      if (!(cross(plan_m(tin, corners[1]) - a, plan_m(tin, corners[2]) - a) > 0)) all = false;
+    }
   });
+  return all;
 }
 
 // Of what is shown: the rest is as coarse as may be.
@@ -170,18 +178,29 @@ bool buries_eye(const Tin& tin, const View& view) {
   return ground && *ground * view.exaggeration > view.eye_z_m;
 }
 
+// With departures of those patches alone that `mm_per_m` says are shown: of a large raster most
+// aren't, and to look at all of it takes 20 ms.
+PatchSource measured_where_shown(PatchSource source, const Patches& patches,
+                                 const std::function<double(const PatchPlace&)>& mm_per_m_of) {
+  return {std::move(source.heights_m),
+          [&, of_all = std::move(source.departure)](const Patch& patch, const PatchHeights& own) {
+            return mm_per_m_of(patches.place_of(patch)) > 0 ? of_all(patch, own) : Departure{};
+          }};
+}
+
 // From now on the terrain is made of these patches of a grid, which is so far from the file's.
-void take_patchwork(TerrainOfView& terrain, Patchwork made, const Grid& grid, double error_m) {
+void take_patchwork(TerrainOfView& terrain, Patchwork made, const Grid& grid, double error_m,
+                    bool has_eye) {
   const TerrainData& file = terrain.of_file();
   const auto level = std::make_shared<TerrainLevel>();
   level->terrain = file;
   level->terrain.surface_error_m = error_m;
   Tin& tin = level->terrain.surface.emplace<Tin>(std::move(made.tin));
-  level->facts = facts_of(level->terrain);
   const GridSteps steps = steps_of(grid);
   const double least_water_m2 = 0.5 * std::abs(cross(steps.column_m, steps.row_m)) *
                                 static_cast<double>(least_of_water(grid));
-  level->facts.water = find_level_ground(tin, made.heights_m, least_water_m2);
+  level->facts = facts_of(
+      tin, [&] { return find_level_ground(tin, made.heights_m, least_water_m2); }, has_eye);
   terrain.take_level(level);
 }
 
@@ -193,27 +212,30 @@ std::optional<LevelOfDetail> take_patches(TerrainOfView& terrain, const TerrainF
   const TerrainData& file = terrain.of_file();
   const Grid& grid = std::get<Grid>(file.surface);
   const TriangleSet& water = of_file.water.triangles;
-  const ScaleOnPage scale(grid, placed);
+  const GroundRanges ranges(grid);
+  const ScaleOnPage scale(grid, ranges, placed);
   const int finest = spec.style.detail.cell_mm || stands_high(grid, placed.view, of_file.cell_m)
                          ? kFinestLevel
                          : 0;
   const Patches patches = patches_of_view(grid, scale, asked_size(spec.style), finest);
   if (std::ranges::all_of(patches.patches(), [](const Patch& patch) { return patch.level == 0; }))
     return std::nullopt;
-  Patchwork made = patchwork(grid, patches, [&](int column, int row) {
+  const std::function<double(const PatchPlace&)> mm_per_m_of = [&](const PatchPlace& part) {
+    return scale.mm_per_m(part);
+  };
+  const PatchSource source = patches_of_grid(grid, patches, [&](int column, int row) {
     return !water.empty() && has_vertex(water, grid, column, row);
   });
+  Patchwork made = patchwork(grid, patches, measured_where_shown(source, patches, mm_per_m_of));
   const bool has_height = spec.view.eye_map ? spec.view.eye_map->z.has_value()
                                             : spec.view.eye_lonlat && spec.view.eye_lonlat->z;
   if (made.tin.triangles.empty() || !all_face_up(made.tin) ||
       (has_height && buries_eye(made.tin, placed.view)))
     return std::nullopt;
   LevelOfDetail level;
-  tell_patches(
-      level, grid, patches, made, [&](const PatchPlace& part) { return scale.mm_per_m(part); },
-      placed.exaggeration);
+  tell_patches(level, grid, patches, made, mm_per_m_of, placed.exaggeration);
   tell_summits(level, summits_of(grid, made, patches, kSummits), placed);
-  take_patchwork(terrain, std::move(made), grid, file.surface_error_m);
+  take_patchwork(terrain, std::move(made), grid, file.surface_error_m, true);
   return level;
 }
 
@@ -225,20 +247,23 @@ std::optional<LevelOfDetail> take_patches_of_raster(TerrainOfView& terrain,
   const TerrainData& file = terrain.of_file();
   const Grid& larger = std::get<Grid>(file.surface);
   const TriangleSet& water = of_file.water.triangles;
-  const PatchesOfRaster of(file, placed, spec);
+  const GroundRanges ranges(larger);
+  const PatchesOfRaster of(file, ranges, placed, spec);
   if (!of.missing().empty()) return std::nullopt;
   const PatchSource source =
       patches_of_raster(larger, *file.larger_cells, of.patches(), [&](int column, int row) {
         return !water.empty() && has_vertex(water, larger, column, row);
       });
-  Patchwork made = patchwork(larger, of.patches(), source);
+  const std::function<double(const PatchPlace&)> mm_per_m_of = [&](const PatchPlace& part) {
+    return of.mm_per_m(part);
+  };
+  Patchwork made =
+      patchwork(larger, of.patches(), measured_where_shown(source, of.patches(), mm_per_m_of));
   if (made.tin.triangles.empty() || !all_face_up(made.tin)) return std::nullopt;
   LevelOfDetail level;
-  tell_patches(
-      level, of.raster(), of.patches(), made,
-      [&](const PatchPlace& part) { return of.mm_per_m(part); }, placed.exaggeration);
+  tell_patches(level, of.raster(), of.patches(), made, mm_per_m_of, placed.exaggeration);
   tell_summits(level, summits_of(*file.larger_cells, of.raster(), made, of.patches()), placed);
-  take_patchwork(terrain, std::move(made), larger, file.surface_error_m);
+  take_patchwork(terrain, std::move(made), larger, 0, true); // departures are from the raster
   return level;
 }
 
@@ -255,18 +280,19 @@ LevelOfDetail told_certified(const Grid& grid, const Patches& patches, const Pat
 // The ground in cells as large as may be while no point of it moves on the page by more than is
 // asked, from wherever it is seen. None where that would spare nothing: patches are sewn, and drawn
 // as a TIN.
-std::optional<LevelOfDetail> take_certified(TerrainOfView& terrain, const PlacedView& placed,
-                                            double most_mm) {
+std::optional<LevelOfDetail> take_certified(TerrainOfView& terrain, const MapSpec& spec,
+                                            const PlacedView& placed) {
   const TerrainData& file = terrain.of_file();
   const Grid& grid = std::get<Grid>(file.surface);
   const HeightOnPage heights(grid, placed);
-  const Patches patches = certified_patches(grid, heights, kFramedAnew * most_mm);
+  const Patches patches =
+      certified_patches(grid, heights, kFramedAnew * *spec.style.detail.error_mm);
   if (!spare_enough(patches, grid.size())) return std::nullopt;
   Patchwork made = patchwork(grid, patches, patches_of_grid(grid, patches, {}));
   if (made.tin.triangles.empty() || !all_face_up(made.tin)) return std::nullopt;
   LevelOfDetail level = told_certified(grid, patches, made, heights);
   tell_summits(level, summits_of(grid, made, patches, kSummits), placed);
-  take_patchwork(terrain, std::move(made), grid, file.surface_error_m);
+  take_patchwork(terrain, std::move(made), grid, file.surface_error_m, spec.view.has_eye());
   return level;
 }
 
@@ -284,7 +310,7 @@ LevelOfDetail take_certified_of_raster(TerrainOfView& terrain, const MapSpec& sp
                 "ask for cells of a size with `detail`, or keep a part with `bbox`");
   LevelOfDetail level = told_certified(of.raster(), of.patches(), made, of.heights());
   tell_summits(level, summits_of(*file.larger_cells, of.raster(), made, of.patches()), placed);
-  take_patchwork(terrain, std::move(made), of.raster(), 0);
+  take_patchwork(terrain, std::move(made), of.raster(), 0, spec.view.has_eye());
   return level;
 }
 
@@ -310,8 +336,7 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
     if (needs_lattice(file, spec.style)) return stay();
     if (file.larger_cells)
       return take_certified_of_raster(terrain, spec, placed_picture(file, of_file, spec, solids));
-    const auto level =
-        take_certified(terrain, placed_picture(file, of_file, spec, solids), *detail.error_mm);
+    const auto level = take_certified(terrain, spec, placed_picture(file, of_file, spec, solids));
     return level ? level : stay();
   }
   if (stands_over_ground(spec.view, file, of_file)) {

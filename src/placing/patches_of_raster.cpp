@@ -6,6 +6,8 @@
 #include "placing/cell_on_page.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -17,11 +19,11 @@ const Grid& larger_cells(const TerrainData& terrain) {
   return std::get<Grid>(terrain.surface);
 }
 
-// Ground that an eye sees lies aslant: cells of twice the size draw the same (looked at: an eye
-// over the White Mountains on A4 and A3).
+// Ground that an eye sees lies aslant: cells of three times the size, 1.2 mm, draw the same (looked
+// at: eyes over the White Mountains and in the Nordkette, on A4 and A3).
 CellSizes size_for_eye(const Style& style) {
   CellSizes sizes = asked_size(style);
-  if (!style.detail.cell_mm) sizes.least_mm *= 2;
+  if (!style.detail.cell_mm) sizes.least_mm *= 3;
   return sizes;
 }
 
@@ -47,6 +49,38 @@ std::optional<double> height_of_raster(const Grid& raster, const LargerCells& re
     if (const auto height = height_at(cells, ground_m)) return height;
   }
   return std::nullopt;
+}
+
+// Of the raster, where its own cells may hide each other: where they are asked for, and as far from
+// the eye as they aren't too many. 4,900 x 3,300 of them take 14 ms.
+std::optional<GridPart> window_about_eye(const Patches& patches, const LargerCells& read,
+                                         const ScaleOnPage& scale) {
+  constexpr double kMostCells = 1 << 24;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  PatchPlace eye{kFar, -kFar, kFar, -kFar}, asked = eye;
+  const auto include = [](PatchPlace& all, const PatchPlace& part) {
+    all = {std::min(all.first_column, part.first_column),
+           std::max(all.last_column, part.last_column), std::min(all.first_row, part.first_row),
+           std::max(all.last_row, part.last_row)};
+  };
+  for (const Patch& patch : patches.patches()) {
+    if (std::ldexp(1, patch.level) >= read.step) continue;
+    const PatchPlace part = patches.place_of(patch);
+    include(asked, part);
+    if (std::isinf(scale.mm_per_m(part))) include(eye, part);
+  }
+  if (!(eye.first_column <= eye.last_column)) return std::nullopt;
+  for (double reach = kMostCells;; reach /= 2) {
+    const PatchPlace part{std::max(asked.first_column, eye.first_column - reach),
+                          std::min(asked.last_column, eye.last_column + reach),
+                          std::max(asked.first_row, eye.first_row - reach),
+                          std::min(asked.last_row, eye.last_row + reach)};
+    const double columns = part.last_column - part.first_column + 1,
+                 rows = part.last_row - part.first_row + 1;
+    if (columns * rows <= kMostCells)
+      return GridPart{static_cast<int>(part.first_column), static_cast<int>(part.first_row),
+                      static_cast<int>(columns), static_cast<int>(rows)};
+  }
 }
 
 // An eye over the ground stands on the raster's own cells, which may be higher than larger ones:
@@ -75,14 +109,18 @@ std::vector<GridPart> without_known(std::vector<GridPart> parts, const LargerCel
   return parts;
 }
 
-PatchesOfRaster::PatchesOfRaster(const TerrainData& terrain, PlacedView placed, const MapSpec& spec)
+PatchesOfRaster::PatchesOfRaster(const TerrainData& terrain, const GroundRanges& ranges,
+                                 PlacedView placed, const MapSpec& spec)
     : terrain_(terrain), raster_(lattice_of_raster(larger_cells(terrain), *terrain.larger_cells)),
       placed_(on_own_cells(std::move(placed), terrain, raster_)),
-      scale_(larger_cells(terrain), placed_, &raster_),
-      patches_(patches_of_view(raster_, scale_, size_for_eye(spec.style), 0)) {}
-
-std::vector<GridPart> PatchesOfRaster::missing() const {
-  return without_known(parts_under(*terrain_.larger_cells, patches_), *terrain_.larger_cells);
+      scale_(larger_cells(terrain), ranges, placed_, &raster_),
+      patches_(patches_of_view(raster_, scale_, size_for_eye(spec.style), 0)),
+      missing_(without_known(parts_under(*terrain.larger_cells, patches_), *terrain.larger_cells)) {
+  if (!missing_.empty()) return;
+  const auto window = window_about_eye(patches_, *terrain.larger_cells, scale_);
+  if (!window) return;
+  scale_.look_at_cells(*window, own_cells_in(*window, raster_, *terrain.larger_cells));
+  patches_ = patches_of_view(raster_, scale_, size_for_eye(spec.style), 0);
 }
 
 } // namespace orograph

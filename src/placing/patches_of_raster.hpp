@@ -21,12 +21,15 @@ double rise_of_raster(const TerrainData& terrain, const Grid& raster, Vec2 groun
 /// Those of the parts that weren't read.
 std::vector<GridPart> without_known(std::vector<GridPart> parts, const LargerCells& read);
 
-/// Patches of a raster about an eye, none of smaller cells than its own.
+/// Patches of a raster about an eye, none of smaller cells than its own. While parts are missing
+/// they are those that the larger cells ask for; once none is, what the raster's own cells hide of
+/// each other is as coarse as may be, too.
 class PatchesOfRaster {
 public:
   /// REQUIRES a terrain with `larger_cells`, as the view needs it, an eye over its ground, and the
-  /// picture of it placed; the terrain outlives this.
-  PatchesOfRaster(const TerrainData& terrain, PlacedView placed, const MapSpec& spec);
+  /// picture of it placed, and the ranges of its larger cells; terrain and ranges outlive this.
+  PatchesOfRaster(const TerrainData& terrain, const GroundRanges& ranges, PlacedView placed,
+                  const MapSpec& spec);
   PatchesOfRaster(const PatchesOfRaster&) = delete;
   PatchesOfRaster& operator=(const PatchesOfRaster&) = delete;
 
@@ -34,8 +37,8 @@ public:
   const Patches& patches() const { return patches_; }
   double mm_per_m(const PatchPlace& part) const { return scale_.mm_per_m(part); }
 
-  /// Parts of the raster that the patches need and the terrain doesn't have.
-  std::vector<GridPart> missing() const;
+  /// Parts of the raster that are needed and the terrain doesn't have.
+  const std::vector<GridPart>& missing() const { return missing_; }
 
 private:
   const TerrainData& terrain_;
@@ -43,6 +46,7 @@ private:
   PlacedView placed_;
   ScaleOnPage scale_;
   Patches patches_;
+  std::vector<GridPart> missing_;
 };
 
 } // namespace orograph

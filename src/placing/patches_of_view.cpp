@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "placing/patches_of_view.hpp"
 
-#include "geometry/on_all_cores.hpp"
+#include "dem/extent.hpp"
+#include "dem/limit_lean.hpp"
 #include "placing/places.hpp"
 #include "placing/sector.hpp"
+#include "profiles/border_places.hpp"
+#include "profiles/outline.hpp"
 #include "view/sectors.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -46,26 +51,53 @@ std::optional<XRange> range_of_page(const PlacedView& placed) {
   return page_range(sector);
 }
 
+// What there is to know of a grid on the ellipsoid.
+struct OnEarth {
+  std::shared_ptr<const BorderPlaces> border;
+  Box3 box_m;
+  bool is_turned_over = false;
+};
+
+OnEarth on_earth(const Grid& grid) {
+  if (!grid.is_on_earth()) return {};
+  const SurfaceExtent extent = extent_of(grid);
+  return {std::make_shared<const BorderPlaces>(border_places(grid, border_edges(grid, false))),
+          extent.box, extent.turned_over > 0};
+}
+
 // Blocks of cells of which something may be seen; none where all may.
-std::optional<SeenGround> seen_ground(const Grid& grid, const PlacedView& placed) {
-  if (placed.extent.turned_over > 0) return std::nullopt;
+std::optional<SeenGround> seen_ground(const Grid& grid, const BlockBounds& bounds,
+                                      const PlacedView& placed, const OnEarth& on_earth) {
+  if (on_earth.is_turned_over) return std::nullopt;
   std::vector<Sector> sectors;
   if (placed.panorama)
     sectors = sectors_of(*placed.panorama, placed.view);
   else if (!shows_beside(placed.view))
     sectors.emplace_back().view = placed.view;
-  const BlockBounds bounds = block_bounds(grid);
   std::optional<SeenGround> seen;
   for (const Sector& sector : sectors) {
-    const SeenGround here = find_seen_ground(
-        grid, bounds, sector.view,
-        {page_range(sector), kBesideHorizon, placed.for_cutters.of_earth_grid, &placed.extent.box});
+    const SeenGround here =
+        find_seen_ground(grid, bounds, sector.view,
+                         {page_range(sector), kBesideHorizon, on_earth.border, &on_earth.box_m});
     if (seen)
       seen->add(here);
     else
       seen = here;
   }
   return seen;
+}
+
+// Whether any block that touches a part is looked at.
+bool sees_some(const SeenGround& seen, const PatchPlace& part) {
+  const auto first = [](double vertex) { return static_cast<int>(vertex) / SeenGround::kSide; };
+  const auto last = [](double vertex, int blocks) {
+    return std::min(static_cast<int>(std::ceil(vertex)) / SeenGround::kSide, blocks - 1);
+  };
+  for (int row = first(part.first_row); row <= last(part.last_row, seen.rows); ++row)
+    for (int column = first(part.first_column); column <= last(part.last_column, seen.columns);
+         ++column)
+      if (seen.seen[seen.index(column, row)] != 0) return true;
+  return false;
 }
 
 } // namespace
@@ -81,39 +113,60 @@ bool stands_over_ground(const ViewSpec& view, const TerrainData& terrain,
                                       {request.eye_m->x, request.eye_m->y});
 }
 
-ScaleOnPage::ScaleOnPage(const Grid& grid, const PlacedView& placed, const Grid* raster)
+ScaleOnPage::ScaleOnPage(const Grid& grid, const GroundRanges& ranges, const PlacedView& placed,
+                         const Grid* raster)
     : grid_(grid), raster_(raster), raster_cell_m_(raster ? greatest_side_m(*raster) : 0),
-      placed_(placed), page_(range_of_page(placed)), seen_(seen_ground(grid, placed)),
-      heights_(grid),
+      placed_(placed), page_(range_of_page(placed)),
+      seen_(seen_ground(
+          grid, ranges.blocks, placed,
+          {placed.for_cutters.of_earth_grid, placed.extent.box, placed.extent.turned_over > 0})),
+      heights_(ranges.heights),
       mm_per_radian_(placed.panorama ? placed.panorama->page.radius_mm
                                      : placed.mm_per_step({0, 1, placed.view.eye_z_m}, {1, 0, 0})) {
 }
 
-double ScaleOnPage::mm_per_m(const PatchPlace& part) const {
-  const PatchPlace here = in_grid(part);
-  const View& view = placed_.view;
-  const Vec2 eye = view.depth_origin_m;
+void ScaleOnPage::look_at_cells(const GridPart& window, Grid cells) {
+  const bool has_ground = std::visit(
+      [](const auto& heights_m) {
+        return std::ranges::any_of(heights_m, [](auto height) { return !std::isnan(height); });
+      },
+      cells.heights_m);
+  if (!has_ground) return;
+  if (cells.is_on_earth()) limit_lean(cells);
+  if (auto seen = seen_ground(cells, block_bounds(cells), placed_, on_earth(cells)))
+    own_cells_.emplace(window, std::move(*seen));
+}
+
+// From the eye to the nearest ground of a part, whichever way it is turned.
+Vec2 ScaleOnPage::beyond_eye_m(const PatchPlace& part) const {
+  const Vec2 eye = placed_.view.depth_origin_m;
   Box2 ground;
   for (const double column : {part.first_column, part.last_column})
     for (const double row : {part.first_row, part.last_row})
       ground.include(ground_m(raster_ ? *raster_ : grid_, column, row));
-  const double right_m = outside(eye.x, ground.low.x, ground.high.x),
-               ahead_m = outside(eye.y, ground.low.y, ground.high.y);
-  // An eye stands on the raster's own ground, whether the page shows it or not. At a patch's border
-  // that is so where the one beyond has the raster's cells as well.
-  if (raster_ && std::max(right_m, ahead_m) <= kCellsAboutEye * raster_cell_m_)
-    return std::numeric_limits<double>::infinity();
-  if (is_beside_page(part) || !is_shown(here)) return 0;
-  const PartHeights heights = heights_.of(here);
+  return {outside(eye.x, ground.low.x, ground.high.x), outside(eye.y, ground.low.y, ground.high.y)};
+}
+
+// An eye stands on the raster's own ground, whether the page shows it or not. At a patch's border
+// that is so where the one beyond has the raster's cells as well.
+bool ScaleOnPage::is_at_eye(Vec2 beyond_m) const {
+  return raster_ && std::max(beyond_m.x, beyond_m.y) <= kCellsAboutEye * raster_cell_m_;
+}
+
+double ScaleOnPage::mm_per_m(const PatchPlace& part) const {
+  const Vec2 beyond_m = beyond_eye_m(part);
+  if (is_at_eye(beyond_m)) return std::numeric_limits<double>::infinity();
+  if (is_beside_page(part) || !is_shown(part)) return 0;
+  const PartHeights heights = heights_.of(in_grid(part));
   if (heights.empty()) return 0;
-  return mm_per_radian_ / length(Vec3{right_m, ahead_m,
+  const View& view = placed_.view;
+  return mm_per_radian_ / length(Vec3{beyond_m.x, beyond_m.y,
                                       outside(view.eye_z_m, heights.low_m * view.exaggeration,
                                               heights.high_m * view.exaggeration)});
 }
 
-// Wholly on one side of the page, or behind the eye.
 bool ScaleOnPage::is_beside_page(const PatchPlace& part) const {
-  if (!page_) return false;
+  if (!page_ || is_at_eye(beyond_eye_m(part))) return false;
   bool is_left = true, is_right = true, is_behind = true;
   for (const double column : {part.first_column, part.last_column})
     for (const double row : {part.first_row, part.last_row}) {
@@ -135,22 +188,23 @@ PatchPlace ScaleOnPage::in_grid(const PatchPlace& part) const {
 }
 
 bool ScaleOnPage::is_shown(const PatchPlace& part) const {
-  if (!seen_) return true;
-  const auto first = [](double vertex) { return static_cast<int>(vertex) / SeenGround::kSide; };
-  const auto last = [](double vertex, int blocks) {
-    return std::min(static_cast<int>(std::ceil(vertex)) / SeenGround::kSide, blocks - 1);
-  };
-  for (int row = first(part.first_row); row <= last(part.last_row, seen_->rows); ++row)
-    for (int column = first(part.first_column); column <= last(part.last_column, seen_->columns);
-         ++column)
-      if (seen_->seen[seen_->index(column, row)] != 0) return true;
-  return false;
+  if (seen_ && !sees_some(*seen_, in_grid(part))) return false;
+  if (!own_cells_) return true;
+  const GridPart& window = own_cells_->window;
+  const PatchPlace in_window{part.first_column - window.first_column,
+                             part.last_column - window.first_column,
+                             part.first_row - window.first_row, part.last_row - window.first_row};
+  const bool is_inside = in_window.first_column >= 0 && in_window.first_row >= 0 &&
+                         in_window.last_column < window.columns && in_window.last_row < window.rows;
+  return !is_inside || sees_some(own_cells_->seen, in_window);
 }
 
 Patches patches_of_view(const Grid& grid, const ScaleOnPage& scale, const CellSizes& sizes,
                         int finest) {
   const double cell_m = greatest_side_m(grid);
   const int coarsest = coarsest_level(grid);
+  // What is beside the page is a few patches, however many vertices the grid has.
+  const int coarsest_beside = coarsest_level(grid, std::numeric_limits<int>::max());
   const auto wanted = [&](const PatchPlace& part) {
     const double cell_mm = cell_m * scale.mm_per_m(part);
     if (cell_mm < sizes.least_mm)
@@ -165,8 +219,9 @@ Patches patches_of_view(const Grid& grid, const ScaleOnPage& scale, const CellSi
     return 0;
   };
   for (;; ++finest) {
-    Patches patches(grid, {finest, coarsest}, [&](int level, const PatchPlace& part) {
-      return std::max(finest, wanted(part)) >= level;
+    Patches patches(grid, {finest, coarsest_beside}, [&](int level, const PatchPlace& part) {
+      return level > coarsest ? scale.is_beside_page(part)
+                              : std::max(finest, wanted(part)) >= level;
     });
     if (finest == 0 || patches.patches().size() <= kMostPatches) return patches;
   }

@@ -4,6 +4,7 @@
 
 #include "dem/grid.hpp"
 #include "dem/levels/height_ranges.hpp"
+#include "dem/levels/part_of_grid.hpp"
 #include "dem/levels/patches.hpp"
 #include "placing/cell_on_page.hpp"
 #include "placing/placed_view.hpp"
@@ -19,19 +20,36 @@ namespace orograph {
 bool stands_over_ground(const ViewSpec& view, const TerrainData& terrain,
                         const TerrainFacts& facts);
 
+/// How high a grid's ground is from place to place, found once for all eyes. Cost: two passes over
+/// the heights on all cores.
+struct GroundRanges {
+  HeightRanges heights;
+  BlockBounds blocks;
+
+  explicit GroundRanges(const Grid& grid) : heights(grid), blocks(block_bounds(grid)) {}
+};
+
 /// How large a metre is on the page at places of a grid, from an eye in the landscape.
 class ScaleOnPage {
 public:
-  /// REQUIRES a perspective view or a panorama of that grid; both outlive this. `raster`: parts
-  /// are its, by its columns and rows, of whose lattice the grid is a level.
-  ScaleOnPage(const Grid& grid, const PlacedView& placed, const Grid* raster = nullptr);
+  /// REQUIRES a perspective view or a panorama of that grid, and its ranges; all outlive this.
+  /// `raster`: parts are its, by its columns and rows, of whose lattice the grid is a level.
+  ScaleOnPage(const Grid& grid, const GroundRanges& ranges, const PlacedView& placed,
+              const Grid* raster = nullptr);
 
   /// Millimetres for a metre at the nearest ground of a part, whichever way it is turned; infinite
   /// at the eye, 0 where the view doesn't show it: beside the page, or hidden.
   double mm_per_m(const PatchPlace& part) const;
+  /// Whether a part is beside the page or behind the eye as a whole, and not at its feet.
+  bool is_beside_page(const PatchPlace& part) const;
+
+  /// From now on what the raster's own cells hide of each other counts as hidden, too. REQUIRES a
+  /// raster; `cells` are its in a window, NaN where they aren't known, which hides nothing.
+  void look_at_cells(const GridPart& window, Grid cells);
 
 private:
-  bool is_beside_page(const PatchPlace& part) const;
+  Vec2 beyond_eye_m(const PatchPlace& part) const;
+  bool is_at_eye(Vec2 beyond_m) const;
   bool is_shown(const PatchPlace& part) const;
   PatchPlace in_grid(const PatchPlace& part) const;
 
@@ -41,7 +59,12 @@ private:
   const PlacedView& placed_;
   std::optional<XRange> page_;     ///< none: there is ground beside the eye on the page
   std::optional<SeenGround> seen_; ///< none: all may be seen
-  HeightRanges heights_;
+  struct OwnCells {
+    GridPart window;
+    SeenGround seen;
+  };
+  std::optional<OwnCells> own_cells_;
+  const HeightRanges& heights_;
   double mm_per_radian_; ///< in the picture's middle
 };
 

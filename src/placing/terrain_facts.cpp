@@ -5,16 +5,6 @@
 #include <memory>
 
 namespace orograph {
-namespace {
-
-std::vector<BorderEdge> border_of(const Grid& grid, const SurfaceExtent& extent) {
-  return border_edges(grid, extent.valid == grid.size());
-}
-std::vector<BorderEdge> border_of(const Tin& tin, const SurfaceExtent&) {
-  return border_edges(tin);
-}
-
-} // namespace
 
 std::vector<BorderEdge> border_of(const Surface& surface) {
   if (const Grid* grid = std::get_if<Grid>(&surface)) return border_edges(*grid, false);
@@ -33,22 +23,44 @@ double exaggeration_of(const ViewSpec& view, const Box3& terrain) {
   return view.has_eye() || terrain.empty() ? 1 : chosen_exaggeration(terrain);
 }
 
-TerrainFacts facts_of(const TerrainData& terrain) {
-  const Surface& surface = terrain.surface;
+namespace {
+
+TerrainFacts facts_of(const Grid& grid) {
   TerrainFacts facts;
-  if (!has_ground(surface)) return facts;
-  facts.extent = extent_of(surface);
-  facts.cell_m = cell_size_m(surface);
-  facts.reach_m = reach_m(surface);
-  facts.border = std::visit([&](const auto& s) { return border_of(s, facts.extent); }, surface);
-  if (const Grid* grid = std::get_if<Grid>(&surface); grid && grid->is_on_earth())
+  facts.extent = extent_of(grid);
+  facts.cell_m = cell_size_m(grid);
+  facts.reach_m = reach_m(grid);
+  facts.border = border_edges(grid, facts.extent.valid == grid.size());
+  if (grid.is_on_earth())
     facts.for_cutters.of_earth_grid =
-        std::make_shared<const BorderPlaces>(border_places(*grid, facts.border));
-  if (const Tin* tin = std::get_if<Tin>(&surface))
-    facts.for_cutters.of_tin = std::make_shared<const TinPlaces>(tin_places(*tin));
-  facts.outline = std::visit([&](const auto& s) { return outline_of(s, facts.border); }, surface);
-  facts.water = std::visit([](const auto& s) { return find_water(s); }, surface);
+        std::make_shared<const BorderPlaces>(border_places(grid, facts.border));
+  facts.outline = outline_of(grid, facts.border);
+  facts.water = find_water(grid);
   return facts;
+}
+
+} // namespace
+
+TerrainFacts facts_of(const Tin& tin, const std::function<LevelGround()>& find_level,
+                      bool with_index) {
+  TerrainFacts facts;
+  facts.extent = extent_of(tin);
+  facts.cell_m = cell_size_m(tin);
+  facts.reach_m = reach_m(tin);
+  facts.border = border_edges(tin);
+  facts.outline = outline_of(tin, facts.border);
+  facts.for_cutters.of_tin = std::make_shared<const TinPlaces>(tin_places(tin));
+  if (with_index) facts.for_cutters.tin_index = std::make_shared<const TinIndex>(tin);
+  facts.water = find_level();
+  return facts;
+}
+
+TerrainFacts facts_of(const TerrainData& terrain) {
+  if (!has_ground(terrain.surface)) return {};
+  if (const Grid* grid = std::get_if<Grid>(&terrain.surface)) return facts_of(*grid);
+  const Tin& tin = std::get<Tin>(terrain.surface);
+  return facts_of(
+      tin, [&] { return find_water(tin); }, false);
 }
 
 namespace {

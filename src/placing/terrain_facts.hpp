@@ -10,6 +10,7 @@
 #include "profiles/level_ground.hpp"
 #include "profiles/outline.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace orograph {
@@ -27,6 +28,10 @@ struct TerrainFacts {
 /// REQUIRES that the terrain outlives the facts, and stays where it is. Cost: two passes over the
 /// heights, a third where some are missing.
 TerrainFacts facts_of(const TerrainData& terrain);
+/// The same of a TIN whose level ground is found in another way. `with_index`: what parts of its
+/// profiles need as well, which an eye sees. Cost: some passes over the triangles, on all cores.
+TerrainFacts facts_of(const Tin& tin, const std::function<LevelGround()>& find_level,
+                      bool with_index);
 
 /// The edges of its border, voids' borders too: `border_edges` of either kind. Cost: one pass.
 std::vector<BorderEdge> border_of(const Surface& surface);

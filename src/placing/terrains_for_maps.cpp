@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "placing/terrains_for_maps.hpp"
 
+#include "dem/levels/raster_patches.hpp"
 #include "dem/read/raster_parts.hpp"
 #include "dem/read/read_terrain.hpp"
 #include "geometry/free_memory.hpp"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace orograph {
@@ -97,8 +99,16 @@ with_parts_near_eye(const TerrainData& whole, const std::vector<std::string>& pa
   if (!stands_over_ground(spec.view, *terrain, facts)) return nullptr;
   const PlacedView placed = placed_picture(*terrain, facts, spec, solids);
   TerrainData framed = *terrain;
-  read_missing(framed, paths, options,
-               [&] { return PatchesOfRaster(framed, placed, spec).missing(); });
+  const Grid& larger = std::get<Grid>(framed.surface);
+  const GroundRanges ranges(larger);
+  const Grid raster = lattice_of_raster(larger, *framed.larger_cells);
+  std::optional<double> last_rise_m;
+  read_missing(framed, paths, options, [&]() -> std::vector<GridPart> {
+    const double rise_m = std::max(0.0, rise_of_raster(framed, raster, placed.view.depth_origin_m));
+    if (rise_m == last_rise_m) return {}; // the eye stands where it stood when the parts were told
+    last_rise_m = rise_m;
+    return PatchesOfRaster(framed, ranges, placed, spec).missing();
+  });
   return with_parts_of(whole, std::move(framed));
 }
 

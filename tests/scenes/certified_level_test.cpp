@@ -165,7 +165,10 @@ TEST_CASE("a raster that isn't in memory has the certified patches that it has i
     spec.style.light.reset();
     look_somehow(spec.view, random, on_earth);
     TerrainData whole = in_larger_and_nested_cells(file, random.pick({2, 4}));
-    add_parts<CertifiedRaster>(whole, std::get<Grid>(file.surface), spec);
+    add_parts(whole, std::get<Grid>(file.surface), spec,
+              [&](const TerrainData& framed, const PlacedView& on) {
+                return CertifiedRaster(framed, on, spec).missing();
+              });
 
     // In the same picture: the same patches, and the same surface, to the bit.
     const TerrainOfView of_file(file, spec.view), of_larger(whole, spec.view);

@@ -10,8 +10,10 @@
 #include "tests/catch.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace orograph {
 
@@ -23,18 +25,22 @@ inline TerrainData in_larger_cells(const TerrainData& file, int step) {
   out.larger_cells =
       LargerCells{step, grid.columns, grid.rows, departure_of(larger, grid), tops_of(grid, 16, 10)};
   out.surface = larger;
+  out.surface_error_m += out.larger_cells->departure.greatest_m;
   return out;
 }
 
+/// The parts that a terrain in its frame misses for a placed view.
+using MissingParts = std::function<std::vector<GridPart>(const TerrainData&, const PlacedView&)>;
+
 /// What a view's patches, PatchesOfRaster or CertifiedRaster, look at of the grid's own cells.
-template <class ChosenPatches>
-void add_parts(TerrainData& whole, const Grid& file, const MapSpec& spec) {
+inline void add_parts(TerrainData& whole, const Grid& file, const MapSpec& spec,
+                      const MissingParts& missing_of) {
   const TerrainOfView terrain(whole, spec.view);
   const PlacedView placed = placed_picture(*terrain, facts_of(*terrain), spec, nullptr);
   TerrainData framed = *terrain;
   for (int round = 0;; ++round) {
     REQUIRE(round < 5);
-    const auto missing = ChosenPatches(framed, placed, spec).missing();
+    const auto missing = missing_of(framed, placed);
     if (missing.empty()) break;
     auto& parts = framed.larger_cells->parts;
     for (const GridPart& part : missing) parts.push_back({part, part_of_grid(file, part)});

@@ -157,7 +157,8 @@ TEST_CASE("a patchwork is one surface without gaps") {
     INFO("seed " << seed);
     const Grid grid = made_grid(random, 0);
     const Patches patches = made_patches(random, grid, {-random.whole(0, 2), random.whole(0, 3)});
-    const Patchwork made = patchwork(grid, patches, [](int, int) { return false; });
+    const Patchwork made =
+        patchwork(grid, patches, patches_of_grid(grid, patches, [](int, int) { return false; }));
     double area = 0;
     bool face_up = true, ends_at_border = true;
     for (std::size_t t = 0; t < made.tin.triangles.size(); ++t) {
@@ -230,7 +231,8 @@ TEST_CASE("a patchwork of the file's cells is the grid's triangles, voids and al
     const Grid grid = made_grid(random, random.pick({0.0, 0.1, 0.5}));
     const Patches patches(grid, {-random.whole(0, 2), random.whole(0, 2)},
                           [](int level, const PatchPlace&) { return level <= 0; });
-    const Patchwork made = patchwork(grid, patches, [](int, int) { return false; });
+    const Patchwork made =
+        patchwork(grid, patches, patches_of_grid(grid, patches, [](int, int) { return false; }));
     std::size_t triangles = 0;
     for (int row = 0; row + 1 < grid.rows; ++row)
       for (int column = 0; column + 1 < grid.columns; ++column) {
@@ -259,7 +261,7 @@ TEST_CASE("patches of a raster in larger cells are its own near by, and made of 
       read.parts.push_back({part, part_of_grid(grid, part)});
     const Patchwork made =
         patchwork(larger, patches, patches_of_raster(larger, read, patches, is_kept));
-    const Patchwork of_grid = patchwork(grid, patches, is_kept);
+    const Patchwork of_grid = patchwork(grid, patches, patches_of_grid(grid, patches, is_kept));
     REQUIRE(made.places == of_grid.places);
     REQUIRE(made.tin.triangles == of_grid.tin.triangles);
     const Levels levels(grid, patches);
@@ -317,7 +319,8 @@ TEST_CASE("with voids no triangle has a missing height, and each void keeps its 
     INFO("seed " << seed);
     const Grid grid = made_grid(random, random.pick({0.02, 0.2}));
     const Patches patches = made_patches(random, grid, {-random.whole(0, 2), random.whole(0, 3)});
-    const Patchwork made = patchwork(grid, patches, [](int, int) { return false; });
+    const Patchwork made =
+        patchwork(grid, patches, patches_of_grid(grid, patches, [](int, int) { return false; }));
     REQUIRE(made.heights_m.size() == made.tin.vertices_m.size());
     REQUIRE(std::ranges::none_of(made.heights_m, [](double height) { return std::isnan(height); }));
     const std::int64_t file = patches.cell(0);

@@ -57,9 +57,8 @@ std::vector<Vec2> corners(const Tin& tin, std::size_t triangle) {
 }
 
 /// Needles in all directions, larger and smaller triangles, walls: anything.
-Tin any_triangles(Random& random) {
+Tin any_triangles(Random& random, int count) {
   Tin tin;
-  const int count = random.whole(1, 60);
   const double size = random.pick({1.0, 1000.0});
   for (std::uint32_t t = 0; t < static_cast<std::uint32_t>(count); ++t) {
     const double reach = random.pick({0.01, 1.0}) * size;
@@ -112,7 +111,7 @@ TEST_CASE("the index finds every triangle that meets a box or a line") {
   for (std::uint64_t seed = 1; seed <= last_seed(150); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
-    check_index(random, any_triangles(random), -200, 1200);
+    check_index(random, any_triangles(random, random.whole(1, 60)), -200, 1200);
     MadeTin wanted;
     wanted.columns = random.whole(2, 12);
     wanted.rows = random.whole(2, 12);
@@ -122,6 +121,11 @@ TEST_CASE("the index finds every triangle that meets a box or a line") {
     const Tin tin = made_tin(random, wanted);
     if (!tin.triangles.empty()) check_index(random, tin, -20, 140);
   }
+}
+
+TEST_CASE("the index finds every one of so many triangles that all cores are at work") {
+  Random random(7);
+  check_index(random, any_triangles(random, 30000), -200, 1200);
 }
 
 TEST_CASE("the index takes triangles of any size, and a single wall") {
@@ -172,7 +176,10 @@ TEST_CASE("triangles that have an edge in common are neighbours") {
     INFO("seed " << seed);
     // Any triangles on few vertices: edges of one, two and more.
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    const int vertices = random.whole(3, 20), count = random.whole(0, 25);
+    // The last ones are so many that all cores are at work.
+    const bool is_large = seed > 298;
+    const int vertices = is_large ? 3000 : random.whole(3, 20),
+              count = is_large ? 40000 : random.whole(0, 25);
     while (triangles.size() < static_cast<std::size_t>(count)) {
       std::array<std::uint32_t, 3> t;
       for (std::uint32_t& v : t) v = static_cast<std::uint32_t>(random.whole(0, vertices - 1));
