@@ -17,8 +17,6 @@
 
 namespace orograph {
 
-constexpr std::size_t kTrianglesOfTask = 8192;
-
 /// From the vertex of lower index to the higher, with the triangles on its left and right seen from
 /// above; kNoTriangle where there is none.
 struct TinEdge {
@@ -33,7 +31,8 @@ inline TinEdge edge_opposite(const Tin& tin, std::uint32_t t, std::size_t k) {
   return a < b ? TinEdge{{a, b}, t, other} : TinEdge{{b, a}, other, t};
 }
 
-/// A TIN's triangles are looked at on all cores in so many tasks of some thousands each.
+/// A TIN's triangles are looked at on all cores in so many tasks, of so many each.
+constexpr std::size_t kTrianglesOfTask = 8192;
 inline std::size_t tasks_of_triangles(const Tin& tin) {
   return (tin.triangles.size() + kTrianglesOfTask - 1) / kTrianglesOfTask;
 }

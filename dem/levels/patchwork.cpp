@@ -24,8 +24,8 @@ constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
 
 using Place = PatchworkPlace;
 
-// Numbers of vertices by their places: a table that is half empty at least, which takes a third of
-// the time of the standard's, whose entries each have memory of their own.
+// Numbers of vertices by their places: a table that is half empty at least, in one piece of memory.
+// The standard's has each entry somewhere else.
 class NumbersOfPlaces {
 public:
   void reserve(std::size_t count) { lay(std::bit_ceil(2 * count + 16)); }
