@@ -25,6 +25,8 @@ constexpr double kRatioNear = 1.25;
 
 void sample_all(const ProfileSampler& sampler, std::span<SampledProfile*> profiles) {
   constexpr std::size_t kOfTask = ProfileSampler::kAtOnce;
+  // Here, where pages are large and used before (docs/decisions/0066): 18 bytes a column.
+  for (SampledProfile* const profile : profiles) sampler.make_room(*profile);
   on_all_cores((profiles.size() + kOfTask - 1) / kOfTask, [&](std::size_t task) {
     const std::span from = profiles.subspan(task * kOfTask);
     sampler.sample(from.first(std::min(kOfTask, from.size())));

@@ -46,15 +46,16 @@ void put_on_page(View view, Homography to_page, const AskedProfile& asked, Sampl
 
 } // namespace
 
-void ProfileSampler::sample(std::span<SampledProfile* const> profiles) const {
+void ProfileSampler::make_room(SampledProfile& profile) const {
   std::size_t count = 0;
   for (const SampledSector& sector : sectors_) count += sector.columns.count;
-  for (SampledProfile* const out : profiles) {
-    out->z_m.resize(count);
-    out->is_level.resize(count);
-    out->x_mm.resize(count);
-    out->y_mm.resize(count);
-  }
+  profile.z_m.resize(count);
+  profile.is_level.resize(count);
+  profile.x_mm.resize(count);
+  profile.y_mm.resize(count);
+}
+
+void ProfileSampler::sample(std::span<SampledProfile* const> profiles) const {
   std::size_t first = 0;
   for (const SampledSector& sector : sectors_) {
     sample(sector, first, profiles);

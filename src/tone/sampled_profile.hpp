@@ -49,8 +49,10 @@ public:
   /// As many as go well together.
   static constexpr std::size_t kAtOnce = 4;
 
+  /// The memory that a profile's samples take.
+  void make_room(SampledProfile& profile) const;
   /// Of profiles of which depths, levels and halvings are known fills the rest in. REQUIRES that
-  /// there are no more than kAtOnce.
+  /// they have room, and that there are no more than kAtOnce.
   void sample(std::span<SampledProfile* const> profiles) const;
 
 private:
