@@ -25,7 +25,6 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 
 namespace orograph {
@@ -38,15 +37,18 @@ constexpr double kMostParts = 8;
 // A terrain of so many vertices takes a fifth of a second, whatever it shows of them.
 constexpr double kMostRefined = 1e6;
 
-// Whether a vertex is one of a triangle of the set.
-bool has_vertex(const TriangleSet& triangles, const Grid& grid, int column, int row) {
-  const auto has = [&](int c, int r, Half half) {
-    return c >= 0 && r >= 0 && c + 1 < grid.columns && r + 1 < grid.rows &&
-           triangles.has(grid_triangle(grid, c, r, half));
+// Tells of a vertex whether it is one of water's triangles. REQUIRES that both outlive it.
+std::function<bool(int, int)> is_of_water(const TriangleSet& water, const Grid& grid) {
+  return [&](int column, int row) {
+    const auto has = [&](int c, int r, Half half) {
+      return c >= 0 && r >= 0 && c + 1 < grid.columns && r + 1 < grid.rows &&
+             water.has(grid_triangle(grid, c, r, half));
+    };
+    return !water.empty() &&
+           (has(column, row, Half::upper) || has(column, row, Half::lower) ||
+            has(column - 1, row - 1, Half::upper) || has(column - 1, row - 1, Half::lower) ||
+            has(column - 1, row, Half::upper) || has(column, row - 1, Half::lower));
   };
-  return has(column, row, Half::upper) || has(column, row, Half::lower) ||
-         has(column - 1, row - 1, Half::upper) || has(column - 1, row - 1, Half::lower) ||
-         has(column - 1, row, Half::upper) || has(column, row - 1, Half::lower);
 }
 
 // Of the file's cells to one that is drawn, about; less than one where the page shows the file's as
@@ -67,9 +69,7 @@ double chosen_step(const Grid& grid, const CellSizes& asked, double cell_mm) {
 Grid level_of(const Grid& grid, double step, const TriangleSet& water) {
   if (step == 1) return grid;
   if (step < 1) return refined(grid, static_cast<int>(1 / step));
-  return generalised(grid, static_cast<int>(step), [&](int column, int row) {
-    return !water.empty() && has_vertex(water, grid, column, row);
-  });
+  return generalised(grid, static_cast<int>(step), is_of_water(water, grid));
 }
 
 // A level of `grid`, which is `file` or a part of it. Of the file at least `least_of_water`
@@ -181,11 +181,13 @@ bool buries_eye(const Tin& tin, const View& view) {
 // With departures of those patches alone that `mm_per_m` says are shown: of a large raster most
 // aren't, and to look at all of it takes 20 ms.
 PatchSource measured_where_shown(PatchSource source, const Patches& patches,
-                                 const std::function<double(const PatchPlace&)>& mm_per_m_of) {
-  return {std::move(source.heights_m),
-          [&, of_all = std::move(source.departure)](const Patch& patch, const PatchHeights& own) {
-            return mm_per_m_of(patches.place_of(patch)) > 0 ? of_all(patch, own) : Departure{};
-          }};
+                                 std::function<double(const PatchPlace&)> mm_per_m_of) {
+  source.departure = [&patches, of_all = std::move(source.departure),
+                      mm_per_m_of = std::move(mm_per_m_of)](const Patch& patch,
+                                                            const PatchHeights& own) {
+    return mm_per_m_of(patches.place_of(patch)) > 0 ? of_all(patch, own) : Departure{};
+  };
+  return source;
 }
 
 // From now on the terrain is made of these patches of a grid, which is so far from the file's.
@@ -220,12 +222,8 @@ std::optional<LevelOfDetail> take_patches(TerrainOfView& terrain, const TerrainF
   const Patches patches = patches_of_view(grid, scale, asked_size(spec.style), finest);
   if (std::ranges::all_of(patches.patches(), [](const Patch& patch) { return patch.level == 0; }))
     return std::nullopt;
-  const std::function<double(const PatchPlace&)> mm_per_m_of = [&](const PatchPlace& part) {
-    return scale.mm_per_m(part);
-  };
-  const PatchSource source = patches_of_grid(grid, patches, [&](int column, int row) {
-    return !water.empty() && has_vertex(water, grid, column, row);
-  });
+  const auto mm_per_m_of = [&](const PatchPlace& part) { return scale.mm_per_m(part); };
+  const PatchSource source = patches_of_grid(grid, patches, is_of_water(water, grid));
   Patchwork made = patchwork(grid, patches, measured_where_shown(source, patches, mm_per_m_of));
   const bool has_height = spec.view.eye_map ? spec.view.eye_map->z.has_value()
                                             : spec.view.eye_lonlat && spec.view.eye_lonlat->z;
@@ -250,13 +248,9 @@ std::optional<LevelOfDetail> take_patches_of_raster(TerrainOfView& terrain,
   const GroundRanges ranges(larger);
   const PatchesOfRaster of(file, ranges, placed, spec);
   if (!of.missing().empty()) return std::nullopt;
+  const auto mm_per_m_of = [&](const PatchPlace& part) { return of.mm_per_m(part); };
   const PatchSource source =
-      patches_of_raster(larger, *file.larger_cells, of.patches(), [&](int column, int row) {
-        return !water.empty() && has_vertex(water, larger, column, row);
-      });
-  const std::function<double(const PatchPlace&)> mm_per_m_of = [&](const PatchPlace& part) {
-    return of.mm_per_m(part);
-  };
+      patches_of_raster(larger, *file.larger_cells, of.patches(), is_of_water(water, larger));
   Patchwork made =
       patchwork(larger, of.patches(), measured_where_shown(source, of.patches(), mm_per_m_of));
   if (made.tin.triangles.empty() || !all_face_up(made.tin)) return std::nullopt;

@@ -28,6 +28,15 @@ double height_m(double x, double y) {
          25 * std::sin(90 * x) * std::sin(101 * y);
 }
 
+/// In degrees, or on a map plane, of sizes from `least` to `most`.
+TerrainData made_raster(Random& random, bool on_earth, int least, int most) {
+  if (!on_earth)
+    return plane_terrain(random.whole(least, most), random.whole(least, most), height_m);
+  return earth_terrain(
+      {8, 0.0005, most, 46, -0.0004, most - 20},
+      [](double lon_deg, double lat_deg) { return height_m(40 * lon_deg, 50 * lat_deg); });
+}
+
 } // namespace
 
 TEST_CASE("an eye over a raster in larger cells sees its own cells near by") {
@@ -36,12 +45,7 @@ TEST_CASE("an eye over a raster in larger cells sees its own cells near by") {
     Random random(seed);
     INFO("seed " << seed);
     const bool on_earth = seed % 3 == 0;
-    const TerrainData file =
-        on_earth ? earth_terrain({8, 0.0005, 300, 46, -0.0004, 280},
-                                 [](double lon_deg, double lat_deg) {
-                                   return height_m(40 * lon_deg, 50 * lat_deg);
-                                 })
-                 : plane_terrain(random.whole(250, 300), random.whole(250, 300), height_m);
+    const TerrainData file = made_raster(random, on_earth, 250, 300);
     const Grid& grid = std::get<Grid>(file.surface);
     MapSpec spec;
     spec.style.detail.cell_mm = random.pick({2.0, 4.0});
@@ -128,12 +132,7 @@ TEST_CASE("own cells that hide each other have no scale, and what is seen of the
     Random random(seed);
     INFO("seed " << seed);
     const bool on_earth = seed % 3 == 0;
-    const TerrainData file =
-        on_earth ? earth_terrain({8, 0.0005, 200, 46, -0.0004, 180},
-                                 [](double lon_deg, double lat_deg) {
-                                   return height_m(40 * lon_deg, 50 * lat_deg);
-                                 })
-                 : plane_terrain(random.whole(150, 220), random.whole(150, 220), height_m);
+    const TerrainData file = made_raster(random, on_earth, 150, 200);
     MapSpec spec;
     if (on_earth)
       spec.view.eye_lonlat = GivenPlace{random.between(8.02, 8.08), random.between(45.94, 45.98)};
