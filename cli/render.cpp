@@ -85,12 +85,12 @@ void render(const RenderSettings& settings) {
     read_share = kReadShare;
     bar.show(kReadShare * fraction);
   };
-  const std::shared_ptr<const TerrainData> read =
+  const TerrainForMap read =
       stands_on_nothing(settings)
-          ? std::make_shared<const TerrainData>(read_ground(settings))
+          ? TerrainForMap{std::make_shared<const TerrainData>(read_ground(settings)), nullptr}
           : TerrainsForMaps(settings.inputs, settings.reading, settings.solids.get())
                 .of(settings.map, show_reading);
-  const TerrainData& whole = *read;
+  const TerrainData& whole = *read.terrain;
   if (!settings.quiet) {
     tell_doubts(whole);
     tell_eye_move(settings.map.view, whole);
@@ -105,8 +105,8 @@ void render(const RenderSettings& settings) {
   const MapSpec spec = with_room_for_names(settings.map, named);
   TerrainOfView terrain(whole, spec.view);
   const std::optional<LevelOfDetail> level =
-      choose_level(terrain, spec, settings.solids.get(), nullptr);
-  PlacedView placed = placed_view(terrain, spec, settings.solids.get());
+      choose_level(terrain, spec, settings.solids.get(), read.facts.get());
+  PlacedView placed = placed_view(terrain, spec, settings.solids.get(), read.facts.get());
   placed.names = named;
   placed.overlays = overlays;
   const double place_s = seconds_since(place_start);

@@ -90,7 +90,7 @@ void draw_view(const SweepRun& run, std::size_t view) {
         [&] { return std::make_unique<TerrainOfView>(*ground->terrain, settings.map.view); });
     std::optional<LevelOfDetail> level;
     PlacedView placed = drawn_or_why([&] {
-      const TerrainFacts* const facts = ground->facts ? &*ground->facts : nullptr;
+      const TerrainFacts* const facts = ground->facts.get();
       level = choose_level(*terrain, settings.map, settings.solids.get(), facts, &ground->level);
       return placed_view(*terrain, settings.map, settings.solids.get(), facts);
     });
@@ -151,8 +151,8 @@ std::optional<ChosenDirection> chosen_direction(const Ground& ground, const View
   settings.map.view.from_auto = true;
   try {
     const TerrainOfView of_view(*ground.terrain, settings.map.view);
-    const auto placed = placed_view(of_view, settings.map, settings.solids.get(),
-                                    ground.facts ? &*ground.facts : nullptr);
+    const auto placed =
+        placed_view(of_view, settings.map, settings.solids.get(), ground.facts.get());
     if (!placed.chosen_view) return std::nullopt;
     return ChosenDirection{placed.chosen_view->azimuth.in_degrees(),
                            placed.chosen_view->elevation.in_degrees()};

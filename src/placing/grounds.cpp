@@ -32,21 +32,24 @@ Grounds::Grounds(const GroundFiles& files)
 }
 
 std::shared_ptr<Ground> Grounds::of(const MapSpec& spec) {
-  return ground_of(bare_ ? bare_ : terrains_.of(spec));
+  return ground_of(bare_ ? TerrainForMap{bare_, nullptr} : terrains_.of(spec));
 }
 
 std::shared_ptr<Ground> Grounds::before_views(const MapSpec& spec) {
-  return ground_of(bare_ ? bare_ : terrains_.before_views(spec));
+  return ground_of({bare_ ? bare_ : terrains_.before_views(spec), nullptr});
 }
 
-std::shared_ptr<Ground> Grounds::ground_of(std::shared_ptr<const TerrainData> terrain) {
+std::shared_ptr<Ground> Grounds::ground_of(TerrainForMap made) {
+  const auto& terrain = made.terrain;
   const std::lock_guard lock(mutex_);
   if (const auto known = kept_.find(terrain.get()); known != kept_.end()) return known->second;
   auto ground = std::make_shared<Ground>();
   ground->overlays = read_overlays(files_.overlays, *terrain);
   if (!files_.labels.path.empty()) ground->names = read_overlays({&files_.labels, 1}, *terrain);
-  if (!terrain->map.earth) ground->facts = facts_of(*terrain);
-  ground->terrain = std::move(terrain);
+  if (!terrain->map.earth)
+    ground->facts =
+        made.facts ? made.facts : std::make_shared<const TerrainFacts>(facts_of(*terrain));
+  ground->terrain = terrain;
   const auto& larger = ground->terrain->larger_cells;
   const bool is_of_one_eye = larger && !larger->parts.empty();
   if (!is_of_one_eye) kept_.emplace(ground->terrain.get(), ground);

@@ -42,8 +42,8 @@ TerrainData read_ground(const GroundFiles& files);
 struct Ground {
   std::shared_ptr<const TerrainData> terrain;
   std::vector<Overlay> overlays, names;
-  std::optional<TerrainFacts> facts; ///< in degrees each view has a frame, and facts, of its own
-  LastLevel level;                   ///< that views show
+  std::shared_ptr<const TerrainFacts> facts; ///< null in degrees, as in `TerrainForMap`
+  LastLevel level;                           ///< that views show
 };
 
 /// Nearly always all views have one. Of a large raster each has the cells that are read for it
@@ -59,7 +59,7 @@ public:
   std::shared_ptr<Ground> before_views(const MapSpec& spec);
 
 private:
-  std::shared_ptr<Ground> ground_of(std::shared_ptr<const TerrainData> terrain);
+  std::shared_ptr<Ground> ground_of(TerrainForMap made);
 
   const GroundFiles& files_;
   std::shared_ptr<const TerrainData> bare_; ///< of a scene that stands on nothing

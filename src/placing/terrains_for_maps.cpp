@@ -58,9 +58,8 @@ LevelAsked level_for(const MapSpec& spec) {
 
 // How many times as large as asked the page shows cells. Infinite where the eye of a view in a file
 // stands over ground.
-double times_too_large(const TerrainData& whole, const MapSpec& spec, const SceneFile* solids) {
-  const TerrainOfView terrain(whole, spec.view);
-  const TerrainFacts facts = facts_of(*terrain);
+double times_too_large(const TerrainOfView& terrain, const TerrainFacts& facts, const MapSpec& spec,
+                       const SceneFile* solids) {
   const PlacedView placed = placed_picture(*terrain, facts, spec, solids);
   return greatest_cell_mm(placed, std::get<Grid>(terrain->surface)) /
          asked_size(spec.style).least_mm;
@@ -82,21 +81,13 @@ void read_missing(TerrainData& framed, const std::vector<std::string>& paths,
   }
 }
 
-// The whole terrain with the parts that were read in a view's frame.
-std::shared_ptr<const TerrainData> with_parts_of(const TerrainData& whole, TerrainData framed) {
-  TerrainData out = whole;
-  out.larger_cells->parts = std::move(framed.larger_cells->parts);
-  return std::make_shared<const TerrainData>(std::move(out));
-}
-
-// With what an eye sees so near that it is to be drawn in the raster's own cells. Which these are
-// is known better once the ground under the eye is. Null where the eye isn't over the terrain.
-std::shared_ptr<const TerrainData>
-with_parts_near_eye(const TerrainData& whole, const std::vector<std::string>& paths,
-                    const ReadOptions& options, const MapSpec& spec, const SceneFile* solids) {
-  const TerrainOfView terrain(whole, spec.view);
-  const TerrainFacts facts = facts_of(*terrain);
-  if (!stands_over_ground(spec.view, *terrain, facts)) return nullptr;
+// What an eye sees so near that it is to be drawn in the raster's own cells. Which these are is
+// known better once the ground under the eye is. None where the eye isn't over the terrain.
+std::optional<std::vector<RasterPart>>
+parts_near_eye(const TerrainOfView& terrain, const TerrainFacts& facts,
+               const std::vector<std::string>& paths, const ReadOptions& options,
+               const MapSpec& spec, const SceneFile* solids) {
+  if (!stands_over_ground(spec.view, *terrain, facts)) return std::nullopt;
   const PlacedView placed = placed_picture(*terrain, facts, spec, solids);
   TerrainData framed = *terrain;
   const Grid& larger = std::get<Grid>(framed.surface);
@@ -109,7 +100,7 @@ with_parts_near_eye(const TerrainData& whole, const std::vector<std::string>& pa
     last_rise_m = rise_m;
     return PatchesOfRaster(framed, ranges, placed, spec).missing();
   });
-  return with_parts_of(whole, std::move(framed));
+  return std::move(framed.larger_cells->parts);
 }
 
 // With what is to be drawn in the raster's own cells, or half as many, lest it be off by more than
@@ -130,7 +121,10 @@ with_parts_certified(const TerrainData& whole, const std::vector<std::string>& p
                  "ask for a larger bound or a smaller page, keep a part with `bbox`");
     return of.missing();
   });
-  return spares_enough ? with_parts_of(whole, std::move(framed)) : nullptr;
+  if (!spares_enough) return nullptr;
+  TerrainData out = whole;
+  out.larger_cells->parts = std::move(framed.larger_cells->parts);
+  return std::make_shared<const TerrainData>(std::move(out));
 }
 
 } // namespace
@@ -139,26 +133,35 @@ TerrainsForMaps::TerrainsForMaps(std::vector<std::string> paths, ReadOptions opt
                                  const SceneFile* solids)
     : paths_(std::move(paths)), options_(std::move(options)), solids_(solids) {}
 
-std::shared_ptr<const TerrainData>
-TerrainsForMaps::of(const MapSpec& spec, const std::function<void(double)>& progress) {
+TerrainForMap TerrainsForMaps::of(const MapSpec& spec,
+                                  const std::function<void(double)>& progress) {
   for (LevelAsked asked = level_for(spec);;) {
-    std::shared_ptr<const TerrainData> terrain = read(asked, progress);
-    const auto& larger = terrain->larger_cells;
-    if (!larger) return terrain;
-    if (needs_whole(*terrain, spec)) return read({}, progress);
+    const std::shared_ptr<const TerrainData> whole = read(asked, progress);
+    const auto& larger = whole->larger_cells;
+    if (!larger) return {whole, nullptr};
+    if (needs_whole(*whole, spec)) return {read({}, progress), nullptr};
     if (asked.with_nested) {
-      auto with_parts = with_parts_certified(*terrain, paths_, options_, spec, solids_);
-      return with_parts ? with_parts : read({}, progress);
+      auto with_parts = with_parts_certified(*whole, paths_, options_, spec, solids_);
+      return {with_parts ? with_parts : read({}, progress), nullptr};
     }
-    if (spec.view.has_eye())
-      if (auto with_parts = with_parts_near_eye(*terrain, paths_, options_, spec, solids_))
-        return with_parts;
+    // What an eye has near by is of this map alone, and facts refer to their terrain.
+    const auto of_eye = spec.view.has_eye() ? std::make_shared<TerrainData>(*whole) : nullptr;
+    const std::shared_ptr<const TerrainData> out = of_eye ? of_eye : whole;
+    const TerrainOfView terrain(*out, spec.view);
+    const auto facts = std::make_shared<const TerrainFacts>(facts_of(*terrain));
+    const auto of_whole = terrain.is_whole() ? facts : nullptr;
+    if (of_eye)
+      if (auto parts = parts_near_eye(terrain, *facts, paths_, options_, spec, solids_)) {
+        of_eye->larger_cells->parts = std::move(*parts);
+        return {out, of_whole};
+      }
     // A half more or less than what is asked is as near as cells come.
-    const double halvings = std::ceil(std::log2(times_too_large(*terrain, spec, solids_)) - 0.5);
-    if (!(halvings > 0)) return terrain;
+    const double halvings =
+        std::ceil(std::log2(times_too_large(terrain, *facts, spec, solids_)) - 0.5);
+    if (!(halvings > 0)) return {whole, of_eye ? nullptr : of_whole};
     // It isn't seen as a whole, or along its shorter side.
     const double step = larger->step / std::exp2(halvings);
-    if (step < 1) return read({}, progress);
+    if (step < 1) return {read({}, progress), nullptr};
     asked.least_cells = (std::min(larger->columns, larger->rows) - 1) / static_cast<int>(step);
   }
 }

@@ -5,6 +5,7 @@
 #include "dem/read/read_options.hpp"
 #include "dem/terrain.hpp"
 #include "placing/map_spec.hpp"
+#include "placing/terrain_facts.hpp"
 #include "solids/scene_file.hpp"
 
 #include <compare>
@@ -25,6 +26,13 @@ struct LevelAsked {
   auto operator<=>(const LevelAsked&) const = default;
 };
 
+/// A terrain, and what was found of it to know which cells it needs: null where nobody asked, and
+/// in degrees, where each view has a frame, and facts, of its own.
+struct TerrainForMap {
+  std::shared_ptr<const TerrainData> terrain;
+  std::shared_ptr<const TerrainFacts> facts;
+};
+
 /// The terrain of some files, read as often as maps of it need other cells. Several threads may use
 /// it at a time.
 class TerrainsForMaps {
@@ -39,8 +47,7 @@ public:
   /// its own surface, where the planes of a file's view cut it, where it is in degrees and lines
   /// are draped over patches, and where it is checked against the file. Throws the Errors of
   /// `read_terrain`, and of placing the view; `progress` as of the first.
-  std::shared_ptr<const TerrainData> of(const MapSpec& spec,
-                                        const std::function<void(double)>& progress = {});
+  TerrainForMap of(const MapSpec& spec, const std::function<void(double)>& progress = {});
 
   /// The same before it is known from where the terrain is looked at: as if the page shows it whole
   /// as large as it can.
