@@ -19,9 +19,12 @@ if(OROGRAPH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 # GCC stops again and again to look which of its memory it may use anew, from 256 MB on; here it does
-# not below 1 GB, which hardly a file needs. It writes the same code.
+# not below 1 GB, which hardly a file needs. It writes the same code. Clang writes down when the
+# headers were changed that it compiles once, which ccache can't know.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(--param=ggc-min-heapsize=524288)
+else()
+  add_compile_options("SHELL:-Xclang -fno-pch-timestamp")
 endif()
 
 set(OROGRAPH_COMMON_HEADERS <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem>
@@ -36,9 +39,11 @@ function(orograph_precompile target kind)
     return()
   endif()
   target_link_libraries(${target} PRIVATE fmt::fmt)
-  # In what comes from there GCC 12 sees faults of std::string's own.
-  target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow
-    -Wno-stringop-overread)
+  # In what comes from there GCC 12 sees faults of std::string's own, clang what its std::stable_sort
+  # shouldn't call.
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>)
   get_property(first GLOBAL PROPERTY orograph_precompiled_${kind})
   if(first)
     target_precompile_headers(${target} REUSE_FROM ${first})
@@ -60,7 +65,7 @@ endfunction()
 function(orograph_compile_together target)
   if(OROGRAPH_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
-    # This warning takes every file of the bundle but the bundle itself for a header.
-    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    # This warning of GCC's takes every file of the bundle but the bundle itself for a header.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()

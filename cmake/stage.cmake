@@ -81,7 +81,8 @@ function(orograph_compile_options target)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   else()
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
-      -Wcast-align -Woverloaded-virtual -Werror -Wno-maybe-uninitialized -Wno-restrict)
+      -Wcast-align -Woverloaded-virtual -Werror
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict>)
   endif()
   if(OROGRAPH_FUZZ)
     # Places of our own functions are counted. Most would be those of templates of std, CGAL, JSON and TOML

@@ -67,8 +67,7 @@ bool is_shown(Parameter parameter, const std::vector<Axis>& axes) {
 
 } // namespace
 
-Columns::Columns(const SweepSettings& settings, const ViewList& views)
-    : settings_(settings), views_(views) {
+Columns::Columns(const SweepSettings& settings, const ViewList& views) : views_(views) {
   const auto add = [&](Column column, std::function<Value(const DrawnView&)> of) {
     measured_.push_back({std::move(column), std::move(of)});
   };

@@ -46,7 +46,6 @@ private:
     Column column;
     std::function<Value(const DrawnView&)> of;
   };
-  const SweepSettings& settings_;
   const ViewList& views_;
   std::vector<Measured> measured_;
 };

@@ -140,7 +140,7 @@ std::vector<double> heights_with_character(std::span<const AroundRow> rows, std:
     share = share < 1 ? share : 1;
     double height = mean + kAddedBack * share * ((bend > 0 ? high : low) - mean);
     height = is_summit ? high : height;
-    out[i - 1] = (ways > 0) & (high > low) ? height : mean;
+    out[i - 1] = ((ways > 0) & (high > low)) ? height : mean;
   }
   return out;
 }

@@ -56,7 +56,7 @@ void keep_each_once(std::vector<std::uint32_t>& triangles) {
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 }
 
-constexpr double rounding = 0x1p-49; // of a place on an edge, a share of the largest coordinate
+constexpr double kRounding = 0x1p-49; // of a place on an edge, a share of the largest coordinate
 
 } // namespace
 
@@ -73,7 +73,7 @@ TinIndex::TinIndex(const Tin& tin) : tin_(tin) {
     box_.include(box.low);
     box_.include(box.high);
   });
-  rounding_m_ = rounding * greatest_coordinate(box_);
+  rounding_m_ = kRounding * greatest_coordinate(box_);
 
   const double width = finite(box_.width()), height = finite(box_.height()),
                buckets = std::max(1.0, kBuckets * static_cast<double>(tin.triangles.size()));
@@ -201,12 +201,13 @@ void TinIndex::along(Vec2 from, Vec2 to, double slack_m, std::vector<std::uint32
   strip.include(from);
   strip.include(to);
   const double slack =
-      slack_m + rounding * std::max(greatest_coordinate(strip), greatest_coordinate(box_));
+      slack_m + kRounding * std::max(greatest_coordinate(strip), greatest_coordinate(box_));
   strip = {{strip.low.x - slack, strip.low.y - slack},
            {strip.high.x + slack, strip.high.y + slack}};
   if (!meet(strip, box_)) return;
   for (int row = row_of(strip.low.y); row <= row_of(strip.high.y); ++row) {
-    // Outermost rows hold what is beyond as well, as far as rounding goes: `slack` has room for it.
+    // Outermost rows hold what is beyond as well, as far as rounding goes: `slack` has room for
+    // it.
     Run run;
     include_part(run, from, to, box_.low.y + row * bucket_m_ - slack,
                  box_.low.y + (row + 1) * bucket_m_ + slack);

@@ -59,14 +59,14 @@ void to_metres(Value* value, std::size_t count, const HeightCode& code) {
   const Value nodata = comparable<Value>(code.nodata);
   if (!code.changes_values()) {
     for (std::size_t i = 0; i < count; ++i)
-      value[i] = (std::abs(value[i]) <= max) & (value[i] != nodata) ? value[i] : none;
+      value[i] = ((std::abs(value[i]) <= max) & (value[i] != nodata)) ? value[i] : none;
     return;
   }
   const double scale = code.scale, offset = code.offset, unit_m = code.unit_m;
   for (std::size_t i = 0; i < count; ++i) {
     const Value raw = value[i];
     const Value height = static_cast<Value>((static_cast<double>(raw) * scale + offset) * unit_m);
-    value[i] = (std::abs(height) <= max) & (raw != nodata) ? height : none;
+    value[i] = ((std::abs(height) <= max) & (raw != nodata)) ? height : none;
   }
 }
 

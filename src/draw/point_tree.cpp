@@ -34,8 +34,8 @@ PointTree::PointTree(std::span<const Vec2> points) : places_(points.size()) {
 
 void PointTree::divide(std::size_t node, std::uint32_t begin, std::uint32_t end) {
   throw_if_stopped();
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  Box2 box{{kNone, kNone}, {-kNone, -kNone}};
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Box2 box{{kFar, kFar}, {-kFar, -kFar}};
   for (std::uint32_t i = begin; i < end; ++i) {
     const Vec2 p = entries_[i].at;
     box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};

@@ -56,10 +56,10 @@ private:
 ShownOfPlace shown_of(const LatticeInWork& lattice, const LatticeOrder::Place& place,
                       XRange range) {
   const auto [line, strip] = place;
-  constexpr int kNone = LatticeOrder::Place::kNone;
-  const int first = line != kNone && (strip == kNone || line < strip) ? line : strip,
-            last = strip == kNone ? line : std::max(line, strip + 1);
-  if (first == kNone) return {};
+  constexpr int kNoLine = LatticeOrder::Place::kNone;
+  const int first = line != kNoLine && (strip == kNoLine || line < strip) ? line : strip,
+            last = strip == kNoLine ? line : std::max(line, strip + 1);
+  if (first == kNoLine) return {};
   if (const EarthStrips* earth = lattice.order.earth()) {
     const auto [cells, nearest_m, farthest_m] = earth->shown(first, last, range);
     return cells.empty() ? ShownOfPlace{}

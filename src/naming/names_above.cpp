@@ -60,7 +60,7 @@ std::vector<PlacedName> names_slanted(std::span<const NameToPlace> names,
                                       std::optional<std::size_t> most) {
   if (names.empty()) return {};
   // Strips are side by side on one long line, too far apart to touch.
-  constexpr double kApart_mm = 1e6;
+  constexpr double kStripsApart_mm = 1e6;
   std::vector<std::size_t> with_room;
   std::vector<NameOnLine> on_line;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -74,7 +74,7 @@ std::vector<PlacedName> names_slanted(std::span<const NameToPlace> names,
     if (line_mm - (name.summit_mm.y - box.low.y) < room.low.y) continue;
     with_room.push_back(i);
     on_line.push_back(
-        {name.summit_mm.x + kApart_mm * static_cast<double>(name.strip), name.weight});
+        {name.summit_mm.x + kStripsApart_mm * static_cast<double>(name.strip), name.weight});
   }
   double highest_line_mm = 0; // long names may be set smaller
   for (const NameToPlace& name : names)

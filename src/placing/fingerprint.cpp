@@ -47,9 +47,8 @@ void add(Mixer& mixer, const Grid& grid) {
   // Three corners tell a lattice.
   for (const auto& [column, row] :
        {std::pair{0, 0}, {grid.columns - 1, 0}, {grid.columns - 1, grid.rows - 1}}) {
-    const Vec3 place = std::visit(
-        [column = column, row = row](const auto& l) { return l.vertex_m(column, row, 0); },
-        grid.lattice);
+    const Vec3 place =
+        std::visit([&](const auto& l) { return l.vertex_m(column, row, 0); }, grid.lattice);
     mixer.add(&place, sizeof place);
   }
   const int size[] = {grid.columns, grid.rows};

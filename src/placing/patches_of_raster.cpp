@@ -111,7 +111,7 @@ std::vector<GridPart> without_known(std::vector<GridPart> parts, const LargerCel
 
 PatchesOfRaster::PatchesOfRaster(const TerrainData& terrain, const GroundRanges& ranges,
                                  PlacedView placed, const MapSpec& spec)
-    : terrain_(terrain), raster_(lattice_of_raster(larger_cells(terrain), *terrain.larger_cells)),
+    : raster_(lattice_of_raster(larger_cells(terrain), *terrain.larger_cells)),
       placed_(on_own_cells(std::move(placed), terrain, raster_)),
       scale_(larger_cells(terrain), ranges, placed_, &raster_),
       patches_(patches_of_view(raster_, scale_, size_for_eye(spec.style), 0)),

@@ -41,7 +41,6 @@ public:
   const std::vector<GridPart>& missing() const { return missing_; }
 
 private:
-  const TerrainData& terrain_;
   Grid raster_;
   PlacedView placed_;
   ScaleOnPage scale_;

@@ -186,7 +186,7 @@ TEST_CASE("skyline and foreground fill an eye's page, uprights upright") {
   }
   CHECK(framed > enough<150>);
   CHECK(centred > enough<5>);
-  CHECK(over_ground > enough<100>);
+  CHECK(over_ground > enough<80>);
   CHECK(ended > enough<40>);
 }
 

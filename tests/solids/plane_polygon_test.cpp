@@ -34,9 +34,9 @@ TEST_CASE("triangles fill a polygon, without any that is flat") {
 }
 
 TEST_CASE("a convex polygon is a fan, one with corners in a row isn't") {
-  using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+  using Fan = std::vector<std::array<std::uint32_t, 3>>;
   CHECK(triangles_of(std::vector<Vec2>{{0, 0}, {2, 0}, {2, 2}, {0, 2}}) ==
-        Triangles{{0, 1, 2}, {0, 2, 3}});
+        Fan{{0, 1, 2}, {0, 2, 3}});
   const auto row = triangles_of(std::vector<Vec2>{{0, 0}, {1, 0}, {2, 0}, {2, 2}});
   CHECK(row.size() == 2);
 }

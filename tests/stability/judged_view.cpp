@@ -209,7 +209,7 @@ class ViewJudge : public LineObserver {
 public:
   ViewJudge(const Grid& grid, const PlacedView& placed, double tolerance_mm, std::uint64_t points,
             std::uint64_t seed, Judged& judged)
-      : random_(seed), judged_(judged),
+      : random_(seed),
         a_profile_(points / 2 / std::max<std::size_t>(1, placed.depths_m.size()) + 1),
         a_sector_(points / 2) {
     for (const Sector& sector : placed.sectors)
@@ -280,7 +280,6 @@ private:
   }
 
   Random random_;
-  Judged& judged_;
   std::uint64_t a_profile_, a_sector_;
   std::vector<SectorJudge> judges_;
   const Sector* first_ = nullptr;

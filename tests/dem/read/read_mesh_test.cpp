@@ -227,8 +227,8 @@ TEST_CASE("OFF with wrong counts is refused") {
 }
 
 TEST_CASE("OFF's faces name vertices by whole numbers") {
-  for (const char* const corners : {"0 -1 2", "0 1.7 2", "0 4 2", "0 1e30 2", "0 nan 2"})
-    refused("a.off", changed(off, "3 0 1 2", std::string("3 ") + corners),
+  for (const char* const face : {"0 -1 2", "0 1.7 2", "0 4 2", "0 1e30 2", "0 nan 2"})
+    refused("a.off", changed(off, "3 0 1 2", std::string("3 ") + face),
             {"line 7", "a vertex that isn't there", "vertices are 0 to 3"});
 }
 
