@@ -61,14 +61,10 @@ bool grazes(const Grid& grid, const View& view, const GridCutter& cutter, double
             double tolerance) {
   const double behind = depth - cutter.nearest_m(), before = cutter.farthest_m() - depth;
   if (behind < 0 || before < 0) return std::min(behind, before) >= -tolerance;
-  if (behind > tolerance) return false;
-  // Exactly at the near end a vertex of another depth tells of rounding, behind it one of this
-  // depth.
+  if (behind == 0 || behind > 2 * tolerance) return false; // both depths are rounded
   for (int row = 0; row < grid.rows; ++row)
-    for (int column = 0; column < grid.columns; ++column) {
-      const double away = depth_of(grid, view, column, row) - depth;
-      if (behind > 0 ? away == 0 : away != 0 && std::abs(away) <= tolerance) return true;
-    }
+    for (int column = 0; column < grid.columns; ++column)
+      if (depth_of(grid, view, column, row) == depth) return true;
   return false;
 }
 
