@@ -223,8 +223,10 @@ void Check::see(const SeenLines& seen) {
   };
   if (from_list + found == 0) return;
   const auto ask_one = [&](bool anywhere) {
-    if (anywhere || visible.empty())
-      return ask_line(seen, number(below(from_list + found)), share());
+    if (anywhere || visible.empty()) {
+      const double at = share(); // compilers differ in which argument they reckon first
+      return ask_line(seen, number(below(from_list + found)), at);
+    }
     const LinePart& part = visible[below(visible.size())];
     return ask_line(seen, part.line, near_end(part.t_begin, part.t_end));
   };
