@@ -144,12 +144,10 @@ std::optional<double> height_at(const Grid& grid, Vec2 ground_m,
 }
 
 std::optional<double> height_at(const Tin& tin, Vec2 ground_m) {
-  constexpr std::size_t kOfTask = 65536;
   constexpr double kNone = -std::numeric_limits<double>::infinity();
-  const std::size_t count = tin.triangles.size();
-  std::vector<double> highest((count + kOfTask - 1) / kOfTask, kNone);
+  std::vector<double> highest(tasks_of_triangles(tin), kNone);
   on_all_cores(highest.size(), [&](std::size_t task) {
-    for (std::size_t t = task * kOfTask; t < std::min(count, (task + 1) * kOfTask); ++t) {
+    for (const std::uint32_t t : triangles_of_task(tin, task)) {
       const auto& [a, b, c] = tin.triangles[t];
       const Vec3 &p = tin.vertices_m[a], &q = tin.vertices_m[b], &r = tin.vertices_m[c];
       if (std::max({p.x, q.x, r.x}) < ground_m.x || std::min({p.x, q.x, r.x}) > ground_m.x)

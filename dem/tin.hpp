@@ -4,10 +4,12 @@
 
 #include "geometry/vec.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <ranges>
 #include <vector>
 
 namespace orograph {
@@ -30,6 +32,17 @@ struct Tin {
 
   bool operator==(const Tin&) const = default;
 };
+
+/// A TIN's triangles are looked at on all cores in so many tasks, of so many each.
+constexpr std::size_t kTrianglesAtOnce = 8192;
+inline std::size_t tasks_of_triangles(const Tin& tin) {
+  return (tin.triangles.size() + kTrianglesAtOnce - 1) / kTrianglesAtOnce;
+}
+inline auto triangles_of_task(const Tin& tin, std::size_t task) {
+  return std::views::iota(
+      static_cast<std::uint32_t>(task * kTrianglesAtOnce),
+      static_cast<std::uint32_t>(std::min(tin.triangles.size(), (task + 1) * kTrianglesAtOnce)));
+}
 
 /// Where a vertex is, seen from above.
 inline Vec2 plan_m(const Tin& tin, std::uint32_t vertex) {

@@ -10,7 +10,6 @@
 #include "view/view.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <ranges>
 #include <vector>
@@ -29,17 +28,6 @@ inline TinEdge edge_opposite(const Tin& tin, std::uint32_t t, std::size_t k) {
   const std::uint32_t a = tin.triangles[t][(k + 1) % 3], b = tin.triangles[t][(k + 2) % 3];
   const std::uint32_t other = tin.neighbours[t][k];
   return a < b ? TinEdge{{a, b}, t, other} : TinEdge{{b, a}, other, t};
-}
-
-/// A TIN's triangles are looked at on all cores in so many tasks, of so many each.
-constexpr std::size_t kTrianglesOfTask = 8192;
-inline std::size_t tasks_of_triangles(const Tin& tin) {
-  return (tin.triangles.size() + kTrianglesOfTask - 1) / kTrianglesOfTask;
-}
-inline auto triangles_of_task(const Tin& tin, std::size_t task) {
-  return std::views::iota(
-      static_cast<std::uint32_t>(task * kTrianglesOfTask),
-      static_cast<std::uint32_t>(std::min(tin.triangles.size(), (task + 1) * kTrianglesOfTask)));
 }
 
 /// Calls take(TinEdge) for every edge of these triangles that no triangle before them has.

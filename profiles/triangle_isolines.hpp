@@ -64,12 +64,12 @@ public:
     const double first = first_, per_value = per_value_, most = count_ + 0.5;
     // Nearly all are farther from the place of any level than levels are from theirs. A loop that
     // the compiler turns into vector instructions, and one that it doesn't.
-    constexpr std::size_t kInLanes = 256;
-    std::array<double, kInLanes> shares;
-    for (std::size_t begin = 0; begin < values.size(); begin += kInLanes) {
+    constexpr std::size_t kBatch = 256;
+    std::array<double, kBatch> shares;
+    for (std::size_t begin = 0; begin < values.size(); begin += kBatch) {
       const double* const of = values.data() + begin;
       std::int32_t* const to = counts.data() + begin;
-      const int some = static_cast<int>(std::min(kInLanes, values.size() - begin));
+      const int some = static_cast<int>(std::min(kBatch, values.size() - begin));
       for (int i = 0; i < some; ++i) {
         const double place = (of[i] - first) * per_value + 1;
         const double within = place > 0.5 ? (place < most ? place : most) : 0.5;

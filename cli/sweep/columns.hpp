@@ -33,7 +33,7 @@ struct DrawnView {
 
 class Columns {
 public:
-  /// REQUIRES that both outlive it.
+  /// REQUIRES that `views` outlives it.
   Columns(const SweepSettings& settings, const ViewList& views);
 
   std::vector<Column> columns() const;

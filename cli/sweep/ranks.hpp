@@ -98,7 +98,7 @@ private:
   int first_failed(bool failed) const; ///< rank, or -1
 
   int rank_ = 0, size_ = 1;
-  [[maybe_unused]] bool owns_mpi_ = false;
+  [[maybe_unused]] bool owns_mpi_ = false; // never where there is no MPI
 };
 
 } // namespace orograph

@@ -62,9 +62,9 @@ constexpr double kRounding = 0x1p-49; // of a place on an edge, a share of the l
 
 TinIndex::TinIndex(const Tin& tin) : tin_(tin) {
   std::mutex box_mutex;
-  for_each_task([&](std::uint32_t begin, std::uint32_t end) {
+  on_all_cores(tasks_of_triangles(tin), [&](std::size_t task) {
     Box2 box;
-    for (std::uint32_t t = begin; t < end; ++t) {
+    for (const std::uint32_t t : triangles_of_task(tin, task)) {
       const Box2 of_triangle = box_of(t);
       box.include(of_triangle.low);
       box.include(of_triangle.high);
@@ -86,23 +86,12 @@ TinIndex::TinIndex(const Tin& tin) : tin_(tin) {
   std::uint32_t sum = 0;
   for (std::uint32_t& b : begin_) b = sum += b;
   triangles_.resize(sum);
-  for_each_task([&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t t = begin; t < end; ++t)
+  on_all_cores(tasks_of_triangles(tin), [&](std::size_t task) {
+    for (const std::uint32_t t : triangles_of_task(tin, task))
       for_each_run(t, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i <= last; ++i)
           triangles_[std::atomic_ref(begin_[i]).fetch_sub(1, std::memory_order_relaxed) - 1] = t;
       });
-  });
-}
-
-// Calls task(begin, end) for all triangles, some thousands at a time, on all cores.
-template <class Task>
-void TinIndex::for_each_task(const Task& task) const {
-  constexpr std::size_t kOfTask = 8192;
-  const std::size_t count = tin_.triangles.size();
-  on_all_cores((count + kOfTask - 1) / kOfTask, [&](std::size_t i) {
-    task(static_cast<std::uint32_t>(i * kOfTask),
-         static_cast<std::uint32_t>(std::min(count, (i + 1) * kOfTask)));
   });
 }
 
@@ -116,14 +105,16 @@ void TinIndex::lay_buckets(double bucket_m) {
 bool TinIndex::count(std::size_t most) {
   begin_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
   std::atomic<std::size_t> entries = 0;
-  for_each_task([&](std::uint32_t begin, std::uint32_t end) {
+  on_all_cores(tasks_of_triangles(tin_), [&](std::size_t task) {
     std::size_t of_task = 0;
-    for (std::uint32_t t = begin; t < end && entries + of_task <= most; ++t)
+    for (const std::uint32_t t : triangles_of_task(tin_, task)) {
+      if (entries + of_task > most) break;
       for_each_run(t, [&](std::size_t first, std::size_t last) {
         of_task += last - first + 1;
         for (std::size_t i = first; i <= last; ++i)
           std::atomic_ref(begin_[i]).fetch_add(1, std::memory_order_relaxed);
       });
+    }
     entries += of_task;
   });
   return entries <= most;
@@ -206,8 +197,7 @@ void TinIndex::along(Vec2 from, Vec2 to, double slack_m, std::vector<std::uint32
            {strip.high.x + slack, strip.high.y + slack}};
   if (!meet(strip, box_)) return;
   for (int row = row_of(strip.low.y); row <= row_of(strip.high.y); ++row) {
-    // Outermost rows hold what is beyond as well, as far as rounding goes: `slack` has room for
-    // it.
+    // Outermost rows hold what is beyond as well, as far as rounding goes: `slack` has room for it.
     Run run;
     include_part(run, from, to, box_.low.y + row * bucket_m_ - slack,
                  box_.low.y + (row + 1) * bucket_m_ + slack);

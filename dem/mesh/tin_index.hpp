@@ -29,8 +29,6 @@ public:
 
 private:
   bool count(std::size_t most);
-  template <class Task>
-  void for_each_task(const Task& task) const;
   void lay_buckets(double bucket_m);
   int column_of(double x) const;
   int row_of(double y) const;

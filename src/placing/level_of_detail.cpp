@@ -19,7 +19,6 @@
 #include "placing/placed_view.hpp"
 #include "placing/places.hpp"
 #include "profiles/level_ground.hpp"
-#include "profiles/surface_edges.hpp"
 
 #include <algorithm>
 #include <atomic>
