@@ -86,7 +86,7 @@ ContourLevels levels_of(const TerrainData& terrain, const PlacedView& placed,
   const Grid* grid = std::get_if<Grid>(&terrain.surface);
   if (!grid || grid->is_on_earth()) return contour_levels(terrain, spec);
   const Box3& box = placed.extent.box;
-  return contour_levels(box.low.z, box.high.z, terrain.map.height_unit_m, spec);
+  return contour_levels(terrain, {box.low.z, box.high.z}, spec);
 }
 
 } // namespace

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "placing/contours.hpp"
 
+#include "geometry/box.hpp"
 #include "geometry/error.hpp"
 #include "placing/vertex_values.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -16,6 +18,75 @@ namespace {
 // Contours that read as form and not as a tone: of the relief of a sheet of a topographic map.
 constexpr double kOverRelief = 25;
 constexpr double kMostLevels = 10000;
+
+// Of a map whose longer side is 250 mm: where contours are, they are so far apart or more. It is
+// two pens' widths; the Alps from valley to summit have 0.8 to 1.4 mm, archipelagos 0.43.
+constexpr double kLeastApart = 0.45 / 250;
+
+// Sums over the ground's plan. Contours are as dense as it is steep, so the slope that they lie on
+// is `slope_squared / slope`, their mean. At walls and cliffs they may meet.
+struct Slopes {
+  double slope = 0, slope_squared = 0;
+  Box2 plan_m;
+
+  void add(double area_m2, double slope_squared_here) {
+    const double squared = std::min(slope_squared_here, 1.0);
+    slope += area_m2 * std::sqrt(squared);
+    slope_squared += area_m2 * squared;
+  }
+};
+
+// Between vertices some half a millimetre apart on that map: what is finer isn't seen.
+Slopes slopes_of(const Grid& grid, double exaggeration) {
+  constexpr int kSteps = 500;
+  const int step = std::max(1, std::max(grid.columns, grid.rows) / kSteps);
+  Slopes out;
+  for (int row = 0; row + step < grid.rows; row += step)
+    for (int column = 0; column + step < grid.columns; column += step) {
+      const double height_m = grid.height_m(column, row),
+                   rise_m = grid.height_m(column + step, row) - height_m,
+                   other_rise_m = grid.height_m(column, row + step) - height_m;
+      if (std::isnan(rise_m + other_rise_m)) continue;
+      const Vec3 at = grid.vertex_m(column, row);
+      // On the earth up isn't the frame's z.
+      const auto squared_run = [&](Vec3 other, double its_rise_m) {
+        const Vec3 way = other - at;
+        return dot(way, way) - its_rise_m * its_rise_m * exaggeration * exaggeration;
+      };
+      const double run = squared_run(grid.vertex_m(column + step, row), rise_m),
+                   other_run = squared_run(grid.vertex_m(column, row + step), other_rise_m);
+      if (!(run > 0 && other_run > 0)) continue;
+      out.add(std::sqrt(run * other_run),
+              rise_m * rise_m / run + other_rise_m * other_rise_m / other_run);
+      out.plan_m.include({at.x, at.y});
+    }
+  return out;
+}
+
+Slopes slopes_of(const Tin& tin) {
+  Slopes out;
+  for (const auto& [a, b, c] : tin.triangles) {
+    const Vec3 at = tin.vertices_m[a],
+               normal = cross(tin.vertices_m[b] - at, tin.vertices_m[c] - at);
+    if (normal.z == 0) continue;
+    out.add(std::abs(normal.z),
+            (normal.x * normal.x + normal.y * normal.y) / (normal.z * normal.z));
+    out.plan_m.include({at.x, at.y});
+  }
+  return out;
+}
+
+// At which contours don't become a tone, whatever the page; a twenty-fifth of a country's relief
+// does.
+double least_interval_m(const TerrainData& terrain) {
+  const Grid* grid = std::get_if<Grid>(&terrain.surface);
+  const Slopes slopes =
+      grid ? slopes_of(*grid, terrain.map.earth ? terrain.map.earth->exaggeration : 1)
+           : slopes_of(std::get<Tin>(terrain.surface));
+  if (!(slopes.slope > 0)) return 0;
+  return slopes.slope_squared / slopes.slope *
+         std::max(slopes.plan_m.width(), slopes.plan_m.height()) * kLeastApart;
+}
 
 } // namespace
 
@@ -29,13 +100,13 @@ double round_step(double value) {
 
 ContourLevels contour_levels(const TerrainData& terrain, const ContourSpec& spec,
                              std::optional<double> base_m) {
-  const auto [low_m, high_m] = height_range_of(terrain);
-  return contour_levels(low_m, high_m, terrain.map.height_unit_m, spec, base_m);
+  return contour_levels(terrain, height_range_of(terrain), spec, base_m);
 }
 
-ContourLevels contour_levels(double lowest_m, double high_m, double height_unit_m,
+ContourLevels contour_levels(const TerrainData& terrain, std::pair<double, double> heights_m,
                              const ContourSpec& spec, std::optional<double> base_m) {
-  const double unit_m = spec.unit_m.value_or(height_unit_m);
+  const auto [lowest_m, high_m] = heights_m;
+  const double unit_m = spec.unit_m.value_or(terrain.map.height_unit_m);
   const double low_m = base_m.value_or(lowest_m);
   ContourLevels out{{}, {}, {}, lowest_m / unit_m, high_m / unit_m};
   const auto add = [&](double height, bool is_index) {
@@ -51,7 +122,10 @@ ContourLevels contour_levels(double lowest_m, double high_m, double height_unit_
   }
   const double low = low_m / unit_m, high = out.high, relief = high - out.low;
   if (!(low < high) || !(spec.interval || relief > 0)) return out;
-  const double interval = spec.interval.value_or(round_step(relief / kOverRelief));
+  const double interval =
+      spec.interval
+          ? *spec.interval
+          : round_step(std::max(relief / kOverRelief, least_interval_m(terrain) / unit_m));
   const double first = std::floor((low - spec.offset) / interval),
                last = std::ceil((high - spec.offset) / interval);
   if (last - first > kMostLevels)

@@ -141,7 +141,7 @@ struct LineWidths {
 struct ContourSpec {
   std::vector<double> levels = {}; ///< just these, rising; empty: every `interval`
   std::optional<double> interval =
-      {};            ///< none: so that there are about 25 over the terrain's relief
+      {};            ///< none: so that there are about 25 over the relief, or fewer
   double offset = 0; ///< a level; the others are whole intervals from it
   std::optional<double> unit_m =
       {};              ///< of all of these, in metres; none: that of the file's heights

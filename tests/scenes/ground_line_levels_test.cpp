@@ -12,9 +12,11 @@
 #include "tests/support/random.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <span>
 #include <string>
@@ -80,6 +82,58 @@ TEST_CASE("contours nobody chose are 1, 2 or 5 times a power of ten apart, some 
   const std::size_t count = levels(terrain_of(random), {}).heights.size();
   CHECK(count > 15);
   CHECK(count < 41);
+}
+
+TEST_CASE("contours nobody chose are fewer where ground is steep on a large map") {
+  // Ridges 20 km apart whose sides rise by 0.1, with voids between: of a map 250 mm wide, contours
+  // are to be 180 m apart or more where it shows 1,000 km, and 9 m where it shows 50.
+  const auto ridges = [](int columns) {
+    GridLattice lattice{columns, 12};
+    lattice.column_step_m = {1000, 0};
+    lattice.row_step_m = {0, -1000};
+    Random random(4);
+    TerrainData terrain;
+    Grid grid = made_grid(random, lattice, {.low = 0, .high = 1});
+    const auto heights = std::get<Heights<float>>(grid.heights_m).own();
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      const int column = static_cast<int>(i) % columns;
+      heights[i] = column % 37 == 36 ? std::numeric_limits<float>::quiet_NaN()
+                                     : 100.0F * static_cast<float>(std::abs(column % 20 - 10));
+    }
+    terrain.surface = std::move(grid);
+    return terrain;
+  };
+  const auto tin_of = [](const TerrainData& terrain) {
+    const Grid& grid = std::get<Grid>(terrain.surface);
+    TerrainData out;
+    Tin tin;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      tin.vertices_m.push_back(grid.vertex_m(i));
+      const auto at = static_cast<std::uint32_t>(i),
+                 across = static_cast<std::uint32_t>(grid.columns);
+      if (static_cast<int>(at % across) + 1 == grid.columns ||
+          at / across + 1 == static_cast<std::uint32_t>(grid.rows))
+        continue;
+      for (const std::array<std::uint32_t, 3>& triangle :
+           {std::array{at, at + across + 1, at + 1}, std::array{at, at + across, at + across + 1}})
+        if (std::ranges::none_of(triangle, [&](std::uint32_t vertex) {
+              return std::isnan(grid.vertex_m(vertex).z);
+            }))
+          tin.triangles.push_back(triangle);
+    }
+    for (Vec3& vertex : tin.vertices_m)
+      if (std::isnan(vertex.z)) vertex.z = 0; // in no triangle
+    out.surface = std::move(tin);
+    return out;
+  };
+  const TerrainData country = ridges(1001), district = ridges(51);
+  CHECK(levels(country, {}).heights == std::vector<double>{200, 400, 600, 800, 1000});
+  CHECK(levels(tin_of(country), {}).heights == std::vector<double>{200, 400, 600, 800, 1000});
+  CHECK(levels(country, {.unit_m = 0.3048}).heights ==
+        std::vector<double>{500, 1000, 1500, 2000, 2500, 3000});
+  CHECK(levels(district, {}).heights.size() == 20);
+  CHECK(levels(tin_of(district), {}).heights.size() == 20);
+  CHECK(levels(country, {.interval = 40}).heights.size() == 25);
 }
 
 TEST_CASE(
