@@ -176,6 +176,7 @@ void append(const TerrainData& terrain, GroundLines&& part, GroundLines& out) {
 void add_overlays(const TerrainData& terrain, const PlacedView& placed, double above_m,
                   GroundLines& out, std::size_t first, std::size_t most) {
   const std::vector<SomeFeatures> tasks = tasks_of(placed.overlays, terrain.surface);
+  out.overlays_are_lifted = above_m > 0;
   // As many as leave no core without work; their number doesn't depend on how many there are.
   constexpr std::size_t kAtOnce = 64;
   const std::size_t lines_before = out.lines.size();

@@ -41,8 +41,9 @@ struct GroundLines {
   std::vector<ProfilePoint> points; ///< in the view's profile frame
   std::vector<GroundLine> lines;
   std::vector<GroundFeature> features;
-  std::vector<RimLine> rims;            ///< of voids, of a block
-  std::size_t first_contour = 0;        ///< feature, of the lowest level
+  bool overlays_are_lifted = false; ///< higher than the ground, which hides none of them by itself
+  std::vector<RimLine> rims;        ///< of voids, of a block
+  std::size_t first_contour = 0;    ///< feature, of the lowest level
   std::vector<double> levels_to_find_m; ///< of contours, where they aren't among the lines
   std::size_t draped_in_part = 0, not_draped = 0; ///< of overlays' features, as in Counts
   /// Of the overlays' features some may be left for later: the number of tasks of `add_overlays`

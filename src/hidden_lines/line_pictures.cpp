@@ -60,10 +60,11 @@ std::uint64_t source_id(std::uint32_t line) {
 
 LinePictures::LinePictures(const Surface& surface, double reach_m,
                            std::span<const ProfilePoint> points, const Sector& sector,
-                           const std::vector<EdgeLine>& lines, XRange range, double from_m)
-    : ends_(surface, sector.view, {points, sector.to_view.back()}), sector_(sector),
-      view_(sector.view), lines_(lines), range_(range), from_m_(from_m),
-      rounding_m_(position_rounding_m(reach_m, sector.view)) {
+                           const std::vector<EdgeLine>& lines, XRange range, double from_m,
+                           bool overlays_are_lifted)
+    : ends_(surface, sector.view, {points, sector.to_view.back()}),
+      overlays_are_lifted_(overlays_are_lifted), sector_(sector), view_(sector.view), lines_(lines),
+      range_(range), from_m_(from_m), rounding_m_(position_rounding_m(reach_m, sector.view)) {
   beside_range_ = {range.begin - margin(view_, range.begin, from_m, rounding_m_),
                    range.end + margin(view_, range.end, from_m, rounding_m_)};
 }
@@ -163,18 +164,20 @@ double LinePictures::along_edge(const LinePicture& p, double share) const {
 
 SurfaceLine LinePictures::surface_line(const EdgeLine& taken, const LinePicture& p) const {
   const bool upright = p.is_upright();
-  return {p.source,
-          p.nearness_left,
-          p.nearness_right,
-          upright ? 0 : p.source.x0,
-          upright ? 1 : p.source.x1,
-          taken.hides,
-          taken.drawn,
-          p.beside,
-          rounding_m_ / 4, // which is generous: what is farther apart is told apart
-          view_.is_perspective(),
-          taken.covers,
-          false};
+  SurfaceLine out{p.source,
+                  p.nearness_left,
+                  p.nearness_right,
+                  upright ? 0 : p.source.x0,
+                  upright ? 1 : p.source.x1,
+                  taken.hides,
+                  taken.drawn,
+                  p.beside,
+                  rounding_m_ / 4, // which is generous: what is farther apart is told apart
+                  view_.is_perspective(),
+                  taken.covers,
+                  false};
+  out.is_lifted = overlays_are_lifted_ && taken.kind == LineKind::drape;
+  return out;
 }
 
 bool LinePictures::cut_to_range(SurfaceLine& line) const {

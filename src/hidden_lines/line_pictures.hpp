@@ -83,10 +83,10 @@ class LinePictures {
 public:
   /// `reach_m`: as facts of the terrain have it. `points`: of lines on the ground, in the view's
   /// profile frame. `from_m`: depth from which on
-  /// terrain is looked at.
+  /// terrain is looked at. `overlays_are_lifted`: draped lines are higher than the ground.
   LinePictures(const Surface& surface, double reach_m, std::span<const ProfilePoint> points,
                const Sector& sector, const std::vector<EdgeLine>& lines, XRange range,
-               double from_m);
+               double from_m, bool overlays_are_lifted = false);
 
   const EdgeLine& line(std::uint32_t i) const {
     return i < lines_.size() ? lines_[i] : found_[i - lines_.size()];
@@ -162,6 +162,7 @@ public:
 
 private:
   EdgeEnds ends_;
+  bool overlays_are_lifted_;
   const Sector& sector_;
   const View& view_;
   const std::vector<EdgeLine>& lines_;

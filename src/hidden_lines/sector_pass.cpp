@@ -50,7 +50,7 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
       lines_by_range(work.terrain.surface, work.placed.reach_m, work.on_ground.points, sector,
                      work.lines, work.line_numbers, std::span(&work.range, 1), work.from_m);
   LinePictures pictures(work.terrain.surface, work.placed.reach_m, work.on_ground.points, sector,
-                        work.lines, work.range, work.from_m);
+                        work.lines, work.range, work.from_m, work.on_ground.overlays_are_lifted);
   pictures.set_seen_with(work.seen_with);
   LinePass lines(pictures, which.front(), work.tolerance);
   if (instruments.occluders) lines.record(*instruments.occluders);

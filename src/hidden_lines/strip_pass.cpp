@@ -19,7 +19,7 @@ StripPass::StripPass(const SectorInWork& work, const Strip& strip,
                      std::span<const LineAtDepth> which, std::span<const Segment> near_cut)
     : work_(work), range_(strip.range),
       pictures_(work.terrain.surface, work.placed.reach_m, work.on_ground.points, work.sector,
-                work.lines, strip.range, work.from_m),
+                work.lines, strip.range, work.from_m, work.on_ground.overlays_are_lifted),
       lines_(pictures_, which, work.tolerance),
       horizon_(strip.core.begin, strip.core.end, strip.blocks, pictures_.looked_at().begin,
                pictures_.looked_at().end),

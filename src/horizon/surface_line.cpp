@@ -107,10 +107,10 @@ void above_horizon(const SurfaceLine& line, const AnyHorizon& horizon,
 }
 
 // A line straight away from the eye shows where it rises above all in front of it. Where it doesn't
-// rise, its own nearer end hides it.
+// rise and isn't lifted from the ground, its own nearer end hides it.
 Portion upright_above(const SurfaceLine& line, double height) {
   const double y0 = line.source.y0, y1 = line.source.y1;
-  if (!(y1 > y0)) return {0, 0};
+  if (!(y1 > y0) && !line.is_lifted) return {0, 0};
   if (height == -std::numeric_limits<double>::infinity()) return {line.begin, line.end};
   return intersection({line.begin, line.end}, positive(y0 - height, y1 - height));
 }

@@ -38,6 +38,8 @@ struct SurfaceLine {
   /// Lies in the slab's last plane: hides only what is behind that.
   bool in_last_plane = false;
   std::uint32_t tag = 0; ///< the caller's number for it, kept where lines are dropped
+  bool is_lifted =
+      false; ///< is higher than the ground, whose nearer parts so don't hide it by themselves
   bool is_clear = false; ///< is known to be above all of the horizon in front of the slab
 
   bool upright() const { return source.x0 == source.x1; }
@@ -48,8 +50,8 @@ struct SurfaceLine {
 template <class AnyHorizon> // Horizon or BlockedHorizon
 void add_above_horizon(const SurfaceLine& line, std::uint32_t number, const AnyHorizon& horizon,
                        const TieTolerance& tolerance, std::vector<VisibleLinePart>& parts);
-/// The same of a line straight away from the eye that has `height` in front of it. Of one that
-/// doesn't rise nothing is: its own nearer end hides it.
+/// The same of a line straight away from the eye that has `height` in front of it. Of one on the
+/// ground that doesn't rise nothing is: its own nearer end hides it.
 void add_above_height(const SurfaceLine& line, std::uint32_t number, double height,
                       std::vector<VisibleLinePart>& parts);
 

@@ -132,8 +132,8 @@ namespace {
 // Draws a scene and asks the ray walk about all of its lines on the ground; those of even seeds on
 // the grid as a TIN. Tells how many sectors the view has.
 template <class MakeScene>
-std::size_t ask_scene(std::uint64_t seed, const MakeScene& make, Asked& sum,
-                      std::uint64_t& visible) {
+std::size_t ask_scene(std::uint64_t seed, const MakeScene& make, Asked& sum, std::uint64_t& visible,
+                      Overlay (*overlay_of)(const TerrainData&, Random&) = random_overlay) {
   Random random(seed);
   RandomScene scene = make(seed, random);
   if (seed % 2 == 0) {
@@ -142,7 +142,7 @@ std::size_t ask_scene(std::uint64_t seed, const MakeScene& make, Asked& sum,
   }
   INFO("seed " << seed << ": " << scene.what);
   PlacedView placed = placed_view(scene.terrain, scene.spec);
-  const Overlay overlay = random_overlay(scene.terrain, random);
+  const Overlay overlay = overlay_of(scene.terrain, random);
   placed.overlays = std::span(&overlay, 1);
   GroundCheck check(scene.terrain, placed, random);
   Instruments instruments{.hidden_ground = true, .order_always = seed % 4 == 1};
@@ -201,6 +201,40 @@ TEST_CASE("a line on level ground that a level view looks along has no picture")
   std::uint64_t visible = 0;
   ask_scene(930810, with_lines, sum, visible);
   CHECK(sum.asked > 2000);
+}
+
+// One arm of a mark runs straight away from an eye in the south. Behind a ridge it falls as fast as
+// the ground, which hides it there unless it is lifted from it.
+TEST_CASE("what is lifted above the ground isn't hidden by its own nearer end") {
+  const auto lifted = [](std::uint64_t seed, Random& random) {
+    RandomScene scene = with_lines(seed, random);
+    scene.spec.style.layers = {"drape"};
+    const Box2 box = map_bounds(scene.terrain);
+    scene.spec.style.overlay_above_m = random.between(0.001, 0.02) * box.width();
+    scene.spec.view.from_azimuth = Angle::degrees(90.0 * random.whole(0, 3));
+    return scene;
+  };
+  const auto marks = [](const TerrainData& terrain, Random& random) {
+    const Box2 box = map_bounds(terrain);
+    Overlay out;
+    for (int i = 0; i < 60; ++i) {
+      out.places.push_back(
+          {random.between(box.low.x, box.high.x), random.between(box.low.y, box.high.y)});
+      out.features.push_back({{}, out.lines.size(), 1});
+      out.lines.push_back({out.places.size() - 1, 1});
+    }
+    return out;
+  };
+  Asked sum;
+  std::uint64_t visible = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes / 3; ++seed) {
+    try {
+      ask_scene(seed, lifted, sum, visible, marks);
+    } catch (const Error&) { // an eye under the ground, or a view of nothing
+    }
+  }
+  report("lifted marks", sum);
+  CHECK(visible > 40 * kScenes);
 }
 
 TEST_CASE("every other layer is the same with lines on the water and without") {
