@@ -164,20 +164,20 @@ double LinePictures::along_edge(const LinePicture& p, double share) const {
 
 SurfaceLine LinePictures::surface_line(const EdgeLine& taken, const LinePicture& p) const {
   const bool upright = p.is_upright();
-  SurfaceLine out{p.source,
-                  p.nearness_left,
-                  p.nearness_right,
-                  upright ? 0 : p.source.x0,
-                  upright ? 1 : p.source.x1,
-                  taken.hides,
-                  taken.drawn,
-                  p.beside,
-                  rounding_m_ / 4, // which is generous: what is farther apart is told apart
-                  view_.is_perspective(),
-                  taken.covers,
-                  false};
-  out.is_lifted = overlays_are_lifted_ && taken.kind == LineKind::drape;
-  return out;
+  return {p.source,
+          p.nearness_left,
+          p.nearness_right,
+          upright ? 0 : p.source.x0,
+          upright ? 1 : p.source.x1,
+          taken.hides,
+          taken.drawn,
+          p.beside,
+          rounding_m_ / 4, // which is generous: what is farther apart is told apart
+          view_.is_perspective(),
+          taken.covers,
+          false,
+          0,
+          overlays_are_lifted_ && taken.kind == LineKind::drape};
 }
 
 bool LinePictures::cut_to_range(SurfaceLine& line) const {

@@ -37,10 +37,9 @@ struct SurfaceLine {
   bool covers = false;
   /// Lies in the slab's last plane: hides only what is behind that.
   bool in_last_plane = false;
-  std::uint32_t tag = 0; ///< the caller's number for it, kept where lines are dropped
-  bool is_lifted =
-      false; ///< is higher than the ground, whose nearer parts so don't hide it by themselves
-  bool is_clear = false; ///< is known to be above all of the horizon in front of the slab
+  std::uint32_t tag = 0;  ///< the caller's number for it, kept where lines are dropped
+  bool is_lifted = false; ///< higher than the ground, which doesn't hide it by itself
+  bool is_clear = false;  ///< is known to be above all of the horizon in front of the slab
 
   bool upright() const { return source.x0 == source.x1; }
   bool vertical() const { return upright() && nearness0 == nearness1; }
