@@ -23,26 +23,29 @@ constexpr double kMostLevels = 10000;
 // two pens' widths; the Alps from valley to summit have 0.8 to 1.4 mm, archipelagos 0.43.
 constexpr double kLeastApart = 0.45 / 250;
 
-// Sums over the ground's plan. Contours are as dense as it is steep, so the slope that they lie on
-// is `slope_squared / slope`, their mean. At walls and cliffs they may meet.
+// How steep the ground is, summed over its plan. Areas count by any unit, the same for all of them.
+// At walls and cliffs contours may meet, so a slope counts as 1 at most.
 struct Slopes {
-  double slope = 0, slope_squared = 0;
+  double sum = 0, sum_of_squares = 0;
   Box2 plan_m;
 
-  void add(double area_m2, double slope_squared_here) {
-    const double squared = std::min(slope_squared_here, 1.0);
-    slope += area_m2 * std::sqrt(squared);
-    slope_squared += area_m2 * squared;
+  void add(double area, double squared_slope) {
+    const double squared = std::min(squared_slope, 1.0);
+    sum += area * std::sqrt(squared);
+    sum_of_squares += area * squared;
   }
+  // Of the ground that contours lie on: they are as dense as it is steep.
+  double under_contours() const { return sum_of_squares / sum; }
 };
 
-// Between vertices some half a millimetre apart on that map: what is finer isn't seen.
+// Between vertices some half a millimetre apart on that map: what is finer isn't seen, and farther
+// ones miss a country's valleys. Every other one does in each direction.
 Slopes slopes_of(const Grid& grid, double exaggeration) {
   constexpr int kSteps = 500;
   const int step = std::max(1, std::max(grid.columns, grid.rows) / kSteps);
   Slopes out;
-  for (int row = 0; row + step < grid.rows; row += step)
-    for (int column = 0; column + step < grid.columns; column += step) {
+  for (int row = 0; row + step < grid.rows; row += 2 * step)
+    for (int column = 0; column + step < grid.columns; column += 2 * step) {
       const double height_m = grid.height_m(column, row),
                    rise_m = grid.height_m(column + step, row) - height_m,
                    other_rise_m = grid.height_m(column, row + step) - height_m;
@@ -76,16 +79,16 @@ Slopes slopes_of(const Tin& tin) {
   return out;
 }
 
-// At which contours don't become a tone, whatever the page; a twenty-fifth of a country's relief
-// does.
+// The interval from which on contours don't run together on that map, as a country's do at a
+// twenty-fifth of its relief; 0 where all is level.
 double least_interval_m(const TerrainData& terrain) {
   const Grid* grid = std::get_if<Grid>(&terrain.surface);
   const Slopes slopes =
       grid ? slopes_of(*grid, terrain.map.earth ? terrain.map.earth->exaggeration : 1)
            : slopes_of(std::get<Tin>(terrain.surface));
-  if (!(slopes.slope > 0)) return 0;
-  return slopes.slope_squared / slopes.slope *
-         std::max(slopes.plan_m.width(), slopes.plan_m.height()) * kLeastApart;
+  if (!(slopes.sum > 0)) return 0;
+  const double longer_side_m = std::max(slopes.plan_m.width(), slopes.plan_m.height());
+  return slopes.under_contours() * longer_side_m * kLeastApart;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which heights have contours; where meridians, parallels and a mesh's lines are; what strokes say
 // of themselves.
+#include "dem/approximate/tin_of_grid.hpp"
 #include "dem/read/lonlat.hpp"
 #include "geometry/error.hpp"
 #include "hidden_lines/ground_lines.hpp"
@@ -12,7 +13,6 @@
 #include "tests/support/random.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -103,36 +103,18 @@ TEST_CASE("contours nobody chose are fewer where ground is steep on a large map"
     terrain.surface = std::move(grid);
     return terrain;
   };
-  const auto tin_of = [](const TerrainData& terrain) {
-    const Grid& grid = std::get<Grid>(terrain.surface);
-    TerrainData out;
-    Tin tin;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-      tin.vertices_m.push_back(grid.vertex_m(i));
-      const auto at = static_cast<std::uint32_t>(i),
-                 across = static_cast<std::uint32_t>(grid.columns);
-      if (static_cast<int>(at % across) + 1 == grid.columns ||
-          at / across + 1 == static_cast<std::uint32_t>(grid.rows))
-        continue;
-      for (const std::array<std::uint32_t, 3>& triangle :
-           {std::array{at, at + across + 1, at + 1}, std::array{at, at + across, at + across + 1}})
-        if (std::ranges::none_of(triangle, [&](std::uint32_t vertex) {
-              return std::isnan(grid.vertex_m(vertex).z);
-            }))
-          tin.triangles.push_back(triangle);
-    }
-    for (Vec3& vertex : tin.vertices_m)
-      if (std::isnan(vertex.z)) vertex.z = 0; // in no triangle
-    out.surface = std::move(tin);
-    return out;
+  const auto as_tin = [](TerrainData terrain) {
+    const Grid grid = std::get<Grid>(terrain.surface);
+    terrain.surface = tin_of(grid);
+    return terrain;
   };
   const TerrainData country = ridges(1001), district = ridges(51);
   CHECK(levels(country, {}).heights == std::vector<double>{200, 400, 600, 800, 1000});
-  CHECK(levels(tin_of(country), {}).heights == std::vector<double>{200, 400, 600, 800, 1000});
+  CHECK(levels(as_tin(country), {}).heights == std::vector<double>{200, 400, 600, 800, 1000});
   CHECK(levels(country, {.unit_m = 0.3048}).heights ==
         std::vector<double>{500, 1000, 1500, 2000, 2500, 3000});
   CHECK(levels(district, {}).heights.size() == 20);
-  CHECK(levels(tin_of(district), {}).heights.size() == 20);
+  CHECK(levels(as_tin(district), {}).heights.size() == 20);
   CHECK(levels(country, {.interval = 40}).heights.size() == 25);
 }
 

@@ -203,8 +203,8 @@ TEST_CASE("a line on level ground that a level view looks along has no picture")
   CHECK(sum.asked > 2000);
 }
 
-// One arm of a mark runs straight away from an eye in the south. Behind a ridge it falls as fast as
-// the ground, which hides it there unless it is lifted from it.
+// Marks have arms along the map's axes, so from its four sides one arm runs straight away from the
+// eye. Behind a ridge it falls as the ground does, which hides it there unless it is lifted.
 TEST_CASE("what is lifted above the ground isn't hidden by its own nearer end") {
   const auto lifted = [](std::uint64_t seed, Random& random) {
     RandomScene scene = with_lines(seed, random);
