@@ -31,7 +31,7 @@
 namespace orograph::block_scenes_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(500);
+const std::uint64_t kScenes = last_seed(500);
 
 RandomScene with_block(std::uint64_t seed, Random& random) {
   RandomScene scene = scene_with_voids(seed, random);
@@ -269,7 +269,7 @@ TEST_CASE("a block's walls are drawn where they are seen, and nowhere else") {
   tell(drawn, sum);
   CHECK(sum.asked > 25 * kScenes);
   CHECK(sum.visible > 8 * kScenes);
-  CHECK(sum.far_walls > enough<75>); // few scenes needn't have had any
+  CHECK(sum.far_walls > enough(75)); // few scenes needn't have had any
   CHECK(sum.unsure < sum.asked / 20);
 }
 

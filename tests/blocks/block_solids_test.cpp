@@ -22,7 +22,7 @@
 namespace orograph::block_solids_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(200);
+const std::uint64_t kScenes = last_seed(200);
 
 struct Tally {
   std::uint64_t asked = 0, unsure = 0, visible = 0, by_solid = 0, by_block = 0, wrong = 0;

@@ -32,7 +32,7 @@
 namespace orograph::sheet_scenes_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(500);
+const std::uint64_t kScenes = last_seed(500);
 
 void draw_both_sides(Style& style) {
   style.underside = Underside::draw;
@@ -344,8 +344,8 @@ TEST_CASE("and of surveys, whose triangles have any shape and order") {
   tell(sum, drawn);
   WARN(with_walls << " with walls, " << sum.upright << " seen up a wall");
   CHECK(drawn > kScenes / 10);
-  CHECK(with_walls >= enough<kScenes / 20>);
-  CHECK(sum.upright >= enough<kScenes / 4>);
+  CHECK(with_walls >= enough(kScenes / 20));
+  CHECK(sum.upright >= enough(kScenes / 4));
   CHECK(sum.upper > 5 * drawn);
   CHECK(sum.underside > 5 * drawn);
   CHECK(sum.unsure < sum.asked / 5);
@@ -365,7 +365,7 @@ TEST_CASE("walls with gaps are refused, and no others") {
       ++refused;
     }
   }
-  CHECK(refused >= enough<3>);
+  CHECK(refused >= enough(3));
 }
 
 } // namespace orograph::sheet_scenes_test

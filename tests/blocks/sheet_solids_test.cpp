@@ -23,7 +23,7 @@
 namespace orograph::sheet_solids_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(150);
+const std::uint64_t kScenes = last_seed(150);
 
 struct Tally {
   std::uint64_t asked = 0, unsure = 0, visible = 0, by_solid = 0, by_ground = 0, wrong = 0;

@@ -13,6 +13,7 @@ ln -s "$program" bin/orograph
 export PATH=$scratch/bin:$PATH
 touch plain/view.toml plain/report.json plain/dem.tif "plain/my dem.tif"
 cd plain
+for shell in bash zsh fish; do orograph --completion $shell >"$scratch/orograph.$shell"; done
 failures=0
 asked=0
 
@@ -20,21 +21,20 @@ asked=0
 
 in_bash() {
   bash --norc -c '
-    source <(orograph --completion bash)
-    line=$1
+    source "$1"
+    line=$2
     read -ra COMP_WORDS <<<"${line//=/ = }"
     [[ $line != *[\ =] ]] || COMP_WORDS+=("")
     COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
     _orograph
-    printf "%s\n" "${COMPREPLY[@]}"' bash "$1"
+    printf "%s\n" "${COMPREPLY[@]}"' bash "$scratch/orograph.bash" "$1"
 }
 
 in_zsh() {
-  timeout 20 zsh -f "$here/offered_by_zsh.zsh" "$1"
+  timeout 20 zsh -f "$here/offered_by_zsh.zsh" "$scratch/orograph.zsh" "$1"
 }
 
 in_fish() {
-  orograph --completion fish >"$scratch/orograph.fish"
   fish --no-config -c 'source $argv[1]; complete -C $argv[2]' "$scratch/orograph.fish" "$1" | cut -f1
 }
 

@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Prints what zsh offers for a line, each in a line of its own: in an interactive zsh at a terminal
 # of its own Tab is pressed, and what its functions hand to the completion system is told.
-# usage: offered_by_zsh.zsh LINE   (orograph is on the PATH)
+# usage: offered_by_zsh.zsh COMPLETION LINE   (the file with what `orograph --completion zsh` printed)
 zmodload zsh/zpty
 zpty shell zsh -f -i
 setup=$(mktemp)
 trap 'rm -f $setup' EXIT
-cat >$setup <<'SETUP'
+cat >$setup <<SETUP
+autoload -U compinit && compinit -u -d ${(q)1:h}/zcompdump # what all shells after the first read
+source ${(q)1}
+SETUP
+cat >>$setup <<'SETUP'
 PROMPT=
-autoload -U compinit && compinit -D -u
-source <(orograph --completion zsh)
 bindkey '^I' complete-word
 bindkey '^M' undefined
 tell-begin() { print -r -- BEGIN }
@@ -37,7 +39,7 @@ zpty -w shell source $setup
 repeat 200; do
   zpty -r shell line && [[ $line == *READY* ]] && break
 done
-zpty -n -w shell "$1"$'\t'
+zpty -n -w shell "$2"$'\t'
 inside=0
 while zpty -r shell line; do
   line=${line//[$'\r\n']/}

@@ -123,8 +123,8 @@ TEST_CASE(
         if (found) REQUIRE(std::abs(*found - at.z) <= 1e-6);
       }
   }
-  CHECK(asked > enough<3000>);
-  CHECK(beside > enough<50>);
+  CHECK(asked > enough(3000));
+  CHECK(beside > enough(50));
 }
 
 } // namespace orograph::height_at_test

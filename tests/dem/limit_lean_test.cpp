@@ -106,8 +106,8 @@ TEST_CASE("no triangle is turned over once the lean is limited") {
   }
   WARN(limited << " grids limited, " << moved << " of their " << vertices << " vertices; "
                << left_alone << " left as they were");
-  CHECK(limited > enough<std::size_t{60}>);
-  CHECK(left_alone > enough<std::size_t{60}>);
+  CHECK(limited > enough(60));
+  CHECK(left_alone > enough(60));
 }
 
 TEST_CASE("what is far from a spike leans by its height") {

@@ -122,7 +122,7 @@ TEST_CASE("each stroke is drawn by the pen of its layer that is nearest in width
       at = drawing.layers[i].page_mm.back();
     }
   }
-  CHECK(by_name > enough<500>);
+  CHECK(by_name > enough(500));
 }
 
 namespace {
@@ -219,7 +219,7 @@ TEST_CASE("a stroke goes to a pen of its feature's field before one of its layer
     INFO("seed " << seed);
     CHECK(drawn == expected);
   }
-  CHECK(by_field > enough<500>);
+  CHECK(by_field > enough(500));
 }
 
 TEST_CASE("strokes without a pen stay in their layers beneath, where they may") {

@@ -116,7 +116,7 @@ TEST_CASE("strokes are cut at a box's edges and nowhere else") {
     for (std::size_t i = 0; i < whole.layers.size(); ++i)
       drawn += check_cut(whole.layers[i], cut.layers[i], box, random);
   }
-  CHECK(drawn > enough<2000>);
+  CHECK(drawn > enough(2000));
 }
 
 TEST_CASE("sheets show all of a drawing, twice where they overlap") {

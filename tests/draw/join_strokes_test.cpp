@@ -19,7 +19,7 @@ namespace {
 using Point = std::pair<double, double>;
 using Link = std::pair<Point, Point>;
 
-constexpr std::uint64_t kLayers = last_seed(2000);
+const std::uint64_t kLayers = last_seed(2000);
 
 void add_stroke(Layer& layer, const std::vector<Vec2>& points) {
   Stroke stroke;

@@ -106,8 +106,8 @@ TEST_CASE("a panorama's strokes lie where azimuths and altitudes put their lines
     }
   }
   CHECK(outside == 0);
-  CHECK(asked >= enough<20000>);
-  CHECK(crossed >= enough<50>);
+  CHECK(asked >= enough(20000));
+  CHECK(crossed >= enough(50));
   CHECK(worst_mm <= 1e-6);
 }
 

@@ -17,7 +17,7 @@
 namespace orograph::pen_order_test {
 namespace {
 
-constexpr std::uint64_t kDrawings = last_seed(2000);
+const std::uint64_t kDrawings = last_seed(2000);
 constexpr PenOrder kOrders[] = {PenOrder::drawing, PenOrder::sorted, PenOrder::best};
 
 Layer random_layer(Random& random) {

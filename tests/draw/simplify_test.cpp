@@ -109,7 +109,7 @@ TEST_CASE("points hardly farther from the start than the tolerance hold a line a
     REQUIRE(farthest(points, chosen(points, kept)) <= 1 + 1e-12);
     left_out += points.size() - kept.size();
   }
-  REQUIRE(left_out > enough<20000>);
+  REQUIRE(left_out > enough(20000));
 }
 
 TEST_CASE("no tolerance keeps every point") {

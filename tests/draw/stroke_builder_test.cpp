@@ -152,7 +152,7 @@ TEST_CASE("what lies in the frame is drawn, and nothing else", "[slow]") {
       }
     }
   }
-  REQUIRE(strokes > enough<3000>);
+  REQUIRE(strokes > enough(3000));
 }
 
 TEST_CASE("a polyline that comes in through a vertex on the frame goes on from there") {
@@ -269,6 +269,6 @@ TEST_CASE("points at one depth are drawn as one by one, to the bit") {
     strokes += at_once.strokes.size();
     points += at_once.page_mm.size();
   }
-  REQUIRE(strokes > enough<1000>);
-  REQUIRE(points > enough<100000>);
+  REQUIRE(strokes > enough(1000));
+  REQUIRE(points > enough(100000));
 }

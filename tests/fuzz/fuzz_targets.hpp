@@ -25,7 +25,7 @@ struct FuzzTarget {
   void (*run)(FuzzBytes bytes);
 };
 
-/// All targets of this build; those of the command's own readers only where the command is built.
+/// All targets of this program; those of the command's own readers only where it has the command.
 std::span<const FuzzTarget> fuzz_targets();
 
 inline void expect(bool holds, const std::string& what) {
@@ -50,13 +50,13 @@ void fuzz_scene(FuzzBytes bytes);
 void fuzz_pens(FuzzBytes bytes);
 void fuzz_device(FuzzBytes bytes);
 
-// The command's own.
-void fuzz_settings(FuzzBytes bytes);
-void fuzz_report(FuzzBytes bytes);
-void fuzz_plan(FuzzBytes bytes);
-void fuzz_rows(FuzzBytes bytes);
-void fuzz_options(FuzzBytes bytes);
-void fuzz_values(FuzzBytes bytes);
+// The command's own: none of them is there where a program is linked without it.
+[[gnu::weak]] void fuzz_settings(FuzzBytes bytes);
+[[gnu::weak]] void fuzz_report(FuzzBytes bytes);
+[[gnu::weak]] void fuzz_plan(FuzzBytes bytes);
+[[gnu::weak]] void fuzz_rows(FuzzBytes bytes);
+[[gnu::weak]] void fuzz_options(FuzzBytes bytes);
+[[gnu::weak]] void fuzz_values(FuzzBytes bytes);
 
 /// `clip` against the exact one.
 void fuzz_clip(FuzzBytes bytes);

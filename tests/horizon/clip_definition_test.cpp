@@ -23,7 +23,7 @@ TEST_CASE("a piece is above all nearer lists, or is not, as it claims") {
       sum.ties += tally.ties;
     }
     WARN(kind.name << ": " << sum.asked << " asked, " << sum.ties << " ties");
-    REQUIRE(sum.asked > enough<10000>);
+    REQUIRE(sum.asked > enough(10000));
     // A lattice is made of ties; elsewhere a check that skips much checks little.
     if (!kind.lattice) REQUIRE(sum.ties < sum.asked / 50);
   }

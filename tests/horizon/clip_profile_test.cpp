@@ -148,9 +148,9 @@ TEST_CASE("profiles clipped by blocks show what clip shows, whole and in ranges"
     }
   WARN(runs_seen << " visible runs, " << ranges << " ranges, " << steps << " steps, " << ties
                  << " ties, " << split << " horizons whose blocks were halved");
-  CHECK(runs_seen > enough<10000>);
-  CHECK(ties > enough<100>);
-  CHECK(split > enough<50>);
+  CHECK(runs_seen > enough(10000));
+  CHECK(ties > enough(100));
+  CHECK(split > enough(50));
 }
 
 TEST_CASE("a horizon in blocks has bounds, and a cursor over all of its pieces") {

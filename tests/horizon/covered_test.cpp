@@ -104,7 +104,7 @@ std::vector<double> seen_of_upright(const Covered& covered, double x, double low
 } // namespace
 
 TEST_CASE("without gaps what is covered is between two envelopes, piece for piece") {
-  constexpr std::uint64_t kScenes = last_seed(2000);
+  const std::uint64_t kScenes = last_seed(2000);
   std::size_t pieces = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     INFO("seed " << seed);

@@ -189,8 +189,8 @@ TEST_CASE("what is visible in a slab, at every place of every line") {
     }
     WARN(kind.name << ": asked of " << tally.visible << " visible places, " << tally.hidden
                    << " hidden, " << tally.tied << " tied");
-    CHECK(tally.visible > enough<100000>);
-    CHECK(tally.hidden > enough<100000>);
+    CHECK(tally.visible > enough(100000));
+    CHECK(tally.hidden > enough(100000));
     CHECK(tally.tied < (kind.lattice ? tally.visible : tally.visible / 1000));
   }
 }

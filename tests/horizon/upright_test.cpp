@@ -90,9 +90,9 @@ TEST_CASE("an upright shows where it is above the horizon's lower side") {
       }
     }
   }
-  CHECK(shown > enough<50000>);
-  CHECK(hidden > enough<10000>);
-  CHECK(parted > enough<1000>);
+  CHECK(shown > enough(50000));
+  CHECK(hidden > enough(10000));
+  CHECK(parted > enough(1000));
 }
 
 TEST_CASE("an upright that just reaches the horizon is hidden, one that stands on it whole") {

@@ -132,7 +132,7 @@ TEST_CASE("On random pages nothing overlaps and all is within the margins") {
                 << map->drawing.page.width_mm << " x " << map->drawing.page.height_mm);
     CHECK(fault_of(*map) == "");
   }
-  CHECK(drawn >= enough<200>);
+  CHECK(drawn >= enough(200));
   CHECK(refused <= 80);
 }
 

@@ -174,8 +174,8 @@ TEST_CASE("On random maps no text is on another, on a leader or on a line") {
   }
   if (asked) WARN(maps << " maps: " << tally.texts << " texts, " << tally.names << " names");
   INFO(tally.texts << " texts, " << tally.names << " names, " << tally.strokes << " strokes");
-  CHECK(tally.texts >= enough<700>);
-  CHECK(tally.names >= enough<200>);
+  CHECK(tally.texts >= enough(700));
+  CHECK(tally.names >= enough(200));
   CHECK(refused <= static_cast<int>(maps / 4));
 }
 

@@ -21,7 +21,7 @@ double seconds_of(clockid_t clock) {
   return static_cast<double>(at.tv_sec) + 1e-9 * static_cast<double>(at.tv_nsec);
 }
 
-constexpr int kSmallSide = made_side(80);
+const int kSmallSide = made_side(80);
 
 Session small_session() {
   return Session(Terrain::of(borrowed(rough_heights(kSmallSide), kSmallSide)));

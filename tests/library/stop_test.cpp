@@ -35,18 +35,14 @@ double seconds_of(clockid_t clock) {
 }
 
 // Sanitizers slow us down; times are looked at without them.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsTimed = false;
-#else
-constexpr bool kIsTimed = true;
-#endif
+const bool kIsTimed = !is_slow_build();
 
 // A tenth of a second is promised of any terrain. What is done between two looks at the stop token
 // grows with a terrain's rows, or with its cells where a loop doesn't look at all. 400² is a 100th
 // of 4000², of which 0.1 s would be 1 ms; there are slower and busier machines, and first looks
 // at memory have their own whims. What goes over all cells, edges or lines without a look takes
 // longer than that: 10 to 70 ms.
-constexpr int kSide = kIsTimed ? 400 : 120;
+const int kSide = kIsTimed ? 400 : 120;
 constexpr double kGap_s = 0.008;
 // Where every edge is drawn: so small a terrain has few strips and slabs, and each has many of
 // them; and a list of half a million parts moves to fresh memory as it grows, which takes 20 to
@@ -335,7 +331,7 @@ TEST_CASE("stopped at any stage, all threads are at rest at once") {
 }
 
 TEST_CASE("wherever a session was stopped, it draws as before", "[unsanitized]") {
-  constexpr int kSmall = made_side(100);
+  const int kSmall = made_side(100);
   const Terrain terrain = Terrain::of(borrowed(rough_heights(kSmall), kSmall));
   for (const MapSpec& spec : enough_specs(kSmall)) {
     const std::string drawn = drawn_bytes(Session(terrain), spec);
@@ -359,7 +355,7 @@ TEST_CASE("wherever a session was stopped, it draws as before", "[unsanitized]")
 // Facts of the terrain are sought once; whoever waits for them seeks them where that one is
 // stopped.
 TEST_CASE("a view isn't stopped with the one that it waits for") {
-  constexpr int kSmall = made_side(100);
+  const int kSmall = made_side(100);
   const Terrain terrain = Terrain::of(borrowed(rough_heights(kSmall), kSmall));
   const std::string drawn = drawn_bytes(Session(terrain), {});
   for (const std::size_t at : {2, 3, 4}) {

@@ -14,7 +14,7 @@ namespace orograph::threads_test {
 
 namespace {
 
-constexpr int kSide = made_side(160);
+const int kSide = made_side(160);
 
 // Threads that begin together, each with its number; what one throws is told, and fails.
 template <class Work>

@@ -151,7 +151,7 @@ TEST_CASE("what is too large is not run") {
   CHECK_FALSE(row.fragmented);
 }
 
-TEST_CASE("the worst cases grow as they are made to") {
+TEST_CASE("the worst cases grow as they are made to", "[unsanitized]") {
   CHECK_FALSE(verify(std::get<Tin>(comb_before_slope(5).surface)));
   FragmentationSpec spec;
   spec.worst_case = 128;

@@ -280,11 +280,11 @@ TEST_CASE("a grid on the ellipsoid is cut as the TIN of its triangles, bit for b
             made.origin_lon_deg, made.origin_lat_deg);
     compare(random, made_earth_grid(random, made), sum);
   }
-  CHECK(sum.grids - sum.leaning > enough<800>);
-  CHECK(sum.leaning > enough<50>);
-  CHECK(sum.vertices > enough<200000>);
-  CHECK(sum.level > enough<20000>);
-  CHECK(sum.gaps > enough<5000>);
+  CHECK(sum.grids - sum.leaning > enough(800));
+  CHECK(sum.leaning > enough(50));
+  CHECK(sum.vertices > enough(200000));
+  CHECK(sum.level > enough(20000));
+  CHECK(sum.gaps > enough(5000));
 }
 
 TEST_CASE("parts of profiles are those of whole ones, bit for bit") {
@@ -298,10 +298,10 @@ TEST_CASE("parts of profiles are those of whole ones, bit for bit") {
     if (triangles_of(grid).empty() || leaning_triangles(grid) > 0) continue;
     compare_parts(random, grid, sum);
   }
-  CHECK(sum.asked > enough<20000>);
-  CHECK(sum.vertices > enough<50000>);
-  CHECK(sum.gaps > enough<1000>);
-  CHECK(sum.shorter > enough<3000>);
+  CHECK(sum.asked > enough(20000));
+  CHECK(sum.vertices > enough(50000));
+  CHECK(sum.gaps > enough(1000));
+  CHECK(sum.shorter > enough(3000));
 }
 
 TEST_CASE("and as its triangles are, one by one") {
@@ -315,10 +315,10 @@ TEST_CASE("and as its triangles are, one by one") {
     if (triangles_of(grid).empty() || leaning_triangles(grid) > 0) continue;
     check_sections(random, grid, asked);
   }
-  CHECK(asked.places > enough<50000>);
-  CHECK(asked.gaps > enough<5000>);
-  CHECK(asked.level > enough<5000>);
-  CHECK(asked.in_plane > enough<500>);
+  CHECK(asked.places > enough(50000));
+  CHECK(asked.gaps > enough(5000));
+  CHECK(asked.level > enough(5000));
+  CHECK(asked.in_plane > enough(500));
 }
 
 } // namespace orograph::cut_earth_grid_test

@@ -50,9 +50,9 @@ TEST_CASE("parts of a TIN's profiles are those of whole ones, bit for bit") {
                     sum);
     }
   }
-  CHECK(sum.vertices > enough<50000>);
-  CHECK(sum.gaps > enough<1000>);
-  CHECK(sum.shorter > enough<10000>);
+  CHECK(sum.vertices > enough(50000));
+  CHECK(sum.gaps > enough(1000));
+  CHECK(sum.shorter > enough(10000));
 }
 
 // A place there is a sum that cancels, and is off by what its parts round to.

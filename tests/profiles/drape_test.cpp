@@ -106,8 +106,8 @@ TEST_CASE("a draped line is on the surface wherever there is one under it") {
     check(tin_of(grid), on_ground, random, asked, on_surface);
   }
   WARN(asked << " places, " << on_surface << " on the surface");
-  CHECK(on_surface > enough<5000>);
-  CHECK(asked - on_surface > enough<2000>);
+  CHECK(on_surface > enough(5000));
+  CHECK(asked - on_surface > enough(2000));
 }
 
 TEST_CASE("a draped line along the lattice goes through vertices, and stays in one piece") {

@@ -239,9 +239,9 @@ TEST_CASE("silhouettes on the ellipsoid are the TIN's and those of the definitio
     compare(random, grid, random_view(random, grid), sum);
   }
   report("anything", sum);
-  CHECK(sum.certain > enough<8000>);
-  CHECK(sum.rises > enough<500>);
-  CHECK(sum.falls > enough<500>);
+  CHECK(sum.certain > enough(8000));
+  CHECK(sum.rises > enough(500));
+  CHECK(sum.falls > enough(500));
 }
 
 TEST_CASE("of a sea seen edge-on, from a vertex of it and from its level beside it") {
@@ -263,7 +263,7 @@ TEST_CASE("of a sea seen edge-on, from a vertex of it and from its level beside 
     compare(random, grid, level, sum);
   }
   report("edge-on", sum);
-  CHECK(sum.silhouettes > enough<1000>);
+  CHECK(sum.silhouettes > enough(1000));
 }
 
 TEST_CASE("of heights of 1e30 and of 1e-30, and of cliffs 100 km away") {
@@ -296,7 +296,7 @@ TEST_CASE("of heights of 1e30 and of 1e-30, and of cliffs 100 km away") {
     compare(random, grid, parallel_view(random, random.between(0, 360)), sum);
   }
   report("extremes", sum);
-  CHECK(sum.certain > enough<1500>);
+  CHECK(sum.certain > enough(1500));
 }
 
 } // namespace orograph::earth_silhouettes_test

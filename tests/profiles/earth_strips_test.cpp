@@ -201,10 +201,10 @@ TEST_CASE("strips of cells on the earth are in order along every ray that is loo
              << " of them with the eye over a strip, " << restless
              << " strips whose cells turn more than twice; " << none << " without; " << limited
              << " grids whose lean is limited");
-  CHECK(limited > enough<std::uint64_t{10}>);
-  CHECK(asked > enough<std::uint64_t{1'000'000}>);
-  CHECK(over > enough<std::uint64_t{10}>);
-  CHECK(restless > enough<std::uint64_t{20}>);
+  CHECK(limited > enough(10));
+  CHECK(asked > enough(1e6));
+  CHECK(over > enough(10));
+  CHECK(restless > enough(12));
 }
 
 } // namespace orograph::earth_strips_test

@@ -90,8 +90,8 @@ TEST_CASE("the ground behind a grid's silhouettes is that behind its triangles'"
     }
   }
   WARN("the ground rises " << rises << " times and falls " << falls);
-  CHECK(rises > enough<20000>);
-  CHECK(falls > enough<20000>);
+  CHECK(rises > enough(20000));
+  CHECK(falls > enough(20000));
 }
 
 TEST_CASE("silhouettes as marks are those of the list") {
@@ -126,7 +126,7 @@ TEST_CASE("silhouettes as marks are those of the list") {
     }
     edges += list.size();
   }
-  CHECK(edges > enough<20000>);
+  CHECK(edges > enough(20000));
 }
 
 } // namespace orograph::ground_behind_test

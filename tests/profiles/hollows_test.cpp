@@ -123,7 +123,7 @@ TEST_CASE("every part of the ground below a level that reaches no border has its
       CHECK(std::abs(hollow.area_m2 - std::abs(twice) / 2) <= 1e-9 * hollow.area_m2 + 1e-6);
     }
   }
-  CHECK(count > enough<2000>);
+  CHECK(count > enough(2000));
 }
 
 TEST_CASE("the way down is straight, falls, and stays in its triangles") {
@@ -198,7 +198,7 @@ TEST_CASE("the way down is straight, falls, and stays in its triangles") {
       CHECK(height - value_of(corners, shares) <= 0.01 * fallen / step_m + 1e-9);
     }
   }
-  CHECK(pieces_of_several > enough<30>);
+  CHECK(pieces_of_several > enough(30));
 }
 
 } // namespace orograph::hollows_test

@@ -178,8 +178,8 @@ TEST_CASE("lines of a level are each triangle's own, meet in points, and each is
     CHECK(on_tin.size() == found.size());
   }
   WARN(count << " lines, " << along_edges << " along edges");
-  CHECK(count > enough<50000>);
-  CHECK(along_edges > enough<1000>);
+  CHECK(count > enough(50000));
+  CHECK(along_edges > enough(1000));
 }
 
 TEST_CASE("without levels, or triangles, there are no lines of them") {
@@ -225,8 +225,8 @@ TEST_CASE("levels that are counted for many heights at once are those up to each
     }
   }
   WARN(at_once << " heights at once, " << near_level << " looked up");
-  CHECK(at_once > enough<30000>);
-  CHECK(near_level > enough<30000>);
+  CHECK(at_once > enough(30000));
+  CHECK(near_level > enough(30000));
 }
 
 } // namespace orograph::isolines_test

@@ -166,7 +166,7 @@ TEST_CASE("nothing is taken before what a ray meets earlier") {
       }
     }
   }
-  CHECK(pairs_asked > enough<std::size_t{3000000}>);
+  CHECK(pairs_asked > enough(3000000));
 }
 
 TEST_CASE("places of the order hold what has its turn there") {

@@ -106,7 +106,7 @@ TEST_CASE("level ground and its shores are what a flood fill finds") {
     const auto smallest = static_cast<std::size_t>(random.pick({1, 2, 3, 8, 30}));
     regions += check_against_flood(grid, smallest);
   }
-  REQUIRE(regions > enough<1500>); // the scenes do have level ground
+  REQUIRE(regions > enough(1500)); // the scenes do have level ground
 }
 
 TEST_CASE("level ground on wide slopes, looked at in several parts, is what a flood fill finds") {
@@ -132,7 +132,7 @@ TEST_CASE("level ground on wide slopes, looked at in several parts, is what a fl
     grid.heights_m = heights;
     regions += check_against_flood(grid, static_cast<std::size_t>(random.pick({1, 30})));
   }
-  REQUIRE(regions > enough<40>);
+  REQUIRE(regions > enough(40));
 }
 
 TEST_CASE("water has at least 500 triangles and a five-thousandth of the grid") {

@@ -163,8 +163,8 @@ TEST_CASE("a spacing of whole rows goes through rows, in the middle of steps or 
     if (parallel)
       REQUIRE(std::abs(beside.front() - first - 0.5 * every * step * (1 + wrong)) <= 1e-9);
   }
-  CHECK(in_rows > enough<300>);
-  CHECK(between > enough<100>);
+  CHECK(in_rows > enough(300));
+  CHECK(between > enough(100));
 }
 
 TEST_CASE("views too flat for the plane still get all their profiles, in order") {
@@ -263,8 +263,8 @@ TEST_CASE("the depths that a window may show, by rays all over it") {
       REQUIRE(range.farthest_m <= high + 0.1 * (high - low) + 1);
     }
   }
-  CHECK(narrow > enough<100>);
-  CHECK(behind > enough<20>);
+  CHECK(narrow > enough(100));
+  CHECK(behind > enough(20));
 }
 
 TEST_CASE("profiles go where the page shows ground, as many as fit on it") {

@@ -212,10 +212,10 @@ TEST_CASE("Over grids on a map plane the highest in front is that of all triangl
     if (random.chance(0.5)) view.drop = {random.share() * 1e-2, 0, random.share() * 1e-2};
     check(grid, view, random, size_m, sums);
   });
-  CHECK(all.in_front >= enough<20000>);
-  CHECK(all.bare >= enough<3000>);
-  CHECK(all.on_ground >= enough<10000>);
-  CHECK(all.beside >= enough<3000>);
+  CHECK(all.in_front >= enough(20000));
+  CHECK(all.bare >= enough(3000));
+  CHECK(all.on_ground >= enough(10000));
+  CHECK(all.beside >= enough(3000));
   CHECK(all.vague <= all.asked / 500);
 }
 
@@ -242,8 +242,8 @@ TEST_CASE("Over TINs with walls and holes the highest in front is that of all tr
     if (random.chance(0.5)) view.drop = {random.share() * 1e-3, 0, random.share() * 1e-3};
     check(tin, view, random, size_m, sums);
   });
-  CHECK(all.in_front >= enough<10000>);
-  CHECK(all.on_ground >= enough<6000>);
+  CHECK(all.in_front >= enough(10000));
+  CHECK(all.on_ground >= enough(6000));
   CHECK(all.vague <= all.asked / 500);
 }
 
@@ -268,8 +268,8 @@ TEST_CASE("Over grids in degrees the highest in front is that of all triangles")
     if (random.chance(0.5)) view.drop = {-1e-8, 0, -1e-8};
     check(grid, view, random, size_m, sums);
   });
-  CHECK(all.in_front >= enough<4000>);
-  CHECK(all.on_ground >= enough<2000>);
+  CHECK(all.in_front >= enough(4000));
+  CHECK(all.on_ground >= enough(2000));
   CHECK(all.vague <= all.asked / 100);
 }
 

@@ -115,10 +115,10 @@ TEST_CASE("Blocks on a map plane tell of high ground what a walk over all of it 
       view.drop = {1e-4 * random.between(-0.2, 1), 1e-4 * random.share(), 1e-4 * random.share()};
     check(grid, view, random, sums);
   });
-  CHECK(all.told >= enough<2000>);
-  CHECK(all.higher >= enough<500>);
-  CHECK(all.lower >= enough<500>);
-  CHECK(all.on_ground >= enough<1500>);
+  CHECK(all.told >= enough(2000));
+  CHECK(all.higher >= enough(500));
+  CHECK(all.lower >= enough(500));
+  CHECK(all.on_ground >= enough(1500));
 }
 
 TEST_CASE("Blocks of a grid in degrees tell of high ground what a walk over all of it tells") {
@@ -139,10 +139,10 @@ TEST_CASE("Blocks of a grid in degrees tell of high ground what a walk over all 
     if (random.chance(0.5)) view.drop = {-1e-8, 0, -1e-8};
     check(grid, view, random, sums);
   });
-  CHECK(all.told >= enough<1000>);
-  CHECK(all.higher >= enough<200>);
-  CHECK(all.lower >= enough<200>);
-  CHECK(all.on_ground >= enough<800>);
+  CHECK(all.told >= enough(1000));
+  CHECK(all.higher >= enough(200));
+  CHECK(all.lower >= enough(200));
+  CHECK(all.on_ground >= enough(800));
 }
 
 } // namespace orograph::sight_over_blocks_test

@@ -186,7 +186,7 @@ TEST_CASE("silhouettes are those of the definition, in perspective") {
   }
   WARN(tally.certain << " silhouettes, " << tally.listed << " listed, " << tally.doubtful
                      << " may be");
-  CHECK(tally.certain > enough<20000>);
+  CHECK(tally.certain > enough(20000));
   // Only eyes in line with edges or faces leave a doubt.
   CHECK(tally.listed < tally.certain + tally.certain / 4);
 }
@@ -203,7 +203,7 @@ TEST_CASE("and in parallel views") {
   }
   WARN(tally.certain << " silhouettes, " << tally.listed << " listed, " << tally.doubtful
                      << " may be");
-  CHECK(tally.certain > enough<20000>);
+  CHECK(tally.certain > enough(20000));
   CHECK(tally.listed < tally.certain + tally.certain / 4);
 }
 
@@ -222,7 +222,7 @@ TEST_CASE("and in oblique views") {
     CAPTURE(seed, view.x_per_v, view.y_per_v);
     check(grid, view, tally);
   }
-  CHECK(tally.certain > enough<6000>);
+  CHECK(tally.certain > enough(6000));
   CHECK(tally.listed < tally.certain + tally.certain / 4);
 }
 
@@ -245,7 +245,7 @@ TEST_CASE(
   }
   WARN(tally.certain << " silhouettes, " << tally.listed << " listed, " << tally.doubtful
                      << " may be");
-  CHECK(tally.certain > enough<10000>);
+  CHECK(tally.certain > enough(10000));
   CHECK(tally.listed < tally.certain + tally.certain / 4);
 }
 
@@ -319,7 +319,7 @@ TEST_CASE("heights of 1e30, 1e-30 and denormals") {
                                  random.between(0, 360));
       check(grid, view, tally);
     }
-    CHECK(tally.certain > enough<100>);
+    CHECK(tally.certain > enough(100));
   }
 }
 

@@ -232,8 +232,8 @@ TEST_CASE("a grid and the TIN of its triangles have the same edges of every kind
   }
   WARN(sum.silhouettes << " silhouettes, " << sum.shores << " shores, " << sum.border
                        << " border edges");
-  CHECK(sum.silhouettes > enough<20000>);
-  CHECK(sum.shores > enough<500>);
+  CHECK(sum.silhouettes > enough(20000));
+  CHECK(sum.shores > enough(500));
 }
 
 TEST_CASE("also of water at the eye's height, and of heights of 1e30, 1e-30 and denormals") {
@@ -247,7 +247,7 @@ TEST_CASE("also of water at the eye's height, and of heights of 1e30, 1e-30 and 
       for (double& height : std::get<Heights<double>>(grid.heights_m).own()) height *= unit;
       compare(grid, random_view(grid, random, random.pick({0.0, 1.0}) * unit), sum);
     }
-  CHECK(sum.silhouettes > enough<2000>);
+  CHECK(sum.silhouettes > enough(2000));
 }
 
 TEST_CASE("silhouettes of TINs with walls are those of the definition") {
@@ -300,7 +300,7 @@ TEST_CASE("silhouettes of TINs with walls are those of the definition") {
   }
   WARN(certain_count << " silhouettes, " << listed_count << " listed, " << possible_count
                      << " may be");
-  CHECK(certain_count > enough<20000>);
+  CHECK(certain_count > enough(20000));
 }
 
 } // namespace orograph::tin_silhouettes_test

@@ -122,11 +122,7 @@ std::vector<bool> voids_of(const Tin& tin) {
 } // namespace
 
 TEST_CASE("edges around voids are those that floods over missing triangles find") {
-#ifdef NDEBUG
-  constexpr std::uint64_t kGrids = 3000;
-#else
-  constexpr std::uint64_t kGrids = 300;
-#endif
+  const std::uint64_t kGrids = last_seed(3000);
   Counts counts;
   for (std::uint64_t seed = 1; seed <= kGrids; ++seed) {
     Random random(seed);

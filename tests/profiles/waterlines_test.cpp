@@ -120,7 +120,7 @@ TEST_CASE("lines on the water are where the distance to the nearest shore is as 
           lines);
   }
   WARN(lines << " lines");
-  CHECK(lines > enough<800>);
+  CHECK(lines > enough(800));
 }
 
 TEST_CASE("without shores, or distances, there are no lines on the water") {

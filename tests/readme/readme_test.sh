@@ -57,8 +57,8 @@ pages=("$root/README.md" "$root/CHANGELOG.md" "$root"/docs/*.md "$root"/docs/dec
 for page in "${pages[@]}"; do
   run_page "$page"
   while IFS= read -r link; do
-    [[ -z $link || -e $(dirname "$page")/$link ]] || fail "$page: $link isn't there"
-    [[ $link != *figures/* ]] || basename "$link" >>"$scratch/shown"
+    [[ -z $link || -e ${page%/*}/$link ]] || fail "$page: $link isn't there"
+    [[ $link != *figures/* ]] || echo "${link##*/}" >>"$scratch/shown"
   done < <(links_in "$page")
   while IFS= read -r path; do # a program is named without its extension
     [[ ! -d $root/${path%%/*} || -e $root/$path || -e $root/$path.cpp ]] ||
@@ -68,7 +68,7 @@ done
 [[ $ran -ge 5 ]] || fail "README.md shows $ran commands: the test has lost them"
 
 for figure in "$root"/docs/figures/*; do
-  name=$(basename "$figure")
+  name=${figure##*/}
   grep -qx "$name" "$scratch/shown" || fail "$name is on no page: leave it out of scripts/figures"
   [[ $(stat -c %s "$figure") -le 600000 ]] || fail "$name has more than 600 kB"
 done

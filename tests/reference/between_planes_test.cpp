@@ -155,8 +155,8 @@ TEST_CASE("between a front and a back plane is hidden what is hidden by what the
   }
   WARN(scenes << " scenes, " << asked << " asked, " << hidden << " hidden, " << ties << " ties, "
               << uncovered << " uncovered by the cut");
-  CHECK(scenes > enough<500>);
-  CHECK(asked > enough<10000>);
+  CHECK(scenes > enough(500));
+  CHECK(asked > enough(10000));
   CHECK(hidden > asked / 10);
   CHECK(ties < asked / 20);
   CHECK(uncovered > asked / 50);

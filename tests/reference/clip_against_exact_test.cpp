@@ -11,7 +11,7 @@
 namespace orograph::clip_against_exact_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(2500);
+const std::uint64_t kScenes = last_seed(2500);
 
 // The seed's profiles; the surface's occluders and profiles; all three roles in turn.
 std::vector<Role> roles_of(std::uint64_t seed, std::size_t lists) {

@@ -128,8 +128,8 @@ TEST_CASE("by the definition of the horizon: lattice and other random scenes") {
         }
     }
     CAPTURE(kind.name, visible, hidden);
-    CHECK(visible > enough<1000>);
-    CHECK(hidden > enough<1000>);
+    CHECK(visible > enough(1000));
+    CHECK(hidden > enough(1000));
   }
 }
 

@@ -286,7 +286,7 @@ TEST_CASE("against the surface sampled along the ray: random heights, holes, tur
                   << " with nothing in front");
   CHECK(sums.hidden > sums.asked / 10);
   CHECK(sums.hidden + sums.bare < sums.asked / 10 * 9);
-  CHECK(sums.asked > enough<10000>);
+  CHECK(sums.asked > enough(10000));
 }
 
 TEST_CASE("against the surface sampled along the ray: cone, ridge, steps, with a hole") {

@@ -279,7 +279,7 @@ TEST_CASE("over the ground, the same as the ray walk") {
         CHECK(verdict.hidden == (front.greatest_y > y));
     }
   }
-  CHECK(asked > enough<5000>);
+  CHECK(asked > enough(5000));
   CHECK(hidden > asked / 4);
   CHECK(hidden < asked / 4 * 3);
   // Rays along rows and columns, on the border.

@@ -156,7 +156,7 @@ MadeTin random_wish(Random& random) {
 void report(const Sums& sums) {
   WARN(sums.asked << " asked, " << sums.hidden << " hidden, " << sums.bare
                   << " with nothing in front, " << sums.sharp << " exactly known");
-  CHECK(sums.asked > enough<10000>);
+  CHECK(sums.asked > enough(10000));
   CHECK(sums.hidden > sums.asked / 20);
   CHECK(sums.sharp > sums.asked / 4);
 }
@@ -252,7 +252,7 @@ TEST_CASE("over a grid and over its triangles, the same") {
     }
   }
   WARN(asked << " asked, " << hidden << " hidden");
-  CHECK(asked > enough<5000>);
+  CHECK(asked > enough(5000));
   CHECK(hidden > asked / 10);
 }
 

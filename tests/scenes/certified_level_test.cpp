@@ -148,9 +148,9 @@ TEST_CASE("no point of a certified level is off by more than is told, or asked f
     CHECK(map.facts.check_of_file->counts.hidden == 0);
     ties += map.facts.check_of_file->counts.ties;
   }
-  CHECK(levels > enough<10>);
-  CHECK(tight > enough<6>);  // or the bound would be no measure
-  CHECK(ties > enough<300>); // which the file's surface hides by less
+  CHECK(levels > enough(10));
+  CHECK(tight > enough(6));  // or the bound would be no measure
+  CHECK(ties > enough(300)); // which the file's surface hides by less
 }
 
 TEST_CASE("a raster that isn't in memory has the certified patches that it has in memory") {
@@ -204,8 +204,8 @@ TEST_CASE("a raster that isn't in memory has the certified patches that it has i
     CHECK(greatest_mm(grid, terrain->surface, placed_view(terrain, spec), random) <=
           level->greatest_mm);
   }
-  CHECK(several > enough<5>);
-  CHECK(patches_of_levels > enough<100>);
+  CHECK(several > enough(5));
+  CHECK(patches_of_levels > enough(100));
 }
 
 } // namespace orograph::certified_level_test

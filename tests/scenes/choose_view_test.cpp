@@ -106,8 +106,8 @@ TEST_CASE("what a viewer sees of coarse ground is what the ray walk sees") {
         }
     }
   }
-  CHECK(seen > enough<20000>);
-  CHECK(hidden > enough<20000>);
+  CHECK(seen > enough(20000));
+  CHECK(hidden > enough(20000));
   CHECK(ties < seen / 100);
 }
 

@@ -26,7 +26,7 @@
 namespace orograph::contour_ends_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(200);
+const std::uint64_t kScenes = last_seed(200);
 // Of shares of a piece of a contour: what is nearer to its end is at it.
 constexpr double kRounding = 1e-9;
 

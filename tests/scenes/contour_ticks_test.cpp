@@ -166,7 +166,7 @@ TEST_CASE("ticks start on their contours and end above the next ones") {
       continue;
     }
   }
-  CHECK(count > enough<500>);
+  CHECK(count > enough(500));
 }
 
 } // namespace orograph::contour_ticks_test

@@ -18,7 +18,7 @@
 namespace orograph::earth_scenes_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(150);
+const std::uint64_t kScenes = last_seed(150);
 
 struct Tally {
   Asked asked;

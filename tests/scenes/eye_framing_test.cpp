@@ -184,10 +184,10 @@ TEST_CASE("skyline and foreground fill an eye's page, uprights upright") {
     CHECK((view.window.low.y <= seen.highest - kForegroundShare * width + rounding ||
            (!stands && view.window.low.y <= seen.lowest_seen + rounding)));
   }
-  CHECK(framed > enough<150>);
-  CHECK(centred > enough<5>);
-  CHECK(over_ground > enough<80>);
-  CHECK(ended > enough<40>);
+  CHECK(framed > enough(150));
+  CHECK(centred > enough(5));
+  CHECK(over_ground > enough(80));
+  CHECK(ended > enough(40));
 }
 
 TEST_CASE("an eye that is told where to look isn't framed") {

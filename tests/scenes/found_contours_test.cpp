@@ -26,7 +26,7 @@
 namespace orograph::found_contours_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(160);
+const std::uint64_t kScenes = last_seed(160);
 
 // Whoever watches is shown a list of all lines.
 class Watcher : public LineObserver {
@@ -155,7 +155,7 @@ TEST_CASE("contours found on the way are those of a list, whatever the strips") 
 }
 
 TEST_CASE("so are those in degrees, where strips of cells have an order") {
-  constexpr std::uint64_t kOnEarth = last_seed(80);
+  const std::uint64_t kOnEarth = last_seed(80);
   Tally tally;
   for (std::uint64_t seed = 1; seed <= kOnEarth; ++seed) {
     Random random(seed);

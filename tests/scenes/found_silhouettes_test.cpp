@@ -21,7 +21,7 @@ namespace {
 
 using Layers = std::vector<LayerSpec>;
 
-constexpr std::uint64_t kScenes = last_seed(400);
+const std::uint64_t kScenes = last_seed(400);
 
 // Whoever watches is shown a list of all lines.
 class Watcher : public LineObserver {
@@ -110,7 +110,7 @@ TEST_CASE("silhouettes found on the way are drawn as those of a list") {
 }
 
 TEST_CASE("so they are in degrees, where strips of cells have an order") {
-  constexpr std::uint64_t kOnEarth = last_seed(160);
+  const std::uint64_t kOnEarth = last_seed(160);
   Tally tally;
   for (std::uint64_t seed = 1; seed <= kOnEarth; ++seed) {
     RandomScene scene = random_earth_scene(seed, seed % 2 == 0   ? Stand::frames_terrain

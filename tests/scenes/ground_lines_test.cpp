@@ -27,7 +27,7 @@
 namespace orograph::ground_lines_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(120);
+const std::uint64_t kScenes = last_seed(120);
 
 // A random scene, of which half the ground is under water.
 RandomScene flooded(std::uint64_t seed, Random& random) {

@@ -32,7 +32,7 @@
 namespace orograph::hidden_lines_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(150);
+const std::uint64_t kScenes = last_seed(150);
 
 constexpr std::array kLayers{"profiles", "contours", "mesh",  "drape",      "shores",
                              "border",   "voids",    "edges", "silhouettes"};

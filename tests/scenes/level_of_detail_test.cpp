@@ -213,8 +213,8 @@ TEST_CASE("patches about an eye are drawn rightly by the ray walk") {
     CHECK(drawn.map.facts.check->missing == 0);
     asked += drawn.map.facts.check->asked;
   }
-  CHECK(asked > enough<5000>);
-  CHECK(several > enough<5>);
+  CHECK(asked > enough(5000));
+  CHECK(several > enough(5));
 }
 
 TEST_CASE("a lake in patches stays level and has its shore, on the earth too") {

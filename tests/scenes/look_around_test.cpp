@@ -88,8 +88,8 @@ TEST_CASE("Places are seen and hidden as the ray walk has them, on all kinds of 
       sums.ties += one.ties;
     }
     INFO(file);
-    CHECK(sums.seen >= enough<20u>);
-    CHECK(sums.hidden >= enough<200u>);
+    CHECK(sums.seen >= enough(20u));
+    CHECK(sums.hidden >= enough(200u));
     CHECK(10 * sums.ties <= sums.asked); // vertices of edges that are seen themselves
   }
 }

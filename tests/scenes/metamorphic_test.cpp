@@ -15,7 +15,7 @@
 namespace orograph::metamorphic_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(60);
+const std::uint64_t kScenes = last_seed(60);
 
 struct Picture {
   TerrainData terrain;

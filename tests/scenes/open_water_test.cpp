@@ -175,8 +175,8 @@ TEST_CASE("to an eye in the landscape water ends at its horizon, or nowhere") {
     horizon_m += found.sea_m;
     none += found.sea_m == 0 ? 1U : 0U;
   }
-  CHECK(horizon_m > enough<20> * kEnd_m / 40);
-  CHECK(none > enough<10>);
+  CHECK(horizon_m > enough(20) * kEnd_m / 40);
+  CHECK(none > enough(10));
 }
 
 TEST_CASE("water without a shore has its border") {

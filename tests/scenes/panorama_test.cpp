@@ -109,8 +109,8 @@ TEST_CASE("what a panorama draws is visible, and nothing visible is missing") {
     }
   }
   report("panoramas", sum);
-  CHECK(sum.scenes >= enough<50>);
-  CHECK(sum.asked >= enough<50000>); // of 1000 a scene
+  CHECK(sum.scenes >= enough(50));
+  CHECK(sum.asked >= enough(50000)); // of 1000 a scene
 }
 
 TEST_CASE(
@@ -170,7 +170,7 @@ TEST_CASE(
         }
       }
   }
-  CHECK(asked >= enough<20000>);
+  CHECK(asked >= enough(20000));
 }
 
 TEST_CASE("strokes go on where a panorama's sectors meet", "[unsanitized]") {
@@ -203,7 +203,7 @@ TEST_CASE("strokes go on where a panorama's sectors meet", "[unsanitized]") {
       }
     }
   }
-  CHECK(through >= enough<2000>);
+  CHECK(through >= enough(2000));
   // A sector has some eight columns of tone here, and lines begin, end and widen between them: up
   // to a fifth, as between the columns in a sector's middle.
   CHECK(4 * ends <= through);
@@ -253,7 +253,7 @@ TEST_CASE("a panorama that begins elsewhere is the same but where it begins", "[
       }
     }
   }
-  CHECK(asked >= enough<500>);
+  CHECK(asked >= enough(500));
 }
 
 TEST_CASE("a panorama shows the skyline with sky above it, or the altitudes that are asked for") {

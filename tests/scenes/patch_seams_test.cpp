@@ -170,7 +170,7 @@ private:
 TEST_CASE("nothing shows where patches meet") {
   for (const double noise_m : {0.0, 12.0}) {
     Seams seams;
-    for (std::uint64_t seed = 1; seed <= last_seed(12); ++seed) {
+    for (std::uint64_t seed = 1; seed <= last_seed(24); ++seed) {
       Random random(700 + seed);
       const TerrainData whole = plane_terrain(220, 220, [&](double x, double y) {
         return 300 * std::sin(x * 3) * std::cos(y * 2.3) + 120 * std::sin(11 * x + 7 * y) +

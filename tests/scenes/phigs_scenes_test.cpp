@@ -19,7 +19,7 @@
 namespace orograph::phigs_scenes_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(250);
+const std::uint64_t kScenes = last_seed(250);
 
 Vec3 turned(Vec3 p, double angle) {
   return {std::cos(angle) * p.x - std::sin(angle) * p.y,

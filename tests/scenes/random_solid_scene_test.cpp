@@ -89,13 +89,13 @@ TEST_CASE("random solid scenes: closed, mirrored as they say, with the eye outsi
   }
   WARN(solids << " solids, " << mirrored << " mirrored, " << wires << " of wires, "
               << beside_the_eye << " ahead of the eye and behind it");
-  CHECK(solids > enough<1000>);
+  CHECK(solids > enough(1000));
   CHECK(mirrored > solids / 10);
   CHECK(wires > solids / 40);
-  CHECK(beside_the_eye > enough<20>);
-  CHECK(projections[Projection::perspective] > enough<100>);
-  CHECK(projections[Projection::orthographic] > enough<60>);
-  CHECK(projections[Projection::oblique] > enough<30>);
+  CHECK(beside_the_eye > enough(20));
+  CHECK(projections[Projection::perspective] > enough(100));
+  CHECK(projections[Projection::orthographic] > enough(60));
+  CHECK(projections[Projection::oblique] > enough(30));
 }
 
 TEST_CASE("and the same seed makes the same scene") {

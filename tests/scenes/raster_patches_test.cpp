@@ -85,9 +85,9 @@ TEST_CASE("an eye over a raster in larger cells sees its own cells near by") {
     CHECK(map.facts.check->missing == 0);
     asked += map.facts.check->asked;
   }
-  CHECK(asked > enough<4000>);
-  CHECK(several > enough<2>);
-  CHECK(in_part > enough<2>);
+  CHECK(asked > enough(4000));
+  CHECK(several > enough(2));
+  CHECK(in_part > enough(2));
 }
 
 TEST_CASE("ground on the page has a scale, and most of that beside it has none") {
@@ -122,8 +122,8 @@ TEST_CASE("ground on the page has a scale, and most of that beside it has none")
         }
       }
   }
-  CHECK(on_page > enough<20000>);
-  CHECK(beside > enough<60000>);
+  CHECK(on_page > enough(20000));
+  CHECK(beside > enough(60000));
 }
 
 TEST_CASE("own cells that hide each other have no scale, and what is seen of them keeps it") {
@@ -181,8 +181,8 @@ TEST_CASE("own cells that hide each other have no scale, and what is seen of the
       REQUIRE(now > 0);
     }
   }
-  CHECK(seen > enough<300>);
-  CHECK(hidden > enough<600>);
+  CHECK(seen > enough(300));
+  CHECK(hidden > enough(600));
 }
 
 TEST_CASE("only ground beside the page is coarser than far ground is shown") {
@@ -215,7 +215,7 @@ TEST_CASE("only ground beside the page is coarser than far ground is shown") {
               placed, placed.on_page(to_profile_frame(placed.view, larger.vertex_m(column, row)))));
     }
   }
-  CHECK(coarse > enough<12>);
+  CHECK(coarse > enough(12));
 }
 
 TEST_CASE("without the raster's own cells its larger ones are drawn") {

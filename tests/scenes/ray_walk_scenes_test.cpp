@@ -18,7 +18,7 @@
 namespace orograph::ray_walk_scenes_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(500), kSampleProbes = 20 * last_seed(200);
+const std::uint64_t kScenes = last_seed(500), kSampleProbes = 20 * last_seed(200);
 
 } // namespace
 

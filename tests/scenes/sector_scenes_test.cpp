@@ -16,7 +16,7 @@
 namespace orograph::sector_scenes_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(350);
+const std::uint64_t kScenes = last_seed(350);
 
 // A low hill, all of which can be seen from straight above.
 TerrainData gentle(int columns, int rows) {

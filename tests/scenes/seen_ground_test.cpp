@@ -21,7 +21,7 @@
 namespace orograph::seen_ground_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(200);
+const std::uint64_t kScenes = last_seed(200);
 constexpr int kPoints = 400;
 
 struct Tally {
@@ -194,7 +194,7 @@ TEST_CASE("nor in degrees, nor all round", "[slow]") {
 
 // So wide that many vertices share a column of the bound on the horizon.
 TEST_CASE("nor what narrow peaks stand in front of", "[slow]") {
-  constexpr std::uint64_t kWide = std::max<std::uint64_t>(kScenes / 30, 1);
+  const std::uint64_t kWide = std::max<std::uint64_t>(kScenes / 30, 1);
   Tally tally;
   for (std::uint64_t seed = 1; seed <= kWide; ++seed) {
     Random random(seed);

@@ -15,7 +15,7 @@
 namespace orograph::seen_solids_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(100);
+const std::uint64_t kScenes = last_seed(100);
 constexpr int kGroundLines = 20;
 
 // A scene as it is drawn: what of it lies ahead of the eye.

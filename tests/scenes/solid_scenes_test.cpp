@@ -12,7 +12,7 @@
 namespace orograph::solid_scenes_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(16);
+const std::uint64_t kScenes = last_seed(16);
 
 // Where `is_in` is true along a line: looked for in steps, their ends by halving.
 std::vector<LineShare> shares_by_halving(const std::function<bool(double)>& is_in) {

@@ -16,7 +16,7 @@
 namespace orograph::strips_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(200);
+const std::uint64_t kScenes = last_seed(200);
 
 struct Tally {
   std::size_t strips = 0, lines = 0;

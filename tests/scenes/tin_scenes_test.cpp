@@ -16,7 +16,7 @@
 namespace orograph::tin_scenes_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(350);
+const std::uint64_t kScenes = last_seed(350);
 
 CheckCounts ask_tin(const TerrainData& terrain, const MapSpec& spec, std::uint64_t probes) {
   const auto fault = verify(std::get<Tin>(terrain.surface));

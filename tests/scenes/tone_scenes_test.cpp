@@ -22,7 +22,7 @@
 namespace orograph::tone_scenes_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(400);
+const std::uint64_t kScenes = last_seed(400);
 
 Map drawn(const TerrainData& terrain, const PlacedView& placed, const MapSpec& spec) {
   return draw_map(terrain, placed, spec, [](double) {});

@@ -74,7 +74,7 @@ TEST_CASE("and of the samples, from eight sides", "[slow]") {
       spec.style.plan = ProfileCount{14};
       const Tally tally = check(terrain, spec, static_cast<std::uint64_t>(side));
       REQUIRE(tally.wrong == 0);
-      REQUIRE(tally.asked > enough<1000>);
+      REQUIRE(tally.asked > enough(1000));
     }
   }
 }

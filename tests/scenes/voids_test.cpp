@@ -19,7 +19,7 @@
 namespace orograph::voids_test {
 namespace {
 
-constexpr std::uint64_t kScenes = last_seed(300);
+const std::uint64_t kScenes = last_seed(300);
 constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
 struct VoidScene {

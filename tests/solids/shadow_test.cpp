@@ -13,7 +13,7 @@ namespace {
 
 using Real = long double;
 
-constexpr std::uint64_t kLines = last_seed(10000);
+const std::uint64_t kLines = last_seed(10000);
 constexpr int kPlaces = 25;
 // Places closer to the other answer than this aren't asked: shares are rounded.
 constexpr Real kClose = 1e-9L;
@@ -133,8 +133,8 @@ TEST_CASE("a triangle's shadow is what rays meet behind it", "[slow]") {
         shadow, random_point(random, lattice, 0.01), random_point(random, lattice, 0.01),
         [&](Vec3 p) { return behind_triangle(rays, corners, p); }, tally);
   }
-  CHECK(tally.hidden > enough<10000>);
-  CHECK(tally.seen > enough<10000>);
+  CHECK(tally.hidden > enough(10000));
+  CHECK(tally.seen > enough(10000));
 }
 
 TEST_CASE("an edge of the ground hides what is behind it and lower in the picture", "[slow]") {
@@ -154,8 +154,8 @@ TEST_CASE("an edge of the ground hides what is behind it and lower in the pictur
         shadow, random_point(random, lattice, 0.02), random_point(random, lattice, 0.02),
         [&](Vec3 p) { return below_edge(view, left, right, p); }, tally);
   }
-  CHECK(tally.hidden > enough<10000>);
-  CHECK(tally.seen > enough<10000>);
+  CHECK(tally.hidden > enough(10000));
+  CHECK(tally.seen > enough(10000));
 }
 
 TEST_CASE("what is buried is below a triangle of the ground", "[slow]") {
@@ -173,8 +173,8 @@ TEST_CASE("what is buried is below a triangle of the ground", "[slow]") {
         shadow, random_point(random, lattice, 1), random_point(random, lattice, 1),
         [&](Vec3 p) { return under_triangle(corners, p); }, tally);
   }
-  CHECK(tally.hidden > enough<10000>);
-  CHECK(tally.seen > enough<10000>);
+  CHECK(tally.hidden > enough(10000));
+  CHECK(tally.seen > enough(10000));
 }
 
 TEST_CASE("neighbouring shadows meet in the same share") {
@@ -201,5 +201,5 @@ TEST_CASE("neighbouring shadows meet in the same share") {
     CHECK(first.end == second.begin);
     ++met;
   }
-  CHECK(met > enough<50>);
+  CHECK(met > enough(50));
 }

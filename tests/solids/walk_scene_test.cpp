@@ -49,7 +49,7 @@ SceneGraph chain(std::size_t parts, int uses_each) {
 
 TEST_CASE("the walk makes an instance of every path, with the product along it") {
   std::size_t most = 0;
-  for (std::uint64_t seed = 1; seed <= last_seed(500); ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(1000); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
     const SceneGraph graph = made_scene_graph(random);
@@ -65,7 +65,7 @@ TEST_CASE("the walk makes an instance of every path, with the product along it")
       REQUIRE((matrix_of(found[i].to_place) - expected[i].product).cwiseAbs().maxCoeff() < 1e-9);
     }
   }
-  CHECK(most > enough<400>);
+  CHECK(most > enough(800));
 }
 
 TEST_CASE("paths are counted before they are walked") {

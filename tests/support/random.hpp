@@ -3,6 +3,8 @@
 // distributions of the standard library aren't.
 #pragma once
 
+#include "tests/support/slow_build.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,32 +16,24 @@
 
 namespace orograph {
 
-/// Of random scenes numbered from 1, all of which passed once (`count`): in optimized builds half
-/// as many, since a change that breaks a kind of scene breaks many; in others, which are there
-/// for the sanitizers, a tenth: their faults show in any scene. Never fewer than 4.
-constexpr std::uint64_t last_seed(std::uint64_t count) {
-#ifdef NDEBUG
-  constexpr std::uint64_t kShare = 2;
-#else
-  constexpr std::uint64_t kShare = 10;
-#endif
-  return std::max<std::uint64_t>(std::min<std::uint64_t>(count, 4), count / kShare);
+/// Of random scenes numbered from 1, all of which passed once (`count`): a quarter, since a
+/// change that breaks a kind of scene breaks many; in slow builds, which are there for the
+/// sanitizers, a tenth: their faults show in any scene. Never fewer than 4.
+inline std::uint64_t last_seed(std::uint64_t count) {
+  return std::max<std::uint64_t>(std::min<std::uint64_t>(count, 4),
+                                 count / (is_slow_build() ? 10 : 4));
 }
 
 /// The same of rounds with one engine's random numbers.
-constexpr int rounds(int count) {
+inline int rounds(int count) {
   return static_cast<int>(last_seed(static_cast<std::uint64_t>(count)));
 }
 
 /// How often a test must have met what it is about, told for all scenes. So few as the sanitizers
 /// have needn't have met it.
-#ifdef NDEBUG
-template <auto count>
-constexpr auto enough = (count + 1) / 2;
-#else
-template <auto count>
-constexpr auto enough = count * 0;
-#endif
+inline double enough(double count) {
+  return is_slow_build() ? 0 : count / 4;
+}
 
 class Random {
 public:

@@ -155,8 +155,8 @@ TEST_CASE("a framing window is the picture's box, but for ground below the near 
     }
     if (request.distance_m && !camera.parallel) REQUIRE(view->distance_m == *request.distance_m);
   }
-  REQUIRE(framed > enough<700>);
-  REQUIRE(beside > enough<20>);
+  REQUIRE(framed > enough(700));
+  REQUIRE(beside > enough(20));
 }
 
 TEST_CASE(
@@ -193,6 +193,6 @@ TEST_CASE(
     REQUIRE(nearest <= 1e-9);
     REQUIRE(text.find("`distance_m`") != std::string::npos);
   }
-  CHECK(refused > enough<10>);
-  CHECK(steep > enough<100>);
+  CHECK(refused > enough(10));
+  CHECK(steep > enough(100));
 }

@@ -47,5 +47,5 @@ TEST_CASE("perspective, orthographic and oblique views are the pipeline's") {
       ++compared;
     }
   }
-  CHECK(compared > enough<10000>);
+  CHECK(compared > enough(10000));
 }

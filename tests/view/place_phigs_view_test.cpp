@@ -69,8 +69,8 @@ TEST_CASE("a PHIGS view's picture is that of the definition, ahead of the eye an
         REQUIRE(largest(sector.to_picture(plane) - expected) <= 1e-9 * std::max(size, 100.0));
       }
     }
-  CHECK(compared > enough<20000>);
-  CHECK(beside > enough<100>);
+  CHECK(compared > enough(20000));
+  CHECK(beside > enough(100));
 }
 
 TEST_CASE("the sector behind is the same place turned round, to the bit") {
@@ -110,6 +110,6 @@ TEST_CASE("a window shows rays beside the eye just if one of its points does") {
     REQUIRE(shows_beside(view) == (least < 0.05));
     ++(least < 0.05 ? yes : no);
   }
-  CHECK(yes > enough<200>);
-  CHECK(no > enough<200>);
+  CHECK(yes > enough(200));
+  CHECK(no > enough(200));
 }

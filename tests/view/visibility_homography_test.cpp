@@ -71,7 +71,7 @@ TEST_CASE("perspective: the homography agrees with the pipeline") {
     compared += compare(random, view, frame);
     compared += compare(random, view, {frame.origin_m, random_heading(random)}); // another sector
   }
-  CHECK(compared > enough<10000>);
+  CHECK(compared > enough(10000));
 }
 
 TEST_CASE("parallel: the homography agrees with the pipeline") {
@@ -87,7 +87,7 @@ TEST_CASE("parallel: the homography agrees with the pipeline") {
     REQUIRE(homography.m[7] == 0);
     REQUIRE(homography.m[8] == 1);
   }
-  CHECK(compared > enough<19000>);
+  CHECK(compared > enough(19000));
 }
 
 TEST_CASE("the frame of a view") {

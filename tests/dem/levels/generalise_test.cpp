@@ -88,7 +88,7 @@ TEST_CASE("a level is never above what is around in the file, or below it, and h
     CHECK(have_voids);
     CHECK(is_between);
   }
-  CHECK(voids > enough<500>);
+  CHECK(voids > enough(500));
   CHECK(heights > 10 * voids / 2);
 }
 

@@ -120,9 +120,9 @@ TEST_CASE("the heights of a row of a level are those that ridges, floors and sum
       ++(there == mean ? means : there == high ? summits : ridges);
     }
   }
-  CHECK(summits > enough<1000>);
-  CHECK(ridges > enough<1000>);
-  CHECK(means > enough<1000>);
+  CHECK(summits > enough(1000));
+  CHECK(ridges > enough(1000));
+  CHECK(means > enough(1000));
 }
 
 TEST_CASE("the tops of a grid are the highest vertices of squares that nothing near is above") {
@@ -142,7 +142,7 @@ TEST_CASE("the tops of a grid are the highest vertices of squares that nothing n
     CHECK(tops == defined_tops(grid, side, 10));
     found += tops.size();
   }
-  CHECK(found > enough<500>);
+  CHECK(found > enough(500));
 }
 
 } // namespace orograph::ground_around_test

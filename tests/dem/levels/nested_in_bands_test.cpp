@@ -151,7 +151,7 @@ TEST_CASE("nested levels made in bands have the grid's heights, and tell how far
     else
       check_grid<double>(random, whole);
   }
-  CHECK(whole > enough<500>);
+  CHECK(whole > enough(500));
 }
 
 } // namespace orograph::nested_in_bands_test

@@ -147,7 +147,7 @@ TEST_CASE("patches are all of a grid, and differ by one level at most") {
     REQUIRE(are_near);
     REQUIRE(are_told);
   }
-  CHECK(seams > enough<1000>);
+  CHECK(seams > enough(1000));
 }
 
 TEST_CASE("a patchwork is one surface without gaps") {
@@ -221,7 +221,7 @@ TEST_CASE("a patchwork is one surface without gaps") {
       REQUIRE(length(p - (begin + share * (end - begin))) <= 1e-9 * (1 + length(p)));
     }
   }
-  CHECK(seams > enough<1000>);
+  CHECK(seams > enough(1000));
 }
 
 TEST_CASE("a patchwork of the file's cells is the grid's triangles, voids and all") {
@@ -308,9 +308,9 @@ TEST_CASE("patches of a raster in larger cells are its own near by, and made of 
         REQUIRE(own.greatest_m >= read.departure.greatest_m);
     }
   }
-  CHECK(near > enough<10000>);
-  CHECK(at_larger > enough<1000>);
-  CHECK(far > enough<500>);
+  CHECK(near > enough(10000));
+  CHECK(at_larger > enough(1000));
+  CHECK(far > enough(500));
 }
 
 TEST_CASE("with voids no triangle has a missing height, and each void keeps its triangles away") {

@@ -111,7 +111,7 @@ TEST_CASE("heights stay, with their triangles, and none between leaves its cell'
     CHECK(are_between);
     CHECK(are_level);
   }
-  CHECK(cells > enough<1000000>);
+  CHECK(cells > enough(1000000));
   CHECK(level > cells / 100);
   CHECK(absent > cells / 20);
 }

@@ -211,7 +211,7 @@ TEST_CASE("triangles almost as thin as rounding, seen from above, are cut to a v
     INFO((fault ? fault->what : ""));
     REQUIRE_FALSE(fault);
   }
-  CHECK(kept > enough<200>);
+  CHECK(kept > enough(200));
 }
 
 TEST_CASE("a needle alone is cut to a valid TIN or leaves nothing") {
@@ -231,8 +231,8 @@ TEST_CASE("a needle alone is cut to a valid TIN or leaves nothing") {
     ++(left.triangles.empty() ? nothing : kept);
     if (!left.triangles.empty()) REQUIRE_FALSE(verify(left));
   }
-  CHECK(kept > enough<100>);
-  CHECK(nothing > enough<100>);
+  CHECK(kept > enough(100));
+  CHECK(nothing > enough(100));
 }
 
 } // namespace orograph::keep_within_test

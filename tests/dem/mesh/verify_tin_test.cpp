@@ -272,11 +272,11 @@ TEST_CASE("a TIN is valid exactly where all pairs of triangles say so") {
     REQUIRE(agrees(tin, seen));
     still_valid += verify(tin) ? 0 : 1;
   }
-  CHECK(valid > enough<2500>);
-  CHECK(still_valid > enough<100>);
+  CHECK(valid > enough(2500));
+  CHECK(still_valid > enough(100));
   for (int kind = 0; kind <= static_cast<int>(Kind::overlap); ++kind) {
     CAPTURE(kind);
-    CHECK(seen[static_cast<Kind>(kind)] > enough<20>);
+    CHECK(seen[static_cast<Kind>(kind)] > enough(20));
   }
 }
 
@@ -303,9 +303,9 @@ TEST_CASE("a few triangles on a small lattice, in every position") {
     REQUIRE(agrees(tin, seen));
     valid += verify(tin) ? 0 : 1;
   }
-  CHECK(valid > enough<5000>);
-  CHECK(seen[Kind::overlap] > enough<2000>);
-  CHECK(seen[Kind::edge_runs_twice] > enough<100>);
+  CHECK(valid > enough(5000));
+  CHECK(seen[Kind::overlap] > enough(2000));
+  CHECK(seen[Kind::edge_runs_twice] > enough(100));
 }
 
 TEST_CASE("a sheet over the midst of another one, with walls all round it, overlaps it") {

@@ -133,7 +133,7 @@ TEST_CASE("rings on a lattice: along edges, through vertices, touching, crossing
       }
     }
   }
-  CHECK(cut > enough<60>);
+  CHECK(cut > enough(60));
 }
 
 TEST_CASE("what a ring keeps has the ring's area") {
