@@ -99,7 +99,10 @@ void add_layers(RenderSettings& settings, const GivenOptions& given) {
   for (const std::string& layer : settings.added_layers)
     if (!style.asks_for(layer)) style.layers.push_back(layer);
   if (!style.asks_for("contours") && !style.draws_index_contours())
-    refuse(given, "--contour-ticks", "without contours", "give --contours INTERVAL too");
+    refuse(given, "--contour-offset --index-every --contour-ticks", "without contours",
+           "give --contours INTERVAL too");
+  if (!style.asks_for("mesh"))
+    refuse(given, "--mesh-lines --mesh-along", "without a mesh", "give --mesh SPACING too");
   if (settings.overlays.empty()) {
     refuse(given, "--drape-where --drape-offset", "without vectors", "give --drape FILE too");
     if (insists_on(given, "--layers") && style.layers.size() == 1 && style.asks_for("drape"))

@@ -85,7 +85,10 @@ TEST_CASE("options of lines on the ground") {
   CHECK_FALSE(given({"--contours", "5m", "--index-every", "0"}).map.style.draws_index_contours());
   CHECK_FALSE(given({"--contours", "5m"}).map.style.contours.ticks);
   CHECK(given({"--contours", "5m", "--contour-ticks"}).map.style.contours.ticks);
-  check_refused({"--contour-ticks"}, "give --contours INTERVAL too");
+  for (const std::vector<std::string>& alone : {std::vector<std::string>{"--contour-ticks"},
+                                                {"--contour-offset", "5"},
+                                                {"--index-every", "4"}})
+    check_refused(alone, "give --contours INTERVAL too");
   check_refused({"--contours", "0m"}, "an interval above 0");
   check_refused({"--contours", "inf"}, "an interval above 0");
   check_refused({"--contours", "5m,"}, "an interval above 0");
@@ -98,6 +101,8 @@ TEST_CASE("options of lines on the ground") {
   const MeshSpec lines = given({"--mesh", "auto", "--mesh-lines", "x"}).map.style.mesh;
   CHECK(lines.x);
   CHECK_FALSE(lines.y);
+  check_refused({"--mesh-lines", "x"}, "give --mesh SPACING too");
+  check_refused({"--mesh-along", "view"}, "give --mesh SPACING too");
   check_refused({"--mesh", "10001"}, "a whole number from 1 to 10000");
   check_refused({"--mesh", "-5m"}, "a length above 0");
 
