@@ -26,7 +26,7 @@ TEST_CASE("a call that fails leaves a right file, or one line and none") {
         command.name != "sweep")
       continue;
     const Walk found =
-        walk(command, is_exact ? std::vector<std::string>{"memory"} : fault_kinds(), 4);
+        walk(command, is_exact ? std::vector<std::string>{"memory"} : fault_kinds(), 2);
     faults += found.faults;
     refused += found.refused;
     for (const std::string& wrong : found.wrong) FAIL_CHECK(wrong);
