@@ -16,12 +16,15 @@
 
 namespace orograph {
 
+/// One in so many random scenes is looked at each time.
+constexpr std::uint64_t kShare = 4;
+
 /// Of random scenes numbered from 1, all of which passed once (`count`): a quarter, since a
 /// change that breaks a kind of scene breaks many; in slow builds, which are there for the
 /// sanitizers, a tenth: their faults show in any scene. Never fewer than 4.
 inline std::uint64_t last_seed(std::uint64_t count) {
   return std::max<std::uint64_t>(std::min<std::uint64_t>(count, 4),
-                                 count / (is_slow_build() ? 10 : 4));
+                                 count / (is_slow_build() ? 10 : kShare));
 }
 
 /// The same of rounds with one engine's random numbers.
@@ -32,7 +35,7 @@ inline int rounds(int count) {
 /// How often a test must have met what it is about, told for all scenes. So few as the sanitizers
 /// have needn't have met it.
 inline double enough(double count) {
-  return is_slow_build() ? 0 : count / 4;
+  return is_slow_build() ? 0 : count / kShare;
 }
 
 class Random {

@@ -2,18 +2,15 @@
 // Whether a program of tests is for finding faults of memory, and not for judging many scenes.
 #pragma once
 
-extern "C" {
-[[gnu::weak]] void __asan_init();
-[[gnu::weak]] void __tsan_init();
-}
+extern "C" [[gnu::weak]] void __asan_init();
 
 namespace orograph {
 
-/// Whether this runs slowly: it isn't optimized, or it is linked with an engine that the address or
-/// thread sanitizer looks at.
+/// Whether this runs slowly: it isn't optimized, or it is linked with an engine that the address
+/// sanitizer looks at.
 inline bool is_slow_build() {
 #ifdef NDEBUG
-  return __asan_init != nullptr || __tsan_init != nullptr;
+  return __asan_init != nullptr;
 #else
   return true;
 #endif
