@@ -41,12 +41,11 @@ PenRoute nearest_first(const PenLines& lines, Vec2 pen) {
   PointTree left(lines.places());
   PenRoute route;
   route.reserve(lines.size());
-  while (const auto place = left.nearest(pen)) {
+  for (auto place = left.nearest(pen); place; place = left.nearest_to_point(lines.exit(*place))) {
     throw_if_stopped(route.size());
     route.push_back(*place);
     const std::uint32_t line = lines.line_of(*place);
     for (std::uint32_t p = lines.first_place(line); p < lines.end_place(line); ++p) left.remove(p);
-    pen = lines.at(lines.exit(*place));
   }
   return route;
 }

@@ -10,7 +10,9 @@ namespace orograph {
 namespace {
 
 // From 4 to 16 it makes no difference; more take longer to look through, fewer more memory.
-constexpr std::uint32_t kMostInLeaf = 8;
+constexpr std::size_t kMostInLeaf = 16;
+// So many parts of a tree keep all cores busy.
+constexpr std::size_t kParts = 16;
 
 double squared_to(const Box2& box, Vec2 p) {
   const Vec2 out{std::max({box.low.x - p.x, 0.0, p.x - box.high.x}),
@@ -20,89 +22,160 @@ double squared_to(const Box2& box, Vec2 p) {
 
 } // namespace
 
+struct PointTree::Nearest {
+  Near best{std::numeric_limits<double>::infinity(), std::numeric_limits<std::uint32_t>::max()};
+
+  // What is as near as the last that was found may still have a lower number.
+  bool may_be_at(double squared) const { return squared <= best.squared; }
+  void take(const Near& near) { best = std::min(best, near); }
+  std::optional<std::uint32_t> point() const {
+    if (best.squared == std::numeric_limits<double>::infinity()) return std::nullopt;
+    return best.point;
+  }
+};
+
+struct PointTree::SomeNearest {
+  std::size_t count;
+  std::vector<Near> found;
+
+  bool may_be_at(double squared) const {
+    return found.size() < count || squared <= found.back().squared;
+  }
+  void take(const Near& near) {
+    if (found.size() == count) {
+      if (!(near < found.back())) return;
+      found.pop_back();
+    }
+    found.insert(std::upper_bound(found.begin(), found.end(), near), near);
+  }
+};
+
 PointTree::PointTree(std::span<const Vec2> points) : places_(points.size()) {
   entries_.reserve(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) entries_.push_back({points[i], i, true});
-  // Halves differ by one point at most, so that all leaves are on the last two levels.
-  std::size_t nodes = 1;
-  for (std::size_t size = points.size(); size > kMostInLeaf; size = (size + 1) / 2)
-    nodes = 2 * nodes + 1;
-  nodes_.resize(nodes);
-  divide(0, 0, static_cast<std::uint32_t>(entries_.size()));
+  Box2 around;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    entries_.push_back({points[i], i, true});
+    around.include(points[i]);
+  }
+  while (leaves_ * kMostInLeaf < points.size()) leaves_ *= 2;
+  in_leaf_ = std::max<std::size_t>((points.size() + leaves_ - 1) / leaves_, 1);
+  boxes_.resize(2 * leaves_);
+  left_.resize(2 * leaves_);
+  std::vector<Half> parts{{1, 0, points.size(), around}};
+  while (parts.size() < std::min(kParts, leaves_)) {
+    std::vector<Half> halves(2 * parts.size());
+    on_all_cores(parts.size(), [&](std::size_t i) {
+      const auto [left, right] = halves_of(parts[i]);
+      halves[2 * i] = left;
+      halves[2 * i + 1] = right;
+    });
+    parts.swap(halves);
+  }
+  on_all_cores(parts.size(), [&](std::size_t i) { divide(parts[i]); });
+  for (std::size_t node = parts.size(); node-- > 1;) sum_up(node);
   for (std::uint32_t i = 0; i < entries_.size(); ++i) places_[entries_[i].point] = i;
 }
 
-void PointTree::divide(std::size_t node, std::uint32_t begin, std::uint32_t end) {
+// Entries as many as half of the leaves hold come into the first.
+std::array<PointTree::Half, 2> PointTree::halves_of(const Half& whole) {
   throw_if_stopped();
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Box2 box{{kFar, kFar}, {-kFar, -kFar}};
-  for (std::uint32_t i = begin; i < end; ++i) {
-    const Vec2 p = entries_[i].at;
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  const auto& [node, begin, end, around] = whole;
+  std::size_t first_leaf = 2 * node + 1;
+  while (first_leaf < leaves_) first_leaf *= 2;
+  const std::size_t middle = std::min(end, (first_leaf - leaves_) * in_leaf_);
+  std::array<Half, 2> out{Half{2 * node, begin, middle, around},
+                          Half{2 * node + 1, middle, end, around}};
+  if (middle == end) return out;
+  const auto part = [&](double Vec2::*along) {
+    const auto place = [&](std::size_t i) {
+      return entries_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    std::nth_element(place(begin), place(middle), place(end),
+                     [&](const Entry& a, const Entry& b) { return a.at.*along < b.at.*along; });
+    out[0].around.high.*along = out[1].around.low.*along = entries_[middle].at.*along;
+  };
+  if (around.width() >= around.height())
+    part(&Vec2::x);
+  else
+    part(&Vec2::y);
+  return out;
+}
+
+void PointTree::divide(const Half& whole) {
+  if (whole.node >= leaves_) {
+    for (std::size_t i = whole.begin; i < whole.end; ++i)
+      boxes_[whole.node].include(entries_[i].at);
+    left_[whole.node] = static_cast<std::uint8_t>(whole.end - whole.begin);
+    return;
   }
-  nodes_[node] = {box, begin, end, end - begin};
-  if (end - begin <= kMostInLeaf) return;
-  const bool by_x = box.high.x - box.low.x >= box.high.y - box.low.y;
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  const auto place = [&](std::uint32_t i) { return entries_.begin() + i; };
-  std::nth_element(place(begin), place(middle), place(end), [&](const Entry& a, const Entry& b) {
-    const double of_a = by_x ? a.at.x : a.at.y, of_b = by_x ? b.at.x : b.at.y;
-    return of_a != of_b ? of_a < of_b : a.point < b.point;
-  });
-  divide(2 * node + 1, begin, middle);
-  divide(2 * node + 2, middle, end);
+  for (const Half& half : halves_of(whole)) divide(half);
+  sum_up(whole.node);
+}
+
+void PointTree::sum_up(std::size_t node) {
+  for (const std::size_t half : {2 * node, 2 * node + 1}) {
+    if (left_[half] == 0) continue;
+    boxes_[node].include(boxes_[half].low);
+    boxes_[node].include(boxes_[half].high);
+    ++left_[node];
+  }
 }
 
 void PointTree::remove(std::uint32_t point) {
   const std::uint32_t place = places_[point];
   if (!entries_[place].is_left) return;
   entries_[place].is_left = false;
-  for (std::size_t node = 0;;) {
-    --nodes_[node].left;
-    const Node& of = nodes_[node];
-    if (of.end - of.begin <= kMostInLeaf) return;
-    node = 2 * node + (place < nodes_[2 * node + 1].end ? 1 : 2);
+  for (std::size_t node = leaf_of(place); node > 0 && --left_[node] == 0; node /= 2) {
   }
 }
 
-void PointTree::seek(std::size_t node, Vec2 to, std::size_t count, std::vector<Near>& found) const {
-  const Node& of = nodes_[node];
-  // What is as near as the last that was found may still have a lower number.
-  if (of.left == 0 || (found.size() == count && squared_to(of.box, to) > found.back().squared))
-    return;
-  if (of.end - of.begin > kMostInLeaf) {
-    const bool second_first =
-        squared_to(nodes_[2 * node + 2].box, to) < squared_to(nodes_[2 * node + 1].box, to);
-    seek(2 * node + (second_first ? 2 : 1), to, count, found);
-    seek(2 * node + (second_first ? 1 : 2), to, count, found);
+// In a node that has any left.
+template <class Found>
+void PointTree::seek(std::size_t node, Vec2 to, Found& found) const {
+  if (node >= leaves_) {
+    const std::size_t begin = (node - leaves_) * in_leaf_,
+                      end = std::min(begin + in_leaf_, entries_.size());
+    for (std::size_t i = begin; i < end; ++i)
+      if (entries_[i].is_left)
+        found.take({dot(entries_[i].at - to, entries_[i].at - to), entries_[i].point});
     return;
   }
-  for (std::uint32_t i = of.begin; i < of.end; ++i) {
-    if (!entries_[i].is_left) continue;
-    const Near near{dot(entries_[i].at - to, entries_[i].at - to), entries_[i].point};
-    if (found.size() == count) {
-      if (!(near < found.back())) continue;
-      found.pop_back();
-    }
-    found.insert(std::upper_bound(found.begin(), found.end(), near), near);
+  std::size_t nearer = 2 * node, farther = nearer + 1;
+  double to_nearer = squared_to(boxes_[nearer], to), to_farther = squared_to(boxes_[farther], to);
+  if (to_farther < to_nearer) {
+    std::swap(nearer, farther);
+    std::swap(to_nearer, to_farther);
   }
+  if (left_[nearer] > 0 && found.may_be_at(to_nearer)) seek(nearer, to, found);
+  if (left_[farther] > 0 && found.may_be_at(to_farther)) seek(farther, to, found);
 }
 
 std::optional<std::uint32_t> PointTree::nearest(Vec2 to) const {
-  std::vector<Near> found;
-  found.reserve(1);
-  seek(0, to, 1, found);
-  return found.empty() ? std::nullopt : std::optional(found.front().point);
+  Nearest found;
+  if (left_[1] > 0) seek(1, to, found);
+  return found.point();
+}
+
+std::optional<std::uint32_t> PointTree::nearest_to_point(std::uint32_t point) const {
+  Nearest found;
+  const std::uint32_t place = places_[point];
+  const Vec2 to = entries_[place].at;
+  std::size_t node = leaf_of(place);
+  if (left_[node] > 0) seek(node, to, found);
+  for (; node > 1; node /= 2)
+    if (const std::size_t beside = node ^ 1U;
+        left_[beside] > 0 && found.may_be_at(squared_to(boxes_[beside], to)))
+      seek(beside, to, found);
+  return found.point();
 }
 
 void PointTree::nearest(Vec2 to, std::size_t count, std::vector<std::uint32_t>& out) const {
   out.clear();
   if (count == 0) return;
-  std::vector<Near> found;
-  found.reserve(count);
-  seek(0, to, count, found);
-  for (const Near& near : found) out.push_back(near.point);
+  SomeNearest found{count, {}};
+  found.found.reserve(count);
+  if (left_[1] > 0) seek(1, to, found);
+  for (const Near& near : found.found) out.push_back(near.point);
 }
 
 } // namespace orograph

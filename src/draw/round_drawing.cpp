@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace orograph {
@@ -26,8 +27,41 @@ double rounded_to_page_step(double x_mm) {
   return whole / steps_per_mm + 0.0;
 }
 
+namespace {
+
+bool have_points_in_order(const std::vector<Stroke>& strokes) {
+  std::uint32_t end = 0;
+  for (const Stroke& stroke : strokes) {
+    if (stroke.first_point < end) return false;
+    end = stroke.first_point + stroke.point_count;
+  }
+  return true;
+}
+
+void put_points_in_order(Layer& layer) {
+  std::vector<Vec2> page_mm;
+  std::vector<Vec3> map;
+  for (Stroke& stroke : layer.strokes) {
+    throw_if_stopped(page_mm.size());
+    const auto move = [&](const auto& from, auto& to) {
+      if (from.empty()) return;
+      const auto first = from.begin() + stroke.first_point;
+      to.insert(to.end(), first, first + stroke.point_count);
+    };
+    const auto first = static_cast<std::uint32_t>(page_mm.size());
+    move(layer.page_mm, page_mm);
+    move(layer.map, map);
+    stroke.first_point = first;
+  }
+  layer.page_mm = std::move(page_mm);
+  layer.map = std::move(map);
+}
+
+} // namespace
+
 // In place: `kept_point` and `kept_stroke` follow what is read, never ahead of it.
 RoundingCounts round_strokes(Layer& layer) {
+  if (!have_points_in_order(layer.strokes)) put_points_in_order(layer);
   RoundingCounts dropped;
   const bool has_map = !layer.map.empty();
   std::size_t step = 0;

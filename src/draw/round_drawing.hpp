@@ -24,9 +24,9 @@ struct RoundingCounts {
 
 /// Rounds all page points of the layer, then drops points equal to the one before in their stroke,
 /// on the page and, where the layer has map points, on the map as well; then strokes without length
-/// on the page. Order stays. Map points stay as they are. Points of no stroke go as well.
-/// REQUIRES: strokes in the order of their points, without overlap; `map` empty or as long as
-/// `page_mm`. Cost O(points), in place.
+/// on the page. Order stays, and points come to lie in it. Map points stay as they are. Points of
+/// no stroke go as well. REQUIRES `map` empty or as long as `page_mm`. Cost O(points), in place
+/// where points lie in the strokes' order.
 RoundingCounts round_strokes(Layer& layer);
 
 /// The numbers, rising, of the layer's strokes that have the points of an earlier one, in order or

@@ -119,7 +119,7 @@ TEST_CASE("each stroke is drawn by the pen of its layer that is nearest in width
     for (std::size_t i = 0; i + 1 < drawing.layers.size(); ++i) {
       for (std::size_t j = i + 1; j < drawing.layers.size(); ++j)
         CHECK(nearest(drawing.layers[i]) <= nearest(drawing.layers[j]));
-      at = drawing.layers[i].page_mm.back();
+      at = drawing.layers[i].points(drawing.layers[i].strokes.back()).back();
     }
   }
   CHECK(by_name > enough(500));

@@ -47,6 +47,13 @@ TEST_CASE("the nearest points are those that are nearest, and then first, of all
       const auto nearest = tree.nearest(to);
       REQUIRE(nearest.has_value() == !all.empty());
       if (!all.empty()) REQUIRE(*nearest == all.front());
+      if (count > 0) { // left or not
+        const auto beside = static_cast<std::uint32_t>(random.whole(0, count - 1));
+        const auto from_there = by_distance(points, is_left, points[beside]);
+        const auto found_there = tree.nearest_to_point(beside);
+        REQUIRE(found_there.has_value() == !from_there.empty());
+        if (found_there) REQUIRE(*found_there == from_there.front());
+      }
       const auto some = static_cast<std::size_t>(random.whole(0, 12));
       std::vector<std::uint32_t> found{7};
       tree.nearest(to, some, found);

@@ -4,6 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/draw/made_drawing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -106,6 +107,40 @@ TEST_CASE("what is left has no fault, and rounding again changes nothing") {
   const RoundingCounts again = round_to_page_step(layer);
   CHECK(again.points + again.empty_strokes + again.repeated_strokes == 0);
   CHECK(layer.page_mm == before);
+}
+
+TEST_CASE("strokes whose points lie in another order are rounded as if they lay in theirs") {
+  std::mt19937 random(4);
+  std::uniform_int_distribution<int> lattice(0, 2), count(1, 4);
+  Layer scattered;
+  for (int s = 0; s < 1000; ++s) {
+    const Stroke stroke{.first_point = static_cast<std::uint32_t>(scattered.page_mm.size()),
+                        .point_count = static_cast<std::uint32_t>(count(random))};
+    for (std::uint32_t i = 0; i < stroke.point_count; ++i) {
+      scattered.page_mm.push_back({20 + 0.00011 * lattice(random), 20 + 0.00011 * lattice(random)});
+      scattered.map.push_back({1.0 * lattice(random), 0, 1.0 * s});
+    }
+    scattered.strokes.push_back(stroke);
+  }
+  std::shuffle(scattered.strokes.begin(), scattered.strokes.end(), random);
+  Layer gathered;
+  for (Stroke stroke : scattered.strokes) {
+    const auto points = scattered.points(stroke);
+    const auto map = scattered.map.begin() + stroke.first_point;
+    stroke.first_point = static_cast<std::uint32_t>(gathered.page_mm.size());
+    gathered.page_mm.insert(gathered.page_mm.end(), points.begin(), points.end());
+    gathered.map.insert(gathered.map.end(), map, map + stroke.point_count);
+    gathered.strokes.push_back(stroke);
+  }
+  const RoundingCounts of_scattered = round_to_page_step(scattered),
+                       of_gathered = round_to_page_step(gathered);
+  CHECK(of_scattered.points == of_gathered.points);
+  CHECK(of_scattered.points > 0);
+  CHECK(scattered.page_mm == gathered.page_mm);
+  CHECK((scattered.map == gathered.map));
+  REQUIRE(scattered.strokes.size() == gathered.strokes.size());
+  for (std::size_t i = 0; i < scattered.strokes.size(); ++i)
+    CHECK(scattered.strokes[i].first_point == gathered.strokes[i].first_point);
 }
 
 TEST_CASE("repeated strokes are found in a layer of any size, in either direction") {
