@@ -2,10 +2,13 @@
 // How long drawings of one terrain take in memory, reading and writing left out: milliseconds on
 // the clock of the next views of a session (by defaults; without light and even tone; skyline and
 // silhouettes alone, as a preview has them), each the least of several rounds over views all round,
-// with the stages that the drawing tells of.
+// with the stages that the drawing tells of. Freed memory is kept, as the command keeps it
+// (decision 66) and as a program that draws many maps had better do.
 //
 //   session_cost DEM [ROUNDS [JOBS]]     5 rounds, on all cores
 #include "orograph.hpp"
+
+#include <malloc.h>
 
 #include <chrono>
 #include <cstdio>
@@ -49,6 +52,8 @@ void measure(const char* what, const Session& session, MapSpec spec, int rounds,
 
 int main(int argc, char** argv) {
   if (argc < 2) return std::fputs("usage: session_cost DEM [ROUNDS [JOBS]]\n", stderr), 2;
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
   Control control;
   control.jobs = argc > 3 ? std::atoi(argv[3]) : 0;

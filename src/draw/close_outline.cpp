@@ -61,18 +61,23 @@ bool is_at_most(std::span<const Vec2> points, double longest_mm) {
 
 void close_outline(Layer& outline, Layer& other, double longest_mm) {
   const Ends ends(outline);
+  const auto closes = [&](const Stroke& stroke) {
+    const auto points = other.points(stroke);
+    return ends.has(points.front()) && ends.has(points.back()) && is_at_most(points, longest_mm);
+  };
+  std::size_t step = 0;
+  if (std::ranges::none_of(other.strokes, [&](const Stroke& stroke) {
+        throw_if_stopped(step++);
+        return closes(stroke);
+      }))
+    return;
   Layer moved = outline, kept = other;
   moved.clear();
   kept.clear();
-  for (std::size_t i = 0; i < other.strokes.size(); ++i) {
-    throw_if_stopped(i);
-    const Stroke& stroke = other.strokes[i];
-    const auto points = other.points(stroke);
-    const bool closes =
-        is_at_most(points, longest_mm) && ends.has(points.front()) && ends.has(points.back());
-    append_stroke(other, stroke, closes ? moved : kept);
+  for (const Stroke& stroke : other.strokes) {
+    throw_if_stopped(step++);
+    append_stroke(other, stroke, closes(stroke) ? moved : kept);
   }
-  if (moved.strokes.empty()) return;
   other = std::move(kept);
   append(outline, moved);
 }

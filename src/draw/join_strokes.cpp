@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -66,12 +67,18 @@ public:
   }
 
   std::vector<EndPair> pairs() {
+    constexpr std::size_t kEndsOfTask = 4096;
+    std::vector<std::vector<EndPair>> of_tasks((ends_.size() + kEndsOfTask - 1) / kEndsOfTask);
+    on_all_cores(of_tasks.size(), [&](std::size_t task) {
+      const std::size_t first = task * kEndsOfTask,
+                        end = std::min(first + kEndsOfTask, ends_.size());
+      FirstBeside beside = first_beside(ends_[first]);
+      for (std::size_t i = first; i < end; ++i)
+        for (const Ranked& best : best_of(ends_[i], beside))
+          if (best.pair.a != best.pair.b) of_tasks[task].push_back(best.pair);
+    });
     std::vector<EndPair> out;
-    for (const StrokeEnd& end : ends_) {
-      throw_if_stopped(out.size());
-      for (const Ranked& best : best_of(end))
-        if (best.pair.a != best.pair.b) out.push_back(best.pair);
-    }
+    for (const auto& some : of_tasks) out.insert(out.end(), some.begin(), some.end());
     const auto before = [](const EndPair& p, const EndPair& q) {
       if (p.cost_mm != q.cost_mm) return p.cost_mm < q.cost_mm;
       return p.a != q.a ? p.a < q.a : p.b < q.b;
@@ -105,18 +112,34 @@ private:
   };
   using Best = std::array<Ranked, kNeighbours>;
 
-  Best best_of(const StrokeEnd& end) {
+  // Where the ends beside an end begin, in the row above, its own and the one below: from one end
+  // to the next they only move on.
+  using FirstBeside = std::array<std::size_t, 3>;
+  FirstBeside first_beside(const StrokeEnd& end) const {
+    FirstBeside out;
+    std::uint64_t middle = end.cell - kCellsARow;
+    for (std::size_t& first : out) {
+      const auto at = std::partition_point(ends_.begin(), ends_.end(),
+                                           [&](const StrokeEnd& e) { return e.cell + 1 < middle; });
+      first = static_cast<std::size_t>(at - ends_.begin());
+      middle += kCellsARow;
+    }
+    return out;
+  }
+
+  Best best_of(const StrokeEnd& end, FirstBeside& beside) {
     Best best;
     best.fill({{std::numeric_limits<double>::infinity(), end.end, end.end}, ends_.size()});
     std::size_t left = kMostScanned;
-    for (const std::uint64_t row : {std::uint64_t{0}, kCellsARow, 2 * kCellsARow}) {
-      const std::uint64_t middle = end.cell + row - kCellsARow;
-      auto other = std::partition_point(ends_.begin(), ends_.end(),
-                                        [&](const StrokeEnd& e) { return e.cell + 1 < middle; });
-      for (; other != ends_.end() && other->cell <= middle + 1; ++other) {
+    std::uint64_t middle = end.cell - kCellsARow;
+    for (std::size_t& first : beside) {
+      while (first < ends_.size() && ends_[first].cell + 1 < middle) ++first;
+      for (std::size_t other = first; other < ends_.size() && ends_[other].cell <= middle + 1;
+           ++other) {
         if (left-- == 0) return best_in_crowd(end);
-        take(end, static_cast<std::size_t>(other - ends_.begin()), best);
+        take(end, other, best);
       }
+      middle += kCellsARow;
     }
     return best;
   }
@@ -140,7 +163,7 @@ private:
   // row on, each from its middle outwards, as long as any may cost less than what was found. An end
   // costs no less than it is away.
   Best best_in_crowd(const StrokeEnd& end) {
-    if (by_row_.empty()) order_by_row();
+    std::call_once(is_by_row_, [&] { order_by_row(); });
     Best best;
     best.fill({{std::numeric_limits<double>::infinity(), end.end, end.end}, ends_.size()});
     const auto is_too_far = [&](double away_mm) {
@@ -207,6 +230,7 @@ private:
     std::size_t number; ///< in `ends_`
   };
   std::vector<InRow> by_row_; ///< made when it is needed
+  std::once_flag is_by_row_;
 };
 
 // Appends points and what stands beside them.

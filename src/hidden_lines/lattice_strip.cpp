@@ -59,7 +59,10 @@ void LatticeStrip::find_profiles(const LatticeOrder::Place& place, const ShownOf
 
 void LatticeStrip::add_profile(const LatticeOrder::Place& place, ProfileInWork& profile) {
   const std::vector<double>& u = profile.profile.u_m;
-  if (u.size() < 2) return;
+  if (u.size() < 2) {
+    profile.horizon_sizes[number_] = horizon_.size();
+    return;
+  }
   const auto& [at_origin, per_u, per_v] = lattice_.strip;
   const double at_depth = at_origin + per_v * profile.planned.depth_m;
   const int strips =
@@ -331,7 +334,7 @@ void LatticeStrip::clip(ProfileInWork& profile, std::ptrdiff_t first, std::ptrdi
     while (end < static_cast<std::uint32_t>(last) && after[end] != Span::gap) ++end;
     if (span < end)
       clip_run(profile.projected, {span, end}, range_, horizon_, lattice_.work.tolerance,
-               profile.by_strip[number_], counts_);
+               lattice_.work.draws_profiles, profile.by_strip[number_], counts_);
     span = end + 1;
   }
 }

@@ -2,6 +2,7 @@
 #include "hidden_lines/parts_by_edge.hpp"
 
 #include "geometry/on_all_cores.hpp"
+#include "geometry/sort_by_number.hpp"
 
 #include <algorithm>
 #include <array>
@@ -42,11 +43,16 @@ std::vector<FoundLine> visible_lines(const std::vector<std::unique_ptr<LatticeSt
     add(strip.lines().visible_parts());
     if (const Ridges* ridges = strip.lines().ridges()) add(ridges->ridges());
   }
-  std::size_t steps = 0;
-  std::sort(out.begin(), out.end(), [&](const FoundLine& a, const FoundLine& b) {
-    throw_if_stopped(++steps);
-    return a.line.edge != b.line.edge ? a.line.edge < b.line.edge : a.strip < b.strip;
-  });
+  sort_by_number(out, [](const FoundLine& found) { return found.line.edge.from; });
+  for (auto first = out.begin(); first != out.end();) {
+    const auto end = std::find_if(first, out.end(), [&](const FoundLine& found) {
+      return found.line.edge.from != first->line.edge.from;
+    });
+    std::sort(first, end, [](const FoundLine& a, const FoundLine& b) {
+      return a.line.edge != b.line.edge ? a.line.edge < b.line.edge : a.strip < b.strip;
+    });
+    first = end;
+  }
   return out;
 }
 

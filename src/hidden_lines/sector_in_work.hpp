@@ -108,11 +108,12 @@ struct SectorInWork {
   const Sheet* sheet = nullptr;              ///< the surface, where it has two sides
   const SheetPart* sheet_part = nullptr;     ///< what of it is looked at, where that isn't all
   const EarthStrips* earth_strips = nullptr; ///< of a grid on the earth that has such an order
-  bool passes_over_profiles = false;         ///< they are neither cut nor drawn
+  bool passes_over_profiles = false; ///< they are neither cut nor drawn, and nobody watches them
   /// For each line on the ground a mark of those that are visible from end to end, which are nearly
   /// all that are seen of millions; none where each has to be a part.
   std::span<std::uint8_t> whole_on_ground = {};
   std::span<const SeenWith> seen_with = {}; ///< lines that aren't asked for themselves
+  bool draws_profiles = true; ///< or else they may be watched, and a line tied with them is drawn
 
   /// Marks the line of a part, and tells so, if the part is all of a line on the ground. Called
   /// from several threads.

@@ -55,7 +55,7 @@ SectorParts list_pass(const SectorInWork& work, bool surface, const Instruments&
   LinePass lines(pictures, which.front(), work.tolerance);
   if (instruments.occluders) lines.record(*instruments.occluders);
   const ClipOptions options{surface ? Role::compared : Role::drawn_occluder, work.tolerance,
-                            instruments.collapse};
+                            instruments.collapse, work.draws_profiles};
   Horizon horizon = initial_horizon();
   ClipWorkspace workspace;
   std::vector<Segment> segments, uprights;
@@ -190,9 +190,10 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
           ? nullptr
           : &lines.sheet_parts[static_cast<std::size_t>(&sector - placed.sectors.data())],
       strips,
-      lines.are_more_overlays,
+      lines.are_more_overlays || (!profiles && !watched),
       whole,
-      lines.seen_with};
+      lines.seen_with,
+      profiles != nullptr};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and

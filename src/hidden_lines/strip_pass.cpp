@@ -35,7 +35,8 @@ void StripPass::take_lines(double to_m) {
 
 void StripPass::take_profile(const ProfileInWork& profile, std::vector<VisibleRun>& visible) {
   visible.clear();
-  clip_profile(profile.projected, range_, horizon_, work_.tolerance, visible, counts_);
+  clip_profile(profile.projected, range_, horizon_, work_.tolerance, work_.draws_profiles, visible,
+               counts_);
   add_visible_uprights(profile, work_.sector.view, range_, horizon_, pictures_.rounding_m(),
                        visible);
 }

@@ -22,16 +22,16 @@ Piece piece_of(const Segment& p, std::uint32_t number, const Step& step, const S
 
 // The horizon along a stretch after the step.
 HorizonPiece raised(const Segment& p, bool inked, const HorizonPiece& piece, const Stretch& stretch,
-                    bool tied, Role role) {
+                    bool tied, const ClipOptions& options) {
   HorizonPiece after = piece;
   after.x_begin = stretch.x_begin;
   after.x_end = stretch.x_end;
   if (!stretch.above) return after;
   if (tied) {
-    after.inked = true;
-  } else if (role != Role::compared) {
+    after.inked = after.inked || options.is_drawn;
+  } else if (options.role != Role::compared) {
     after.source = p;
-    after.inked = inked;
+    after.inked = inked && options.is_drawn;
   }
   return after;
 }
@@ -61,7 +61,7 @@ ClipStep clip_segments(const Segment& profile, std::uint32_t number, double x_be
   for (int i = 0; i < step.count; ++i) {
     const Stretch& s = step.stretches[static_cast<std::size_t>(i)];
     out.new_horizon.push_back(
-        raised(profile, options.role == Role::drawn_occluder, horizon, s, step.tied, options.role));
+        raised(profile, options.role == Role::drawn_occluder, horizon, s, step.tied, options));
     if (s.above && options.role != Role::occluder) out.draw = piece_of(profile, number, step, s);
   }
   if (profile.x1 > b) {
@@ -229,7 +229,7 @@ struct Writer {
     write(piece);
   }
   void meet(const Item& item, std::size_t at, const Stretch& stretch, bool tied) {
-    write(raised(item.source, item.inked, horizon[at], stretch, tied, options.role));
+    write(raised(item.source, item.inked, horizon[at], stretch, tied, options));
   }
   void rest(std::size_t at, double begin) {
     keep(horizon[at], begin, horizon[at].x_end);
@@ -268,6 +268,7 @@ void clip_compared(std::span<const Segment> segments, Horizon& horizon, const Cl
   marks.clear();
   Marker marker{horizon, marks};
   walk(segments, horizon, options, workspace, marker);
+  if (!options.is_drawn) return;
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)
     ink(horizon, mark->at, mark->begin, mark->end, options.collapse);
 }

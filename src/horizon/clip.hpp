@@ -33,6 +33,9 @@ struct ClipOptions {
   Role role = Role::drawn_occluder;
   TieTolerance tolerance;
   bool collapse = true; ///< join neighbouring horizon pieces of one source
+  /// Of what isn't an occluder alone: whether it is drawn where it is visible. Otherwise that is
+  /// told, and no line counts as drawn there.
+  bool is_drawn = true;
 };
 
 /// The four values of the seed's step, and whether the two were tied.

@@ -57,9 +57,9 @@ constexpr double kAsXTells = std::numeric_limits<double>::quiet_NaN();
 class RunClip {
 public:
   RunClip(const ProjectedProfile& profile, BlockedHorizon& horizon, const TieTolerance& tolerance,
-          std::vector<VisibleRun>& visible, ProfileClipCounts& counts)
-      : profile_(profile), horizon_(horizon), tolerance_(tolerance), ends_(profile, visible),
-        counts_(counts) {}
+          bool is_drawn, std::vector<VisibleRun>& visible, ProfileClipCounts& counts)
+      : profile_(profile), horizon_(horizon), tolerance_(tolerance), is_drawn_(is_drawn),
+        ends_(profile, visible), counts_(counts) {}
 
   void clip(const VertexRun& run, XRange range) {
     const double* x = profile_.x.data();
@@ -133,7 +133,7 @@ private:
       ends_.take(
           {span, s.x_begin, s.begins_at_crossing && s.x_begin != source.x0 ? step.t : kAsXTells},
           {span, s.x_end, s.ends_at_crossing && s.x_end != source.x1 ? step.t : kAsXTells});
-      if (step.tied && !piece.inked) marks_.push_back({at, s.x_begin, s.x_end});
+      if (step.tied && is_drawn_ && !piece.inked) marks_.push_back({at, s.x_begin, s.x_end});
     }
   }
 
@@ -169,6 +169,7 @@ private:
   const ProjectedProfile& profile_;
   BlockedHorizon& horizon_;
   const TieTolerance& tolerance_;
+  bool is_drawn_;
   VisibleEnds ends_;
   ProfileClipCounts& counts_;
   std::vector<Mark> marks_;
@@ -177,16 +178,16 @@ private:
 } // namespace
 
 void clip_profile(const ProjectedProfile& profile, XRange range, BlockedHorizon& horizon,
-                  const TieTolerance& tolerance, std::vector<VisibleRun>& visible,
+                  const TieTolerance& tolerance, bool is_drawn, std::vector<VisibleRun>& visible,
                   ProfileClipCounts& counts) {
-  RunClip clip(profile, horizon, tolerance, visible, counts);
+  RunClip clip(profile, horizon, tolerance, is_drawn, visible, counts);
   for (const VertexRun& run : profile.runs) clip.clip(run, range);
 }
 
 void clip_run(const ProjectedProfile& profile, VertexRun run, XRange range, BlockedHorizon& horizon,
-              const TieTolerance& tolerance, std::vector<VisibleRun>& visible,
+              const TieTolerance& tolerance, bool is_drawn, std::vector<VisibleRun>& visible,
               ProfileClipCounts& counts) {
-  RunClip(profile, horizon, tolerance, visible, counts).clip(run, range);
+  RunClip(profile, horizon, tolerance, is_drawn, visible, counts).clip(run, range);
 }
 
 template <class AnyHorizon>

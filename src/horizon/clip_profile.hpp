@@ -31,18 +31,18 @@ struct ProfileClipCounts {
 };
 
 /// Appends to `visible`, left to right, what of the profile within `range` is above the horizon,
-/// which stays as it is but for marks where a line is tied with it and drawn. Cut at `range`'s ends
-/// a span is the same span, so neighbouring ranges can be put together again. The pieces are those
-/// of `clip` with Role::compared.
-/// Cost: about 2 ns a vertex where a block of the horizon is above or below all of the profile in
-/// it, and that of `clip` elsewhere; no allocation once warm.
+/// which stays as it is but for marks where a line is tied with it and drawn; none of a profile
+/// that isn't drawn. Cut at `range`'s ends a span is the same span, so neighbouring ranges can be
+/// put together again. The pieces are those of `clip` with Role::compared. Cost: about 2 ns a
+/// vertex where a block of the horizon is above or below all of the profile in it, and that of
+/// `clip` elsewhere; no allocation once warm.
 void clip_profile(const ProjectedProfile& profile, XRange range, BlockedHorizon& horizon,
-                  const TieTolerance& tolerance, std::vector<VisibleRun>& visible,
+                  const TieTolerance& tolerance, bool is_drawn, std::vector<VisibleRun>& visible,
                   ProfileClipCounts& counts);
 
 /// The same of one of its runs, or of a part of one.
 void clip_run(const ProjectedProfile& profile, VertexRun run, XRange range, BlockedHorizon& horizon,
-              const TieTolerance& tolerance, std::vector<VisibleRun>& visible,
+              const TieTolerance& tolerance, bool is_drawn, std::vector<VisibleRun>& visible,
               ProfileClipCounts& counts);
 
 /// What of each upright segment (x0 == x1; a profile's way up or down a wall that the eye sees) is

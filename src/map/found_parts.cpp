@@ -45,6 +45,10 @@ FoundParts::FoundParts(const TerrainData& terrain, const PlacedView& placed,
 // Lines that a sector has found have numbers of its own behind those of the list; a line that
 // two have found is one.
 void FoundParts::number_as_one() {
+  if (sectors_.size() == 1) { // they have these numbers
+    lines_.insert(lines_.end(), sectors_[0].found.begin(), sectors_[0].found.end());
+    return;
+  }
   const std::size_t listed = lines_.size();
   const auto by_edge = [](const EdgeLine& a, const EdgeLine& b) { return a.edge < b.edge; };
   std::vector<EdgeLine> all;

@@ -100,7 +100,8 @@ TEST_CASE("profiles clipped by blocks show what clip shows, whole and in ranges"
       const auto [low, high] = x_range(scene);
       if (!(low < high)) continue;
       const double tolerance = random.pick({0.0, 0.0, 1e-9, 0.05}) * kind.y_scale;
-      const ClipOptions compared{Role::compared, {tolerance, Homography{}, tolerance}, true};
+      const ClipOptions compared{
+          Role::compared, {tolerance, Homography{}, tolerance}, true, random.chance(0.8)};
       const auto blocks_at_first = static_cast<std::size_t>(random.pick({1, random.whole(1, 40)}));
       BlockedHorizon blocks(low, high, blocks_at_first);
       Horizon list_horizon = initial_horizon();
@@ -127,14 +128,15 @@ TEST_CASE("profiles clipped by blocks show what clip shows, whole and in ranges"
                                   : random.between(low, high);
           to = std::max(from, to);
           std::vector<VisibleRun> part;
-          clip_profile(as.profile, {from, to}, copy, compared.tolerance, part, counts);
+          clip_profile(as.profile, {from, to}, copy, compared.tolerance, compared.is_drawn, part,
+                       counts);
           for (const VisibleRun& run : part) add_joined(in_ranges, run, as.profile);
           from = to;
           ++ranges;
         }
         std::vector<VisibleRun> visible;
-        clip_profile(as.profile, {-HUGE_VAL, HUGE_VAL}, blocks, compared.tolerance, visible,
-                     counts);
+        clip_profile(as.profile, {-HUGE_VAL, HUGE_VAL}, blocks, compared.tolerance,
+                     compared.is_drawn, visible, counts);
         clip(scene[i], list_horizon, compared, workspace);
         REQUIRE(visible == runs_of(workspace.visible, as));
         REQUIRE(in_ranges == visible);
