@@ -60,7 +60,7 @@ void LatticeStrip::find_profiles(const LatticeOrder::Place& place, const ShownOf
 void LatticeStrip::add_profile(const LatticeOrder::Place& place, ProfileInWork& profile) {
   const std::vector<double>& u = profile.profile.u_m;
   if (u.size() < 2) {
-    profile.horizon_sizes[number_] = horizon_.size();
+    if (lattice_.work.passes_over_profiles) profile.horizon_sizes[number_] = horizon_.size();
     return;
   }
   const auto& [at_origin, per_u, per_v] = lattice_.strip;

@@ -193,7 +193,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
       lines.are_more_overlays || (!profiles && !watched),
       whole,
       lines.seen_with,
-      profiles != nullptr};
+      style.asks_for("profiles")};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and
