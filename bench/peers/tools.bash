@@ -52,7 +52,8 @@ command_of() {
   case $1 in
     orograph)
       output+=.svg
-      run=("$orograph" render "$dem" "$output" "${orthographic[@]}" --layers profiles)
+      run=("$orograph" render "$dem" "$output" "${orthographic[@]}" --layers profiles
+        --settings data_samples/settings/plain.toml)
       ;;
     orograph-default) output+=.svg && run=("$orograph" render "$dem" "$output" "${orthographic[@]}") ;;
     orograph-start) output=/dev/null && run=("$orograph" --version) ;;

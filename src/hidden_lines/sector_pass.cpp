@@ -37,6 +37,16 @@ void round_to_float(std::vector<Segment>& segments) {
   std::erase_if(segments, [](const Segment& s) { return !(s.x0 < s.x1); });
 }
 
+// Room for what all profiles will be, told by those that are there. By doubling, a profile a row of
+// 4000² rough heights took a fifth more memory at its peak, and a fifteenth more time.
+template <class Thing>
+void make_room(std::vector<Thing>& all, std::size_t more, double share_there) {
+  constexpr double kLeastShare = 1.0 / 16, kSpare = 1.1;
+  const auto needed = static_cast<double>(all.size() + more);
+  if (share_there < kLeastShare || needed <= static_cast<double>(all.capacity())) return;
+  all.reserve(static_cast<std::size_t>(kSpare * needed / share_there) + 1);
+}
+
 // With the horizon in one list, profile after profile: where profiles hide, and for those who watch
 // the horizon. `surface`: whether the surface hides, not only the profiles. Of `instruments` it
 // minds the horizon's, and shows it to the observers behind each profile.
@@ -254,6 +264,10 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   const Show show = [&](ProfileInWork& profile) {
     Stopwatch own;
     if (profiles) {
+      const double share =
+          static_cast<double>(profile.index + 1) / static_cast<double>(sector.profiles.size());
+      make_room(profiles->layer.page_mm, profile.strokes.page_mm.size(), share);
+      make_room(profiles->layer.strokes, profile.strokes.strokes.size(), share);
       append(profiles->layer, profile.strokes);
       if (profiles->hidden) append(*profiles->hidden, profile.hidden_strokes);
       if (profiles->underside) append(*profiles->underside, profile.underside_strokes);
