@@ -123,6 +123,7 @@ std::vector<PenTravel> pen_travel_by_layer(const Drawing& drawing) {
 }
 
 void show_pen_way(Drawing& drawing) {
+  if (std::ranges::none_of(drawing.layers, &Layer::is_pen_way)) return;
   std::vector<Vec2> moves; // two points each
   Vec2 pen{0, 0};
   for (const Layer& layer : drawing.layers) {
