@@ -37,14 +37,15 @@ void round_to_float(std::vector<Segment>& segments) {
   std::erase_if(segments, [](const Segment& s) { return !(s.x0 < s.x1); });
 }
 
-// Room for what all profiles will be, told by those that are there. By doubling, a profile a row of
-// 4000² rough heights took a fifth more memory at its peak, and a fifteenth more time.
+// Room for what all profiles of a sector will add, told by what a share of them has added behind
+// the first `before`. By doubling, a profile a row of 4000² rough heights took a fifth more memory
+// at its peak, and a fifteenth more time.
 template <class Thing>
-void make_room(std::vector<Thing>& all, std::size_t more, double share_there) {
+void make_room(std::vector<Thing>& all, std::size_t before, std::size_t more, double share) {
   constexpr double kLeastShare = 1.0 / 16, kSpare = 1.1;
-  const auto needed = static_cast<double>(all.size() + more);
-  if (share_there < kLeastShare || needed <= static_cast<double>(all.capacity())) return;
-  all.reserve(static_cast<std::size_t>(kSpare * needed / share_there) + 1);
+  if (share < kLeastShare || all.size() + more <= all.capacity()) return;
+  const auto added = static_cast<double>(all.size() + more - before);
+  all.reserve(before + static_cast<std::size_t>(kSpare * added / share) + 1);
 }
 
 // With the horizon in one list, profile after profile: where profiles hide, and for those who watch
@@ -261,13 +262,16 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     profile.left_out_mm = builder.left_out_mm();
     if (!sector.frame_mm) profile.dropped_strokes = round_strokes(profile.strokes).empty_strokes;
   };
+  std::size_t shown = 0;
+  const std::size_t points_before = profiles ? profiles->layer.page_mm.size() : 0,
+                    strokes_before = profiles ? profiles->layer.strokes.size() : 0;
   const Show show = [&](ProfileInWork& profile) {
     Stopwatch own;
     if (profiles) {
       const double share =
-          static_cast<double>(profile.index + 1) / static_cast<double>(sector.profiles.size());
-      make_room(profiles->layer.page_mm, profile.strokes.page_mm.size(), share);
-      make_room(profiles->layer.strokes, profile.strokes.strokes.size(), share);
+          static_cast<double>(++shown) / static_cast<double>(sector.profiles.size());
+      make_room(profiles->layer.page_mm, points_before, profile.strokes.page_mm.size(), share);
+      make_room(profiles->layer.strokes, strokes_before, profile.strokes.strokes.size(), share);
       append(profiles->layer, profile.strokes);
       if (profiles->hidden) append(*profiles->hidden, profile.hidden_strokes);
       if (profiles->underside) append(*profiles->underside, profile.underside_strokes);
