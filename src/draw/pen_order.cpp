@@ -52,18 +52,10 @@ std::vector<ChainLink> meetings(const Layer& layer, Meeting which) {
   const auto step_of = [&](const Met& end) {
     return static_cast<std::uint64_t>((end.at_mm.x - least_mm) / kPageStep_mm);
   };
-  sort_by_number(ends, step_of);
-  for (auto begin = ends.begin(); begin != ends.end();) {
-    throw_if_stopped(static_cast<std::size_t>(begin - ends.begin()));
-    const std::uint64_t step = step_of(*begin);
-    const auto end =
-        std::find_if(begin, ends.end(), [&](const Met& other) { return step_of(other) != step; });
-    std::sort(begin, end, [&](const Met& a, const Met& b) {
-      const std::partial_ordering order = compared(a, b);
-      return order != 0 ? order < 0 : a.end < b.end;
-    });
-    begin = end;
-  }
+  sort_by_number_then(ends, step_of, [&](const Met& a, const Met& b) {
+    const std::partial_ordering order = compared(a, b);
+    return order != 0 ? order < 0 : a.end < b.end;
+  });
   std::vector<ChainLink> links(layer.strokes.size());
   std::uint64_t meeting = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -233,7 +225,8 @@ void order_for_pen(Drawing& drawing, PenOrder order) {
       std::swap(drawing.layers[i], drawing.layers[nearest_layer(drawing, i, pen)]);
     Layer& layer = drawing.layers[i];
     if (layer.strokes.empty() || layer.is_pen_way) continue;
-    // Profiles mostly are as they are: a copy of them took a fifth of the time.
+    // Where nothing meets, as of profiles, there is nothing to merge: a copy took a fifth of the
+    // time.
     if (const Chains chains = chain(meetings(layer, Meeting::of_one_kind)); !are_strokes(chains))
       layer = merged(layer, chains);
     LinesOfLayer lines(layer);

@@ -23,14 +23,14 @@ double squared_to(const Box2& box, Vec2 p) {
 } // namespace
 
 struct PointTree::Nearest {
-  Near best{std::numeric_limits<double>::infinity(), std::numeric_limits<std::uint32_t>::max()};
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  Near best{std::numeric_limits<double>::infinity(), kNone};
 
   // What is as near as the last that was found may still have a lower number.
   bool may_be_at(double squared) const { return squared <= best.squared; }
   void take(const Near& near) { best = std::min(best, near); }
   std::optional<std::uint32_t> point() const {
-    if (best.squared == std::numeric_limits<double>::infinity()) return std::nullopt;
-    return best.point;
+    return best.point == kNone ? std::nullopt : std::optional(best.point);
   }
 };
 

@@ -60,4 +60,20 @@ void sort_by_number(std::vector<Thing>& things, const NumberOf& number_of) {
   sort_by_number(things, number_of, sorted);
 }
 
+/// The same, but that things of one number are sorted by `before`.
+template <class Thing, class NumberOf, class Before>
+void sort_by_number_then(std::vector<Thing>& things, const NumberOf& number_of,
+                         const Before& before) {
+  sort_by_number(things, number_of);
+  std::size_t step = 0;
+  for (auto first = things.begin(); first != things.end();) {
+    throw_if_stopped(step++);
+    const auto end = std::find_if(first + 1, things.end(), [&](const Thing& thing) {
+      return number_of(thing) != number_of(*first);
+    });
+    if (end - first > 1) std::sort(first, end, before);
+    first = end;
+  }
+}
+
 } // namespace orograph

@@ -55,18 +55,12 @@ void LatticeLines::order_lines(std::span<const LineAtDepth> which) {
           add(pictures_.add_found(
               {edge, LineKind::silhouette, true, lattice_.work.draws_silhouettes, false}));
   }
-  sort_by_number(lines_, [](const LineAtTurn& at) { return at.turn; });
   const auto before = [&](const LineAtTurn& a, const LineAtTurn& b) {
     const auto kind = [&](const LineAtTurn& at) { return pictures_.line(at.line).kind; };
     return kind(a) != kind(b) ? kind(a) < kind(b) : a.line < b.line;
   };
-  for (auto first = lines_.begin(); first != lines_.end();) {
-    throw_if_stopped(static_cast<std::size_t>(first - lines_.begin()));
-    const auto end = std::find_if(first, lines_.end(),
-                                  [&](const LineAtTurn& at) { return at.turn != first->turn; });
-    std::sort(first, end, before);
-    first = end;
-  }
+  sort_by_number_then(
+      lines_, [](const LineAtTurn& at) { return at.turn; }, before);
 }
 
 void LatticeLines::begin_place(std::uint32_t place, const ShownOfPlace& shown) {

@@ -36,17 +36,9 @@ double no_gap(std::uint32_t) {
 } // namespace
 
 void join(std::vector<LinePart>& parts, const std::function<double(std::uint32_t)>& gap) {
-  sort_by_number(parts, [](const LinePart& part) { return part.line; });
-  std::size_t step = 0;
-  for (auto first = parts.begin(); first != parts.end();) {
-    throw_if_stopped(step++);
-    const auto end = std::find_if(first, parts.end(),
-                                  [&](const LinePart& part) { return part.line != first->line; });
-    if (end - first > 1)
-      std::sort(first, end,
-                [](const LinePart& a, const LinePart& b) { return a.t_begin < b.t_begin; });
-    first = end;
-  }
+  sort_by_number_then(
+      parts, [](const LinePart& part) { return part.line; },
+      [](const LinePart& a, const LinePart& b) { return a.t_begin < b.t_begin; });
   if (gap)
     join_in_order(parts, 0, gap);
   else

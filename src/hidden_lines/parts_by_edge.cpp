@@ -43,16 +43,11 @@ std::vector<FoundLine> visible_lines(const std::vector<std::unique_ptr<LatticeSt
     add(strip.lines().visible_parts());
     if (const Ridges* ridges = strip.lines().ridges()) add(ridges->ridges());
   }
-  sort_by_number(out, [](const FoundLine& found) { return found.line.edge.from; });
-  for (auto first = out.begin(); first != out.end();) {
-    const auto end = std::find_if(first, out.end(), [&](const FoundLine& found) {
-      return found.line.edge.from != first->line.edge.from;
-    });
-    std::sort(first, end, [](const FoundLine& a, const FoundLine& b) {
-      return a.line.edge != b.line.edge ? a.line.edge < b.line.edge : a.strip < b.strip;
-    });
-    first = end;
-  }
+  sort_by_number_then(
+      out, [](const FoundLine& found) { return found.line.edge.from; },
+      [](const FoundLine& a, const FoundLine& b) {
+        return a.line.edge != b.line.edge ? a.line.edge < b.line.edge : a.strip < b.strip;
+      });
   return out;
 }
 
