@@ -72,9 +72,9 @@ void add(const Surface& surface, const View& view, const Isolines& found, std::s
 void add_coordinate_lines(const TerrainData& terrain, const PlacedView& placed,
                           const SeenGround* ground, LineKind kind,
                           const std::vector<CoordinateLines>& wanted, GroundLines& out) {
-  for (const auto& [coordinate, values, levels] : wanted) {
+  for (const auto& [coordinate, values, levels, exact] : wanted) {
     const std::size_t first = out.features.size();
-    for (const double level : levels) out.features.push_back({kind, {{coordinate, level}}});
+    for (const double level : exact) out.features.push_back({kind, {{coordinate, level}}});
     add(terrain.surface, placed.view, isolines(terrain.surface, values, levels, {.seen = ground}),
         first, out);
   }

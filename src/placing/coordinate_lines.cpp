@@ -91,10 +91,11 @@ VertexValues quantised(VertexValues values, double quantum) {
     for (double& value : out) value = std::round(value / quantum) * quantum;
   };
 }
-CoordinateLines quantised(CoordinateLines lines, double quantum) {
-  lines.values = quantised(std::move(lines.values), quantum);
-  for (double& level : lines.levels) level = std::round(level / quantum) * quantum;
-  return lines;
+CoordinateLines lines_of(const char* coordinate, VertexValues values, std::vector<double> levels,
+                         double quantum) {
+  CoordinateLines out{coordinate, quantised(std::move(values), quantum), levels, std::move(levels)};
+  for (double& level : out.levels) level = std::round(level / quantum) * quantum;
+  return out;
 }
 
 VertexValues scaled(VertexValues values, double factor) {
@@ -129,13 +130,12 @@ std::vector<CoordinateLines> mesh_lines(const TerrainData& terrain, const View& 
   // A mesh of so many lines begins a step from its end.
   const auto lines = [&](const char* name, const VertexValues& values,
                          std::pair<double, double> range) {
-    if (spec.spacing_m)
-      return quantised({name, values, multiples(name, range, step_m)}, kQuantum_m);
+    if (spec.spacing_m) return lines_of(name, values, multiples(name, range, step_m), kQuantum_m);
     std::vector<double> levels;
     const double count = std::round(span(range) / step_m) - 1;
     for (double i = 1; i <= count; ++i)
       levels.push_back(range.first + i * span(range) / (count + 1));
-    return quantised({name, values, std::move(levels)}, kQuantum_m);
+    return lines_of(name, values, std::move(levels), kQuantum_m);
   };
   if (spec.x) out.push_back(lines("x", x, of_x));
   if (spec.y) out.push_back(lines("y", y, of_y));
@@ -250,8 +250,8 @@ std::vector<CoordinateLines> graticule_lines(const TerrainData& terrain,
   const double longest = std::max(span(of_lon), span(of_lat));
   if (!(longest > 0)) return {};
   const double step = step_deg.value_or(round_angle_deg(longest / kAcross));
-  return {quantised({"longitude", lon, multiples("longitude", of_lon, step)}, kQuantum_deg),
-          quantised({"latitude", lat, multiples("latitude", of_lat, step)}, kQuantum_deg)};
+  return {lines_of("longitude", lon, multiples("longitude", of_lon, step), kQuantum_deg),
+          lines_of("latitude", lat, multiples("latitude", of_lat, step), kQuantum_deg)};
 }
 
 std::vector<CoordinateLines> map_grid_lines(const TerrainData& terrain,
@@ -266,8 +266,8 @@ std::vector<CoordinateLines> map_grid_lines(const TerrainData& terrain,
   const double longest = std::max(span(of_x), span(of_y));
   if (!(longest > 0)) return {};
   const double step = step_m ? *step_m / terrain.map.unit_m : round_step(longest / kAcross);
-  return {quantised({"easting", x, multiples("easting", of_x, step)}, kQuantum_m),
-          quantised({"northing", y, multiples("northing", of_y, step)}, kQuantum_m)};
+  return {lines_of("easting", x, multiples("easting", of_x, step), kQuantum_m),
+          lines_of("northing", y, multiples("northing", of_y, step), kQuantum_m)};
 }
 
 } // namespace orograph

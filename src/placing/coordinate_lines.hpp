@@ -17,7 +17,8 @@ namespace orograph {
 struct CoordinateLines {
   std::string coordinate; ///< its name
   VertexValues values;
-  std::vector<double> levels; ///< between the least and the greatest of the values
+  std::vector<double> levels; ///< between the least and the greatest of the values, rounded as they
+  std::vector<double> exact;  ///< the levels before they were rounded
 };
 
 // Each gives the lines of both coordinates. What comes back refers to the terrain and the view.
