@@ -110,9 +110,13 @@ void tell_notes(const std::vector<Overlay>& overlays) {
 
 void tell_overlays(const std::vector<Overlay>& overlays, const Counts& counts) {
   tell_notes(overlays);
-  if (counts.not_draped + counts.draped_in_part > 0)
-    say("of {} features to drape {} aren't on the terrain, and {} only in part",
-        counts.draped + counts.not_draped, counts.not_draped, counts.draped_in_part);
+  std::vector<std::string> beside;
+  if (counts.not_draped > 0) beside.push_back(fmt::format("{} not at all", counts.not_draped));
+  if (counts.draped_in_part > 0)
+    beside.push_back(fmt::format("{} only in part", counts.draped_in_part));
+  if (!beside.empty())
+    say("of {} features to drape the terrain has {}", counts.draped + counts.not_draped,
+        fmt::join(beside, ", "));
 }
 
 void tell_contours(const Style& style, const TerrainData& terrain, const Drawing& drawing) {

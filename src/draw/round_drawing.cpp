@@ -125,13 +125,22 @@ bool are_equal(std::span<const Vec2> a, std::span<const Vec2> b) {
   return std::ranges::equal(a, b) || std::equal(a.begin(), a.end(), b.rbegin(), b.rend());
 }
 
+// What tells strokes with the same points apart. Ink is ink, but a place on the ground may be a
+// river and a border.
+std::int32_t feature_of(const Layer& layer, const Stroke& stroke) {
+  return layer.map.empty() ? -1 : stroke.feature;
+}
+
 std::vector<std::uint64_t> hashes_of(const Layer& layer) {
   constexpr std::size_t kStrokesOfTask = 256;
   std::vector<std::uint64_t> hashes(layer.strokes.size());
   on_all_cores((hashes.size() + kStrokesOfTask - 1) / kStrokesOfTask, [&](std::size_t task) {
     const std::size_t end = std::min(hashes.size(), (task + 1) * kStrokesOfTask);
-    for (std::size_t i = task * kStrokesOfTask; i < end; ++i)
-      hashes[i] = hash_of(layer.points(layer.strokes[i]));
+    for (std::size_t i = task * kStrokesOfTask; i < end; ++i) {
+      const Stroke& stroke = layer.strokes[i];
+      hashes[i] = hash_of(layer.points(stroke)) +
+                  0x9e3779b97f4a7c15ULL * static_cast<std::uint64_t>(feature_of(layer, stroke));
+    }
   });
   return hashes;
 }
@@ -157,8 +166,10 @@ std::vector<std::uint32_t> repeated_of_share(const Layer& layer,
     const auto middle = static_cast<std::uint32_t>(hashes[i] >> 26);
     std::size_t at = hashes[i] & mask;
     const auto is_same = [&](const Slot& slot) {
-      return slot.middle == middle && are_equal(layer.points(layer.strokes[i]),
-                                                layer.points(layer.strokes[slot.stroke_after - 1]));
+      if (slot.middle != middle) return false;
+      const Stroke &one = layer.strokes[i], &other = layer.strokes[slot.stroke_after - 1];
+      return feature_of(layer, one) == feature_of(layer, other) &&
+             are_equal(layer.points(one), layer.points(other));
     };
     while (slots[at].stroke_after != 0 && !is_same(slots[at])) at = (at + 1) & mask;
     if (slots[at].stroke_after != 0)

@@ -19,7 +19,7 @@ double rounded_to_page_step(double x_mm);
 struct RoundingCounts {
   std::size_t points = 0;           ///< dropped because equal to the one before, or with a stroke
   std::size_t empty_strokes = 0;    ///< dropped: all points became one
-  std::size_t repeated_strokes = 0; ///< dropped: the points of an earlier one, or those reversed
+  std::size_t repeated_strokes = 0; ///< dropped, as `repeated_strokes` has them
 };
 
 /// Rounds all page points of the layer, then drops points equal to the one before in their stroke,
@@ -30,8 +30,9 @@ struct RoundingCounts {
 RoundingCounts round_strokes(Layer& layer);
 
 /// The numbers, rising, of the layer's strokes that have the points of an earlier one, in order or
-/// reversed. REQUIRES that strokes lie within its points and no coordinate is -0. Cost O(points)
-/// expected, on all cores, with 24 to 40 bytes for each stroke.
+/// reversed; where the layer has map points, of an earlier one of the same feature. REQUIRES that
+/// strokes lie within its points and no coordinate is -0. Cost O(points) expected, on all cores,
+/// with 24 to 40 bytes for each stroke.
 std::vector<std::uint32_t> repeated_strokes(const Layer& layer);
 
 /// Drops strokes that repeat an earlier one. REQUIRES a layer as `round_strokes` leaves it. In

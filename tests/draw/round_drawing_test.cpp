@@ -164,3 +164,18 @@ TEST_CASE("repeated strokes are found in a layer of any size, in either directio
     CHECK(repeated_strokes(layer) == expected);
   }
 }
+
+TEST_CASE("on the ground strokes of two features may be at one place, on paper they are one") {
+  Layer paper;
+  paper.features = {{{"class", "river"}}, {{"class", "border"}}};
+  for (const std::int32_t feature : {0, 1, 0, 1, -1}) {
+    paper.strokes.push_back({.first_point = static_cast<std::uint32_t>(paper.page_mm.size()),
+                             .point_count = 2,
+                             .feature = feature});
+    paper.page_mm.insert(paper.page_mm.end(), {{1, 1}, {2, 2}});
+  }
+  Layer ground = paper;
+  ground.map.resize(ground.page_mm.size());
+  CHECK(repeated_strokes(paper) == std::vector<std::uint32_t>{1, 2, 3, 4});
+  CHECK(repeated_strokes(ground) == std::vector<std::uint32_t>{2, 3});
+}
