@@ -104,9 +104,9 @@ void render(const RenderSettings& settings) {
   const auto place_start = Clock::now();
   const MapSpec spec = with_room_for_names(settings.map, named);
   TerrainOfView terrain(whole, spec.view);
-  const std::optional<LevelOfDetail> level =
-      choose_level(terrain, spec, settings.solids.get(), read.facts.get());
-  PlacedView placed = placed_view(terrain, spec, settings.solids.get(), read.facts.get());
+  if (read.facts) terrain.take_facts(read.facts);
+  const std::optional<LevelOfDetail> level = choose_level(terrain, spec, settings.solids.get());
+  PlacedView placed = placed_view(terrain, spec, settings.solids.get());
   placed.names = named;
   placed.overlays = overlays;
   const double place_s = seconds_since(place_start);

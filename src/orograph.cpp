@@ -15,8 +15,7 @@
 #include "placing/read_overlays.hpp"
 #include "solids/read_scene.hpp"
 
-#include <condition_variable>
-#include <mutex>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -90,59 +89,25 @@ std::vector<std::string> Overlays::notes() const {
   return out;
 }
 
-/// Facts are found by the first view that needs them; others that come meanwhile wait for them,
-/// and the next one finds them where that one is stopped.
 struct Session::Kept {
-  struct Facts {
-    bool are_sought = false;
-    std::optional<TerrainFacts> found;
-  };
-
-  Terrain terrain;
-  Solids solids;
-  Overlays overlays, names;
-  std::mutex mutex;
-  std::condition_variable_any sought;
-  Facts kept;
-  LastLevel level;
-
-  Kept(Terrain of, Solids on_it, Overlays over_it, Overlays named)
+  Kept(std::shared_ptr<const TerrainData> of, Solids on_it, Overlays over_it, Overlays named)
       : terrain(std::move(of)), solids(std::move(on_it)), overlays(std::move(over_it)),
         names(std::move(named)) {}
 
-  // Facts of views in a frame of their own, on the earth, would be of no use to others.
-  const TerrainFacts* facts_for(const TerrainOfView& of_view, const std::stop_token& stop) {
-    if (!of_view.is_whole()) return nullptr;
-    std::unique_lock lock(mutex);
-    sought.wait(lock, stop, [&] { return kept.found || !kept.are_sought; });
-    throw_if_stopped();
-    if (kept.found) return &*kept.found;
-    kept.are_sought = true;
-    lock.unlock();
-    const auto end_search = [&](std::optional<TerrainFacts> found) {
-      lock.lock();
-      kept = {false, std::move(found)};
-      sought.notify_all();
-    };
-    try {
-      end_search(facts_of(*of_view));
-    } catch (...) {
-      end_search(std::nullopt);
-      throw;
-    }
-    return &*kept.found;
-  }
+  TerrainForViews terrain;
+  Solids solids;
+  Overlays overlays, names;
 };
 
 Session::Session(Terrain terrain, Solids solids, Overlays overlays, Overlays names)
-    : kept_(std::make_shared<Kept>(std::move(terrain), std::move(solids), std::move(overlays),
+    : kept_(std::make_shared<Kept>(std::move(terrain.data_), std::move(solids), std::move(overlays),
                                    std::move(names))) {}
 
 namespace {
 
 // An eye of `view` on this terrain, and all that it looks at.
 template <class Ask>
-void look_around(const TerrainData& whole, const ViewSpec& view, const Control& control,
+void look_around(TerrainForViews& whole, const ViewSpec& view, const Control& control,
                  const Ask& ask) {
   as_requested([&] {
     check_eye_spec(view);
@@ -160,7 +125,7 @@ std::vector<PlaceSight> Session::sights(const ViewSpec& view, const std::vector<
                                         double above_m, const Control& control) const {
   check_sights(places, above_m);
   std::vector<PlaceSight> out;
-  look_around(*kept_->terrain.data_, view, control, [&](const LookAround& around) {
+  look_around(kept_->terrain, view, control, [&](const LookAround& around) {
     out = around.sights(places, above_m, control.progress);
   });
   return out;
@@ -169,7 +134,7 @@ std::vector<PlaceSight> Session::sights(const ViewSpec& view, const std::vector<
 Skyline Session::skyline(const ViewSpec& view, double step_deg, const Control& control) const {
   check_skyline_step(step_deg);
   Skyline out;
-  look_around(*kept_->terrain.data_, view, control,
+  look_around(kept_->terrain, view, control,
               [&](const LookAround& around) { out = around.skyline(step_deg, control.progress); });
   return out;
 }
@@ -182,12 +147,10 @@ Map Session::draw(const MapSpec& asked, const Control& control) const {
     const Overlay* const named = names && !names->empty() ? &names->front() : nullptr;
     on_cores(control.jobs, control.stop, [&] {
       const MapSpec spec = with_room_for_names(asked, named);
-      TerrainOfView terrain(*kept_->terrain.data_, spec.view);
+      TerrainOfView terrain(kept_->terrain, spec.view);
       const SceneFile* const solids = kept_->solids.scene_.get();
-      const TerrainFacts* const facts = kept_->facts_for(terrain, control.stop);
-      const std::optional<LevelOfDetail> level =
-          choose_level(terrain, spec, solids, facts, &kept_->level);
-      PlacedView placed = placed_view(terrain, spec, solids, facts);
+      const std::optional<LevelOfDetail> level = choose_level(terrain, spec, solids);
+      PlacedView placed = placed_view(terrain, spec, solids);
       if (kept_->overlays.overlays_) placed.overlays = *kept_->overlays.overlays_;
       placed.names = named;
       map = draw_level(terrain, placed, spec, level, control.progress);

@@ -87,12 +87,11 @@ void draw_view(const SweepRun& run, std::size_t view) {
     const Overlay* const names = ground->names.empty() ? nullptr : &ground->names.front();
     settings.map = with_room_for_names(settings.map, names);
     const auto terrain = drawn_or_why(
-        [&] { return std::make_unique<TerrainOfView>(*ground->terrain, settings.map.view); });
+        [&] { return std::make_unique<TerrainOfView>(ground->terrain, settings.map.view); });
     std::optional<LevelOfDetail> level;
     PlacedView placed = drawn_or_why([&] {
-      const TerrainFacts* const facts = ground->facts.get();
-      level = choose_level(*terrain, settings.map, settings.solids.get(), facts, &ground->level);
-      return placed_view(*terrain, settings.map, settings.solids.get(), facts);
+      level = choose_level(*terrain, settings.map, settings.solids.get());
+      return placed_view(*terrain, settings.map, settings.solids.get());
     });
     placed.overlays = ground->overlays;
     placed.names = names;
@@ -141,7 +140,7 @@ void draw_views(const SweepRun& run, int jobs, ViewQueue& queue,
 }
 
 // Of a sweep round the terrain; none where eyes are given, and where no view can be chosen.
-std::optional<ChosenDirection> chosen_direction(const Ground& ground, const ViewList& views) {
+std::optional<ChosenDirection> chosen_direction(Ground& ground, const ViewList& views) {
   const bool goes_round = std::ranges::any_of(views.axes(), [](const Axis& axis) {
     return axis.values.size() > 1 &&
            (axis.parameter == Parameter::azimuth || axis.parameter == Parameter::elevation);
@@ -150,9 +149,8 @@ std::optional<ChosenDirection> chosen_direction(const Ground& ground, const View
   if (!goes_round || settings.map.view.has_eye()) return std::nullopt;
   settings.map.view.from_auto = true;
   try {
-    const TerrainOfView of_view(*ground.terrain, settings.map.view);
-    const auto placed =
-        placed_view(of_view, settings.map, settings.solids.get(), ground.facts.get());
+    const TerrainOfView of_view(ground.terrain, settings.map.view);
+    const auto placed = placed_view(of_view, settings.map, settings.solids.get());
     if (!placed.chosen_view) return std::nullopt;
     return ChosenDirection{placed.chosen_view->azimuth.in_degrees(),
                            placed.chosen_view->elevation.in_degrees()};
@@ -165,14 +163,14 @@ std::optional<ChosenDirection> chosen_direction(const Ground& ground, const View
 struct Prepared {
   explicit Prepared(const SweepSettings& settings)
       : grounds(settings.render), first(grounds.before_views(settings.render.map)),
-        views(settings, first->terrain->map), columns(settings, views),
-        plan(make_plan(settings, views, columns, *first->terrain,
+        views(settings, first->terrain.whole().map), columns(settings, views),
+        plan(make_plan(settings, views, columns, first->terrain.whole(),
                        chosen_direction(*first, views))) {}
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
 
   Grounds grounds;
-  std::shared_ptr<const Ground> first;
+  std::shared_ptr<Ground> first;
   ViewList views;
   Columns columns;
   Plan plan;
@@ -194,7 +192,7 @@ void sweep(const SweepSettings& settings) {
       [&] { return first ? open_folder(settings, prepared->plan) : std::vector<std::size_t>(); });
 
   if (first && !settings.render.quiet) {
-    tell_doubts(*prepared->first->terrain);
+    tell_doubts(prepared->first->terrain.whole());
     tell_notes(prepared->first->overlays);
     tell_notes(prepared->first->names);
   }

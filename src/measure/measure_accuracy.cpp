@@ -269,7 +269,7 @@ void measure_row(AccuracyRow& row, const AccuracySpec& spec, const MeasuredTerra
   std::optional<TerrainData> overview;
   if (row.settings.overview)
     overview = overview_of(measured, *row.settings.overview, full, drawn.view);
-  const std::optional<LevelOfDetail> level = choose_level(of_view, drawn, nullptr, nullptr);
+  const std::optional<LevelOfDetail> level = choose_level(of_view, drawn, nullptr);
   const TerrainData& terrain = overview ? *overview : *of_view;
   const Surface* full_heights = overview || level ? &full.surface : nullptr;
   const PlacedView scene = overview ? placed_view(terrain, drawn) : placed_view(of_view, drawn);

@@ -40,19 +40,15 @@ std::shared_ptr<Ground> Grounds::before_views(const MapSpec& spec) {
 }
 
 std::shared_ptr<Ground> Grounds::ground_of(TerrainForMap made) {
-  const auto& terrain = made.terrain;
+  const auto terrain = made.terrain;
   const std::lock_guard lock(mutex_);
   if (const auto known = kept_.find(terrain.get()); known != kept_.end()) return known->second;
-  auto ground = std::make_shared<Ground>();
+  const auto ground = std::make_shared<Ground>(std::move(made));
   ground->overlays = read_overlays(files_.overlays, *terrain);
   if (!files_.labels.path.empty()) ground->names = read_overlays({&files_.labels, 1}, *terrain);
-  if (!terrain->map.earth)
-    ground->facts =
-        made.facts ? made.facts : std::make_shared<const TerrainFacts>(facts_of(*terrain));
-  ground->terrain = terrain;
-  const auto& larger = ground->terrain->larger_cells;
+  const auto& larger = terrain->larger_cells;
   const bool is_of_one_eye = larger && !larger->parts.empty();
-  if (!is_of_one_eye) kept_.emplace(ground->terrain.get(), ground);
+  if (!is_of_one_eye) kept_.emplace(terrain.get(), ground);
   return ground;
 }
 

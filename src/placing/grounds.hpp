@@ -6,8 +6,7 @@
 #include "dem/read/overlay_input.hpp"
 #include "dem/read/read_options.hpp"
 #include "dem/terrain.hpp"
-#include "placing/level_of_detail.hpp"
-#include "placing/terrain_facts.hpp"
+#include "placing/terrain_for_views.hpp"
 #include "placing/terrains_for_maps.hpp"
 #include "solids/scene_file.hpp"
 
@@ -40,10 +39,10 @@ TerrainData read_ground(const GroundFiles& files);
 
 /// The terrain, and what lies on it.
 struct Ground {
-  std::shared_ptr<const TerrainData> terrain;
+  explicit Ground(TerrainForMap of) : terrain(std::move(of.terrain), std::move(of.facts)) {}
+
+  TerrainForViews terrain;
   std::vector<Overlay> overlays, names;
-  std::shared_ptr<const TerrainFacts> facts; ///< null in degrees, as in `TerrainForMap`
-  LastLevel level;                           ///< that views show
 };
 
 /// Nearly always all views have one. Of a large raster each has the cells that are read for it

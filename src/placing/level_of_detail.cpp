@@ -310,27 +310,21 @@ LevelOfDetail take_certified_of_raster(TerrainOfView& terrain, const MapSpec& sp
 } // namespace
 
 std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec& spec,
-                                          const SceneFile* solids, const TerrainFacts* of_whole,
-                                          LastLevel* last) {
+                                          const SceneFile* solids) {
   const DetailSpec& detail = spec.style.detail;
   if (detail.of_file || (spec.ground_points && !detail.cell_mm && !detail.error_mm))
     return std::nullopt;
   const TerrainData& file = terrain.of_file();
   const Grid* const whole = std::get_if<Grid>(&file.surface);
   if (!whole || terrain.is_cut()) return std::nullopt;
-  TerrainFacts own = of_whole ? TerrainFacts{} : facts_of(file);
-  const TerrainFacts& of_file = of_whole ? *of_whole : own;
-  const auto stay_with = [&](std::optional<LevelOfDetail> level) {
-    if (!of_whole) terrain.take_facts(std::move(own));
-    return level;
-  };
-  const auto stay = [&] { return stay_with(std::nullopt); };
+  if (!terrain.facts()) terrain.take_facts(std::make_shared<const TerrainFacts>(facts_of(file)));
+  const TerrainFacts& of_file = *terrain.facts();
   if (detail.error_mm) {
-    if (needs_lattice(file, spec.style)) return stay();
+    if (needs_lattice(file, spec.style)) return std::nullopt;
     if (file.larger_cells)
       return take_certified_of_raster(terrain, spec, placed_picture(file, of_file, spec, solids));
     const auto level = take_certified(terrain, spec, placed_picture(file, of_file, spec, solids));
-    return level ? level : stay();
+    return level;
   }
   if (stands_over_ground(spec.view, file, of_file)) {
     if (file.larger_cells) {
@@ -340,15 +334,15 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
       LevelOfDetail as_read;
       as_read.cell_m = of_file.cell_m;
       tell_larger_cells(as_read, *file.larger_cells);
-      return stay_with(as_read);
+      return as_read;
     }
     // A sheet's underside and a block's walls are the file's, unless a size is asked for.
     const bool has_more_sides =
         spec.style.underside == Underside::draw || spec.style.asks_for("block");
-    if (needs_lattice(file, spec.style) || (!detail.cell_mm && has_more_sides)) return stay();
+    if (needs_lattice(file, spec.style) || (!detail.cell_mm && has_more_sides)) return std::nullopt;
     const auto level =
         take_patches(terrain, of_file, spec, placed_picture(file, of_file, spec, solids));
-    return level ? level : stay();
+    return level;
   }
   std::optional<TerrainData> land;
   std::optional<TerrainFacts> of_land;
@@ -364,26 +358,27 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   const Grid& grid = std::get<Grid>(shown.surface);
   const PlacedView placed = placed_picture(shown, facts, spec, solids);
   const double cell_mm = greatest_cell_mm(placed, grid);
-  if (!(cell_mm > 0) || (std::isinf(cell_mm) && !detail.cell_mm)) return stay();
+  if (!(cell_mm > 0) || (std::isinf(cell_mm) && !detail.cell_mm)) return std::nullopt;
   LevelOfDetail level;
   const LargerCells* const read = file.larger_cells ? &*file.larger_cells : nullptr;
   level.step = chosen_step(grid, asked_size(spec.style), cell_mm);
   if (read) level.step = std::max(level.step, 1.0); // the raster has smaller ones, which were read
   if (level.step == 1 && !land) {
-    if (!read) return stay();
+    if (!read) return std::nullopt;
     level.cell_m = facts.cell_m;
     level.cell_mm = cell_mm;
     tell_larger_cells(level, *read);
     tell_summits(level, summits_of(*read, grid), placed);
-    return stay_with(level);
+    return level;
   }
 
   // A part of the land is of this view alone.
-  const bool is_kept = last && !land && terrain.is_whole();
-  std::shared_ptr<const MadeLevel> made = is_kept ? last->of_step(level.step) : nullptr;
+  TerrainInFrame* const for_others = land ? nullptr : terrain.for_others();
+  std::shared_ptr<const MadeLevel> made =
+      for_others ? for_others->level_of_step(level.step) : nullptr;
   if (!made) {
     made = made_level(file, grid, level.step, facts.water.triangles, least_of_water(*whole));
-    if (is_kept) last->keep(made);
+    if (for_others) for_others->keep(made);
   }
   level.cell_m = made->level->facts.cell_m;
   level.cell_mm = level.step * cell_mm;

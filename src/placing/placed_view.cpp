@@ -359,10 +359,7 @@ PlacedView placed_view(const TerrainData& terrain, const MapSpec& spec, const Sc
   return place(terrain, facts_of(terrain), spec, solids, uncut ? *uncut : terrain);
 }
 
-PlacedView placed_view(const TerrainOfView& terrain, const MapSpec& spec, const SceneFile* solids,
-                       const TerrainFacts* of_whole) {
-  if (of_whole && terrain.is_whole())
-    return place(*terrain, *of_whole, spec, solids, terrain.uncut());
+PlacedView placed_view(const TerrainOfView& terrain, const MapSpec& spec, const SceneFile* solids) {
   if (const TerrainFacts* facts = terrain.facts()) {
     PlacedView out = place(*terrain, *facts, spec, solids, terrain.uncut());
     const bool has_patches = std::holds_alternative<Tin>(terrain->surface) &&

@@ -92,10 +92,9 @@ struct PlacedView {
 PlacedView placed_view(const TerrainData& terrain, const MapSpec& spec,
                        const SceneFile* solids = nullptr, const TerrainData* uncut = nullptr);
 
-/// The same of a terrain as the view needs it. `of_whole`, the facts of the whole terrain, spares
-/// the work of finding them where the view needs no terrain of its own.
+/// The same of a terrain as the view needs it.
 PlacedView placed_view(const TerrainOfView& terrain, const MapSpec& spec,
-                       const SceneFile* solids = nullptr, const TerrainFacts* of_whole = nullptr);
+                       const SceneFile* solids = nullptr);
 
 /// Its eye, page and curvature, without sectors, profiles and tone: most of the cost is theirs.
 PlacedView placed_picture(const TerrainData& terrain, const TerrainFacts& facts,

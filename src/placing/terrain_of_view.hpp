@@ -5,25 +5,13 @@
 #include "dem/terrain.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/terrain_facts.hpp"
+#include "placing/terrain_for_views.hpp"
 
 #include <memory>
 #include <optional>
 #include <utility>
 
 namespace orograph {
-
-/// A level of a terrain, and what is known of it, which refers to it.
-struct TerrainLevel {
-  TerrainData terrain;
-  TerrainFacts facts;
-};
-
-/// Of a terrain in degrees: puts the origin of its ground frame below the eye, where no eye is
-/// given below the target, else in the terrain's middle, and exaggerates its heights, before the
-/// earth curves them away. A view in a file has its directions in the frame below its own eye, of a
-/// parallel view at its VRP. Other terrains are left as they are. Throws the Errors of `place_eye`
-/// and of `reframe`.
-void stand_on_earth(TerrainData& terrain, const ViewSpec& view);
 
 /// The terrain without what is in front of the front plane or behind the back plane of the
 /// view: a TIN, whose border runs along the planes. A note tells of it. Nothing where the
@@ -39,6 +27,8 @@ public:
   /// REQUIRES that `whole` outlives it. Throws Error as `stand_on_earth` does, and where the view's
   /// planes leave nothing of the terrain.
   TerrainOfView(const TerrainData& whole, const ViewSpec& view);
+  /// The same, with what other views have found out. REQUIRES that `whole` outlives it.
+  TerrainOfView(TerrainForViews& whole, const ViewSpec& view);
   TerrainOfView(const TerrainOfView&) = delete;
   TerrainOfView& operator=(const TerrainOfView&) = delete;
 
@@ -52,21 +42,28 @@ public:
   /// In the same frame, before the planes cut it.
   const TerrainData& uncut() const { return level_ ? level_->terrain : of_file(); }
   /// In the same frame, as the file has it.
-  const TerrainData& of_file() const { return on_earth_ ? *on_earth_ : whole_; }
+  const TerrainData& of_file() const {
+    return in_frame_ ? in_frame_->terrain() : on_earth_ ? *on_earth_ : whole_;
+  }
+  /// What other views find out of that; null where there are no others.
+  TerrainInFrame* for_others() const { return in_frame_.get(); }
 
   /// From now on it is this level. REQUIRES a terrain that isn't cut.
-  void take_level(std::shared_ptr<const TerrainLevel> level) { level_ = std::move(level); }
-  /// What is known of it as it stands; they refer to it.
-  void take_facts(TerrainFacts facts) { facts_ = std::move(facts); }
-  /// Of the level, or those taken; none else.
-  const TerrainFacts* facts() const {
-    return level_ ? &level_->facts : facts_ ? &*facts_ : nullptr;
+  void take_level(std::shared_ptr<const TerrainLevel> level) {
+    level_ = std::move(level);
+    facts_.reset();
   }
+  /// What is known of it as it stands; they refer to it. REQUIRES that they aren't null.
+  void take_facts(std::shared_ptr<const TerrainFacts> facts) { facts_ = std::move(facts); }
+  /// What is known of it as it stands: of the level, or taken, or found for other views as well.
+  /// Null else.
+  const TerrainFacts* facts() const;
 
 private:
   const TerrainData& whole_;
+  std::shared_ptr<TerrainInFrame> in_frame_;
   std::optional<TerrainData> on_earth_, cut_;
-  std::optional<TerrainFacts> facts_;
+  std::shared_ptr<const TerrainFacts> facts_;
   std::shared_ptr<const TerrainLevel> level_;
 };
 

@@ -92,6 +92,40 @@ TEST_CASE("so have those of several sessions, with terrains of their own and sha
   CHECK(same == 8);
 }
 
+TEST_CASE("views on the earth, of one frame and of others, have the bytes that each has alone",
+          "[threads]") {
+  const int side = made_side(120);
+  GridInput in_degrees = borrowed(rough_heights(side), side);
+  in_degrees.geotransform = {10, 1.0 / 3600, 0, 47, 0, -1.0 / 3600};
+  in_degrees.crs = "EPSG:4326";
+  const Terrain terrain = Terrain::of(in_degrees);
+  std::vector<MapSpec> specs(8);
+  specs[1].view.from_azimuth = Angle::degrees(217);
+  specs[2].view.from_azimuth = Angle::degrees(30);
+  specs[3].view.exaggeration = 3;
+  for (const std::size_t larger : {1U, 2U, 3U}) specs[larger].style.detail.cell_mm = 5;
+  for (const std::size_t from_eye : {4U, 5U, 6U}) {
+    specs[from_eye].view.eye_map = GivenPlace(10 + 0.5 * side / 3600, 47 - 0.5 * side / 3600);
+    specs[from_eye].view.eye_height_m = 150;
+    specs[from_eye].view.look_azimuth = Angle::degrees(30.0 * static_cast<double>(from_eye));
+  }
+  specs[6].view.eye_map = GivenPlace(10 + 0.3 * side / 3600, 47 - 0.5 * side / 3600);
+  specs[7].view.exaggeration = 1;
+  const std::vector<std::string> alone = drawn_alone(terrain, specs);
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) CHECK((alone[i] != alone[k]));
+  const Session session(terrain);
+  for (const int step : {1, 5}) // one after another, in two orders
+    for (std::size_t i = 0, at = 0; i < specs.size(); ++i, at = (at + step) % specs.size())
+      CHECK((drawn_bytes(session, specs[at]) == alone[at]));
+  std::atomic<int> same = 0;
+  on_threads(8, [&](int i) {
+    const auto of_spec = static_cast<std::size_t>(i);
+    same += drawn_bytes(session, specs[of_spec], {.jobs = i % 4}) == alone[of_spec];
+  });
+  CHECK(same == 8);
+}
+
 TEST_CASE("terrains are read at once, with views drawn meanwhile", "[threads]") {
   const std::string folder = std::string(OROGRAPH_SOURCE_DIR) + "/data_samples/";
   const std::vector<std::string> names{"volcano.tif", "archipelago.tif"};

@@ -129,7 +129,7 @@ TEST_CASE("no point of a certified level is off by more than is told, or asked f
     look_somehow(spec.view, random, on_earth);
     spec.check = spec.check_of_file = 1500;
     TerrainOfView terrain(whole, spec.view);
-    const auto level = choose_level(terrain, spec, nullptr, nullptr);
+    const auto level = choose_level(terrain, spec, nullptr);
     if (!level) continue;
     ++levels;
     CHECK(level->most_step >= level->step); // larger cells may all be behind the eye
@@ -197,7 +197,7 @@ TEST_CASE("a raster that isn't in memory has the certified patches that it has i
 
     // And what is drawn of it is within the bound, from the file's own surface.
     TerrainOfView terrain(whole, spec.view);
-    const auto level = choose_level(terrain, spec, nullptr, nullptr);
+    const auto level = choose_level(terrain, spec, nullptr);
     REQUIRE(level);
     several += level->most_step > level->step;
     CHECK(level->greatest_mm <= *spec.style.detail.error_mm);

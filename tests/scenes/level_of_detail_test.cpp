@@ -48,7 +48,7 @@ struct Drawn {
 
 Drawn draw(const TerrainData& whole, const MapSpec& spec) {
   TerrainOfView terrain(whole, spec.view);
-  const auto level = choose_level(terrain, spec, nullptr, nullptr);
+  const auto level = choose_level(terrain, spec, nullptr);
   return {draw_map(*terrain, placed_view(terrain, spec), spec, [](double) {}), level};
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("a level is drawn as the terrain that it is, and by the ray walk right
     spec.view.from_azimuth = Angle::degrees(random.between(0, 360));
     spec.view.from_elevation = Angle::degrees(random.between(5, 70));
     TerrainOfView terrain(whole, spec.view);
-    const auto level = choose_level(terrain, spec, nullptr, nullptr);
+    const auto level = choose_level(terrain, spec, nullptr);
     INFO("seed " << seed);
     REQUIRE(level);
     CHECK(level->step >= 2);
@@ -243,7 +243,7 @@ TEST_CASE("a lake in patches stays level and has its shore, on the earth too") {
       spec.view.eye_map = GivenPlace{2400, -3000};
     }
     TerrainOfView terrain(whole, spec.view);
-    REQUIRE(choose_level(terrain, spec, nullptr, nullptr));
+    REQUIRE(choose_level(terrain, spec, nullptr));
     const PlacedView placed = placed_view(terrain, spec);
     CHECK(placed.level.regions == 1);
     CHECK_FALSE(placed.level.shores.empty());
@@ -266,7 +266,7 @@ TEST_CASE("a lake stays level, with a shore, and the sea where it is") {
   MapSpec spec = detailed(5);
   spec.view.from_elevation = Angle::degrees(50);
   TerrainOfView terrain(whole, spec.view);
-  const auto level = choose_level(terrain, spec, nullptr, nullptr);
+  const auto level = choose_level(terrain, spec, nullptr);
   REQUIRE(level);
   CHECK(level->step == 4);
   const PlacedView placed = placed_view(terrain, spec);

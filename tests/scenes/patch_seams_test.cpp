@@ -182,7 +182,7 @@ TEST_CASE("nothing shows where patches meet") {
       spec.view.eye_height_m = random.pick({60.0, 300.0});
       spec.view.look_azimuth = Angle::degrees(random.between(0, 360));
       TerrainOfView terrain(whole, spec.view);
-      const auto level = choose_level(terrain, spec, nullptr, nullptr);
+      const auto level = choose_level(terrain, spec, nullptr);
       REQUIRE(level);
       const auto* tin = std::get_if<Tin>(&terrain->surface);
       REQUIRE(tin);

@@ -68,7 +68,7 @@ TEST_CASE("an eye over a raster in larger cells sees its own cells near by") {
     in_part += parts > 0 && heights < grid.size();
 
     TerrainOfView terrain(whole, spec.view);
-    const auto level = choose_level(terrain, spec, nullptr, nullptr);
+    const auto level = choose_level(terrain, spec, nullptr);
     REQUIRE(level);
     CHECK(level->step == 1);
     several += level->most_step > level->step;
@@ -225,7 +225,7 @@ TEST_CASE("without the raster's own cells its larger ones are drawn") {
   spec.view.eye_map = GivenPlace{2000, -2000};
   spec.view.eye_height_m = 60;
   TerrainOfView terrain(whole, spec.view);
-  const auto level = choose_level(terrain, spec, nullptr, nullptr);
+  const auto level = choose_level(terrain, spec, nullptr);
   REQUIRE(level);
   CHECK(level->step == 4);
   CHECK(std::holds_alternative<Grid>(terrain->surface));

@@ -8,6 +8,7 @@
 #include "tests/support/random.hpp"
 
 #include <exception>
+#include <memory>
 
 namespace orograph::terrain_facts_test {
 namespace {
@@ -24,19 +25,19 @@ void check_same(const PlacedView& a, const PlacedView& b) {
 }
 
 void check_views(const TerrainData& terrain, MapSpec spec) {
-  const TerrainFacts facts = facts_of(terrain);
+  TerrainForViews for_views(std::make_shared<const TerrainData>(terrain));
   for (const double azimuth_deg : {0.0, 110.0, 235.0}) {
     spec.view.from_azimuth = Angle::degrees(azimuth_deg);
     try {
-      const PlacedView scene =
-          placed_view(TerrainOfView(terrain, spec.view), spec, nullptr, &facts);
-      check_same(scene, placed_view(terrain, spec));
-      const SurfaceCutter cutter(terrain.surface, scene.view, scene.level.triangles,
+      const TerrainOfView known(for_views, spec.view), alone(terrain, spec.view);
+      const PlacedView scene = placed_view(known, spec);
+      check_same(scene, placed_view(alone, spec));
+      const SurfaceCutter cutter(known->surface, scene.view, scene.level.triangles,
                                  scene.for_cutters);
       CHECK(scene.nearest_m == cutter.nearest_m());
       CHECK(scene.farthest_m == cutter.farthest_m());
     } catch (const std::exception& error) {
-      CHECK_THROWS_WITH(placed_view(terrain, spec), error.what());
+      CHECK_THROWS_WITH(placed_view(TerrainOfView(terrain, spec.view), spec), error.what());
     }
   }
 }
