@@ -69,7 +69,7 @@ Drawing mountains(double page_mm) {
 void measure(const std::string& name, const Drawing& drawing) {
   fmt::print("{:<10}{:>8}", name, strokes_of(drawing));
   const auto print_ratio = [](const Drawing& of) {
-    const PenTravel travel = pen_travel(of);
+    const PenTravel travel = pen_travels(of).all;
     fmt::print("{:>9.3f}", travel.up_mm / travel.down_mm);
   };
   print_ratio(drawing);

@@ -92,34 +92,35 @@ double line_length_mm(std::span<const Vec2> points) {
 
 namespace {
 
-// From where the pen is, to the layer's last point.
-void add_travel(const Layer& layer, Vec2& pen, PenTravel& travel) {
+// From where the pen is, to the layer's last point. Each length is added to both sums.
+void add_travel(const Layer& layer, Vec2& pen, PenTravel& of_layer, PenTravel& all) {
   if (layer.is_pen_way) return;
   for (const Stroke& stroke : layer.strokes) {
     const std::span<const Vec2> points = layer.points(stroke);
     throw_if_stopped();
-    travel.up_mm += length(points.front() - pen);
-    if (points.front() != pen) ++travel.lifts;
-    for (std::size_t i = 1; i < points.size(); ++i)
-      travel.down_mm += length(points[i] - points[i - 1]);
+    const double up_mm = length(points.front() - pen);
+    const std::size_t lifts = points.front() != pen ? 1 : 0;
+    for (PenTravel* travel : {&of_layer, &all}) {
+      travel->up_mm += up_mm;
+      travel->lifts += lifts;
+    }
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const double down_mm = length(points[i] - points[i - 1]);
+      of_layer.down_mm += down_mm;
+      all.down_mm += down_mm;
+    }
     pen = points.back();
   }
 }
 
 } // namespace
 
-PenTravel pen_travel(const Drawing& drawing) {
-  PenTravel travel;
+PenTravels pen_travels(const Drawing& drawing) {
+  PenTravels out;
   Vec2 pen{0, 0};
-  for (const Layer& layer : drawing.layers) add_travel(layer, pen, travel);
-  return travel;
-}
-
-std::vector<PenTravel> pen_travel_by_layer(const Drawing& drawing) {
-  std::vector<PenTravel> by_layer;
-  Vec2 pen{0, 0};
-  for (const Layer& layer : drawing.layers) add_travel(layer, pen, by_layer.emplace_back());
-  return by_layer;
+  for (const Layer& layer : drawing.layers)
+    add_travel(layer, pen, out.by_layer.emplace_back(), out.all);
+  return out;
 }
 
 void show_pen_way(Drawing& drawing) {

@@ -115,13 +115,16 @@ struct PenTravel {
   std::size_t lifts = 0; ///< strokes that don't begin where the pen is
 };
 
+/// Of a drawing, and of each of its layers, whose way begins where the layer before it ends.
+struct PenTravels {
+  PenTravel all;
+  std::vector<PenTravel> by_layer;
+};
+
 /// Strokes in drawing order, each from its first point, but those that show the pen's way. The pen
 /// starts above the page's upper left corner, as plotters do, and its way back after the last
 /// stroke isn't counted.
-OROGRAPH_API PenTravel pen_travel(const Drawing& drawing);
-
-/// The same for each layer, whose way begins where the layer before it ends.
-OROGRAPH_API std::vector<PenTravel> pen_travel_by_layer(const Drawing& drawing);
+OROGRAPH_API PenTravels pen_travels(const Drawing& drawing);
 
 /// Fills the layers that show a pen's way with its straight moves from stroke to stroke.
 OROGRAPH_API void show_pen_way(Drawing& drawing);

@@ -224,14 +224,13 @@ void describe_map(Map& map, const TerrainOfView& of_view, const PlacedView& plac
   facts.profiles = {spacing_text(placed.plan), placed.depths_m};
   facts.error_budget = error_budget(terrain, placed, spec, facts.level);
   if (facts.level) facts.level->greatest_mm = level_of_detail_mm(terrain, placed, facts.level);
-  const std::vector<PenTravel> by_layer = pen_travel_by_layer(map.drawing);
+  const auto [travel, by_layer] = pen_travels(map.drawing);
   facts.layers.clear();
   for (std::size_t i = 0; i < by_layer.size(); ++i) {
     const Layer& layer = map.drawing.layers[i];
     facts.layers.push_back({layer.name, layer.strokes.size(), by_layer[i].down_mm,
                             by_layer[i].up_mm, by_layer[i].lifts});
   }
-  const PenTravel travel = pen_travel(map.drawing);
   facts.pen_down_mm = travel.down_mm;
   facts.pen_up_mm = travel.up_mm;
   facts.pen_lifts = travel.lifts;

@@ -13,7 +13,7 @@ std::optional<PenSpeed> PenSpeeds::of(const std::optional<Pen>& pen) const {
 
 std::vector<std::optional<double>> minutes_by_layer(const Drawing& drawing,
                                                     const PenSpeeds& speeds) {
-  const std::vector<PenTravel> travel = pen_travel_by_layer(drawing);
+  const std::vector<PenTravel> travel = pen_travels(drawing).by_layer;
   std::vector<std::optional<double>> minutes;
   for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
     const auto speed = speeds.of(drawing.layers[i].pen);
@@ -46,7 +46,7 @@ PenTravel PenWork::travel() const {
 PenWork pen_work(std::span<const Drawing> pages, const PenSpeeds& speeds) {
   PenWork work;
   for (const Drawing& page : pages) {
-    const std::vector<PenTravel> travel = pen_travel_by_layer(page);
+    const std::vector<PenTravel> travel = pen_travels(page).by_layer;
     const std::vector<std::optional<double>> minutes = minutes_by_layer(page, speeds);
     work.layers.resize(travel.size());
     work.minutes.resize(travel.size(), 0.0);

@@ -17,8 +17,9 @@
 namespace orograph {
 namespace {
 
-// Of true heights, over the ground that they stand on.
-Box3 true_box(const Grid& grid) {
+// Of true heights, over the ground that they stand on; of a terrain in degrees.
+Box3 true_box(const TerrainData& terrain) {
+  const Grid& grid = std::get<Grid>(terrain.surface);
   const GridSteps steps = steps_of(grid);
   const HeightRange heights = height_range(grid);
   return {{0, 0, heights.low_m},
@@ -44,31 +45,33 @@ void stand_below_eye(TerrainData& terrain, const ViewFile& file, double exaggera
   }
 }
 
-// None for a view in a file.
-std::optional<GroundOrigin> ground_origin(const TerrainData& terrain, const ViewSpec& view) {
+// Of a terrain with a `true_box`. None for a view in a file.
+std::optional<GroundOrigin> ground_origin(const TerrainData& terrain, const Box3& box,
+                                          const ViewSpec& view) {
   if (view.curvature == Curvature::off)
     throw Error("`curvature` off: " + terrain.source + " is in degrees, on the earth's curvature",
                 "for a flat picture bring it to a map plane first: gdalwarp -t_srs CRS -r cubic " +
                     in_command(terrain.paths) + " projected.tif");
   if (view.file) return std::nullopt;
   return GroundOrigin{given_place(view, terrain).value_or(map_bounds(terrain).centre()),
-                      exaggeration_of(view, true_box(std::get<Grid>(terrain.surface)))};
+                      exaggeration_of(view, box)};
 }
 
-void stand_in(TerrainData& terrain, const std::optional<GroundOrigin>& origin,
+void stand_in(TerrainData& terrain, const Box3& box, const std::optional<GroundOrigin>& origin,
               const ViewSpec& view) {
   if (origin)
     reframe_at(terrain, *origin);
   else
-    stand_below_eye(terrain, *view.file,
-                    exaggeration_of(view, true_box(std::get<Grid>(terrain.surface))));
+    stand_below_eye(terrain, *view.file, exaggeration_of(view, box));
   limit_lean(std::get<Grid>(terrain.surface));
 }
 
 } // namespace
 
 void stand_on_earth(TerrainData& terrain, const ViewSpec& view) {
-  if (terrain.map.earth) stand_in(terrain, ground_origin(terrain, view), view);
+  if (!terrain.map.earth) return;
+  const Box3 box = true_box(terrain);
+  stand_in(terrain, box, ground_origin(terrain, box, view), view);
 }
 
 const TerrainFacts& TerrainInFrame::facts() {
@@ -109,13 +112,17 @@ void TerrainInFrame::keep(std::shared_ptr<const MadeLevel> made) {
 
 std::shared_ptr<TerrainInFrame> TerrainForViews::in_frame_of(const ViewSpec& view) {
   if (!whole_->map.earth) return on_plane_;
-  const std::optional<GroundOrigin> origin = ground_origin(*whole_, view);
+  Box3 box;
+  std::optional<GroundOrigin> origin;
   {
     const std::lock_guard lock(mutex_);
+    if (!true_box_) true_box_ = true_box(*whole_);
+    box = *true_box_;
+    origin = ground_origin(*whole_, box, view);
     if (origin && origin == last_origin_) return last_on_earth_;
   }
   auto framed = std::make_shared<TerrainData>(*whole_);
-  stand_in(*framed, origin, view);
+  stand_in(*framed, box, origin, view);
   auto made = std::make_shared<TerrainInFrame>(std::move(framed));
   const std::lock_guard lock(mutex_);
   if (!origin) return made;

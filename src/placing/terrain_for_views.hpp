@@ -5,6 +5,7 @@
 #include "dem/levels/departure.hpp"
 #include "dem/levels/summits.hpp"
 #include "dem/terrain.hpp"
+#include "geometry/box.hpp"
 #include "geometry/vec.hpp"
 #include "placing/map_spec.hpp"
 #include "placing/terrain_facts.hpp"
@@ -91,6 +92,7 @@ private:
   const std::shared_ptr<const TerrainData> whole_;
   const std::shared_ptr<TerrainInFrame> on_plane_;
   std::mutex mutex_;
+  std::optional<Box3> true_box_; ///< of heights as they are, on the earth
   std::optional<GroundOrigin> last_origin_;
   std::shared_ptr<TerrainInFrame> last_on_earth_;
 };

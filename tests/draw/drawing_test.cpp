@@ -168,12 +168,12 @@ TEST_CASE("pen travel is counted from the upper left corner, over all layers") {
   add_stroke(drawing.layers[0], {{30, 40}, {30, 50}, {40, 50}}); // 50 up, 20 down
   add_stroke(drawing.layers[0], {{43, 54}, {43, 55}});           // 5 up, 1 down
   add_stroke(drawing.layers[1], {{43, 55}, {43, 58}});           // 0 up, 3 down
-  const PenTravel travel = pen_travel(drawing);
+  const PenTravel travel = pen_travels(drawing).all;
   CHECK(travel.up_mm == 55);
   CHECK(travel.down_mm == 24);
   CHECK(travel.lifts == 2);
   CHECK(pen_minutes(travel, {.down_mm_s = 4, .up_mm_s = 11, .lift_s = 0.5}) == 12.0 / 60);
-  const std::vector<PenTravel> by_layer = pen_travel_by_layer(drawing);
+  const std::vector<PenTravel> by_layer = pen_travels(drawing).by_layer;
   REQUIRE(by_layer.size() == 2);
   CHECK(by_layer[0].up_mm == 55);
   CHECK(by_layer[0].down_mm == 21);
@@ -190,7 +190,7 @@ TEST_CASE("a pen's way is shown from stroke to stroke, and is no ink") {
   add_stroke(drawing.layers[0], {{30, 40}, {40, 40}});
   add_stroke(drawing.layers[2], {{60, 50}, {70, 50}});
   add_stroke(drawing.layers[2], {{30, 40}, {20, 40}}); // and a way that repeats one, or nearly
-  const PenTravel before = pen_travel(drawing);
+  const PenTravel before = pen_travels(drawing).all;
   show_pen_way(drawing);
   const Layer& way = drawing.layers[1];
   CHECK((way.page_mm ==
@@ -200,14 +200,14 @@ TEST_CASE("a pen's way is shown from stroke to stroke, and is no ink") {
   for (const Stroke& stroke : way.strokes) shown_mm += line_length_mm(way.points(stroke));
   CHECK(std::abs(shown_mm - before.up_mm) < 1e-9);
   CHECK(way.strokes.size() == before.lifts);
-  CHECK(pen_travel(drawing).up_mm == before.up_mm);
-  CHECK(pen_travel(drawing).down_mm == before.down_mm);
+  CHECK(pen_travels(drawing).all.up_mm == before.up_mm);
+  CHECK(pen_travels(drawing).all.down_mm == before.down_mm);
   CHECK(find_fault(drawing) == std::nullopt);
   show_pen_way(drawing);
   CHECK(way.strokes.size() == before.lifts);
 }
 
 TEST_CASE("a pen with nothing to draw stays") {
-  CHECK(pen_travel({}).up_mm == 0);
-  CHECK(pen_travel({}).down_mm == 0);
+  CHECK(pen_travels({}).all.up_mm == 0);
+  CHECK(pen_travels({}).all.down_mm == 0);
 }

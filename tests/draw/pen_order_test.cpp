@@ -167,7 +167,7 @@ TEST_CASE("a layer begins near where the one before it ends") {
   const Layer& two = drawing.layers[2];
   CHECK(two.points(two.strokes[0]).front() == Vec2{49, 50});
   CHECK(two.points(two.strokes[1]).front() == Vec2{3, 1});
-  CHECK(std::abs(pen_travel(drawing).up_mm - (std::sqrt(2) + 1 + std::hypot(37, 49))) < 1e-9);
+  CHECK(std::abs(pen_travels(drawing).all.up_mm - (std::sqrt(2) + 1 + std::hypot(37, 49))) < 1e-9);
 }
 
 TEST_CASE("a closed stroke begins where the pen is nearest") {
