@@ -229,7 +229,8 @@ private:
 
 // Of a grid on the ellipsoid, rows of vertices go to the profile frame as a whole; then the sign of
 // N . (E - P) is plain arithmetic without branches, for the vector units, with one rounding bound
-// for the row, from its longest edges. The few signs within it are asked of `facing_of`.
+// for the row, from its farthest vertices: on an SRTM tile a twenty-millionth of what signs mostly
+// are. The few within it are asked of `facing_of`.
 
 template <class Height>
 class EarthRowFacing {
@@ -269,6 +270,7 @@ public:
 private:
   struct Row {
     std::vector<double> u, v, z;
+    ProfilePoint most{}; // of their sizes
     explicit Row(std::size_t count) : u(count), v(count), z(count) {}
   };
 
@@ -290,12 +292,21 @@ private:
     double* __restrict u = out.u.data();
     double* __restrict v = out.v.data();
     double* __restrict z = out.z.data();
+    const auto take = [](double& most, double value) {
+      value = std::abs(value);
+      most = value > most ? value : most; // a missing vertex is never farther
+    };
+    ProfilePoint most{};
     for (std::size_t c = 0; c < count; ++c) {
       const ProfilePoint p = to_profile_frame(view_, {u[c], v[c], z[c]});
       u[c] = p.u;
       v[c] = p.v;
       z[c] = p.z;
+      take(most.u, p.u);
+      take(most.v, p.v);
+      take(most.z, p.z);
     }
+    out.most = most;
   }
 
   // Returns the bound on their rounding.
@@ -307,11 +318,6 @@ private:
     double* __restrict upper_sign = upper_sign_.data();
     const ProfilePoint to_viewer{view_.x_per_v * view_.y_per_z, -view_.y_per_z, view_.y_per_v};
     const double eye_z = view_.eye_z_m;
-    double most_u = 0, most_v = 0, most_z = 0, most_eye_u = 0, most_eye_v = 0, most_eye_z = 0;
-    const auto take = [](double& most, double value) {
-      value = std::abs(value);
-      most = value > most ? value : most; // a missing vertex is never farther
-    };
     for (std::size_t c = begin; c < past; ++c) {
       const ProfilePoint eye =
           is_perspective ? ProfilePoint{-nu[c], -nv[c], eye_z - nz[c]} : to_viewer;
@@ -320,19 +326,19 @@ private:
       const ProfilePoint right{nu[c + 1] - nu[c], nv[c + 1] - nv[c], nz[c + 1] - nz[c]};
       lower_sign[c] = product(eye, down, across);
       upper_sign[c] = product(eye, across, right);
-      for (const ProfilePoint& edge : {down, across, right}) {
-        take(most_u, edge.u);
-        take(most_v, edge.v);
-        take(most_z, edge.z);
-      }
-      take(most_eye_u, eye.u);
-      take(most_eye_v, eye.v);
-      take(most_eye_z, eye.z);
     }
     // That of triple_product, were all factors the greatest.
+    const auto most = [&](double ProfilePoint::*of) {
+      return std::max(north_.most.*of, south_.most.*of);
+    };
+    const ProfilePoint edge{2 * most(&ProfilePoint::u), 2 * most(&ProfilePoint::v),
+                            2 * most(&ProfilePoint::z)};
+    const ProfilePoint eye =
+        is_perspective
+            ? ProfilePoint{edge.u, edge.v, std::abs(eye_z) + edge.z}
+            : ProfilePoint{std::abs(to_viewer.u), std::abs(to_viewer.v), std::abs(to_viewer.z)};
     return 8 * std::numeric_limits<double>::epsilon() *
-           (most_eye_u * most_v * most_z + most_eye_v * most_z * most_u +
-            most_eye_z * most_u * most_v);
+           (eye.u * edge.v * edge.z + eye.v * edge.z * edge.u + eye.z * edge.u * edge.v);
   }
 
   static double product(ProfilePoint a, ProfilePoint b, ProfilePoint c) {
