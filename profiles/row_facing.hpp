@@ -18,6 +18,19 @@
 
 namespace orograph {
 
+// Whether of the cells from `begin` to `past` any triangle may be turned either way. A loop of its
+// own, over bytes alone.
+inline bool any_in_doubt(const std::vector<std::uint8_t>& lower,
+                         const std::vector<std::uint8_t>& upper, std::size_t begin,
+                         std::size_t past) {
+  static_assert(kMayFace == 1 && kMayTurn == 2);
+  std::uint8_t doubt = 0;
+  for (std::size_t c = begin; c < past; ++c)
+    doubt |=
+        static_cast<std::uint8_t>((lower[c] & (lower[c] >> 1U)) | (upper[c] & (upper[c] >> 1U)));
+  return (doubt & 1U) != 0;
+}
+
 // On a map plane, in cell coordinates (c to the east, r to the south, in steps of the grid), a
 // triangle's height is h = h0 + gc * (c - c0) + gr * (r - r0). The eye sees it where the eye is
 // above that plane; in a parallel view, where walking away along F raises Y. Both are one
@@ -60,11 +73,8 @@ public:
       sign_bits<float>(north, south, first, end, terms, kOfFloat, &lower[0], &upper[0]);
     else
       sign_bits<double>(north, south, first, end, terms, of_double, &lower[0], &upper[0]);
-    std::uint8_t doubt = 0; // in a loop of its own, over bytes alone
-    for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(end); ++c)
-      doubt |=
-          static_cast<std::uint8_t>((lower[c] & (lower[c] >> 1U)) | (upper[c] & (upper[c] >> 1U)));
-    if (doubt & 1U) settle(row, first, end);
+    if (any_in_doubt(lower, upper, static_cast<std::size_t>(first), static_cast<std::size_t>(end)))
+      settle(row, first, end);
   }
 
   // The two triangles at an edge make a parallelogram: it is a ridge where its middle is higher
@@ -252,14 +262,7 @@ public:
       lower[c] = bits(lower_sign_[c], bound);
       upper[c] = bits(upper_sign_[c], bound);
     }
-    for (std::size_t c = begin; c < past; ++c) {
-      const int column = static_cast<int>(c);
-      const auto at = [&](int right, int down) { return vertex(column + right, row + down); };
-      if (lower[c] == (kMayFace | kMayTurn))
-        lower[c] = facing_of(view_, at(0, 0), at(0, 1), at(1, 1));
-      if (upper[c] == (kMayFace | kMayTurn))
-        upper[c] = facing_of(view_, at(0, 0), at(1, 1), at(1, 0));
-    }
+    if (any_in_doubt(lower, upper, begin, past)) settle(row, first, end);
   }
 
   bool may_be_ridge(CellVertex from, CellVertex to, CellVertex left, CellVertex right) const {
@@ -277,6 +280,17 @@ private:
   ProfilePoint vertex(int column, int row) const {
     const double height = heights_[grid_.index(column, row)];
     return to_profile_frame(view_, grid_.earth().vertex_m(column, row, height));
+  }
+
+  // Asks again of the triangles in doubt.
+  void settle(int row, int first, int end) {
+    for (int column = first; column < end; ++column) {
+      const auto at = [&](int right, int down) { return vertex(column + right, row + down); };
+      std::uint8_t &below = lower[static_cast<std::size_t>(column)],
+                   &above = upper[static_cast<std::size_t>(column)];
+      if (below == (kMayFace | kMayTurn)) below = facing_of(view_, at(0, 0), at(0, 1), at(1, 1));
+      if (above == (kMayFace | kMayTurn)) above = facing_of(view_, at(0, 0), at(1, 1), at(1, 0));
+    }
   }
 
   void take_rows(int row) {

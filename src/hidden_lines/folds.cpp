@@ -10,6 +10,20 @@
 #include <limits>
 
 namespace orograph {
+namespace {
+
+constexpr std::size_t kPartsOfTask = 1024;
+
+// Calls take(i) with the number of each of so many parts, on all cores.
+template <class Take>
+void for_each_part(std::size_t count, const Take& take) {
+  on_all_cores((count + kPartsOfTask - 1) / kPartsOfTask, [&](std::size_t task) {
+    const std::size_t end = std::min(count, (task + 1) * kPartsOfTask);
+    for (std::size_t i = task * kPartsOfTask; i < end; ++i) take(i);
+  });
+}
+
+} // namespace
 
 Folds::Folds(const Surface& surface, const PlacedView& placed, const Sector& sector, double share)
     : placed_(placed), sector_(sector), share_(share),
@@ -30,12 +44,9 @@ std::vector<LinePart> Folds::among(const LinePictures& lines,
                                    const std::vector<LinePart>& parts) const {
   std::vector<LinePart> out;
   if (!ground_) return out;
-  constexpr std::size_t kPartsOfTask = 1024;
   std::vector<std::uint8_t> folds(parts.size());
-  on_all_cores((parts.size() + kPartsOfTask - 1) / kPartsOfTask, [&](std::size_t task) {
-    const std::size_t end = std::min(parts.size(), (task + 1) * kPartsOfTask);
-    for (std::size_t i = task * kPartsOfTask; i < end; ++i)
-      folds[i] = is_fold(lines.line(parts[i].line), lines.whole(parts[i].line), parts[i]) ? 1 : 0;
+  for_each_part(parts.size(), [&](std::size_t i) {
+    folds[i] = is_fold(lines.line(parts[i].line), lines.whole(parts[i].line), parts[i]) ? 1 : 0;
   });
   for (std::size_t i = 0; i < parts.size(); ++i) {
     throw_if_stopped(i);
@@ -60,6 +71,14 @@ double Folds::length_mm(const ProfileLine& whole, const LinePart& part) const {
     return Vec2{p.x / p.z, p.y / p.z};
   };
   return plain_length(at(shares->end) - at(shares->begin));
+}
+
+std::vector<double> Folds::lengths_mm(const LinePictures& lines,
+                                      const std::vector<LinePart>& parts) const {
+  std::vector<double> out(parts.size());
+  for_each_part(parts.size(),
+                [&](std::size_t i) { out[i] = length_mm(lines.whole(parts[i].line), parts[i]); });
+  return out;
 }
 
 double Folds::length_if_inside_mm(Vec2 a, Vec2 b) const {

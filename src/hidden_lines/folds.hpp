@@ -32,6 +32,9 @@ public:
 
   /// Length of a part of a line in the frame.
   double length_mm(const ProfileLine& whole, const LinePart& part) const;
+  /// Of each of these parts, on all cores.
+  std::vector<double> lengths_mm(const LinePictures& lines,
+                                 const std::vector<LinePart>& parts) const;
   /// The same between two points of the visibility plane, if both are well inside: otherwise NaN.
   double length_if_inside_mm(Vec2 a, Vec2 b) const;
 

@@ -237,7 +237,7 @@ lines_by_range(const Surface& surface, double reach_m, std::span<const ProfilePo
     for (auto range = first; range != ranges.end() && range->begin <= high; ++range)
       found[static_cast<std::size_t>(range - ranges.begin())].push_back({i, nearest});
   };
-  constexpr std::size_t kLinesOfTask = 1U << 14U;
+  constexpr std::size_t kLinesOfTask = 1U << 12U;
   const std::size_t count = numbers ? numbers->size() : lines.size();
   std::vector<std::vector<Found>> of_tasks((count + kLinesOfTask - 1) / kLinesOfTask);
   on_all_cores(of_tasks.size(), [&](std::size_t task) {

@@ -352,8 +352,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   out.folded_mm = found_parts.folded_mm;
   out.contours = std::move(found_parts.contours);
   out.whole_on_ground = std::move(whole);
-  for (const LinePart& part : folded)
-    out.folded_mm += folds.length_mm(every_line.whole(part.line), part);
+  for (const double length_mm : folds.lengths_mm(every_line, folded)) out.folded_mm += length_mm;
   for (LineObserver* observer : instruments.observers)
     if (observer->asks_lines())
       observer->see(
