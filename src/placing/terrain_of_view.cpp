@@ -40,7 +40,9 @@ TerrainOfView::TerrainOfView(const TerrainData& whole, const ViewSpec& view) : w
 }
 
 TerrainOfView::TerrainOfView(TerrainForViews& whole, const ViewSpec& view)
-    : whole_(whole.whole()), in_frame_(whole.in_frame_of(view)), cut_(cut_by_view(uncut(), view)) {}
+    : whole_(whole.whole()), in_frame_(whole.in_frame_of(view)) {
+  cut_ = cut_by_view(uncut(), view);
+}
 
 const TerrainFacts* TerrainOfView::facts() const {
   if (level_) return &level_->facts;
