@@ -37,7 +37,7 @@ public:
   /// The same as the file's own surface, where it is a level.
   const TerrainData& without_level() const { return cut_ ? *cut_ : of_file(); }
   /// Whether it is the whole terrain itself.
-  bool is_whole() const { return !cut_ && !on_earth_ && !level_; }
+  bool is_whole() const { return &**this == &whole_; }
   bool is_cut() const { return cut_.has_value(); }
   /// In the same frame, before the planes cut it.
   const TerrainData& uncut() const { return level_ ? level_->terrain : of_file(); }
