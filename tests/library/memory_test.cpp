@@ -63,7 +63,7 @@ TEST_CASE("an owner is kept for as long as a terrain, a session or a copy of the
   CHECK((bytes_of(map.drawing) == drawn));
 }
 
-TEST_CASE("an owner is kept while a view of its terrain in degrees is drawn, and not longer") {
+TEST_CASE("of a terrain in degrees a session keeps the last frame as well, and no other") {
   OwnedHeights heights = rough_heights(kSide);
   const std::weak_ptr<std::vector<float>> owner = heights;
   std::optional<Map> map;
@@ -74,8 +74,13 @@ TEST_CASE("an owner is kept while a view of its terrain in degrees is drawn, and
     input.crs = "EPSG:4326";
     const Session session(Terrain::of(input));
     input = {};
-    map = session.draw({});
     CHECK(owner.use_count() == 1);
+    MapSpec spec;
+    for (const double exaggeration : {1.0, 1.0, 2.0, 3.0}) {
+      spec.view.exaggeration = exaggeration;
+      map = session.draw(spec);
+      CHECK(owner.use_count() == 2);
+    }
   }
   CHECK(owner.expired());
   CHECK(map->facts.counts.strokes > 100);
