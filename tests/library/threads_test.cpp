@@ -110,7 +110,7 @@ TEST_CASE("views on the earth, of one frame and of others, have the bytes that e
     specs[from_eye].view.look_azimuth = Angle::degrees(30.0 * static_cast<double>(from_eye));
   }
   specs[6].view.eye_map = GivenPlace(10 + 0.3 * side / 3600, 47 - 0.5 * side / 3600);
-  specs[7].view.exaggeration = 1;
+  specs[7].view.exaggeration = 0.7;
   const std::vector<std::string> alone = drawn_alone(terrain, specs);
   for (std::size_t i = 0; i < alone.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) CHECK((alone[i] != alone[k]));
