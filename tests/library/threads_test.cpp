@@ -94,7 +94,7 @@ TEST_CASE("so have those of several sessions, with terrains of their own and sha
 
 TEST_CASE("views on the earth, of one frame and of others, have the bytes that each has alone",
           "[threads]") {
-  const int side = made_side(120);
+  const int side = made_side(90);
   GridInput in_degrees = borrowed(rough_heights(side), side);
   in_degrees.geotransform = {10, 1.0 / 3600, 0, 47, 0, -1.0 / 3600};
   in_degrees.crs = "EPSG:4326";
@@ -115,9 +115,8 @@ TEST_CASE("views on the earth, of one frame and of others, have the bytes that e
   for (std::size_t i = 0; i < alone.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) CHECK((alone[i] != alone[k]));
   const Session session(terrain);
-  for (const int step : {1, 5}) // one after another, in two orders
-    for (std::size_t i = 0, at = 0; i < specs.size(); ++i, at = (at + step) % specs.size())
-      CHECK((drawn_bytes(session, specs[at]) == alone[at]));
+  for (const std::size_t i : {0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 0U}) // some frames several times
+    CHECK((drawn_bytes(session, specs[i]) == alone[i]));
   std::atomic<int> same = 0;
   on_threads(8, [&](int i) {
     const auto of_spec = static_cast<std::size_t>(i);
