@@ -103,8 +103,7 @@ void render(const RenderSettings& settings) {
 
   const auto place_start = Clock::now();
   const MapSpec spec = with_room_for_names(settings.map, named);
-  TerrainOfView terrain(whole, spec.view);
-  if (read.facts) terrain.take_facts(read.facts);
+  TerrainOfView terrain(whole, spec.view, read.facts);
   const std::optional<LevelOfDetail> level = choose_level(terrain, spec, settings.solids.get());
   PlacedView placed = placed_view(terrain, spec, settings.solids.get());
   placed.names = named;

@@ -317,14 +317,13 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   const TerrainData& file = terrain.of_file();
   const Grid* const whole = std::get_if<Grid>(&file.surface);
   if (!whole || terrain.is_cut()) return std::nullopt;
-  if (!terrain.facts()) terrain.take_facts(std::make_shared<const TerrainFacts>(facts_of(file)));
-  const TerrainFacts& of_file = *terrain.facts();
+  TerrainInFrame& in_frame = terrain.in_frame();
+  const TerrainFacts& of_file = in_frame.facts();
   if (detail.error_mm) {
     if (needs_lattice(file, spec.style)) return std::nullopt;
     if (file.larger_cells)
       return take_certified_of_raster(terrain, spec, placed_picture(file, of_file, spec, solids));
-    const auto level = take_certified(terrain, spec, placed_picture(file, of_file, spec, solids));
-    return level;
+    return take_certified(terrain, spec, placed_picture(file, of_file, spec, solids));
   }
   if (stands_over_ground(spec.view, file, of_file)) {
     if (file.larger_cells) {
@@ -340,9 +339,7 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
     const bool has_more_sides =
         spec.style.underside == Underside::draw || spec.style.asks_for("block");
     if (needs_lattice(file, spec.style) || (!detail.cell_mm && has_more_sides)) return std::nullopt;
-    const auto level =
-        take_patches(terrain, of_file, spec, placed_picture(file, of_file, spec, solids));
-    return level;
+    return take_patches(terrain, of_file, spec, placed_picture(file, of_file, spec, solids));
   }
   std::optional<TerrainData> land;
   std::optional<TerrainFacts> of_land;
@@ -373,12 +370,10 @@ std::optional<LevelOfDetail> choose_level(TerrainOfView& terrain, const MapSpec&
   }
 
   // A part of the land is of this view alone.
-  TerrainInFrame* const for_others = land ? nullptr : terrain.for_others();
-  std::shared_ptr<const MadeLevel> made =
-      for_others ? for_others->level_of_step(level.step) : nullptr;
+  std::shared_ptr<const MadeLevel> made = land ? nullptr : in_frame.level_of_step(level.step);
   if (!made) {
     made = made_level(file, grid, level.step, facts.water.triangles, least_of_water(*whole));
-    if (for_others) for_others->keep(made);
+    if (!land) in_frame.keep(made);
   }
   level.cell_m = made->level->facts.cell_m;
   level.cell_mm = level.step * cell_mm;

@@ -31,23 +31,21 @@ std::optional<TerrainData> cut_by_view(const TerrainData& terrain, const ViewSpe
   return out;
 }
 
-TerrainOfView::TerrainOfView(const TerrainData& whole, const ViewSpec& view) : whole_(whole) {
-  if (whole.map.earth) {
-    on_earth_ = whole;
-    stand_on_earth(*on_earth_, view);
-  }
-  cut_ = cut_by_view(uncut(), view);
-}
-
 TerrainOfView::TerrainOfView(TerrainForViews& whole, const ViewSpec& view)
     : whole_(whole.whole()), in_frame_(whole.in_frame_of(view)) {
   cut_ = cut_by_view(uncut(), view);
 }
 
+TerrainOfView::TerrainOfView(const TerrainData& whole, const ViewSpec& view,
+                             std::shared_ptr<const TerrainFacts> facts)
+    : TerrainOfView(*std::make_unique<TerrainForViews>(
+                        std::shared_ptr<const TerrainData>(std::shared_ptr<void>(), &whole),
+                        std::move(facts)),
+                    view) {}
+
 const TerrainFacts* TerrainOfView::facts() const {
   if (level_) return &level_->facts;
-  if (facts_) return facts_.get();
-  return in_frame_ && !cut_ ? &in_frame_->facts() : nullptr;
+  return cut_ ? nullptr : &in_frame_->facts();
 }
 
 } // namespace orograph

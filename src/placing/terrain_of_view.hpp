@@ -24,11 +24,13 @@ std::optional<TerrainData> cut_by_view(const TerrainData& terrain, const ViewSpe
 /// (placing/level_of_detail.hpp).
 class TerrainOfView {
 public:
-  /// REQUIRES that `whole` outlives it. Throws Error as `stand_on_earth` does, and where the view's
-  /// planes leave nothing of the terrain.
-  TerrainOfView(const TerrainData& whole, const ViewSpec& view);
-  /// The same, with what other views have found out. REQUIRES that `whole` outlives it.
+  /// With what other views have found out. REQUIRES that `whole` outlives it. Throws Error as
+  /// `stand_on_earth` does, and where the view's planes leave nothing of the terrain.
   TerrainOfView(TerrainForViews& whole, const ViewSpec& view);
+  /// The same for a view that is the only one. REQUIRES that `whole` outlives it. `facts` as of
+  /// `TerrainForViews`.
+  TerrainOfView(const TerrainData& whole, const ViewSpec& view,
+                std::shared_ptr<const TerrainFacts> facts = nullptr);
   TerrainOfView(const TerrainOfView&) = delete;
   TerrainOfView& operator=(const TerrainOfView&) = delete;
 
@@ -42,28 +44,19 @@ public:
   /// In the same frame, before the planes cut it.
   const TerrainData& uncut() const { return level_ ? level_->terrain : of_file(); }
   /// In the same frame, as the file has it.
-  const TerrainData& of_file() const {
-    return in_frame_ ? in_frame_->terrain() : on_earth_ ? *on_earth_ : whole_;
-  }
-  /// What other views find out of that; null where there are no others.
-  TerrainInFrame* for_others() const { return in_frame_.get(); }
+  const TerrainData& of_file() const { return in_frame_->terrain(); }
+  /// The same with what is found out about it, by other views as well.
+  TerrainInFrame& in_frame() { return *in_frame_; }
 
   /// From now on it is this level. REQUIRES a terrain that isn't cut.
-  void take_level(std::shared_ptr<const TerrainLevel> level) {
-    level_ = std::move(level);
-    facts_.reset();
-  }
-  /// What is known of it as it stands; they refer to it. REQUIRES that they aren't null.
-  void take_facts(std::shared_ptr<const TerrainFacts> facts) { facts_ = std::move(facts); }
-  /// What is known of it as it stands: of the level, or taken, or found for other views as well.
-  /// Null else.
+  void take_level(std::shared_ptr<const TerrainLevel> level) { level_ = std::move(level); }
+  /// What is known of it as it stands. Null where the view's planes cut it.
   const TerrainFacts* facts() const;
 
 private:
   const TerrainData& whole_;
   std::shared_ptr<TerrainInFrame> in_frame_;
-  std::optional<TerrainData> on_earth_, cut_;
-  std::shared_ptr<const TerrainFacts> facts_;
+  std::optional<TerrainData> cut_;
   std::shared_ptr<const TerrainLevel> level_;
 };
 
