@@ -74,6 +74,22 @@ void find(const SeenGround& ground, RowFacing& facing, int first, int end, const
   }
 }
 
+// Calls with_facing(facing) with what tells a grid's rows.
+template <class WithFacing>
+void with_row_facing(const Grid& grid, const View& view, const WithFacing& with_facing) {
+  std::visit(
+      [&](const auto& heights) {
+        if (grid.is_on_earth()) {
+          EarthRowFacing facing(grid, heights, view);
+          with_facing(facing);
+        } else {
+          PlaneRowFacing facing(grid, heights, view);
+          with_facing(facing);
+        }
+      },
+      grid.heights_m);
+}
+
 constexpr int kRowsOfTask = 64; // of which one is reckoned twice
 
 // Calls take_of(task) on all cores, and what that returns with the task's edges, in order.
@@ -85,22 +101,13 @@ void find_on_all_cores(const Grid& grid, const View& view, const SeenGround* gro
     return find_on_all_cores(grid, view, &all, take_of);
   }
   const int rows = grid.rows - 1;
-  on_all_cores(static_cast<std::size_t>((rows + kRowsOfTask - 1) / kRowsOfTask),
-               [&](std::size_t task) {
-                 const int first = static_cast<int>(task) * kRowsOfTask,
-                           end = std::min(first + kRowsOfTask, rows);
-                 std::visit(
-                     [&](const auto& heights) {
-                       if (grid.is_on_earth()) {
-                         EarthRowFacing facing(grid, heights, view);
-                         find(*ground, facing, first, end, take_of(task));
-                       } else {
-                         PlaneRowFacing facing(grid, heights, view);
-                         find(*ground, facing, first, end, take_of(task));
-                       }
-                     },
-                     grid.heights_m);
-               });
+  on_all_cores(
+      static_cast<std::size_t>((rows + kRowsOfTask - 1) / kRowsOfTask), [&](std::size_t task) {
+        const int first = static_cast<int>(task) * kRowsOfTask,
+                  end = std::min(first + kRowsOfTask, rows);
+        with_row_facing(grid, view,
+                        [&](auto& facing) { find(*ground, facing, first, end, take_of(task)); });
+      });
 }
 
 std::vector<SurfaceEdge> joined(const std::vector<std::vector<SurfaceEdge>>& of_tasks) {
@@ -128,6 +135,19 @@ std::vector<SurfaceEdge> silhouette_edges(const Grid& grid, const View& view,
     };
   });
   return joined(of_tasks);
+}
+
+double silhouettes_a_cell(const Grid& grid, const View& view) {
+  constexpr int kEvery = 32;
+  const SeenGround all(grid);
+  std::size_t count = 0, cells = 0;
+  with_row_facing(grid, view, [&](auto& facing) {
+    for (int row = 0; row < grid.rows - 1; row += kEvery) {
+      find(all, facing, row, row + 1, [&](CellVertex, CellVertex) { ++count; });
+      cells += static_cast<std::size_t>(grid.columns) - 1;
+    }
+  });
+  return static_cast<double>(count) / static_cast<double>(cells);
 }
 
 SilhouetteMarks silhouette_marks(const Grid& grid, const View& view, bool rows_are_strips,

@@ -27,6 +27,9 @@ std::vector<SurfaceEdge> silhouette_edges(const Tin& tin, const View& view);
 std::vector<SurfaceEdge> silhouette_edges(const Surface& surface, const View& view,
                                           const SeenGround* ground = nullptr);
 
+/// About how many there are for each cell, told from every 32nd row of cells.
+double silhouettes_a_cell(const Grid& grid, const View& view);
+
 /// The same edges as marks, a byte for each cell, by strips of cells: rows, or columns. A cell's
 /// edges are those at its north-western vertex.
 struct SilhouetteMarks {

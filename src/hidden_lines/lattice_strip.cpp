@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace orograph {
-namespace {} // namespace
 
 LatticeStrip::LatticeStrip(const LatticeInWork& lattice, const Strip& strip,
                            std::span<const LineAtDepth> which, std::span<const Segment> near_cut,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -31,13 +32,6 @@ bool asks_lines(const Instruments& instruments) {
 }
 
 } // namespace
-
-bool goes_in_order(const Grid& grid, const Sector& sector, const LinesOfView& lines,
-                   const Instruments& instruments) {
-  const EarthStrips* const strips = lines.earth_strips ? &*lines.earth_strips : nullptr;
-  if (grid.is_on_earth() && !strips) return false;
-  return instruments.order_always || pays_in_order(grid, sector, strips, lines.pays_by_contours);
-}
 
 // A panorama's profiles turn at its sectors' borders.
 XRange asked_range(const Sector& sector, bool in_list, const Instruments& instruments) {
@@ -126,15 +120,17 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
   LinesOfView out;
   out.hidden = hidden;
   const Grid* grid = grid_in_order(terrain, style, instruments);
-  out.pays_by_contours = grid && asks_contours(terrain, style, placed);
-  if (grid && grid->is_on_earth() && (instruments.order_always || out.pays_by_contours))
+  const bool contours = grid && asks_contours(terrain, style, placed);
+  if (grid && grid->is_on_earth() && (instruments.order_always || contours))
     out.earth_strips = earth_strips_of(*grid, terrain, placed, instruments);
   const EarthStrips* const strips = out.earth_strips ? &*out.earth_strips : nullptr;
+  if (grid && (!grid->is_on_earth() || strips))
+    for (const Sector& sector : placed.sectors)
+      out.in_order.push_back(instruments.order_always ||
+                             pays_in_order(*grid, sector, strips, contours));
   // Solids are hidden by all lines that hide.
-  const bool finds = grid && !asks_lines(instruments) && placed.solids.empty() &&
-                     std::ranges::all_of(placed.sectors, [&](const Sector& sector) {
-                       return goes_in_order(*grid, sector, out, instruments);
-                     });
+  const bool finds = !out.in_order.empty() && !asks_lines(instruments) && placed.solids.empty() &&
+                     std::ranges::all_of(out.in_order, std::identity());
   const bool finds_contours = finds && placed.sectors.size() == 1 &&
                               !hidden.has(LineKind::contour) &&
                               !hidden.has(LineKind::index_contour);

@@ -40,11 +40,11 @@ struct LinesOfView {
   /// Of overlays those that an earlier pass hasn't taken, alone: all else was drawn by that.
   bool are_more_overlays = false;
 
-  /// Whether there are so many contours that the lattice's order pays for nearly all views.
-  bool pays_by_contours = false;
-
   /// On the earth: the strips of the view's sector, where they have an order and that pays.
   std::optional<EarthStrips> earth_strips = {};
+
+  /// By sector, whether it is taken in the lattice's order; empty if none may be.
+  std::vector<bool> in_order = {};
 
   const SilhouetteMarks* silhouettes_by(bool rows_are_strips) const;
 };
@@ -59,12 +59,9 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
 bool take_more_overlays(const TerrainData& terrain, const PlacedView& placed, const Style& style,
                         const Instruments& instruments, LinesOfView& lines);
 
-/// The grid, if its sectors may be taken in the lattice's order; and whether one of them is, if
-/// the grid is on the earth by the lines' strips.
+/// The grid, if its sectors may be taken in the lattice's order.
 const Grid* grid_in_order(const TerrainData& terrain, const Style& style,
                           const Instruments& instruments);
-bool goes_in_order(const Grid& grid, const Sector& sector, const LinesOfView& lines,
-                   const Instruments& instruments);
 
 /// What of X a sector is asked for; `in_list`: with the horizon in one list.
 XRange asked_range(const Sector& sector, bool in_list, const Instruments& instruments);

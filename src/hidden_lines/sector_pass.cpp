@@ -175,36 +175,32 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
                                         : LatticeOrder(*grid, view).rows_are_strips())
           : nullptr;
   std::vector<std::uint8_t> whole(lines.on_ground.lines.size(), 0);
-  const SectorInWork work{
-      terrain,
-      placed,
-      sector,
-      lines.listed,
-      lines.on_ground,
-      cutter,
-      tolerance,
-      view.is_perspective() ? view.near_m : -kInfinity,
-      asked_range(sector, in_list, instruments),
-      watched && !sector.frame_mm,
-      watched ? nullptr : ground,
-      instruments.vertices_a_strip,
-      silhouettes,
-      &folds,
-      draws_silhouettes(style),
-      lines.on_ground.levels_to_find_m,
-      profiles && profiles->hidden,
-      lines.by_sector.empty()
-          ? nullptr
-          : &lines.by_sector[static_cast<std::size_t>(&sector - placed.sectors.data())],
-      lines.sheet ? &*lines.sheet : nullptr,
-      lines.sheet_parts.empty()
-          ? nullptr
-          : &lines.sheet_parts[static_cast<std::size_t>(&sector - placed.sectors.data())],
-      strips,
-      lines.are_more_overlays || (!profiles && !watched),
-      whole,
-      lines.seen_with,
-      style.asks_for("profiles")};
+  const auto number = static_cast<std::size_t>(&sector - placed.sectors.data());
+  const SectorInWork work{terrain,
+                          placed,
+                          sector,
+                          lines.listed,
+                          lines.on_ground,
+                          cutter,
+                          tolerance,
+                          view.is_perspective() ? view.near_m : -kInfinity,
+                          asked_range(sector, in_list, instruments),
+                          watched && !sector.frame_mm,
+                          watched ? nullptr : ground,
+                          instruments.vertices_a_strip,
+                          silhouettes,
+                          &folds,
+                          draws_silhouettes(style),
+                          lines.on_ground.levels_to_find_m,
+                          profiles && profiles->hidden,
+                          lines.by_sector.empty() ? nullptr : &lines.by_sector[number],
+                          lines.sheet ? &*lines.sheet : nullptr,
+                          lines.sheet_parts.empty() ? nullptr : &lines.sheet_parts[number],
+                          strips,
+                          lines.are_more_overlays || (!profiles && !watched),
+                          whole,
+                          lines.seen_with,
+                          style.asks_for("profiles")};
   std::optional<SolidsInView> solids;
   if (!placed.solids.empty()) solids.emplace(placed.solids, view);
   // A panorama's profiles go on beyond the sector: what is left out, or has a width of its own, and
@@ -292,7 +288,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
     profile_done();
   };
   watch.mark(seconds.facing);
-  const bool in_order = grid && goes_in_order(*grid, sector, lines, instruments);
+  const bool in_order = !lines.in_order.empty() && lines.in_order[number];
   SectorParts found_parts =
       work.sheet ? sheet_pass(work, lay_out, show, counts, seconds)
       : in_list  ? list_pass(work, surface, instruments, lay_out, show, counts, seconds)
@@ -353,6 +349,7 @@ SectorLines sector_pass(const TerrainData& terrain, const PlacedView& placed, co
   out.contours = std::move(found_parts.contours);
   out.whole_on_ground = std::move(whole);
   for (const double length_mm : folds.lengths_mm(every_line, folded)) out.folded_mm += length_mm;
+  watch.mark(seconds.layout);
   for (LineObserver* observer : instruments.observers)
     if (observer->asks_lines())
       observer->see(
