@@ -8,6 +8,8 @@
 #include "profiles/surface_edges.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <utility>
 
@@ -16,18 +18,34 @@ namespace {
 
 using CellRange = std::pair<int, int>; // columns of cells
 
-// Cells where not all that meet at the north-western vertex face one way; elsewhere, as nearly
-// everywhere, there is no silhouette. A loop without branches, for the vector units.
-void mark_mixed(const std::uint8_t* __restrict lower, const std::uint8_t* __restrict upper,
+// What tells a cell's edges at its north-western vertex: where they lead, and what else their two
+// triangles have; in columns and rows from that vertex on.
+struct EdgeOfCell {
+  CellVertex to, left, right;
+};
+// By bit of SilhouetteMarks, where rows are strips.
+constexpr std::array<EdgeOfCell, 3> kEdgesOfCell{
+    {{{1, 0}, {0, -1}, {1, 1}}, {{0, 1}, {1, 1}, {-1, 0}}, {{1, 1}, {1, 0}, {0, 1}}}};
+
+// Marks the edges of a row's cells whose triangles face two ways: nearly nowhere. A loop without
+// branches, for the vector units.
+void mark_turns(const std::uint8_t* __restrict lower, const std::uint8_t* __restrict upper,
                 const std::uint8_t* __restrict north_lower, int begin, int past,
-                std::uint8_t* __restrict mixed) {
-  constexpr std::uint8_t kBoth = kMayFace | kMayTurn;
-  mixed[begin] = (lower[begin] | upper[begin] | north_lower[begin]) == kBoth ? 1 : 0;
-  for (int i = begin + 1; i < past; ++i) {
-    const auto together =
-        static_cast<std::uint8_t>(lower[i] | upper[i] | north_lower[i] | upper[i - 1]);
-    mixed[i] = together == kBoth ? 1 : 0;
-  }
+                std::uint8_t* __restrict marks) {
+  // `are_seen_and_turned`.
+  const auto turns = [](std::uint8_t a, std::uint8_t b) {
+    return static_cast<std::uint8_t>(((a & (b >> 1U)) | ((a >> 1U) & b)) & 1U);
+  };
+  static_assert(kMayFace == 1 && kMayTurn == 2);
+  const auto mark = [&](int i, std::uint8_t west_upper) {
+    return static_cast<std::uint8_t>(turns(north_lower[i], upper[i]) |
+                                     turns(west_upper, lower[i]) << 1U |
+                                     turns(lower[i], upper[i]) << 2U);
+  };
+  static_assert(SilhouetteMarks::kAlong == 1 && SilhouetteMarks::kUpright == 2 &&
+                SilhouetteMarks::kDiagonal == 4);
+  marks[begin] = mark(begin, 0);
+  for (int i = begin + 1; i < past; ++i) marks[i] = mark(i, upper[i - 1]);
 }
 
 // Calls take(from, to) with the edges of the rows of cells from `first` to `end`, in order.
@@ -37,7 +55,7 @@ void find(const SeenGround& ground, RowFacing& facing, int first, int end, const
   const std::size_t cells = lower.size();
   // Cells that aren't looked at have no bits, and their edges are no silhouettes.
   std::vector<std::uint8_t> north_lower(cells, 0);
-  std::vector<std::uint8_t> mixed(cells, 0);
+  std::vector<std::uint8_t> marks(cells, 0);
   std::vector<CellRange> ranges;
   int ranges_of = -1; // row of blocks
   const auto reckon = [&](int row) {
@@ -49,10 +67,6 @@ void find(const SeenGround& ground, RowFacing& facing, int first, int end, const
     }
     for (const auto& [begin, past] : ranges) facing.reckon(row, begin, past);
   };
-  const auto add_if = [&](std::uint8_t a, std::uint8_t b, CellVertex from, CellVertex to,
-                          CellVertex left, CellVertex right) {
-    if (are_seen_and_turned(a, b) && facing.may_be_ridge(from, to, left, right)) take(from, to);
-  };
   if (first > 0) {
     reckon(first - 1);
     north_lower = lower;
@@ -60,14 +74,14 @@ void find(const SeenGround& ground, RowFacing& facing, int first, int end, const
   for (int row = first; row < end; ++row) {
     reckon(row);
     for (const auto& [begin, past] : ranges) {
-      mark_mixed(&lower[0], &upper[0], &north_lower[0], begin, past, &mixed[0]);
-      for_each_marked(mixed, begin, past, 1, [&](int c) {
-        const auto i = static_cast<std::size_t>(c);
-        const int r = row;
-        const std::uint8_t west_upper = c > begin ? upper[i - 1] : 0;
-        add_if(north_lower[i], upper[i], {c, r}, {c + 1, r}, {c, r - 1}, {c + 1, r + 1});
-        add_if(west_upper, lower[i], {c, r}, {c, r + 1}, {c + 1, r + 1}, {c - 1, r});
-        add_if(lower[i], upper[i], {c, r}, {c + 1, r + 1}, {c + 1, r}, {c, r + 1});
+      mark_turns(&lower[0], &upper[0], &north_lower[0], begin, past, &marks[0]);
+      constexpr std::uint8_t kAny =
+          SilhouetteMarks::kAlong | SilhouetteMarks::kUpright | SilhouetteMarks::kDiagonal;
+      for_each_mark(marks, begin, past, kAny, [&](int column, std::uint8_t mark) {
+        const EdgeOfCell& edge = kEdgesOfCell[static_cast<std::size_t>(std::countr_zero(mark))];
+        const auto at = [&](CellVertex v) { return CellVertex{column + v.column, row + v.row}; };
+        const CellVertex from{column, row}, to = at(edge.to);
+        if (facing.may_be_ridge(from, to, at(edge.left), at(edge.right))) take(from, to);
       });
     }
     north_lower = lower;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "horizon/blocked_horizon.hpp"
 
-#include "horizon/clip_step.hpp"
 #include "horizon/horizon.hpp"
 #include "horizon/take_above.hpp"
 
@@ -170,12 +169,21 @@ bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
   for (; past < pieces.size() && pieces[past].x_begin < end; ++past) {
     const HorizonPiece& piece = pieces[past];
     const double from = std::max(piece.x_begin, begin), to = std::min(piece.x_end, end);
-    const Step step = step_of(stand(piece, from, to), from, to, false);
-    for (int n = 0; n < step.count; ++n) {
-      const auto& [x_begin, x_end, above, b, e] = step.stretches[static_cast<std::size_t>(n)];
+    const Standing standing = stand(piece, from, to);
+    const auto add = [&](double x_begin, double x_end, bool above) {
       rises = rises || above;
       all_rises = all_rises && above;
       stretches_.push_back({past, x_begin, x_end, above});
+    };
+    using enum Standing::Kind;
+    const bool falls = standing.kind == above_then_below;
+    if (!falls && standing.kind != below_then_above) {
+      add(from, to, standing.kind == above); // what is tied stays
+    } else if (standing.x <= from || standing.x >= to) {
+      add(from, to, falls == (standing.x >= to));
+    } else {
+      add(from, standing.x, falls);
+      add(standing.x, to, !falls);
     }
   }
   if (!rises) return false;

@@ -16,10 +16,11 @@ template <class Take>
 Standing take_above(const Segment& p, const HorizonPiece& piece, double x_begin, double x_end,
                     const TieTolerance& tolerance, const Take& take) {
   using enum Standing::Kind;
-  const double begin = parameter_at(p, x_begin), end = parameter_at(p, x_end);
   const Standing standing = is_sky(piece) ? Standing{above} : compare(p, piece.source, tolerance);
+  if (standing.kind == below || (standing.kind == tied && piece.inked)) return standing;
+  const double begin = parameter_at(p, x_begin), end = parameter_at(p, x_end);
   const double t = std::clamp(standing.t, begin, end);
-  if (standing.kind == above || (standing.kind == tied && !piece.inked)) take(begin, end);
+  if (standing.kind == above || standing.kind == tied) take(begin, end);
   if (standing.kind == above_then_below) take(begin, t);
   if (standing.kind == below_then_above) take(t, end);
   return standing;

@@ -226,6 +226,18 @@ TEST_CASE("and in oblique views") {
   CHECK(tally.listed < tally.certain + tally.certain / 4);
 }
 
+// Of heights that have nothing to do with each other rows differ by chance alone.
+TEST_CASE("how many there are for a cell is told from some of the rows") {
+  Random random(1);
+  for (const double roughness_m : {4.0, 40.0, 400.0}) {
+    const Grid grid = made_grid(random, {200, 400, {}, {30, 0}, {0, -20}}, {0, roughness_m});
+    const View view = parallel_view(random.between(0, 360), 25);
+    const auto count = static_cast<double>(silhouette_edges(grid, view).size());
+    CAPTURE(roughness_m, count);
+    CHECK(silhouettes_a_cell(grid, view) == Approx(count / (199.0 * 399)).epsilon(0.15));
+  }
+}
+
 TEST_CASE(
     "and where the ground sinks with the earth's curvature, which may bend it more than heights") {
   Tally tally;
