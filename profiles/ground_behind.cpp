@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace orograph {
@@ -76,112 +77,200 @@ bool meets_ray(double upwards, const Mesh& mesh, const Beyond& beyond, const Pro
   return false;
 }
 
-// The rows, the columns or the diagonals of a lattice on a map plane, which a ray passes at equal
-// steps. A diagonal has the number of the column in which it meets row 0.
-struct LinesPassed {
-  double begin, per_m;             // which line the ray is at, and by how many it goes on
-  double begin_along, along_per_m; // where on that line, in edges
-  Vec2 edge;                       // in the profile frame
+// The rows, the columns or the diagonals of a lattice on a map plane. A diagonal has the number of
+// the column in which it meets row 0.
+struct LineFamily {
   std::ptrdiff_t of_line, of_edge; // what a vertex's index grows by
-  int first, last;                 // vertices of a line; of line 0, where they are diagonals
+  int last;                        // vertex of a line; of line 0, where they are diagonals
   bool are_diagonals;
   int last_row;
+  double least_m; // a thousandth of an edge
+  double bend_m;  // four times what an edge's ends sink more than its middle would
 
-  int first_of(int line) const { return are_diagonals ? std::max(first, line) : first; }
+  int first_of(int line) const { return are_diagonals ? std::max(0, line) : 0; }
   int last_of(int line) const { return are_diagonals ? std::min(last, last_row + line) : last; }
 };
 
-// The same on a map plane, where nothing has to be walked: what the ray passes can be reckoned.
-template <class Height>
-bool meets_on_plane(double upwards, const Grid& grid, const Heights<Height>& heights,
-                    const View& view, ProfilePoint from, double reach_m) {
-  const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
-  const auto in_cells = [&, area = cross(column_step_m, row_step_m)](Vec2 m) {
-    return Vec2{cross(m, row_step_m) / area, cross(column_step_m, m) / area};
-  };
-  const double u_per_m = u_along_ray(view, from), z_per_m = z_along_ray(view, from);
-  const Vec2 ground_m = view.depth_origin_m + from.u * view.right + from.v * view.forward;
-  const Vec2 begin = in_cells(ground_m - first_vertex_m),
-             per_m = in_cells(view.forward + u_per_m * view.right);
-  const int columns = grid.columns, last_column = columns - 1, last_row = grid.rows - 1;
+// How a ray goes on among the lines of a family, of which it passes one after another at equal
+// steps.
+struct WayAcross {
+  double lines_per_m, m_per_line, edges_per_m; // along a line it goes on by edges
+};
 
-  // Where the ray leaves the lattice, by a little more than rounding.
-  constexpr double kRounding = 1e-6; // of a cell
-  const auto border_m = [](double at, double at_per_m, int last) {
-    if (at_per_m == 0) return std::numeric_limits<double>::infinity();
-    return ((at_per_m > 0 ? last : 0) - at) / at_per_m + kRounding / std::abs(at_per_m);
-  };
-  const double end_m = std::min(
-      {reach_m, border_m(begin.x, per_m.x, last_column), border_m(begin.y, per_m.y, last_row)});
-  const double most_per_m = std::max(std::abs(per_m.x), std::abs(per_m.y));
-  // False where numbers have overflowed as well.
-  const auto is_inside = [](double at, int last) { return at > -0.5 && at < last + 0.5; };
-  if (!is_inside(begin.x, last_column) || !is_inside(begin.y, last_row) ||
-      !std::isfinite(most_per_m))
-    return false;
-
-  const auto in_frame = [&](Vec2 m) { return Vec2{dot(m, view.right), dot(m, view.forward)}; };
-  const std::array<LinesPassed, 3> families{
-      {{begin.y, per_m.y, begin.x, per_m.x, in_frame(column_step_m), columns, 1, 0, last_column,
-        false, last_row},
-       {begin.x, per_m.x, begin.y, per_m.y, in_frame(row_step_m), 1, columns, 0, last_row, false,
-        last_row},
-       {begin.x - begin.y, per_m.x - per_m.y, begin.x, per_m.x,
-        in_frame(column_step_m + row_step_m), -columns, columns + 1, 0, last_column, true,
-        last_row}}};
-  std::array<int, 3> next{};
-  for (std::size_t i = 0; i < families.size(); ++i)
-    next[i] = static_cast<int>(families[i].per_m > 0 ? std::floor(families[i].begin) + 1
-                                                     : std::ceil(families[i].begin) - 1);
-
-  // What is met first decides, so all three go on by some cells at once.
-  constexpr double kCellsAtOnce = 8;
-  for (double to_m = 0; to_m < end_m;) {
-    to_m = std::min(to_m + kCellsAtOnce / most_per_m, end_m);
-    double met_m = to_m;
-    std::optional<bool> meets;
-    for (std::size_t i = 0; i < families.size(); ++i) {
-      const LinesPassed& lines = families[i];
-      if (lines.per_m == 0) continue;
-      const double m_per_line = 1 / lines.per_m;
-      const double least_m = 1e-3 * std::max(std::abs(lines.edge.x), std::abs(lines.edge.y));
-      const double bend_m = view.drop.at(lines.edge.x, lines.edge.y);
-      for (int& line = next[i];; line += lines.per_m > 0 ? 1 : -1) {
-        const double m = (line - lines.begin) * m_per_line;
-        if (!(m <= met_m)) break;
-        const int first = lines.first_of(line), last = lines.last_of(line);
-        if (first >= last) continue; // the lattice's corner
-        const double along = lines.begin_along + m * lines.along_per_m;
-        const int edge = std::clamp(static_cast<int>(along), first, last - 1);
-        const double share = along - edge;
-        const Height* const at = heights.data() + line * lines.of_line + edge * lines.of_edge;
-        const double height = at[0] + share * (static_cast<double>(at[lines.of_edge]) - at[0]);
-        // An edge is straight between its ends, which sink more than what is between them would.
-        const double drop =
-            view.drop.at(from.u + m * u_per_m, from.v + m) + share * (1 - share) * bend_m;
-        const double z = height * view.exaggeration - drop;
-        const bool is_ground = !std::isnan(height);
-        // The silhouette's own edge is in reach of rounding: a thousandth of an edge is not behind
-        // it.
-        if (is_ground && !(m > least_m && upwards * z >= upwards * (from.z + m * z_per_m)))
-          continue;
-        met_m = m;
-        meets = is_ground;
-        break;
-      }
-    }
-    if (meets) return *meets;
-  }
-  return false;
-}
+// Where a ray goes, for each metre of depth.
+struct WayOfRay {
+  double u_per_m, z_per_m;
+  Vec2 cells_per_m;
+  double most_per_m; // of the two, without their signs
+  std::array<WayAcross, 3> across;
+};
 
 } // namespace
+
+// On a map plane nothing has to be walked: what a ray passes can be reckoned.
+class GroundBehind::OnPlane {
+public:
+  OnPlane(const Grid& grid, const View& view)
+      : view_(view), last_column_(grid.columns - 1), last_row_(grid.rows - 1) {
+    const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
+    const double area = cross(column_step_m, row_step_m);
+    column_per_m_ = {row_step_m.y / area, -row_step_m.x / area};
+    row_per_m_ = {-column_step_m.y / area, column_step_m.x / area};
+    begin_m_ = view.depth_origin_m - first_vertex_m;
+    const auto family = [&](Vec2 edge_m, std::ptrdiff_t of_line, std::ptrdiff_t of_edge, int last,
+                            bool are_diagonals) {
+      const double u = dot(edge_m, view.right), v = dot(edge_m, view.forward);
+      const double least_m = 1e-3 * std::max(std::abs(u), std::abs(v));
+      return LineFamily{of_line, of_edge,           last, are_diagonals, last_row_,
+                        least_m, view.drop.at(u, v)};
+    };
+    const int columns = grid.columns;
+    families_ = {family(column_step_m, columns, 1, last_column_, false),
+                 family(row_step_m, 1, columns, last_row_, false),
+                 family(column_step_m + row_step_m, -columns, columns + 1, last_column_, true)};
+    if (!view.is_perspective()) parallel_ = way_from({});
+  }
+
+  template <class Height>
+  bool meets(double upwards, const Heights<Height>& heights, ProfilePoint from,
+             double reach_m) const {
+    return parallel_ ? meets(upwards, heights, from, reach_m, *parallel_)
+                     : meets(upwards, heights, from, reach_m, way_from(from));
+  }
+
+private:
+  Vec2 in_cells(Vec2 m) const { return {dot(column_per_m_, m), dot(row_per_m_, m)}; }
+
+  WayOfRay way_from(ProfilePoint from) const {
+    const double u_per_m = u_along_ray(view_, from);
+    const Vec2 per_m = in_cells(view_.forward + u_per_m * view_.right);
+    const auto across = [](double lines, double edges) {
+      return WayAcross{lines, 1 / lines, edges};
+    };
+    return {
+        u_per_m,
+        z_along_ray(view_, from),
+        per_m,
+        std::max(std::abs(per_m.x), std::abs(per_m.y)),
+        {across(per_m.y, per_m.x), across(per_m.x, per_m.y), across(per_m.x - per_m.y, per_m.x)}};
+  }
+
+  template <class Height>
+  bool meets(double upwards, const Heights<Height>& heights, ProfilePoint from, double reach_m,
+             const WayOfRay& way) const {
+    const Vec2 begin = in_cells(begin_m_ + from.u * view_.right + from.v * view_.forward);
+    // False where numbers have overflowed as well.
+    const auto is_inside = [](double at, int last) { return at > -0.5 && at < last + 0.5; };
+    if (!is_inside(begin.x, last_column_) || !is_inside(begin.y, last_row_) ||
+        !std::isfinite(way.most_per_m))
+      return false;
+    // Where the ray leaves the lattice, by a little more than rounding.
+    constexpr double kRounding = 1e-6; // of a cell
+    const auto border_m = [](double at, int last, const WayAcross& across) {
+      if (across.lines_per_m == 0) return std::numeric_limits<double>::infinity();
+      return ((across.lines_per_m > 0 ? last + kRounding : -kRounding) - at) * across.m_per_line;
+    };
+    const double end_m = std::min({reach_m, border_m(begin.x, last_column_, way.across[1]),
+                                   border_m(begin.y, last_row_, way.across[0])});
+
+    struct Place {
+      double line, edge; // where the ray begins, and where on that line
+      int next;          // line that it passes
+    };
+    const auto place = [&](std::size_t family, double line, double edge) {
+      return Place{line, edge,
+                   static_cast<int>(way.across[family].lines_per_m > 0 ? std::floor(line) + 1
+                                                                       : std::ceil(line) - 1)};
+    };
+    std::array<Place, 3> places{place(0, begin.y, begin.x), place(1, begin.x, begin.y),
+                                place(2, begin.x - begin.y, begin.x)};
+    // The ray's height above ground that hasn't sunk, k0 + k1 * m + k2 * m * m, and which side of
+    // it is asked for.
+    const auto& [uu, uv, vv] = view_.drop;
+    const double u = from.u, v = from.v, u_per_m = way.u_per_m,
+                 k0 = upwards * (from.z + view_.drop.at(u, v)),
+                 k1 = upwards *
+                      (way.z_per_m + 2 * uu * u * u_per_m + uv * (u + v * u_per_m) + 2 * vv * v),
+                 k2 = upwards * (uu * u_per_m * u_per_m + uv * u_per_m + vv),
+                 per_height = upwards * view_.exaggeration;
+
+    // Calls take(m, ground) with where the ray passes lines of a family, up to a depth that may get
+    // less meanwhile, and the ground's height there, until that returns true. All lines that it
+    // passes have edges on both sides of it if it keeps away from the border.
+    const Vec2 end = begin + end_m * way.cells_per_m;
+    const auto keeps_away = [](double a, double b, int last) {
+      return std::min(a, b) > 1 && std::max(a, b) < last - 1;
+    };
+    const bool is_inside_by_far =
+        keeps_away(begin.x, end.x, last_column_) && keeps_away(begin.y, end.y, last_row_);
+    const auto pass = [&](std::size_t i, const double& to_m, auto inside, const auto& take) {
+      const LineFamily& lines = families_[i];
+      const WayAcross& across = way.across[i];
+      Place& at = places[i];
+      for (const int step = across.lines_per_m > 0 ? 1 : -1;; at.next += step) {
+        const double m = (at.next - at.line) * across.m_per_line;
+        if (!(m <= to_m)) return;
+        const double along = at.edge + m * across.edges_per_m;
+        int edge = static_cast<int>(along);
+        if constexpr (!inside) {
+          const int first = lines.first_of(at.next), last = lines.last_of(at.next);
+          if (first >= last) continue; // the lattice's corner
+          edge = std::clamp(edge, first, last - 1);
+        }
+        const double share = along - edge;
+        const Height* const height =
+            heights.data() + at.next * lines.of_line + edge * lines.of_edge;
+        const double ground =
+            per_height *
+                (height[0] + share * (static_cast<double>(height[lines.of_edge]) - height[0])) -
+            share * (1 - share) * (upwards * lines.bend_m);
+        if (ground < k0 + m * (k1 + m * k2)) continue;
+        if (take(m, lines, ground)) return;
+      }
+    };
+
+    // What is met first decides, so all three go on by some cells at once.
+    constexpr double kCellsAtOnce = 8;
+    for (double to_m = 0; to_m < end_m;) {
+      to_m = std::min(to_m + kCellsAtOnce / way.most_per_m, end_m);
+      double met_m = to_m;
+      std::optional<bool> meets;
+      const auto take = [&](double m, const LineFamily& lines, double ground) {
+        const bool is_ground = !std::isnan(ground);
+        // The silhouette's own edge is in reach of rounding: a thousandth of an edge is not behind
+        // it.
+        if (is_ground && !(m > lines.least_m)) return false;
+        met_m = m;
+        meets = is_ground;
+        return true;
+      };
+      for (std::size_t i = 0; i < families_.size(); ++i) {
+        if (way.across[i].lines_per_m == 0) continue;
+        if (is_inside_by_far)
+          pass(i, met_m, std::true_type(), take);
+        else
+          pass(i, met_m, std::false_type(), take);
+      }
+      if (meets) return *meets;
+    }
+    return false;
+  }
+
+  const View& view_;
+  int last_column_, last_row_;
+  Vec2 column_per_m_, row_per_m_;      // of a way on the map, by dot products
+  Vec2 begin_m_;                       // from the first vertex to where the profile frame begins
+  std::array<LineFamily, 3> families_; // rows, columns, diagonals
+  std::optional<WayOfRay> parallel_;   // of all rays, where they are parallel
+};
 
 GroundBehind::GroundBehind(const Surface& surface, const View& view,
                            std::shared_ptr<const TinPlaces> of_tin)
     : surface_(surface), view_(view), of_tin_(std::move(of_tin)) {
   const Tin* tin = std::get_if<Tin>(&surface);
   if (tin && !of_tin_) of_tin_ = std::make_shared<const TinPlaces>(tin_places(*tin));
+  if (const Grid* grid = std::get_if<Grid>(&surface); grid && !grid->is_on_earth())
+    on_plane_ = std::make_shared<const OnPlane>(*grid, view);
 }
 
 bool GroundBehind::meets(double upwards, SurfaceEdge edge, ProfilePoint from,
@@ -201,8 +290,7 @@ bool GroundBehind::meets(double upwards, SurfaceEdge edge, ProfilePoint from,
   const Grid& grid = std::get<Grid>(surface_);
   return std::visit(
       [&](const auto& heights) {
-        if (!grid.is_on_earth())
-          return meets_on_plane(upwards, grid, heights, view_, from, reach_m);
+        if (on_plane_) return on_plane_->meets(upwards, heights, from, reach_m);
         const GridMesh mesh{grid, std::get<EarthLattice>(grid.lattice), heights, view_};
         const auto beyond = [&](std::uint32_t left, std::uint32_t right) {
           return mesh.if_there(side_of(grid, edge, left < right));

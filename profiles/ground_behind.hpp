@@ -32,11 +32,13 @@ public:
   }
 
 private:
+  class OnPlane;
   bool meets(double upwards, SurfaceEdge edge, ProfilePoint from, double reach_m) const;
 
   const Surface& surface_;
   const View& view_;
   std::shared_ptr<const TinPlaces> of_tin_;
+  std::shared_ptr<const OnPlane> on_plane_; ///< of a grid there
 };
 
 } // namespace orograph

@@ -31,11 +31,9 @@ Folds::Folds(const Surface& surface, const PlacedView& placed, const Sector& sec
   if (share > 0) ground_.emplace(surface, sector.view, placed.for_cutters.of_tin);
 }
 
-bool Folds::is_fold(const EdgeLine& line, const ProfileLine& whole, const LinePart& part) const {
+bool Folds::is_fold(const EdgeLine& line, ProfilePoint middle) const {
   const bool is_below = line.kind == LineKind::underside;
   if (!ground_ || (line.kind != LineKind::silhouette && !is_below)) return false;
-  const ProfilePoint middle =
-      point_between(whole.from, whole.to, 0.5 * (part.t_begin + part.t_end));
   return is_below ? ground_->falls_within(line.edge, middle, reach_m(middle.v))
                   : ground_->rises_within(line.edge, middle, reach_m(middle.v));
 }
@@ -46,7 +44,8 @@ std::vector<LinePart> Folds::among(const LinePictures& lines,
   if (!ground_) return out;
   std::vector<std::uint8_t> folds(parts.size());
   for_each_part(parts.size(), [&](std::size_t i) {
-    folds[i] = is_fold(lines.line(parts[i].line), lines.whole(parts[i].line), parts[i]) ? 1 : 0;
+    const auto& [number, t_begin, t_end] = parts[i];
+    folds[i] = is_fold(lines.line(number), lines.point(number, 0.5 * (t_begin + t_end))) ? 1 : 0;
   });
   for (std::size_t i = 0; i < parts.size(); ++i) {
     throw_if_stopped(i);

@@ -20,8 +20,8 @@ public:
   /// Nothing is a fold with a share of 0. REQUIRES that all outlive this.
   Folds(const Surface& surface, const PlacedView& placed, const Sector& sector, double share);
 
-  /// `whole` is that of the part's line. Cost: little more than that of `GroundBehind`.
-  bool is_fold(const EdgeLine& line, const ProfileLine& whole, const LinePart& part) const;
+  /// Of a part of a line, whose middle is given. Cost: little more than that of `GroundBehind`.
+  bool is_fold(const EdgeLine& line, ProfilePoint middle) const;
   /// Those of `parts` that are. On all cores.
   std::vector<LinePart> among(const LinePictures& lines, const std::vector<LinePart>& parts) const;
 

@@ -15,7 +15,7 @@ void Ridges::take(const LinePicture& picture, std::span<const VisibleLinePart> v
     const LinePart& part = parts[i];
     const double share =
         (0.5 * (part.t_begin + part.t_end) - picture.t_left) / (picture.t_right - picture.t_left);
-    const double middle_m = picture.left.v + share * (picture.right.v - picture.left.v);
+    const ProfilePoint middle = point_between(picture.left, picture.right, share);
     // Nearly all lines have one part, whose ends in the picture are at hand.
     double length_mm = std::numeric_limits<double>::quiet_NaN();
     if (visible.size() == 1 &&
@@ -26,10 +26,10 @@ void Ridges::take(const LinePicture& picture, std::span<const VisibleLinePart> v
       length_mm =
           folds_.length_if_inside_mm(at(visible.front().t_begin), at(visible.front().t_end));
     }
-    const double reach_m = folds_.reach_m(middle_m);
+    const double reach_m = folds_.reach_m(middle.v);
     // Asked sooner, more of them still stand; later, the last strip of cells is out of reach.
     constexpr double kAskAt = 0.6;
-    waiting_.push_back({part, s.x0, s.x1, middle_m + reach_m, middle_m + kAskAt * reach_m,
+    waiting_.push_back({part, middle, s.x0, s.x1, middle.v + reach_m, middle.v + kAskAt * reach_m,
                         length_mm, parts.size() == first + 1, stands});
   }
   parts.resize(first);
@@ -39,8 +39,8 @@ bool Ridges::stands(const Unjudged& unjudged, const BlockedHorizon& horizon) con
   return horizon.shows(source_id(unjudged.part.line), unjudged.x_begin, unjudged.x_end);
 }
 
-bool Ridges::is_fold(const LinePart& part) const {
-  return folds_.is_fold(pictures_.line(part.line), pictures_.whole(part.line), part);
+bool Ridges::is_fold(const Unjudged& unjudged) const {
+  return folds_.is_fold(pictures_.line(unjudged.part.line), unjudged.middle);
 }
 
 void Ridges::tell(const Unjudged& judged, bool is_fold) {
@@ -57,7 +57,7 @@ void Ridges::tell(const Unjudged& judged, bool is_fold) {
 void Ridges::judge_rest(const BlockedHorizon& horizon) {
   std::erase_if(rest_, [&](const Unjudged& unjudged) {
     if (stands(unjudged, horizon)) return false;
-    tell(unjudged, unjudged.is_fold ? *unjudged.is_fold : is_fold(unjudged.part));
+    tell(unjudged, unjudged.is_fold ? *unjudged.is_fold : is_fold(unjudged));
     return true;
   });
   judge_at_ = std::max(judge_at_, 2 * rest_.size()); // so that few are asked about often

@@ -39,9 +39,10 @@ public:
       const double to_m = std::max(taken_to_m(unjudged.x_begin), taken_to_m(unjudged.x_end));
       if (to_m < unjudged.ask_at_m) break;
       const bool stands = this->stands(unjudged, horizon);
+      const bool was_covered = unjudged.stood && !stands;
       // The ground in reach was taken a moment ago, and is at hand.
       unjudged.is_fold =
-          (!stands && whole_ground_ && to_m <= unjudged.reach_to_m) || is_fold(unjudged.part);
+          (was_covered && whole_ground_ && to_m <= unjudged.reach_to_m) || is_fold(unjudged);
       if (stands)
         rest_.push_back(unjudged);
       else
@@ -64,6 +65,7 @@ public:
 private:
   struct Unjudged {
     LinePart part;
+    ProfilePoint middle;                        ///< of the part
     double x_begin, x_end;                      ///< of the line's picture
     double reach_to_m;                          ///< depth up to which ground makes it a fold
     double ask_at_m;                            ///< and from which on most folds are hidden
@@ -73,7 +75,7 @@ private:
     std::optional<bool> is_fold = std::nullopt; ///< once it was asked
   };
   bool stands(const Unjudged& unjudged, const BlockedHorizon& horizon) const;
-  bool is_fold(const LinePart& part) const;
+  bool is_fold(const Unjudged& unjudged) const;
   void tell(const Unjudged& judged, bool is_fold);
   void judge_rest(const BlockedHorizon& horizon);
 
