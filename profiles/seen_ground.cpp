@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <variant>
 
 namespace orograph {
 namespace {
@@ -40,6 +41,43 @@ void SeenGround::cells_in_row(int block_row, int cell_columns,
     else
       out.emplace_back(first, end);
   }
+}
+
+double share_behind_ridges(const Grid& grid, const View& view) {
+  constexpr int kAway = 2 * kSide; // cells
+  const auto place = [&](int column, int row, double height_m) {
+    return to_profile_frame(
+        view,
+        std::visit([&](const auto& lattice) { return lattice.vertex_m(column, row, height_m); },
+                   grid.lattice));
+  };
+  // Of the eight ways on from the middle vertex the one that is most nearly the ray's.
+  const int middle_column = grid.columns / 2, middle_row = grid.rows / 2;
+  const ProfilePoint middle = place(middle_column, middle_row, 0);
+  const double u_per_m = u_along_ray(view, middle);
+  int columns_on = 0, rows_on = 0;
+  double most = 0;
+  for (int down = -1; down <= 1; ++down)
+    for (int across = -1; across <= 1; ++across) {
+      const ProfilePoint next = place(middle_column + across, middle_row + down, 0);
+      const double du = next.u - middle.u, dv = next.v - middle.v;
+      const double along = (du * u_per_m + dv) / std::hypot(du, dv);
+      if (!(along > most)) continue;
+      most = along;
+      columns_on = across * kAway;
+      rows_on = down * kAway;
+    }
+  std::size_t asked = 0, lower = 0;
+  for (int row = std::max(0, -rows_on); row < grid.rows - std::max(0, rows_on); row += kAway)
+    for (int column = std::max(0, -columns_on); column < grid.columns - std::max(0, columns_on);
+         column += kAway) {
+      const ProfilePoint near = place(column, row, grid.height_m(column, row)),
+                         far = place(column + columns_on, row + rows_on,
+                                     grid.height_m(column + columns_on, row + rows_on));
+      ++asked;
+      lower += project(view, far).y < project(view, near).y ? 1 : 0;
+    }
+  return asked > 0 ? static_cast<double>(lower) / static_cast<double>(asked) : 0;
 }
 
 PlaneOverBlocks::PlaneOverBlocks(const Grid& grid, const View& view) {

@@ -75,6 +75,11 @@ struct BlockBounds {
 /// Cost: 1 ns a height, on the ellipsoid 3, on all cores.
 BlockBounds block_bounds(const Grid& grid);
 
+/// About the share of the ground that lies, as seen, lower than what stands two blocks in front of
+/// it: nothing much is hidden as blocks where that is small. REQUIRES a view of all of the grid.
+/// Cost: a look at a vertex for each four blocks.
+double share_behind_ridges(const Grid& grid, const View& view);
+
 struct SeenGroundRequest {
   XRange range;       ///< what is shown; may be infinite
   double tolerance_y; ///< ground less than this under the horizon is looked at

@@ -55,6 +55,7 @@ struct Instruments {
   bool one_list = false;         ///< keep the horizon in one list, so that it can be seen
   bool beyond_page = false;      ///< look at what is beside the page as well
   bool hidden_ground = false;    ///< look at ground that is hidden as a whole as well
+  bool ground_always = false;    ///< find hidden ground where that doesn't pay, too
   bool order_always = false;     ///< take grids in the lattice's order where it doesn't pay, too
   double vertices_a_strip = kVerticesAStrip;
   /// Lines of overlays that one pass takes. They have some 100 bytes each while they are in work; a

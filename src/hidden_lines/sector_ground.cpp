@@ -6,6 +6,20 @@
 #include "profiles/seen_ground.hpp"
 
 namespace orograph {
+namespace {
+
+// Of a view that shows all of a grid with few voids nothing is passed over but what is hidden. Of
+// eleven terrains from 5 to 60 degrees, those with less than this behind ridges take 0.80 to 1.06
+// times as long if all of them is looked at, in degrees 0.80 to 1.02 (docs/decisions/0018).
+bool pays_to_find(const Grid& grid, const PlacedView& placed) {
+  constexpr double kLeastBehindRidges = 0.25, kFewVoids = 0.1;
+  const bool is_all_shown = placed.view.frames_terrain && placed.sectors.size() == 1;
+  const auto vertices = static_cast<double>(grid.size());
+  return !is_all_shown || static_cast<double>(placed.extent.valid) < (1 - kFewVoids) * vertices ||
+         share_behind_ridges(grid, placed.view) >= kLeastBehindRidges;
+}
+
+} // namespace
 
 std::vector<SeenGround> ground_of_sectors(const TerrainData& terrain, const PlacedView& placed,
                                           const Style& style, const Instruments& instruments) {
@@ -13,6 +27,7 @@ std::vector<SeenGround> ground_of_sectors(const TerrainData& terrain, const Plac
   if (!grid || placed.extent.turned_over > 0 || style.occluder != Occluder::surface ||
       instruments.looks_everywhere())
     return {};
+  if (!instruments.ground_always && !pays_to_find(*grid, placed)) return {};
   const BlockBounds bounds = block_bounds(*grid);
   std::vector<SeenGround> out;
   for (const Sector& sector : placed.sectors) {

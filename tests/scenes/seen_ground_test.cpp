@@ -17,12 +17,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace orograph::seen_ground_test {
 namespace {
 
 const std::uint64_t kScenes = last_seed(200);
 constexpr int kPoints = 400;
+const Instruments kAlways{.ground_always = true};
 
 struct Tally {
   std::size_t scenes = 0, asked = 0, beside = 0, refused = 0;
@@ -137,7 +139,7 @@ void ask_left_out(const Grid& grid, const Sector& sector, const SeenGround& grou
 
 void ask(const RandomScene& made, Random& random, Tally& tally) {
   const PlacedView scene = placed_view(made.terrain, made.spec);
-  const auto ground = ground_of_sectors(made.terrain, scene, made.spec.style, {});
+  const auto ground = ground_of_sectors(made.terrain, scene, made.spec.style, kAlways);
   REQUIRE(ground.size() == scene.sectors.size());
   for (std::size_t i = 0; i < ground.size(); ++i)
     ask_left_out(grid_of(made.terrain), scene.sectors[i], ground[i], random, tally);
@@ -148,7 +150,7 @@ void ask(const RandomScene& made, Random& random, Tally& tally) {
                made.terrain, scene, made.spec, [](double) {}, instruments)
         .drawing;
   };
-  REQUIRE(difference(draw({}), draw({.hidden_ground = true})) == "");
+  REQUIRE(difference(draw(kAlways), draw({.hidden_ground = true})) == "");
 }
 
 void report(const Tally& tally) {
@@ -223,7 +225,7 @@ TEST_CASE("nor what narrow peaks stand in front of", "[slow]") {
     spec.view.exaggeration = 1;
     spec.style.plan = ProfileCount{40};
     const PlacedView scene = placed_view(terrain, spec);
-    const auto ground = ground_of_sectors(terrain, scene, spec.style, {});
+    const auto ground = ground_of_sectors(terrain, scene, spec.style, kAlways);
     tally.left_out += 1 - looked_at_by_any(ground)->share();
     ask_left_out(grid, scene.sectors[0], ground[0], random, tally);
     const auto draw = [&](const Instruments& instruments) {
@@ -232,10 +234,38 @@ TEST_CASE("nor what narrow peaks stand in front of", "[slow]") {
           .drawing;
     };
     CAPTURE(seed);
-    REQUIRE(difference(draw({}), draw({.hidden_ground = true})) == "");
+    REQUIRE(difference(draw(kAlways), draw({.hidden_ground = true})) == "");
   }
   CHECK(tally.left_out > 0.05 * static_cast<double>(kWide));
   CHECK(tally.asked > kWide);
+}
+
+// A hill that falls by 60 m in 16 cells of 10 m, 20.6 degrees, on both sides of its summit line.
+TEST_CASE("hidden ground is looked for where ridges hide much, or where there are voids") {
+  TerrainData terrain;
+  Grid grid;
+  grid.columns = 100;
+  grid.rows = 161;
+  grid.plane() = {{0, 0}, {10, 0}, {0, -10}};
+  std::vector<float> heights(grid.size());
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      heights[grid.index(column, row)] = static_cast<float>(60.0 / 16 * (80 - std::abs(row - 80)));
+  const auto finds = [&](double elevation_deg) {
+    grid.heights_m = Heights<float>(heights);
+    terrain.surface = grid;
+    MapSpec spec;
+    spec.view.projection = Projection::orthographic;
+    spec.view.from_elevation = Angle::degrees(elevation_deg);
+    spec.view.exaggeration = 1;
+    return !ground_of_sectors(terrain, placed_view(terrain, spec), spec.style, {}).empty();
+  };
+  CHECK(finds(19));
+  CHECK(!finds(22));
+  for (int row = 0; row < 30; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      heights[grid.index(column, row)] = std::numeric_limits<float>::quiet_NaN();
+  CHECK(finds(22));
 }
 
 TEST_CASE("ground that is tied to what stands in front of it is looked at") {
@@ -259,7 +289,7 @@ TEST_CASE("ground that is tied to what stands in front of it is looked at") {
   const auto share = [&](double tolerance_mm) {
     spec.style.visibility_tolerance_mm = tolerance_mm;
     const PlacedView scene = placed_view(terrain, spec);
-    return looked_at_by_any(ground_of_sectors(terrain, scene, spec.style, {}))->share();
+    return looked_at_by_any(ground_of_sectors(terrain, scene, spec.style, kAlways))->share();
   };
   CHECK(share(0) < 0.7); // what is 0.1 m below the brink, a twentieth of a millimetre on the page
   CHECK(share(0.5) == 1);
