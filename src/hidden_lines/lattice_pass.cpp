@@ -215,8 +215,15 @@ private:
 
 } // namespace
 
+namespace {
+
+constexpr double kCellsAPiece = 8;
+
+} // namespace
+
 bool pays_in_order(const Grid& grid, const Sector& sector, const EarthStrips* strips,
-                   bool contours) {
+                   LinesTaken lines) {
+  if (!lines.profiles) return true;
   const SectorLattice lattice(grid, sector.view, strips);
   const XRange range = page_range(sector);
   double pieces = 0;
@@ -226,15 +233,26 @@ bool pays_in_order(const Grid& grid, const Sector& sector, const EarthStrips* st
     pieces += last - first;
   }
   // Default drawings of nine terrains from aslant took 0.6 to 1.1 times as long in order as in
-  // slabs with contours, the middle one 0.7, and 0.9 to 1.06 times as long without.
-  constexpr double kCellsAPiece = 8, kWithContours = 1;
+  // slabs with contours, the middle one 0.7, and 0.9 to 1.08 times as long without.
+  constexpr double kWithContours = 1;
   const auto cells = static_cast<double>(grid.size());
-  if (pieces * (contours ? kWithContours : kCellsAPiece) <= cells) return true;
+  if (pieces * (lines.contours ? kWithContours : kCellsAPiece) <= cells) return true;
   // A profile a row from 213: where there is a piece for each silhouette, rough 2000² seen from 25
   // degrees takes 0.8 times as long in order; with three, seen from 60, 1.3 times, Mont Blanc 1.2
   // times with four, and a smooth terrain twice as long with nine.
   constexpr double kPiecesASilhouette = 1.5;
   return !strips && pieces <= kPiecesASilhouette * cells * silhouettes_a_cell(grid, sector.view);
+}
+
+bool may_pay_on_earth(const Grid& grid, const Sector& sector, bool profiles) {
+  // With 0.03 to 0.14 silhouettes a cell five tiles took 0.8 to 0.95 times as long in order as in
+  // slabs; the Cape Peninsula, most of it sea, 1.3 times as long with 0.01.
+  constexpr double kLeastSilhouettes = 0.03;
+  constexpr double kMostPieces = 0.25; // a cell, if each profile passed all strips
+  const double count = profiles ? static_cast<double>(sector.profiles.size()) : 0;
+  return count * std::max(grid.columns, grid.rows) <=
+             kMostPieces * static_cast<double>(grid.size()) &&
+         silhouettes_a_cell(grid, sector.view) >= kLeastSilhouettes;
 }
 
 SectorParts lattice_pass(const SectorInWork& work, const LayOut& lay_out, const Show& show,

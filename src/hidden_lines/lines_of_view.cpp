@@ -120,14 +120,20 @@ LinesOfView lines_of_view(const TerrainData& terrain, const PlacedView& placed, 
   LinesOfView out;
   out.hidden = hidden;
   const Grid* grid = grid_in_order(terrain, style, instruments);
-  const bool contours = grid && asks_contours(terrain, style, placed);
-  if (grid && grid->is_on_earth() && (instruments.order_always || contours))
+  const LinesTaken taken{style.asks_for("profiles") || !instruments.observers.empty(),
+                         grid && asks_contours(terrain, style, placed)};
+  // Strips are found with a look at all ground, which an eye that sees little of it doesn't need.
+  constexpr double kMost = 0.5;
+  if (grid && grid->is_on_earth() && placed.sectors.size() == 1 &&
+      (instruments.order_always || taken.contours ||
+       ((!ground || ground->share() > kMost) &&
+        may_pay_on_earth(*grid, placed.sectors.front(), taken.profiles))))
     out.earth_strips = earth_strips_of(*grid, terrain, placed, instruments);
   const EarthStrips* const strips = out.earth_strips ? &*out.earth_strips : nullptr;
   if (grid && (!grid->is_on_earth() || strips))
     for (const Sector& sector : placed.sectors)
       out.in_order.push_back(instruments.order_always ||
-                             pays_in_order(*grid, sector, strips, contours));
+                             pays_in_order(*grid, sector, strips, taken));
   // Solids are hidden by all lines that hide.
   const bool finds = !out.in_order.empty() && !asks_lines(instruments) && placed.solids.empty() &&
                      std::ranges::all_of(out.in_order, std::identity());
