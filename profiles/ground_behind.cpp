@@ -113,10 +113,10 @@ public:
   OnPlane(const Grid& grid, const View& view)
       : view_(view), last_column_(grid.columns - 1), last_row_(grid.rows - 1) {
     const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
-    const double area = cross(column_step_m, row_step_m);
-    column_per_m_ = {row_step_m.y / area, -row_step_m.x / area};
-    row_per_m_ = {-column_step_m.y / area, column_step_m.x / area};
-    begin_m_ = view.depth_origin_m - first_vertex_m;
+    column_step_m_ = column_step_m;
+    row_step_m_ = row_step_m;
+    area_ = cross(column_step_m, row_step_m);
+    first_vertex_m_ = first_vertex_m;
     const auto family = [&](Vec2 edge_m, std::ptrdiff_t of_line, std::ptrdiff_t of_edge, int last,
                             bool are_diagonals) {
       const double u = dot(edge_m, view.right), v = dot(edge_m, view.forward);
@@ -139,7 +139,11 @@ public:
   }
 
 private:
-  Vec2 in_cells(Vec2 m) const { return {dot(column_per_m_, m), dot(row_per_m_, m)}; }
+  // By divisions, so that whole cells are whole: level rays over ground of whole metres meet what
+  // is just as high.
+  Vec2 in_cells(Vec2 m) const {
+    return {cross(m, row_step_m_) / area_, cross(column_step_m_, m) / area_};
+  }
 
   WayOfRay way_from(ProfilePoint from) const {
     const double u_per_m = u_along_ray(view_, from);
@@ -158,7 +162,8 @@ private:
   template <class Height>
   bool meets(double upwards, const Heights<Height>& heights, ProfilePoint from, double reach_m,
              const WayOfRay& way) const {
-    const Vec2 begin = in_cells(begin_m_ + from.u * view_.right + from.v * view_.forward);
+    const Vec2 ground_m = view_.depth_origin_m + from.u * view_.right + from.v * view_.forward;
+    const Vec2 begin = in_cells(ground_m - first_vertex_m_);
     // False where numbers have overflowed as well.
     const auto is_inside = [](double at, int last) { return at > -0.5 && at < last + 0.5; };
     if (!is_inside(begin.x, last_column_) || !is_inside(begin.y, last_row_) ||
@@ -258,8 +263,8 @@ private:
 
   const View& view_;
   int last_column_, last_row_;
-  Vec2 column_per_m_, row_per_m_;      // of a way on the map, by dot products
-  Vec2 begin_m_;                       // from the first vertex to where the profile frame begins
+  Vec2 first_vertex_m_, column_step_m_, row_step_m_;
+  double area_;                        // of a cell, with its sign
   std::array<LineFamily, 3> families_; // rows, columns, diagonals
   std::optional<WayOfRay> parallel_;   // of all rays, where they are parallel
 };
