@@ -199,9 +199,9 @@ private:
                  k2 = upwards * (uu * u_per_m * u_per_m + uv * u_per_m + vv),
                  per_height = upwards * view_.exaggeration;
 
-    // Calls take(m, ground) with where the ray passes lines of a family, up to a depth that may get
-    // less meanwhile, and the ground's height there, until that returns true. All lines that it
-    // passes have edges on both sides of it if it keeps away from the border.
+    // Calls take(m, lines, ground, ray) with where the ray passes lines of a family and isn't above
+    // the ground, up to a depth that may get less meanwhile, and with both heights, until that
+    // returns true. All lines that it passes have edges there if it keeps away from the border.
     const Vec2 end = begin + end_m * way.cells_per_m;
     const auto keeps_away = [](double a, double b, int last) {
       return std::min(a, b) > 1 && std::max(a, b) < last - 1;
@@ -229,8 +229,9 @@ private:
             per_height *
                 (height[0] + share * (static_cast<double>(height[lines.of_edge]) - height[0])) -
             share * (1 - share) * (upwards * lines.bend_m);
-        if (ground < k0 + m * (k1 + m * k2)) continue;
-        if (take(m, lines, ground)) return;
+        const double ray = k0 + m * (k1 + m * k2);
+        if (ground < ray) continue; // as nearly everywhere
+        if (take(m, lines, ground, ray)) return;
       }
     };
 
@@ -240,11 +241,11 @@ private:
       to_m = std::min(to_m + kCellsAtOnce / way.most_per_m, end_m);
       double met_m = to_m;
       std::optional<bool> meets;
-      const auto take = [&](double m, const LineFamily& lines, double ground) {
+      const auto take = [&](double m, const LineFamily& lines, double ground, double ray) {
         const bool is_ground = !std::isnan(ground);
         // The silhouette's own edge is in reach of rounding: a thousandth of an edge is not behind
         // it.
-        if (is_ground && !(m > lines.least_m)) return false;
+        if (is_ground && !(m > lines.least_m && ground >= ray)) return false;
         met_m = m;
         meets = is_ground;
         return true;

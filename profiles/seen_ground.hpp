@@ -77,7 +77,7 @@ BlockBounds block_bounds(const Grid& grid);
 
 /// About the share of the ground that lies, as seen, lower than what stands two blocks in front of
 /// it: nothing much is hidden as blocks where that is small. REQUIRES a view of all of the grid.
-/// Cost: a look at a vertex for each four blocks.
+/// Cost: a look at two vertices for each four blocks.
 double share_behind_ridges(const Grid& grid, const View& view);
 
 struct SeenGroundRequest {

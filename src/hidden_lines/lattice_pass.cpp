@@ -215,12 +215,6 @@ private:
 
 } // namespace
 
-namespace {
-
-constexpr double kCellsAPiece = 8;
-
-} // namespace
-
 bool pays_in_order(const Grid& grid, const Sector& sector, const EarthStrips* strips,
                    LinesTaken lines) {
   if (!lines.profiles) return true;
@@ -234,7 +228,7 @@ bool pays_in_order(const Grid& grid, const Sector& sector, const EarthStrips* st
   }
   // Default drawings of nine terrains from aslant took 0.6 to 1.1 times as long in order as in
   // slabs with contours, the middle one 0.7, and 0.9 to 1.08 times as long without.
-  constexpr double kWithContours = 1;
+  constexpr double kCellsAPiece = 8, kWithContours = 1;
   const auto cells = static_cast<double>(grid.size());
   if (pieces * (lines.contours ? kWithContours : kCellsAPiece) <= cells) return true;
   // A profile a row from 213: where there is a piece for each silhouette, rough 2000² seen from 25
