@@ -34,6 +34,9 @@ struct LookedAt {
 /// Ground that isn't there goes on as high as beside it.
 class EarthStrips {
 public:
+  /// So many vertices of a line are bounded together.
+  static constexpr int kBlock = 64;
+
   /// None if there is no such order. REQUIRES a grid on the earth of which no triangle is turned
   /// over. On all cores; 4 to 8 ns a vertex.
   static std::optional<EarthStrips> of(const Grid& grid, const View& view, const LookedAt& looked,
@@ -117,8 +120,6 @@ private:
     double x; ///< of the first, where it is ahead
     float nearest_m, farthest_m;
   };
-  static constexpr int kBlock = 64;
-
   friend class EarthStripsScan;
   EarthStrips(const Grid& grid, const View& view, const LookedAt& looked, bool are_rows);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether strips of cells on the earth have an order: a scan of all lines of the lattice.
 #include "geometry/on_all_cores.hpp"
+#include "profiles/earth_line.hpp"
 #include "profiles/earth_strips.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -27,10 +29,7 @@ public:
     std::vector<Found> found(static_cast<std::size_t>(tasks));
     on_all_cores(found.size(), [&](std::size_t task) {
       const int first = static_cast<int>(task) * kStripsOfTask;
-      if (grid_.heights_m.index() == 0)
-        scan(std::get<0>(grid_.heights_m), first, found[task]);
-      else
-        scan(std::get<1>(grid_.heights_m), first, found[task]);
+      scan(first, found[task]);
     });
     if (!join(found) || !choose_own()) return std::nullopt;
     return std::move(out_);
@@ -38,11 +37,6 @@ public:
 
 private:
   static constexpr int kStripsOfTask = 64;
-  // Which sides of what is looked at a vertex is beyond.
-  static constexpr std::uint8_t kBehind = 1, kLeft = 2, kRight = 4;
-  // On which side of an edge the eye is: that of higher lines, or of lower ones.
-  static constexpr std::uint8_t kHigh = 1, kLow = 2;
-
   struct OfLine {
     int first = std::numeric_limits<int>::max(), last = -1; // edges looked at
     bool any_high = false, any_low = false; // the eye is on the side of higher numbers, or lower
@@ -52,144 +46,60 @@ private:
     std::vector<OfLine> lines; // from the first of the task's
     FallingRuns falling;       // of the task's strips
   };
-  // Vertices along a line, and the sides of the edges between them.
-  struct Vertices {
-    std::vector<double> heights_m, u, v, z;
-    std::vector<std::uint8_t> beyond, sides;
-    bool is_filled = false;
-  };
-
-  // 1 if the eye is on the side of higher lines of an edge, -1: of lower ones, as a turn's sign.
-  double turn(double a_u, double a_v, double b_u, double b_v) const {
-    const double left = way_to_left(out_.view_, {a_u, a_v, 0}, {b_u, b_v, 0});
-    return next_is_left_ ? left : -left;
-  }
-
-  template <class Height>
-  void read(const Heights<Height>& heights, int line, Vertices& out) const {
-    const auto count = static_cast<std::size_t>(out_.vertices_);
-    for (std::vector<double>* of : {&out.heights_m, &out.u, &out.v, &out.z}) of->resize(count);
-    for (std::vector<std::uint8_t>* of : {&out.beyond, &out.sides}) of->resize(count);
-    const std::size_t step = out_.are_rows_ ? 1 : static_cast<std::size_t>(grid_.columns);
-    const Height* const from =
-        heights.data() + (out_.are_rows_ ? grid_.index(0, line) : grid_.index(line, 0));
-    double* const height_m = out.heights_m.data();
-    out.is_filled = false;
-    for (std::size_t i = 0; i < count; ++i) {
-      height_m[i] = from[i * step];
-      out.is_filled = out.is_filled | std::isnan(height_m[i]);
-    }
-    const EarthLattice& earth = grid_.earth();
-    if (earth.lean_limits()) // what is filled is as high as its neighbour leans
-      for (int i = 0; i < out_.vertices_; ++i) {
-        double& height = height_m[static_cast<std::size_t>(i)];
-        height = out_.are_rows_ ? earth.leaning_height_m(i, line, height)
-                                : earth.leaning_height_m(line, i, height);
-      }
-    if (out.is_filled) fill(out.heights_m);
-    double *const u = out.u.data(), *const v = out.v.data();
-    if (out_.are_rows_) {
-      earth.row_vertices_m(line, out.heights_m, out.u, out.v, out.z);
-    } else {
-      for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 at = earth.vertex_m(line, static_cast<int>(i), height_m[i]);
-        u[i] = at.x;
-        v[i] = at.y;
-      }
-    }
-    // As `to_profile_frame`.
-    const Vec2 origin = out_.view_.depth_origin_m, right = out_.view_.right,
-               forward = out_.view_.forward;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec2 at = Vec2{u[i], v[i]} - origin;
-      u[i] = dot(at, right);
-      v[i] = dot(at, forward);
-    }
-    judge(out);
-  }
-
-  // Where it isn't there the ground goes on as high as before, or else as it begins.
-  static void fill(std::vector<double>& heights_m) {
-    const auto first =
-        std::ranges::find_if(heights_m, [](double height) { return !std::isnan(height); });
-    double last = first == heights_m.end() ? 0 : *first;
-    for (double& height : heights_m) last = height = std::isnan(height) ? last : height;
-  }
-
-  void judge(Vertices& out) const {
-    const View& view = out_.view_;
-    const auto& [range, from_m] = out_.looked_;
-    const double* const u = out.u.data();
-    const double* const v = out.v.data();
-    const std::size_t count = out.u.size();
-    std::uint8_t* const beyond = out.beyond.data();
-    const bool has_left = !std::isinf(range.begin), has_right = !std::isinf(range.end);
-    const double begin = has_left ? range.begin : 0, end = has_right ? range.end : 0;
-    const std::uint8_t left = has_left ? kLeft : 0, right = has_right ? kRight : 0;
-    const bool is_perspective = view.is_perspective();
-    for (std::size_t i = 0; i < count; ++i) {
-      const double aside = is_perspective ? u[i] : u[i] + v[i] * view.x_per_v,
-                   scale = is_perspective ? v[i] : 1;
-      beyond[i] = static_cast<std::uint8_t>((v[i] <= from_m ? kBehind : 0) |
-                                            (aside < begin * scale ? left : 0) |
-                                            (aside > end * scale ? right : 0));
-    }
-    std::uint8_t* const sides = out.sides.data();
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-      const double side = turn(u[i], v[i], u[i + 1], v[i + 1]);
-      sides[i] = static_cast<std::uint8_t>((side > 0 ? kHigh : 0) | (side < 0 ? kLow : 0));
-    }
-  }
-
-  template <class Height>
-  void scan(const Heights<Height>& heights, int first, Found& out) {
+  void scan(int first, Found& out) {
     const int end = std::min(first + kStripsOfTask, out_.strips());
     out.lines.resize(static_cast<std::size_t>(end - first + 1));
-    thread_local Vertices before, behind;
-    read(heights, first, before);
-    put_blocks(first, before);
+    const EarthLine unread(grid_, out_.view_, out_.looked_, out_.are_rows_, next_is_left_);
+    std::array<EarthLine, 2> lines{unread, unread};
+    EarthLine *before = &lines[0], *behind = &lines[1];
+    before->read(first, *before);
+    put_blocks(first, *before);
     for (int strip = first; strip < end && out.is_right; ++strip) {
       throw_if_stopped();
-      read(heights, strip + 1, behind);
-      if (strip + 1 < end || end == out_.strips()) put_blocks(strip + 1, behind);
-      take(strip, before, behind, &out.lines[static_cast<std::size_t>(strip - first)], out);
+      behind->read(strip + 1, *before);
+      if (strip + 1 < end || end == out_.strips()) put_blocks(strip + 1, *behind);
+      take(strip, *before, *behind, &out.lines[static_cast<std::size_t>(strip - first)], out);
       std::swap(before, behind);
     }
   }
 
-  void put_blocks(int line, const Vertices& of) {
-    const View& view = out_.view_;
+  void put_blocks(int line, const EarthLine& of) {
     EarthStrips::Block* block =
         &out_.block_[static_cast<std::size_t>(line) * static_cast<std::size_t>(out_.blocks_)];
-    for (std::size_t i = 0; i < of.u.size(); i += EarthStrips::kBlock, ++block) {
-      const std::size_t end = std::min(of.u.size(), i + EarthStrips::kBlock);
-      double nearest = of.v[i], farthest = nearest;
-      for (std::size_t k = i + 1; k < end; ++k) {
-        nearest = std::min(nearest, of.v[k]);
-        farthest = std::max(farthest, of.v[k]);
-      }
+    for (int i = 0; i < out_.blocks_; ++i, ++block) {
+      const Vec2 first = of.place(i * EarthStrips::kBlock);
+      const auto [nearest_m, farthest_m] = of.depths(static_cast<std::size_t>(i));
       // Rounded to float outwards.
       constexpr double kFloat = 1e-6;
-      *block = {view.is_perspective() ? of.u[i] / of.v[i] : of.u[i] + of.v[i] * view.x_per_v,
-                static_cast<float>(nearest - kFloat * std::abs(nearest)),
-                static_cast<float>(farthest + kFloat * std::abs(farthest))};
+      *block = {out_.x_of({first.x, first.y, 0}),
+                static_cast<float>(nearest_m - kFloat * std::abs(nearest_m)),
+                static_cast<float>(farthest_m + kFloat * std::abs(farthest_m))};
     }
     EarthStrips::Line& ahead = out_.line_[static_cast<std::size_t>(line)];
-    const auto is_ahead = [](std::uint8_t beyond) { return (beyond & kBehind) == 0; };
-    const auto first = std::ranges::find_if(of.beyond, is_ahead);
-    const auto last = std::find_if_not(first, of.beyond.end(), is_ahead);
-    ahead.first_ahead = static_cast<int>(first - of.beyond.begin());
-    ahead.last_ahead = static_cast<int>(last - of.beyond.begin()) - 1;
+    const std::vector<std::uint8_t>& beyond = of.beyond();
+    std::uint8_t all = 0;
+    for (std::uint8_t bits : beyond) all |= bits;
+    if ((all & EarthLine::kBehind) == 0) { // mostly
+      ahead.first_ahead = 0;
+      ahead.last_ahead = static_cast<int>(beyond.size()) - 1;
+      return;
+    }
+    const auto is_ahead = [](std::uint8_t bits) { return (bits & EarthLine::kBehind) == 0; };
+    const auto first = std::ranges::find_if(beyond, is_ahead);
+    const auto last = std::find_if_not(first, beyond.end(), is_ahead);
+    ahead.first_ahead = static_cast<int>(first - beyond.begin());
+    ahead.last_ahead = static_cast<int>(last - beyond.begin()) - 1;
     // In one piece, if it is to be looked at.
-    if (std::find_if(last, of.beyond.end(), is_ahead) != of.beyond.end())
-      ahead.last_ahead = kBroken;
+    if (std::find_if(last, beyond.end(), is_ahead) != beyond.end()) ahead.last_ahead = kBroken;
   }
 
   // What is in a strip of cells, and the lines on both sides of it.
-  void take(int strip, const Vertices& a, const Vertices& b, OfLine* lines, Found& out) {
+  void take(int strip, const EarthLine& a, const EarthLine& b, OfLine* lines, Found& out) {
     const auto cells = static_cast<std::size_t>(out_.cells());
+    const std::uint8_t *const a_beyond = a.beyond().data(), *const b_beyond = b.beyond().data(),
+                              *const a_sides = a.sides().data(), *const b_sides = b.sides().data();
     const auto is_looked_at = [&](std::size_t i) {
-      return (a.beyond[i] & a.beyond[i + 1] & b.beyond[i] & b.beyond[i + 1]) == 0;
+      return (a_beyond[i] & a_beyond[i + 1] & b_beyond[i] & b_beyond[i + 1]) == 0;
     };
     std::size_t first = 0, end = cells;
     while (first < cells && !is_looked_at(first)) ++first;
@@ -198,8 +108,8 @@ private:
     if (first == end) return;
     std::uint8_t of_a = 0, of_b = 0, broken = 0;
     for (std::size_t i = first; i < end; ++i) {
-      of_a |= a.sides[i];
-      of_b |= b.sides[i];
+      of_a |= a_sides[i];
+      of_b |= b_sides[i];
       broken |= is_looked_at(i) ? 0 : 1;
     }
     if (broken) {
@@ -211,12 +121,12 @@ private:
     for (const auto& [line, sides] : {std::pair{lines, of_a}, std::pair{lines + 1, of_b}}) {
       line->first = std::min(line->first, static_cast<int>(first));
       line->last = std::max(line->last, static_cast<int>(end) - 1);
-      line->any_high = line->any_high || (sides & kHigh) != 0;
-      line->any_low = line->any_low || (sides & kLow) != 0;
+      line->any_high = line->any_high || (sides & EarthLine::kHigh) != 0;
+      line->any_low = line->any_low || (sides & EarthLine::kLow) != 0;
       if (line->any_high && line->any_low) out.is_right = false;
     }
     if (!out.is_right) return;
-    if ((a.is_filled || b.is_filled) && !are_apart(a, b, first, end)) {
+    if ((a.is_filled() || b.is_filled()) && !are_apart(a, b, first, end)) {
       out.is_right = false;
       return;
     }
@@ -224,8 +134,7 @@ private:
     // an edge along the strip, turned.
     thread_local std::vector<std::uint8_t> falls;
     falls.resize(cells);
-    for (std::size_t i = first + 1; i < end; ++i)
-      falls[i] = turn(a.u[i], a.v[i], b.u[i], b.v[i]) < 0 ? 1 : 0;
+    a.find_falls(b, static_cast<int>(first) + 1, static_cast<int>(end), falls);
     const auto begin = falls.begin();
     for (auto at = begin + static_cast<std::ptrdiff_t>(first) + 1,
               last = begin + static_cast<std::ptrdiff_t>(end);
@@ -237,13 +146,13 @@ private:
   }
 
   // Whether no triangle of the cells is turned over.
-  bool are_apart(const Vertices& a, const Vertices& b, std::size_t first, std::size_t end) const {
+  bool are_apart(const EarthLine& a, const EarthLine& b, std::size_t first, std::size_t end) const {
     const double sign = next_is_left_ ? 1 : -1;
-    for (std::size_t i = first; i < end; ++i) {
-      const double au = a.u[i], av = a.v[i], du = b.u[i + 1] - au, dv = b.v[i + 1] - av;
-      const double along = (a.u[i + 1] - au) * dv - (a.v[i + 1] - av) * du,
-                   across = du * (b.v[i] - av) - dv * (b.u[i] - au);
-      if (!(sign * along > 0) || !(sign * across > 0)) return false;
+    for (auto i = static_cast<int>(first); i < static_cast<int>(end); ++i) {
+      const Vec2 at = a.place(i), aslant = b.place(i + 1) - at;
+      if (!(sign * cross(a.place(i + 1) - at, aslant) > 0) ||
+          !(sign * cross(aslant, b.place(i) - at) > 0))
+        return false;
     }
     return true;
   }

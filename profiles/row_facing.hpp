@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which triangles of a grid the eye sees, a row of cells at a time.
+// Which triangles of a grid on a map plane the eye sees, a row of cells at a time; and what rows of
+// grids have in common.
 #pragma once
 
 #include "dem/grid.hpp"
@@ -18,17 +19,51 @@
 
 namespace orograph {
 
-// Whether of the cells from `begin` to `past` any triangle may be turned either way. A loop of its
-// own, over bytes alone.
-inline bool any_in_doubt(const std::vector<std::uint8_t>& lower,
-                         const std::vector<std::uint8_t>& upper, std::size_t begin,
-                         std::size_t past) {
+// Calls take(column) with each of a row's cells, from column `first` to `end`, of which a triangle
+// may be turned either way: with few of a thousand.
+template <class Take>
+void for_each_in_doubt(const std::vector<std::uint8_t>& lower,
+                       const std::vector<std::uint8_t>& upper, int first, int end,
+                       const Take& take) {
   static_assert(kMayFace == 1 && kMayTurn == 2);
-  std::uint8_t doubt = 0;
-  for (std::size_t c = begin; c < past; ++c)
-    doubt |=
-        static_cast<std::uint8_t>((lower[c] & (lower[c] >> 1U)) | (upper[c] & (upper[c] >> 1U)));
-  return (doubt & 1U) != 0;
+  const auto doubt = [&](int column) {
+    const auto c = static_cast<std::size_t>(column);
+    return static_cast<std::uint8_t>(
+        ((lower[c] & (lower[c] >> 1U)) | (upper[c] & (upper[c] >> 1U))) & 1U);
+  };
+  constexpr int kAtOnce = 64;
+  for (int begin = first; begin < end; begin += kAtOnce) {
+    const int past = std::min(begin + kAtOnce, end);
+    std::uint8_t any = 0;
+    for (int c = begin; c < past; ++c) any |= doubt(c);
+    if (any == 0) continue;
+    for (int c = begin; c < past; ++c)
+      if (doubt(c) != 0) take(c);
+  }
+}
+
+// k0 + k1 * x + k2 * x * x, where x is counted from a range's first cell.
+struct Parabola {
+  double k0 = 0, k1 = 0, k2 = 0;
+  /// Of what it is, and of its terms, from 0 to x.
+  double bound(double x) const { return std::abs(k0) + std::abs(k1) * x + std::abs(k2) * x * x; }
+};
+template <class Real>
+struct ParabolaIn {
+  Real k0, k1, k2;
+  explicit ParabolaIn(const Parabola& p)
+      : k0(static_cast<Real>(p.k0)), k1(static_cast<Real>(p.k1)), k2(static_cast<Real>(p.k2)) {}
+  Real at(Real x) const { return k0 + x * (k1 + k2 * x); }
+};
+
+// What a triangle may be, by its sign and a bound on what that may be off. None where the heights'
+// sum isn't a number; both where the sign isn't, since it is beyond what a Real can be. Without
+// branches.
+template <class Real, class Height>
+std::uint8_t bits_of_sign(Real sign, Real bound, Height heights) {
+  const int may_face = !(sign < -bound), may_turn = !(sign > bound), is_there = heights == heights;
+  static_assert(kMayFace == 1 && kMayTurn == 2);
+  return static_cast<std::uint8_t>((may_face | (may_turn << 1)) & (0 - is_there));
 }
 
 // On a map plane, in cell coordinates (c to the east, r to the south, in steps of the grid), a
@@ -73,8 +108,7 @@ public:
       sign_bits<float>(north, south, first, end, terms, kOfFloat, &lower[0], &upper[0]);
     else
       sign_bits<double>(north, south, first, end, terms, of_double, &lower[0], &upper[0]);
-    if (any_in_doubt(lower, upper, static_cast<std::size_t>(first), static_cast<std::size_t>(end)))
-      settle(row, first, end);
+    settle(row, first, end);
   }
 
   // The two triangles at an edge make a parallelogram: it is a ridge where its middle is higher
@@ -109,11 +143,6 @@ private:
     return 2 * most * (across_m * across_m + 8 * rounding() * away_m * away_m) / view_.exaggeration;
   }
 
-  // k0 + k1 * x + k2 * x * x, where x is counted from a range's first cell.
-  struct Parabola {
-    double k0 = 0, k1 = 0, k2 = 0;
-    double bound(double x) const { return std::abs(k0) + std::abs(k1) * x + std::abs(k2) * x * x; }
-  };
   // A sign is constant + per_height * h0 + per_c * gc + per_r * gr, and what the ground sinks:
   // its parabola. In perspective per_c grows along the row.
   struct SignTerms {
@@ -172,13 +201,7 @@ private:
   static void sign_bits(const Height* north, const Height* south, int first, int end,
                         const SignTerms& terms, double rounding, std::uint8_t* __restrict lower,
                         std::uint8_t* __restrict upper) {
-    struct Sunk {
-      Real k0, k1, k2;
-      explicit Sunk(const Parabola& p)
-          : k0(static_cast<Real>(p.k0)), k1(static_cast<Real>(p.k1)), k2(static_cast<Real>(p.k2)) {}
-      Real at(Real x) const { return k0 + x * (k1 + k2 * x); }
-    };
-    const Sunk sunk_lower(terms.lower), sunk_upper(terms.upper);
+    const ParabolaIn<Real> sunk_lower(terms.lower), sunk_upper(terms.upper);
     const Real constant = static_cast<Real>(terms.constant),
                per_height = static_cast<Real>(terms.per_height),
                first_per_c = static_cast<Real>(terms.first_per_c),
@@ -198,30 +221,20 @@ private:
       const Real above = level + per_c * north_c + per_r * east_r + sunk_upper.at(x);
       const Real of_below = slack + reach * (std::abs(south_c) + std::abs(west_r)),
                  of_above = slack + reach * (std::abs(north_c) + std::abs(east_r));
-      lower[c] = bits(below, of_below, nw + sw + se);
-      upper[c] = bits(above, of_above, nw + ne + se);
+      lower[c] = bits_of_sign(below, of_below, nw + sw + se);
+      upper[c] = bits_of_sign(above, of_above, nw + ne + se);
     }
   }
-  // None where the heights' sum isn't a number; both where the sign isn't, since it is beyond what
-  // a float can be. Without branches.
-  template <class Real>
-  static std::uint8_t bits(Real sign, Real bound, Real heights) {
-    const int may_face = !(sign < -bound), may_turn = !(sign > bound),
-              is_there = heights == heights;
-    static_assert(kMayFace == 1 && kMayTurn == 2);
-    return static_cast<std::uint8_t>((may_face | (may_turn << 1)) & (0 - is_there));
-  }
-
   // Asks again of the triangles in doubt.
   void settle(int row, int first, int end) {
-    for (int c = first; c < end; ++c) {
+    for_each_in_doubt(lower, upper, first, end, [&](int c) {
       std::uint8_t &below = lower[static_cast<std::size_t>(c)],
                    &above = upper[static_cast<std::size_t>(c)];
       if (below == (kMayFace | kMayTurn))
         below = facing(vertex(c, row), vertex(c, row + 1), vertex(c + 1, row + 1));
       if (above == (kMayFace | kMayTurn))
         above = facing(vertex(c, row), vertex(c + 1, row + 1), vertex(c + 1, row));
-    }
+    });
   }
   std::uint8_t facing(ProfilePoint a, ProfilePoint b, ProfilePoint c) const {
     return mirrored_ ? facing_of(view_, a, c, b) : facing_of(view_, a, b, c);
@@ -235,143 +248,6 @@ private:
   bool mirrored_; ///< columns and rows turn the other way
   double cells_away_;
   double bend_m_ = 0; ///< heights that make more than this decide what is a ridge
-};
-
-// Of a grid on the ellipsoid, rows of vertices go to the profile frame as a whole; then the sign of
-// N . (E - P) is plain arithmetic without branches, for the vector units, with one rounding bound
-// for the row, from its farthest vertices: on an SRTM tile a twenty-millionth of what signs mostly
-// are. The few within it are asked of `facing_of`.
-
-template <class Height>
-class EarthRowFacing {
-public:
-  EarthRowFacing(const Grid& grid, const Heights<Height>& heights, const View& view)
-      : lower(static_cast<std::size_t>(grid.columns) - 1), upper(lower.size()), grid_(grid),
-        heights_(heights), view_(view), north_(lower.size() + 1), south_(lower.size() + 1),
-        lower_sign_(lower.size()), upper_sign_(lower.size()) {}
-
-  std::vector<std::uint8_t> lower, upper; ///< bits, a cell each
-
-  /// Of the cells from column `first` to `end`.
-  void reckon(int row, int first, int end) {
-    take_rows(row);
-    const auto begin = static_cast<std::size_t>(first), past = static_cast<std::size_t>(end);
-    const double bound =
-        view_.is_perspective() ? reckon_signs<true>(begin, past) : reckon_signs<false>(begin, past);
-    for (std::size_t c = begin; c < past; ++c) {
-      lower[c] = bits(lower_sign_[c], bound);
-      upper[c] = bits(upper_sign_[c], bound);
-    }
-    if (any_in_doubt(lower, upper, begin, past)) settle(row, first, end);
-  }
-
-  bool may_be_ridge(CellVertex from, CellVertex to, CellVertex left, CellVertex right) const {
-    const auto at = [&](CellVertex v) { return vertex(v.column, v.row); };
-    return orograph::may_be_ridge(at(from), at(to), at(left), at(right));
-  }
-
-private:
-  struct Row {
-    std::vector<double> u, v, z;
-    ProfilePoint most{}; // of their sizes
-    explicit Row(std::size_t count) : u(count), v(count), z(count) {}
-  };
-
-  ProfilePoint vertex(int column, int row) const {
-    const double height = heights_[grid_.index(column, row)];
-    return to_profile_frame(view_, grid_.earth().vertex_m(column, row, height));
-  }
-
-  // Asks again of the triangles in doubt.
-  void settle(int row, int first, int end) {
-    for (int column = first; column < end; ++column) {
-      const auto at = [&](int right, int down) { return vertex(column + right, row + down); };
-      std::uint8_t &below = lower[static_cast<std::size_t>(column)],
-                   &above = upper[static_cast<std::size_t>(column)];
-      if (below == (kMayFace | kMayTurn)) below = facing_of(view_, at(0, 0), at(0, 1), at(1, 1));
-      if (above == (kMayFace | kMayTurn)) above = facing_of(view_, at(0, 0), at(1, 1), at(1, 0));
-    }
-  }
-
-  void take_rows(int row) {
-    if (next_row_ == row + 1) return;
-    if (next_row_ != row) take_row(row, south_);
-    std::swap(north_, south_);
-    take_row(row + 1, south_);
-    next_row_ = row + 1;
-  }
-  void take_row(int row, Row& out) const {
-    const std::size_t count = out.u.size();
-    grid_.earth().row_vertices_m(row, {&heights_[grid_.index(0, row)], count}, out.u, out.v, out.z);
-    double* __restrict u = out.u.data();
-    double* __restrict v = out.v.data();
-    double* __restrict z = out.z.data();
-    const auto take = [](double& most, double value) {
-      value = std::abs(value);
-      most = value > most ? value : most; // a missing vertex is never farther
-    };
-    ProfilePoint most{};
-    for (std::size_t c = 0; c < count; ++c) {
-      const ProfilePoint p = to_profile_frame(view_, {u[c], v[c], z[c]});
-      u[c] = p.u;
-      v[c] = p.v;
-      z[c] = p.z;
-      take(most.u, p.u);
-      take(most.v, p.v);
-      take(most.z, p.z);
-    }
-    out.most = most;
-  }
-
-  // Returns the bound on their rounding.
-  template <bool is_perspective>
-  double reckon_signs(std::size_t begin, std::size_t past) {
-    const double *nu = north_.u.data(), *nv = north_.v.data(), *nz = north_.z.data();
-    const double *su = south_.u.data(), *sv = south_.v.data(), *sz = south_.z.data();
-    double* __restrict lower_sign = lower_sign_.data();
-    double* __restrict upper_sign = upper_sign_.data();
-    const ProfilePoint to_viewer{view_.x_per_v * view_.y_per_z, -view_.y_per_z, view_.y_per_v};
-    const double eye_z = view_.eye_z_m;
-    for (std::size_t c = begin; c < past; ++c) {
-      const ProfilePoint eye =
-          is_perspective ? ProfilePoint{-nu[c], -nv[c], eye_z - nz[c]} : to_viewer;
-      const ProfilePoint down{su[c] - nu[c], sv[c] - nv[c], sz[c] - nz[c]};
-      const ProfilePoint across{su[c + 1] - nu[c], sv[c + 1] - nv[c], sz[c + 1] - nz[c]};
-      const ProfilePoint right{nu[c + 1] - nu[c], nv[c + 1] - nv[c], nz[c + 1] - nz[c]};
-      lower_sign[c] = product(eye, down, across);
-      upper_sign[c] = product(eye, across, right);
-    }
-    // That of triple_product, were all factors the greatest.
-    const auto most = [&](double ProfilePoint::*of) {
-      return std::max(north_.most.*of, south_.most.*of);
-    };
-    const ProfilePoint edge{2 * most(&ProfilePoint::u), 2 * most(&ProfilePoint::v),
-                            2 * most(&ProfilePoint::z)};
-    const ProfilePoint eye =
-        is_perspective
-            ? ProfilePoint{edge.u, edge.v, std::abs(eye_z) + edge.z}
-            : ProfilePoint{std::abs(to_viewer.u), std::abs(to_viewer.v), std::abs(to_viewer.z)};
-    return 8 * std::numeric_limits<double>::epsilon() *
-           (eye.u * edge.v * edge.z + eye.v * edge.z * edge.u + eye.z * edge.u * edge.v);
-  }
-
-  static double product(ProfilePoint a, ProfilePoint b, ProfilePoint c) {
-    return a.u * (b.v * c.z - b.z * c.v) + a.v * (b.z * c.u - b.u * c.z) +
-           a.z * (b.u * c.v - b.v * c.u);
-  }
-
-  // A missing height makes both comparisons false.
-  static std::uint8_t bits(double sign, double bound) {
-    return static_cast<std::uint8_t>((sign >= -bound ? kMayFace : 0) |
-                                     (sign <= bound ? kMayTurn : 0));
-  }
-
-  const Grid& grid_;
-  const Heights<Height>& heights_;
-  const View& view_;
-  Row north_, south_; ///< of the present row of cells, in the profile frame
-  std::vector<double> lower_sign_, upper_sign_;
-  int next_row_ = -1; ///< whose vertices `south_` holds
 };
 
 } // namespace orograph

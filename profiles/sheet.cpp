@@ -3,6 +3,7 @@
 
 #include "geometry/error.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "profiles/earth_row_facing.hpp"
 #include "profiles/facing.hpp"
 #include "profiles/mesh.hpp"
 #include "profiles/row_facing.hpp"

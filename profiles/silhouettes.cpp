@@ -3,6 +3,7 @@
 
 #include "geometry/for_each_marked.hpp"
 #include "geometry/on_all_cores.hpp"
+#include "profiles/earth_row_facing.hpp"
 #include "profiles/facing.hpp"
 #include "profiles/row_facing.hpp"
 #include "profiles/surface_edges.hpp"

@@ -46,12 +46,17 @@ public:
   double exaggeration() const { return exaggeration_; }
 
   Vec3 vertex_m(int column, int row, double height_m) const {
-    const auto c = static_cast<std::size_t>(column);
-    const Vec3 at = place(rows_[static_cast<std::size_t>(row)], sine_[c], versine_[c],
-                          exaggeration_ * height_m);
+    const Vec3 at = leaning_vertex_m(column, row, height_m);
     if (limits_) [[unlikely]]
       return limited(at, column, row, height_m);
     return at;
+  }
+
+  /// The same of a vertex without a limit: linear in its height.
+  Vec3 leaning_vertex_m(int column, int row, double height_m) const {
+    const auto c = static_cast<std::size_t>(column);
+    return place(rows_[static_cast<std::size_t>(row)], sine_[c], versine_[c],
+                 exaggeration_ * height_m);
   }
 
   /// The places of one whole row of heights, bit for bit those of vertex_m. The four spans have one

@@ -3,6 +3,7 @@
 // tells triangle by triangle, and those of the normals and the eye in long double. The ground
 // behind them: that of the TIN.
 #include "dem/approximate/tin_of_grid.hpp"
+#include "dem/limit_lean.hpp"
 #include "profiles/facing.hpp"
 #include "profiles/ground_behind.hpp"
 #include "profiles/silhouettes.hpp"
@@ -244,6 +245,35 @@ TEST_CASE("silhouettes on the ellipsoid are the TIN's and those of the definitio
   CHECK(sum.falls > enough(500));
 }
 
+// A row isn't told by one parabola there.
+TEST_CASE("silhouettes of long rows are those of the definition, too") {
+  Compared sum;
+  std::size_t limited = 0;
+  for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
+    Random random(seed);
+    MadeEarth made = random_earth(random, 4);
+    made.columns = random.whole(100, 1800);
+    made.lon_step_deg = std::min(made.lon_step_deg, 300.0 / made.columns);
+    CAPTURE(seed, made.columns, made.rows, made.lon_step_deg, made.north_deg);
+    Grid grid = made_earth_grid(random, made);
+    if (random.chance(0.3)) { // so high that they would lean over the cells beside them
+      std::visit(
+          [&](auto& heights) {
+            for (auto& height : heights.own())
+              if (random.chance(0.01)) height = random.pick({-32767, 32767});
+          },
+          grid.heights_m);
+      limit_lean(grid);
+      limited += grid.earth().lean_limits() ? 1 : 0;
+    }
+    if (triangles_of(grid).empty()) continue;
+    compare(random, grid, random_view(random, grid), sum);
+  }
+  report("long rows", sum);
+  CHECK(limited > enough(20));
+  CHECK(sum.certain > enough(20000));
+}
+
 TEST_CASE("of a sea seen edge-on, from a vertex of it and from its level beside it") {
   Compared sum;
   for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
@@ -268,6 +298,7 @@ TEST_CASE("of a sea seen edge-on, from a vertex of it and from its level beside 
 
 TEST_CASE("of heights of 1e30 and of 1e-30, and of cliffs 100 km away") {
   Compared sum;
+  std::size_t limited = 0;
   for (std::uint64_t seed = 1; seed <= last_seed(200); ++seed) {
     Random random(seed);
     MadeEarth made = random_earth(random, 10);
@@ -286,6 +317,8 @@ TEST_CASE("of heights of 1e30 and of 1e-30, and of cliffs 100 km away") {
                          : static_cast<Height>(h * unit);
         },
         grid.heights_m);
+    if (random.chance(0.5)) limit_lean(grid);
+    limited += grid.earth().lean_limits() ? 1 : 0;
     CAPTURE(seed, unit, made.origin_lon_deg, made.origin_lat_deg);
     if (triangles_of(grid).empty()) continue;
     const double lift = random.chance(0.5) ? 0.13 / (2 * 6371000.0) : 0;
@@ -296,6 +329,7 @@ TEST_CASE("of heights of 1e30 and of 1e-30, and of cliffs 100 km away") {
     compare(random, grid, parallel_view(random, random.between(0, 360)), sum);
   }
   report("extremes", sum);
+  CHECK(limited > enough(10));
   CHECK(sum.certain > enough(1500));
 }
 
