@@ -180,10 +180,10 @@ bool EarthLine::bound(std::size_t number) {
   const double upright = earth_.exaggeration();
   block.first = at_height(first, 0);
   block.last = at_height(end, 0);
-  block.slant = length(at_height(first, kUp_m) - block.first) / kUp_m + upright * angle;
+  block.slant = plain_length(at_height(first, kUp_m) - block.first) / kUp_m + upright * angle;
   const double places_m = 64 * std::numeric_limits<double>::epsilon() * bend_m_;
   block.off_m = bend_m_ * angle * angle / 8 + block.high_m * block.slant + places_m;
-  block.away_m = std::max(length(block.first), length(block.last)) + block.off_m;
+  block.away_m = std::max(plain_length(block.first), plain_length(block.last)) + block.off_m;
 
   const bool is_perspective = view_.is_perspective();
   std::uint8_t beyond = 0;
@@ -212,7 +212,7 @@ bool EarthLine::bound(std::size_t number) {
   const double edge_off_m = bend_m_ * angle * along_rad_ + block.along_m * block.slant +
                             block.high_m * upright * along_rad_ + places_m;
   const double side = turn(block.first, block.first + edge),
-               off = off_turn(block.away_m, block.off_m, length(edge), edge_off_m);
+               off = off_turn(block.away_m, block.off_m, plain_length(edge), edge_off_m);
   if (!(std::abs(side) > off) && end > first) return false;
   const auto at = static_cast<std::ptrdiff_t>(first);
   const std::ptrdiff_t vertices = std::min(first + kBlock, vertices_) - first;
@@ -257,7 +257,7 @@ void EarthLine::find_falls(const EarthLine& next, int first, int end,
                                a.high_m * upright * across_rad_ +
                                128 * std::numeric_limits<double>::epsilon() * bend_m_;
       const double at_first = turn(a.first, a.first + way), at_last = turn(a.last, a.last + way),
-                   off = off_turn(a.away_m, a.off_m, length(way), way_off_m);
+                   off = off_turn(a.away_m, a.off_m, plain_length(way), way_off_m);
       is_told = (at_first > off && at_last > off) || (at_first < -off && at_last < -off);
       if (is_told) std::fill(falls.begin() + begin, falls.begin() + past, at_first < 0 ? 1 : 0);
     }

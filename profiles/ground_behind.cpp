@@ -41,16 +41,21 @@ bool meets_ray(double upwards, const Mesh& mesh, const Beyond& beyond, const Pro
   };
   MeshVertex left{edge.from, line.from}, right{edge.to, line.to};
   if (right_of_ray(left.at) > right_of_ray(right.at)) std::swap(left, right);
-  std::array<std::uint32_t, 3> met{};
+  // Three corners met before, one by one: in an array they would wait for each other's storing.
+  std::uint32_t met_left = 0, met_right = 0, met_ahead = 0;
   std::size_t count = 0;
   for (auto side = beyond(left.index, right.index); side;) {
     const auto& [triangle, k] = *side;
     const MeshVertex ahead = mesh.vertex(triangle, k);
     // Round in a circle, around a vertex by rounding or where cliffs on the ellipsoid lean over,
     // and perhaps not from the first step on: what was passed before will be again.
-    const std::array present{left.index, right.index, ahead.index};
-    if (present == met) return false;
-    if (std::has_single_bit(++count)) met = present;
+    if (left.index == met_left && right.index == met_right && ahead.index == met_ahead)
+      return false;
+    if (std::has_single_bit(++count)) {
+      met_left = left.index;
+      met_right = right.index;
+      met_ahead = ahead.index;
+    }
     // Of three corners one or two are on the right.
     const bool to_the_left = right_of_ray(ahead.at) > 0;
     MeshVertex& passed = to_the_left ? right : left;
