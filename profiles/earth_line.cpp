@@ -15,13 +15,12 @@ namespace {
 // Of heights one after another and those beside them, another line's.
 struct HeightSpread {
   float highest = 0, along = 0, across = 0; // without their signs: of a height, and of differences
-  bool all_there = true;
 };
 
 // Of count + 1 heights; no differences of the last one along the line. Loops for the vector units.
 HeightSpread spread_of(const float* heights, const float* beside, int count) {
   constexpr int kLanes = 8;
-  std::array<float, kLanes> highest{}, along{}, across{}, gaps{};
+  std::array<float, kLanes> highest{}, along{}, across{};
   const auto take = [&](int i, std::size_t k, float next) {
     const auto raise = [&](std::array<float, kLanes>& most, float value) {
       value = std::abs(value);
@@ -31,7 +30,6 @@ HeightSpread spread_of(const float* heights, const float* beside, int count) {
     raise(highest, h);
     raise(along, next - h);
     raise(across, h - beside[i]);
-    gaps[k] += h - h; // no number from now on if that is none
   };
   int i = 0;
   for (; i + kLanes <= count; i += kLanes)
@@ -43,9 +41,14 @@ HeightSpread spread_of(const float* heights, const float* beside, int count) {
     out.highest = std::max(out.highest, highest[k]);
     out.along = std::max(out.along, along[k]);
     out.across = std::max(out.across, across[k]);
-    out.all_there = out.all_there && gaps[k] == 0;
   }
   return out;
+}
+
+bool are_there(std::span<const float> heights) {
+  std::uint32_t missing = 0;
+  for (const float h : heights) missing |= h == h ? 0U : 1U;
+  return missing == 0;
 }
 
 } // namespace
@@ -63,39 +66,32 @@ EarthLine::EarthLine(const Grid& grid, const View& view, const LookedAt& looked,
   const Ellipsoid& ellipsoid = earth_.frame().ellipsoid();
   const double round = 1 - ellipsoid.eccentricity_squared();
   bend_m_ = 4 * ellipsoid.semi_major_axis_m / (round * round);
+  places_m_ = 64 * std::numeric_limits<double>::epsilon() * bend_m_;
   const auto count = static_cast<std::size_t>(vertices_);
   heights_.resize(count);
   beyond_.resize(count);
   sides_.resize(count - 1);
+  blocks_.resize((count + kBlock - 1) / kBlock);
 }
 
 void EarthLine::read(int line, const EarthLine& before) {
   line_ = line;
   std::visit([&](const auto& heights) { take_heights(heights); }, grid_.heights_m);
-  const std::size_t blocks = (heights_.size() + kBlock - 1) / kBlock;
-  blocks_.clear();
   filled_m_.clear();
-  is_filled_ = false;
-  const bool is_limited = earth_.lean_limits() != nullptr;
-  for (std::size_t i = 0; i < blocks && !is_limited && !is_filled_; ++i) {
+  missing_.clear();
+  if (earth_.lean_limits() || !are_there(heights_)) fill();
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
     const auto first = i * kBlock;
     const int count = end_of(i) - static_cast<int>(first);
     const HeightSpread heights = spread_of(&heights_[first], &before.heights_[first], count);
-    is_filled_ = !heights.all_there;
     // Floats are rounded, and so are their differences.
     const double rounding_m = 1e-6 * heights.highest;
-    blocks_.push_back({});
-    Block& block = blocks_.back();
+    Block& block = blocks_[i];
     block.high_m = heights.highest + rounding_m;
     block.across_m = heights.across + rounding_m;
-    block.along_m = heights.along + rounding_m;
+    bound(i, heights.along + rounding_m);
+    if (!is_told(i)) judge(i);
   }
-  if (is_limited || is_filled_) {
-    blocks_.clear();
-    fill();
-  }
-  for (std::size_t i = 0; i < blocks; ++i)
-    if (blocks_.empty() || !bound(i)) judge(i);
 }
 
 template <class Height>
@@ -107,7 +103,7 @@ void EarthLine::take_heights(const Heights<Height>& heights) {
   for (std::size_t i = 0; i < heights_.size(); ++i) to[i] = static_cast<float>(from[i * step]);
 }
 
-// What is filled is as high as its neighbour leans.
+// A vertex is where its lean takes it, and what is filled is as high as its neighbour leans.
 void EarthLine::fill() {
   filled_m_.resize(heights_.size());
   for (int i = 0; i < vertices_; ++i) {
@@ -115,11 +111,15 @@ void EarthLine::fill() {
     filled_m_[static_cast<std::size_t>(i)] =
         earth_.leaning_height_m(column, row, grid_.height_m(column, row));
   }
-  const auto is_there = [](double height) { return !std::isnan(height); };
-  const auto first = std::ranges::find_if(filled_m_, is_there);
-  is_filled_ = first == filled_m_.end() || !std::ranges::all_of(filled_m_, is_there);
+  const auto is_missing = [](double height) { return std::isnan(height); };
+  const auto first = std::ranges::find_if_not(filled_m_, is_missing);
   double last = first == filled_m_.end() ? 0 : *first;
-  for (double& height : filled_m_) last = height = std::isnan(height) ? last : height;
+  if (std::ranges::any_of(filled_m_, is_missing)) missing_.assign(heights_.size(), 0);
+  for (std::size_t i = 0; i < heights_.size(); ++i) {
+    if (is_missing(filled_m_[i])) missing_[i] = 1;
+    last = filled_m_[i] = is_missing(filled_m_[i]) ? last : filled_m_[i];
+    heights_[i] = static_cast<float>(last);
+  }
 }
 
 // The first vertex of the next block, or the last one.
@@ -158,21 +158,12 @@ double EarthLine::off_turn(double place_m, double place_off_m, double way_m,
 }
 
 EarthLine::Depths EarthLine::depths(std::size_t block) const {
-  const int first = static_cast<int>(block) * kBlock;
-  if (!blocks_.empty()) {
-    const Block& of = blocks_[block];
-    return {std::min(of.first.y, of.last.y) - of.off_m, std::max(of.first.y, of.last.y) + of.off_m};
-  }
-  Depths out{kInfinity, -kInfinity};
-  for (int i = first; i < std::min(first + kBlock, vertices_); ++i) {
-    const double depth_m = place(i).y;
-    out = {std::min(out.nearest_m, depth_m), std::max(out.farthest_m, depth_m)};
-  }
-  return out;
+  const Block& of = blocks_[block];
+  return {std::min(of.first.y, of.last.y) - of.off_m, std::max(of.first.y, of.last.y) + of.off_m};
 }
 
-// Whether all of a block is on one side of what is looked at, and the eye on one side of it.
-bool EarthLine::bound(std::size_t number) {
+// Of heights on it that differ by so much from one to the next.
+void EarthLine::bound(std::size_t number, double along_m) {
   Block& block = blocks_[number];
   const int first = static_cast<int>(number) * kBlock, end = end_of(number);
   const double edges = std::max(end - first, 1), angle = along_rad_ * edges;
@@ -180,19 +171,27 @@ bool EarthLine::bound(std::size_t number) {
   const double upright = earth_.exaggeration();
   block.first = at_height(first, 0);
   block.last = at_height(end, 0);
+  block.edge = (1 / edges) * (block.last - block.first);
   block.slant = plain_length(at_height(first, kUp_m) - block.first) / kUp_m + upright * angle;
-  const double places_m = 64 * std::numeric_limits<double>::epsilon() * bend_m_;
-  block.off_m = bend_m_ * angle * angle / 8 + block.high_m * block.slant + places_m;
+  block.off_m = bend_m_ * angle * angle / 8 + block.high_m * block.slant + places_m_;
   block.away_m = std::max(plain_length(block.first), plain_length(block.last)) + block.off_m;
+  block.edge_off_m = bend_m_ * angle * along_rad_ + along_m * block.slant +
+                     block.high_m * upright * along_rad_ + places_m_;
+}
 
+// Whether all of a block is on one side of what is looked at, and the eye on one side of it; then
+// that is noted.
+bool EarthLine::is_told(std::size_t number) {
+  const Block& block = blocks_[number];
+  const int first = static_cast<int>(number) * kBlock, end = end_of(number);
   const bool is_perspective = view_.is_perspective();
   std::uint8_t beyond = 0;
-  bool is_told = true;
+  bool is_sure = true;
   const auto take = [&](std::uint8_t bit, double at_first, double at_last, double off) {
     if (at_first < -off && at_last < -off)
       beyond |= bit;
     else
-      is_told = is_told && at_first > off && at_last > off;
+      is_sure = is_sure && at_first > off && at_last > off;
   };
   const auto& [range, from_m] = looked_;
   take(kBehind, block.first.y - from_m, block.last.y - from_m, block.off_m);
@@ -206,13 +205,11 @@ bool EarthLine::bound(std::size_t number) {
   };
   take_side(kLeft, range.begin, 1);
   take_side(kRight, range.end, -1);
-  if (!is_told) return false;
+  if (!is_sure) return false;
 
-  const Vec2 edge = (1 / edges) * (block.last - block.first);
-  const double edge_off_m = bend_m_ * angle * along_rad_ + block.along_m * block.slant +
-                            block.high_m * upright * along_rad_ + places_m;
-  const double side = turn(block.first, block.first + edge),
-               off = off_turn(block.away_m, block.off_m, plain_length(edge), edge_off_m);
+  const double side = turn(block.first, block.first + block.edge),
+               off =
+                   off_turn(block.away_m, block.off_m, plain_length(block.edge), block.edge_off_m);
   if (!(std::abs(side) > off) && end > first) return false;
   const auto at = static_cast<std::ptrdiff_t>(first);
   const std::ptrdiff_t vertices = std::min(first + kBlock, vertices_) - first;
@@ -242,30 +239,58 @@ void EarthLine::judge(std::size_t block) {
   }
 }
 
+// The way to the same vertex of the next line, at a block's first vertex; and what it is off at
+// others.
+EarthLine::Way EarthLine::way_to(const EarthLine& next, std::size_t block) const {
+  const Block &a = blocks_[block], &b = next.blocks_[block];
+  return {b.first - a.first, bend_m_ * along_rad_ * kBlock * across_rad_ + b.across_m * b.slant +
+                                 a.high_m * earth_.exaggeration() * across_rad_ + 2 * places_m_};
+}
+
 void EarthLine::find_falls(const EarthLine& next, int first, int end,
                            std::span<std::uint8_t> falls) const {
-  const double upright = earth_.exaggeration();
   for (int begin = first; begin < end;) {
     const auto number = static_cast<std::size_t>(begin / kBlock);
     const int past = std::min(static_cast<int>(number + 1) * kBlock, end);
-    bool is_told = false;
-    if (!blocks_.empty() && !next.blocks_.empty()) {
-      const Block &a = blocks_[number], &b = next.blocks_[number];
-      const Vec2 way = b.first - a.first;
-      const double angle = along_rad_ * kBlock,
-                   way_off_m = bend_m_ * angle * across_rad_ + b.across_m * b.slant +
-                               a.high_m * upright * across_rad_ +
-                               128 * std::numeric_limits<double>::epsilon() * bend_m_;
-      const double at_first = turn(a.first, a.first + way), at_last = turn(a.last, a.last + way),
-                   off = off_turn(a.away_m, a.off_m, plain_length(way), way_off_m);
-      is_told = (at_first > off && at_last > off) || (at_first < -off && at_last < -off);
-      if (is_told) std::fill(falls.begin() + begin, falls.begin() + past, at_first < 0 ? 1 : 0);
-    }
-    if (!is_told)
+    const Block& a = blocks_[number];
+    const auto [way, way_off_m] = way_to(next, number);
+    const double at_first = turn(a.first, a.first + way), at_last = turn(a.last, a.last + way),
+                 off = off_turn(a.away_m, a.off_m, plain_length(way), way_off_m);
+    if ((at_first > off && at_last > off) || (at_first < -off && at_last < -off))
+      std::fill(falls.begin() + begin, falls.begin() + past, at_first < 0 ? 1 : 0);
+    else
       for (int i = begin; i < past; ++i)
         falls[static_cast<std::size_t>(i)] = turn(place(i), next.place(i)) < 0 ? 1 : 0;
     begin = past;
   }
+}
+
+bool EarthLine::are_apart(const EarthLine& next, int first, int end) const {
+  if (missing_.empty() && next.missing_.empty()) return true;
+  const double sign = next_is_left_ ? 1 : -1;
+  for (int begin = first; begin < end;) {
+    const auto number = static_cast<std::size_t>(begin / kBlock);
+    const int past = std::min(static_cast<int>(number + 1) * kBlock, end);
+    const auto [way, way_off_m] = way_to(next, number);
+    // A triangle is as large as an edge of one of the lines times a way between them.
+    bool are_told = true;
+    for (const EarthLine* line : {this, &next}) {
+      const Block& of = line->blocks_[number];
+      const double off =
+          of.edge_off_m * (plain_length(way) + way_off_m) + plain_length(of.edge) * way_off_m;
+      are_told = are_told && sign * cross(of.edge, way) > off;
+    }
+    for (int i = begin; i < past && !are_told; ++i) {
+      if (!is_missing(i) && !is_missing(i + 1) && !next.is_missing(i) && !next.is_missing(i + 1))
+        continue;
+      const Vec2 at = place(i), aslant = next.place(i + 1) - at;
+      if (!(sign * cross(place(i + 1) - at, aslant) > 0) ||
+          !(sign * cross(aslant, next.place(i) - at) > 0))
+        return false;
+    }
+    begin = past;
+  }
+  return true;
 }
 
 } // namespace orograph

@@ -40,7 +40,6 @@ public:
 
   const std::vector<std::uint8_t>& beyond() const { return beyond_; } ///< of vertices
   const std::vector<std::uint8_t>& sides() const { return sides_; }   ///< of edges
-  bool is_filled() const { return is_filled_; } ///< somewhere ground isn't there
 
   /// Where a vertex is, u and v.
   Vec2 place(int vertex) const;
@@ -54,15 +53,21 @@ public:
   /// the next line has the eye on the side of lower numbers of vertices.
   void find_falls(const EarthLine& next, int first, int end, std::span<std::uint8_t> falls) const;
 
+  /// Whether no triangle between it and the next line is turned over, of the cells from `first` to
+  /// `end`. REQUIRES that none is whose ground is there.
+  bool are_apart(const EarthLine& next, int first, int end) const;
+
 private:
   // Bounds of a block, with feet at height 0.
   struct Block {
-    Vec2 first, last; // feet of its first vertex, and of the next block's first or of the last one
-    double off_m;     // of a vertex from the way between those
-    double away_m;    // of a vertex
-    double high_m;    // of a height, or of a depth below the sea
-    double along_m, across_m; // of heights' differences on the line, and from the one before it
-    double slant;             // of what a metre of height goes aside
+    Vec2 first, last;  // feet of its first vertex, and of the next block's first or of the last one
+    double off_m;      // of a vertex from the way between those
+    double away_m;     // of a vertex
+    double high_m;     // of a height, or of a depth below the sea
+    double across_m;   // of heights' differences from the line before it
+    double slant;      // of what a metre of height goes aside
+    Vec2 edge;         // from a vertex to the next one, on the average
+    double edge_off_m; // of any from that
   };
 
   template <class Height>
@@ -73,7 +78,16 @@ private:
   Vec2 at_height(int vertex, double height_m) const;
   double turn(Vec2 from, Vec2 to) const;
   double off_turn(double place_m, double place_off_m, double way_m, double way_off_m) const;
-  bool bound(std::size_t number);
+  struct Way {
+    Vec2 m;
+    double off_m;
+  };
+  Way way_to(const EarthLine& next, std::size_t block) const;
+  bool is_missing(int vertex) const {
+    return !missing_.empty() && missing_[static_cast<std::size_t>(vertex)] != 0;
+  }
+  void bound(std::size_t number, double along_m);
+  bool is_told(std::size_t number);
   void judge(std::size_t block);
 
   const Grid& grid_;
@@ -82,11 +96,11 @@ private:
   LookedAt looked_;
   bool are_rows_, next_is_left_;
   int vertices_, line_ = -1;
-  double along_rad_, across_rad_, bend_m_;
-  bool is_filled_ = false;
-  std::vector<float> heights_;
-  std::vector<Block> blocks_;    // or none, and
-  std::vector<double> filled_m_; // heights of a line all of whose vertices are reckoned
+  double along_rad_, across_rad_, bend_m_, places_m_;
+  std::vector<float> heights_;        // by which vertices lean
+  std::vector<double> filled_m_;      // the same, or none where they are the grid's
+  std::vector<std::uint8_t> missing_; // of vertices, or none
+  std::vector<Block> blocks_;
   std::vector<std::uint8_t> beyond_, sides_;
 };
 

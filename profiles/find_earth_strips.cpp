@@ -126,7 +126,7 @@ private:
       if (line->any_high && line->any_low) out.is_right = false;
     }
     if (!out.is_right) return;
-    if ((a.is_filled() || b.is_filled()) && !are_apart(a, b, first, end)) {
+    if (!a.are_apart(b, static_cast<int>(first), static_cast<int>(end))) {
       out.is_right = false;
       return;
     }
@@ -143,18 +143,6 @@ private:
       out.falling.add({static_cast<int>(at - begin) - 1, static_cast<int>(behind - begin) - 1});
       at = behind;
     }
-  }
-
-  // Whether no triangle of the cells is turned over.
-  bool are_apart(const EarthLine& a, const EarthLine& b, std::size_t first, std::size_t end) const {
-    const double sign = next_is_left_ ? 1 : -1;
-    for (auto i = static_cast<int>(first); i < static_cast<int>(end); ++i) {
-      const Vec2 at = a.place(i), aslant = b.place(i + 1) - at;
-      if (!(sign * cross(a.place(i + 1) - at, aslant) > 0) ||
-          !(sign * cross(aslant, b.place(i) - at) > 0))
-        return false;
-    }
-    return true;
   }
 
   bool join(std::vector<Found>& found) {

@@ -67,19 +67,20 @@ public:
     for (int i = 0; i < count; ++i) {
       const double h = heights_m[static_cast<std::size_t>(i)];
       last = is_there(h) ? h : last;
-      is_filled = is_filled || !is_there(h);
+      is_filled.push_back(!is_there(h));
       at.push_back(to_profile_frame(view, are_rows ? grid.earth().vertex_m(i, line, last)
                                                    : grid.earth().vertex_m(line, i, last)));
     }
   }
   std::vector<ProfilePoint> at;
-  bool is_filled = false;
+  std::vector<bool> is_filled;
 };
 
 } // namespace
 
 TEST_CASE("a line on the earth is looked at as its vertices are") {
-  std::uint64_t vertices = 0, beyond = 0, high = 0, low = 0, falling = 0, rising = 0, limited = 0;
+  std::uint64_t vertices = 0, beyond = 0, high = 0, low = 0, falling = 0, rising = 0, limited = 0,
+                apart = 0, turned = 0;
   for (std::uint64_t seed = 1; seed <= last_seed(2000); ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -102,7 +103,21 @@ TEST_CASE("a line on the earth is looked at as its vertices are") {
     const std::size_t count = of.at.size();
     REQUIRE(line.beyond().size() == count);
     REQUIRE(line.sides().size() == count - 1);
-    REQUIRE(line.is_filled() == of.is_filled);
+    const int cells = static_cast<int>(count) - 1;
+    bool are_apart = true, are_filled = false;
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      const auto on = [](ProfilePoint p) { return Vec2{p.u, p.v}; };
+      const Vec2 a = on(of.at[i]), b = on(of.at[i + 1]), c = on(of_next.at[i]),
+                 d = on(of_next.at[i + 1]);
+      const bool is_filled = of.is_filled[i] || of.is_filled[i + 1] || of_next.is_filled[i] ||
+                             of_next.is_filled[i + 1];
+      are_filled = are_filled || is_filled;
+      are_apart = are_apart && (!is_filled ||
+                                (sign * cross(b - a, d - a) > 0 && sign * cross(d - a, c - a) > 0));
+    }
+    REQUIRE(line.are_apart(next, 0, cells) == are_apart);
+    apart += are_filled && are_apart ? 1 : 0;
+    turned += are_apart ? 0 : 1;
     std::vector<std::uint8_t> falls(count, 2);
     next.find_falls(next, 0, 0, falls); // nothing
     line.find_falls(next, 1, static_cast<int>(count) - 1, falls);
@@ -138,13 +153,16 @@ TEST_CASE("a line on the earth is looked at as its vertices are") {
   }
   WARN(vertices << " vertices, " << beyond << " of them beyond, " << high << " and " << low
                 << " edges, " << falling << " of the uprights fall and " << rising << " rise, "
-                << limited << " lattices with limits");
+                << limited << " lattices with limits, " << apart
+                << " filled strips in which nothing is turned over and " << turned << " others");
   CHECK(beyond > enough(50000));
   CHECK(high > enough(50000));
   CHECK(low > enough(50000));
   CHECK(falling > enough(50000));
   CHECK(rising > enough(50000));
   CHECK(limited > enough(10));
+  CHECK(apart > enough(50));
+  CHECK(turned > enough(50));
 }
 
 } // namespace orograph::earth_line_test
