@@ -314,34 +314,55 @@ std::size_t turned_over(const EarthRow& north, const EarthRow& south) {
   return count;
 }
 
+// On all cores, some rows of blocks at a time, and added up in order.
 template <class Value>
 void find_on_earth(const Grid& grid, const Heights<Value>& heights, Found& out) {
-  const EarthLattice& earth = grid.earth();
-  EarthRow row(grid.columns), north(grid.columns);
-  std::vector<EarthBlock> blocks;
-  for (const Block& block : blocks_of(grid)) {
-    if (block.column == 0) {
+  const std::vector<Block> blocks = blocks_of(grid);
+  const auto across = static_cast<std::size_t>((grid.columns + kBlockSide - 1) / kBlockSide);
+  struct OfBlock {
+    Box3 box;
+    double sum = 0;
+    std::size_t count = 0;
+  };
+  std::vector<OfBlock> found(blocks.size());
+  constexpr std::size_t kRowsOfTask = 8; // of blocks; a row of vertices is reckoned twice
+  const std::size_t down = blocks.size() / across, tasks = (down + kRowsOfTask - 1) / kRowsOfTask;
+  std::vector<std::size_t> turned(tasks, 0);
+  on_all_cores(tasks, [&](std::size_t task) {
+    EarthRow row(grid.columns), north(grid.columns);
+    const auto take_row = [&](int r) {
+      std::swap(north, row);
+      grid.earth().row_vertices_m(r, {&heights[grid.index(0, r)], row.x.size()}, row.x, row.y,
+                                  row.z);
+    };
+    std::vector<EarthBlock> of_row;
+    for (std::size_t block_row = task * kRowsOfTask;
+         block_row < std::min(down, (task + 1) * kRowsOfTask); ++block_row) {
       throw_if_stopped();
-      blocks.assign(static_cast<std::size_t>((grid.columns + kBlockSide - 1) / kBlockSide), {});
-      for (int r = block.row; r < block.row + block.rows; ++r) {
-        std::swap(north, row);
-        earth.row_vertices_m(r, {&heights[grid.index(0, r)], row.x.size()}, row.x, row.y, row.z);
-        for (std::size_t b = 0; b < blocks.size(); ++b) {
-          const int first = static_cast<int>(b) * kBlockSide;
-          blocks[b].take(row, first, std::min(kBlockSide, grid.columns - first));
+      of_row.assign(across, {});
+      const Block& first = blocks[block_row * across];
+      if (block_row == task * kRowsOfTask && first.row > 0) take_row(first.row - 1);
+      for (int r = first.row; r < first.row + first.rows; ++r) {
+        take_row(r);
+        for (std::size_t b = 0; b < across; ++b) {
+          const int column = static_cast<int>(b) * kBlockSide;
+          of_row[b].take(row, column, std::min(kBlockSide, grid.columns - column));
         }
-        if (r > 0) out.extent.turned_over += turned_over(north, row);
+        if (r > 0) turned[task] += turned_over(north, row);
+      }
+      for (std::size_t b = 0; b < across; ++b) {
+        const EarthBlock& of = of_row[b];
+        found[block_row * across + b] = {
+            {{of.x.lowest(), of.y.lowest(), of.z.lowest()},
+             {of.x.highest(), of.y.highest(), of.z.highest()}},
+            std::accumulate(of.sum.begin(), of.sum.end(), 0.0),
+            static_cast<std::size_t>(std::accumulate(of.count.begin(), of.count.end(), 0))};
       }
     }
-    const EarthBlock& found = blocks[static_cast<std::size_t>(block.column / kBlockSide)];
-    const auto count =
-        static_cast<std::size_t>(std::accumulate(found.count.begin(), found.count.end(), 0));
-    if (count == 0) continue;
-    out.add(block,
-            {{found.x.lowest(), found.y.lowest(), found.z.lowest()},
-             {found.x.highest(), found.y.highest(), found.z.highest()}},
-            std::accumulate(found.sum.begin(), found.sum.end(), 0.0), count);
-  }
+  });
+  out.extent.turned_over = std::accumulate(turned.begin(), turned.end(), std::size_t{0});
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    if (found[i].count > 0) out.add(blocks[i], found[i].box, found[i].sum, found[i].count);
 }
 
 } // namespace

@@ -152,36 +152,58 @@ LevelGround find(const Grid& grid, const Heights<Height>& heights, std::size_t s
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!is_large(i)) continue;
     throw_if_stopped();
-    for (std::int32_t t = runs[i].begin; t < runs[i].end; ++t)
-      level.triangles.add(grid_triangle(grid, t / 2, runs[i].row, static_cast<Half>(t % 2)));
+    const std::size_t of_row = grid_triangle(grid, 0, runs[i].row, Half::lower);
+    level.triangles.add_all(of_row + static_cast<std::size_t>(runs[i].begin),
+                            of_row + static_cast<std::size_t>(runs[i].end));
   }
 
   // A shore has level ground on one side and, on the other, terrain that isn't.
   const auto land = [&](int column, int row, Half half) {
-    if (column < 0 || row < 0 || column + 1 >= grid.columns || row + 1 >= grid.rows) return false;
+    if (column < 0 || row < 0 || column + 1 >= grid.columns || row + 1 >= grid.rows ||
+        level.triangles.has(grid_triangle(grid, column, row, half)))
+      return false;
     const Height corner = half == Half::lower ? heights[grid.index(column, row + 1)]
                                               : heights[grid.index(column + 1, row)];
     const Height sum =
         corner + heights[grid.index(column, row)] + heights[grid.index(column + 1, row + 1)];
-    return !std::isnan(sum) && !level.triangles.has(grid_triangle(grid, column, row, half));
+    return !std::isnan(sum);
+  };
+  // Where a row beside a run, triangles [begin, end), has land on the other side of its edges.
+  const auto for_each_column_of_land = [&](int row, Half half, std::int32_t begin, std::int32_t end,
+                                           const auto& take) {
+    if (row < 0 || row + 1 >= grid.rows) return;
+    const Half of_run = half == Half::upper ? Half::lower : Half::upper;
+    const std::size_t base = grid_triangle(grid, 0, row, half),
+                      past = base + 2 * static_cast<std::size_t>(column_from(end, of_run));
+    for (std::size_t t = base + 2 * static_cast<std::size_t>(column_from(begin, of_run));
+         (t = level.triangles.first_missing_of_half(t, past)) < past; t += 2) {
+      const int column = static_cast<int>((t - base) / 2);
+      if (land(column, row, half)) take(column);
+    }
+  };
+  const auto add_shore = [&](int c0, int r0, int c1, int r1) {
+    level.shores.push_back(edge(grid, c0, r0, c1, r1));
   };
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!is_large(i)) continue;
     throw_if_stopped();
-    const int row = runs[i].row;
-    for (std::int32_t t = runs[i].begin; t < runs[i].end; ++t) {
-      const int c = t / 2;
-      const Half half = static_cast<Half>(t % 2);
-      const Half other = half == Half::lower ? Half::upper : Half::lower;
-      if (land(c, row, other)) level.shores.push_back(edge(grid, c, row, c + 1, row + 1));
-      if (half == Half::lower) {
-        if (land(c - 1, row, other)) level.shores.push_back(edge(grid, c, row, c, row + 1));
-        if (land(c, row + 1, other)) level.shores.push_back(edge(grid, c, row + 1, c + 1, row + 1));
-      } else {
-        if (land(c + 1, row, other)) level.shores.push_back(edge(grid, c + 1, row, c + 1, row + 1));
-        if (land(c, row - 1, other)) level.shores.push_back(edge(grid, c, row, c + 1, row));
-      }
+    // Along the row a run's triangles have each other for neighbours, but for the first and last.
+    const auto [row, begin, end] = runs[i];
+    const int first = begin / 2, last = (end - 1) / 2;
+    if (begin % 2 == 0) {
+      if (land(first - 1, row, Half::upper)) add_shore(first, row, first, row + 1);
+    } else if (land(first, row, Half::lower)) {
+      add_shore(first, row, first + 1, row + 1);
     }
+    if (end % 2 == 0) {
+      if (land(last + 1, row, Half::lower)) add_shore(last + 1, row, last + 1, row + 1);
+    } else if (land(last, row, Half::upper)) {
+      add_shore(last, row, last + 1, row + 1);
+    }
+    for_each_column_of_land(row + 1, Half::upper, begin, end,
+                            [&](int c) { add_shore(c, row + 1, c + 1, row + 1); });
+    for_each_column_of_land(row - 1, Half::lower, begin, end,
+                            [&](int c) { add_shore(c, row, c + 1, row); });
   }
   std::size_t steps = 0;
   std::sort(level.shores.begin(), level.shores.end(), StoppableLess(steps));

@@ -28,6 +28,24 @@ public:
   bool empty() const { return bits_.empty(); }
   bool has(std::size_t triangle) const { return (bits_[triangle / 64] >> (triangle % 64)) & 1U; }
   void add(std::size_t triangle) { bits_[triangle / 64] |= std::uint64_t{1} << (triangle % 64); }
+  /// Those from `first` to `end` - 1.
+  void add_all(std::size_t first, std::size_t end) {
+    while (first < end && first % 64 != 0) add(first++);
+    for (; first + 64 <= end; first += 64) bits_[first / 64] = ~std::uint64_t{0};
+    while (first < end) add(first++);
+  }
+  /// Of every second triangle from `first` on, up to `end` - 1, the first that isn't in it; `end`
+  /// or more if all are.
+  std::size_t first_missing_of_half(std::size_t first, std::size_t end) const {
+    constexpr std::uint64_t kEverySecond = 0x5555'5555'5555'5555;
+    while (first < end) {
+      const std::uint64_t missing = (~bits_[first / 64] >> (first % 64)) & kEverySecond;
+      const auto on = static_cast<std::size_t>(std::countr_zero(missing));
+      if (missing != 0 && first % 64 + on < 64) return first + on;
+      first = (first / 64 + 1) * 64 + first % 2;
+    }
+    return first;
+  }
 
 private:
   std::vector<std::uint64_t> bits_;
