@@ -35,7 +35,7 @@ public:
             bool next_is_left);
 
   /// From now on it is another line. `before`: the one before it in number, or itself where none
-  /// was read. 1 ns a vertex, and where a block is in doubt 10 more.
+  /// was read. Some 2 ns a vertex, and where a block is in doubt 10 more.
   void read(int line, const EarthLine& before);
 
   const std::vector<std::uint8_t>& beyond() const { return beyond_; } ///< of vertices

@@ -232,8 +232,9 @@ private:
                  sunk_m = sunk_per_m2() * aside * aside * 2 * over_m * over_m;
     const double edge_reach_m = edge_m + lean_m;
     const double off = off_parabola(step_rad_ * (last - first)) * arm_m;
-    // Of differences a parabola between three columns is a quarter more than at them, at most.
-    constexpr double kBetween = 1.25;
+    // Between three columns one of which is about in the middle a parabola is no more than twice
+    // what it is at them: 1.25 times, or 1.67 where there are four.
+    constexpr double kBetween = 2;
     SignTerms out{static_cast<Height>(heights.middle),
                   through(columns, constant),
                   through(columns, per_height),

@@ -38,7 +38,7 @@ public:
   static constexpr int kBlock = 64;
 
   /// None if there is no such order. REQUIRES a grid on the earth of which no triangle is turned
-  /// over. On all cores; 4 to 8 ns a vertex.
+  /// over. On all cores; 2 to 4 ns a vertex.
   static std::optional<EarthStrips> of(const Grid& grid, const View& view, const LookedAt& looked,
                                        bool are_rows);
   /// By rows or columns, rather those that the view crosses more steeply.
