@@ -388,20 +388,4 @@ SurfaceExtent extent_of(const Grid& grid) {
   return std::move(extent);
 }
 
-GridSteps steps_of(const Grid& grid) {
-  const int column = std::clamp(grid.columns / 2, 1, grid.columns - 1),
-            row = std::clamp(grid.rows / 2, 1, grid.rows - 1);
-  if (!grid.is_on_earth()) return {grid.plane().column_step_m, grid.plane().row_step_m};
-  const auto at = [&](int c, int r) {
-    const Vec3 vertex = grid.earth().vertex_m(c, r, 0);
-    return Vec2{vertex.x, vertex.y};
-  };
-  return {at(column, row) - at(column - 1, row), at(column, row) - at(column, row - 1)};
-}
-
-double cell_size_m(const Grid& grid) {
-  const GridSteps steps = steps_of(grid);
-  return std::min(length(steps.column_m), length(steps.row_m));
-}
-
 } // namespace orograph

@@ -111,6 +111,19 @@ SurfaceExtent extent_of(const Surface& surface) {
   return std::visit([](const auto& s) { return extent_of(s); }, surface);
 }
 
+GridSteps steps_of(const Grid& grid) {
+  if (!grid.is_on_earth()) return {grid.plane().column_step_m, grid.plane().row_step_m};
+  const int column = std::clamp(grid.columns / 2, 1, grid.columns - 1),
+            row = std::clamp(grid.rows / 2, 1, grid.rows - 1);
+  const Vec2 at = place(grid, column, row);
+  return {at - place(grid, column - 1, row), at - place(grid, column, row - 1)};
+}
+
+double cell_size_m(const Grid& grid) {
+  const GridSteps steps = steps_of(grid);
+  return std::min(length(steps.column_m), length(steps.row_m));
+}
+
 double cell_size_m(const Tin& tin) {
   std::size_t count = 0;
   double ground_m2 = 0;

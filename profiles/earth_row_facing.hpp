@@ -45,7 +45,7 @@ public:
 
   /// Of the cells from column `first` to `end`.
   void reckon(int row, int first, int end) {
-    const HeightRange heights = range_of(row, first, end);
+    const RowHeights heights = range_of(row, first, end);
     const int most_cells = cells_at_once(row, (first + end) / 2, heights.middle);
     for (int begin = first; begin < end;) {
       // The last ones together, rather than a few of them alone.
@@ -82,7 +82,7 @@ public:
   }
 
 private:
-  struct HeightRange {
+  struct RowHeights {
     double middle = 0, reach = 0;
   };
   // A sign is constant + per_height * t + per_c * gc + per_r * gr, where t is the height of the
@@ -118,7 +118,7 @@ private:
   // More than what rounding moves a vertex by.
   double places_m() const { return 32 * std::numeric_limits<double>::epsilon() * axis_m_; }
 
-  HeightRange range_of(int row, int first, int end) const {
+  RowHeights range_of(int row, int first, int end) const {
     // Lanes for the vector units; what isn't there is neither lower nor higher.
     constexpr int kLanes = 8;
     std::array<Height, kLanes> lows, highs;
@@ -175,7 +175,7 @@ private:
     return cells > kLeast ? static_cast<int>(std::min<double>(cells, kMost)) : kLeast;
   }
 
-  SignTerms terms_of(int row, int first, int end, const HeightRange& heights) const {
+  SignTerms terms_of(int row, int first, int end, const RowHeights& heights) const {
     const double over_m = std::max(heights.reach, 1.0);
     const int last = end - 1, half = (first + last) / 2;
     const std::array<int, 3> columns{first, half, last};

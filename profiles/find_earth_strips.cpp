@@ -28,8 +28,7 @@ public:
     const int tasks = (out_.strips() + kStripsOfTask - 1) / kStripsOfTask;
     std::vector<Found> found(static_cast<std::size_t>(tasks));
     on_all_cores(found.size(), [&](std::size_t task) {
-      const int first = static_cast<int>(task) * kStripsOfTask;
-      scan(first, found[task]);
+      scan(static_cast<int>(task) * kStripsOfTask, found[task]);
     });
     if (!join(found) || !choose_own()) return std::nullopt;
     return std::move(out_);
@@ -37,6 +36,7 @@ public:
 
 private:
   static constexpr int kStripsOfTask = 64;
+
   struct OfLine {
     int first = std::numeric_limits<int>::max(), last = -1; // edges looked at
     bool any_high = false, any_low = false; // the eye is on the side of higher numbers, or lower
@@ -46,6 +46,7 @@ private:
     std::vector<OfLine> lines; // from the first of the task's
     FallingRuns falling;       // of the task's strips
   };
+
   void scan(int first, Found& out) {
     const int end = std::min(first + kStripsOfTask, out_.strips());
     out.lines.resize(static_cast<std::size_t>(end - first + 1));

@@ -225,6 +225,7 @@ private:
       upper[c] = bits_of_sign(above, of_above, nw + ne + se);
     }
   }
+
   // Asks again of the triangles in doubt.
   void settle(int row, int first, int end) {
     for_each_in_doubt(lower, upper, first, end, [&](int c) {
