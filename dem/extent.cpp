@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The extent of a grid.
-#include "dem/extent.hpp"
-
+#include "dem/extent_blocks.hpp"
 #include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
@@ -23,14 +22,8 @@ namespace {
 // and therefore doesn't vectorize. Blocks side by side are looked at together: their rows are read
 // on end, as memory likes it, and a block's sum is the same as it is alone.
 
-constexpr int kBlockSide = 32;        ///< in vertices
 constexpr int kBlocksTogether = 8;    ///< at most, side by side
 constexpr int kBlockRowsTogether = 4; ///< taken by a lane at once
-
-struct Block {
-  int column, row;   ///< of its first vertex
-  int columns, rows; ///< less than kBlockSide at the grid's end
-};
 
 template <class Value>
 struct BlockHeights {
@@ -151,15 +144,6 @@ Box2 ground_box(const Grid& grid, const Heights<Value>& heights, const Block& bl
   return box;
 }
 
-std::vector<Block> blocks_of(const Grid& grid) {
-  std::vector<Block> blocks;
-  for (int row = 0; row < grid.rows; row += kBlockSide)
-    for (int column = 0; column < grid.columns; column += kBlockSide)
-      blocks.push_back({column, row, std::min(kBlockSide, grid.columns - column),
-                        std::min(kBlockSide, grid.rows - row)});
-  return blocks;
-}
-
 // Squares of blocks, without those that have no block.
 std::vector<BlockGroup> groups_of(const Grid& grid, const std::vector<Block>& blocks,
                                   const std::vector<Box3>& boxes) {
@@ -199,22 +183,6 @@ std::vector<Vec3> points_in(const Grid& grid, const Block& block, std::vector<Ve
   return points;
 }
 
-// What blocks a pass has found, and the sum of their heights.
-struct Found {
-  SurfaceExtent extent;
-  std::vector<Block> occupied;
-  double sum = 0;
-
-  void add(const Block& block, const Box3& box, double block_sum, std::size_t count) {
-    occupied.push_back(block);
-    extent.blocks.boxes.push_back(box);
-    extent.box.include(box.low);
-    extent.box.include(box.high);
-    sum += block_sum;
-    extent.valid += count;
-  }
-};
-
 template <class Value>
 Box3 box_on_plane(const Grid& grid, const Heights<Value>& heights, const Block& block,
                   const BlockHeights<Value>& found) {
@@ -223,24 +191,11 @@ Box3 box_on_plane(const Grid& grid, const Heights<Value>& heights, const Block& 
   return {{ground.low.x, ground.low.y, found.low}, {ground.high.x, ground.high.y, found.high}};
 }
 
-// Blocks that are looked at together: side by side, [begin, end).
-struct BlockRange {
-  std::size_t begin, end;
-};
-std::vector<BlockRange> side_by_side(const std::vector<Block>& blocks) {
-  std::vector<BlockRange> ranges;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (blocks[i].column % (kBlocksTogether * kBlockSide) == 0) ranges.push_back({i, i});
-    ranges.back().end = i + 1;
-  }
-  return ranges;
-}
-
 // Looked at on all cores, added up in order: the mean is the same on any number of them.
 template <class Value>
-void find_on_plane(const Grid& grid, const Heights<Value>& heights, Found& out) {
+void find_on_plane(const Grid& grid, const Heights<Value>& heights, BlocksFound& out) {
   const std::vector<Block> blocks = blocks_of(grid);
-  const std::vector<BlockRange> ranges = side_by_side(blocks);
+  const std::vector<BlockRange> ranges = side_by_side(blocks, kBlocksTogether);
   std::vector<BlockHeights<Value>> found(blocks.size());
   std::vector<Box3> boxes(blocks.size());
   constexpr std::size_t kRangesOfTask = 32;
@@ -258,121 +213,14 @@ void find_on_plane(const Grid& grid, const Heights<Value>& heights, Found& out) 
     if (found[i].count > 0) out.add(blocks[i], boxes[i], found[i].sum, found[i].count);
 }
 
-// One row of vertices on the ellipsoid.
-struct EarthRow {
-  std::vector<double> x, y, z;
-  explicit EarthRow(int columns) : x(static_cast<std::size_t>(columns)), y(x.size()), z(x.size()) {}
-};
-
-// A coordinate's bounds, a lane a column.
-struct Lanes {
-  std::array<double, kBlockSide> low, high;
-  Lanes() {
-    low.fill(std::numeric_limits<double>::infinity());
-    high.fill(-std::numeric_limits<double>::infinity());
-  }
-  void take(const double* values, int count) {
-    for (int i = 0; i < count; ++i) {
-      low[i] = values[i] < low[i] ? values[i] : low[i];
-      high[i] = values[i] > high[i] ? values[i] : high[i];
-    }
-  }
-  double lowest() const { return *std::min_element(low.begin(), low.end()); }
-  double highest() const { return *std::max_element(high.begin(), high.end()); }
-};
-
-struct EarthBlock {
-  Lanes x, y, z;
-  std::array<double, kBlockSide> sum{};
-  std::array<int, kBlockSide> count{};
-
-  void take(const EarthRow& row, int first, int columns) {
-    x.take(&row.x[first], columns);
-    y.take(&row.y[first], columns);
-    z.take(&row.z[first], columns);
-    for (int i = 0; i < columns; ++i) {
-      const double height = row.z[first + i];
-      const bool valid = !std::isnan(height);
-      sum[i] += valid ? height : 0;
-      count[i] += valid;
-    }
-  }
-};
-
-// Triangles between two rows of vertices that run clockwise in plan. Comparisons with NaN are
-// false.
-std::size_t turned_over(const EarthRow& north, const EarthRow& south) {
-  std::size_t count = 0;
-  for (std::size_t c = 0; c + 1 < north.x.size(); ++c) {
-    const double across_x = south.x[c + 1] - north.x[c], across_y = south.y[c + 1] - north.y[c];
-    const double lower =
-        (south.x[c] - north.x[c]) * across_y - (south.y[c] - north.y[c]) * across_x;
-    const double upper =
-        across_x * (north.y[c + 1] - north.y[c]) - across_y * (north.x[c + 1] - north.x[c]);
-    count += static_cast<std::size_t>((lower < 0) + (upper < 0));
-  }
-  return count;
-}
-
-// On all cores, some rows of blocks at a time, and added up in order.
-template <class Value>
-void find_on_earth(const Grid& grid, const Heights<Value>& heights, Found& out) {
-  const std::vector<Block> blocks = blocks_of(grid);
-  const auto across = static_cast<std::size_t>((grid.columns + kBlockSide - 1) / kBlockSide);
-  struct OfBlock {
-    Box3 box;
-    double sum = 0;
-    std::size_t count = 0;
-  };
-  std::vector<OfBlock> found(blocks.size());
-  constexpr std::size_t kRowsOfTask = 8; // of blocks; a row of vertices is reckoned twice
-  const std::size_t down = blocks.size() / across, tasks = (down + kRowsOfTask - 1) / kRowsOfTask;
-  std::vector<std::size_t> turned(tasks, 0);
-  on_all_cores(tasks, [&](std::size_t task) {
-    EarthRow row(grid.columns), north(grid.columns);
-    const auto take_row = [&](int r) {
-      std::swap(north, row);
-      grid.earth().row_vertices_m(r, {&heights[grid.index(0, r)], row.x.size()}, row.x, row.y,
-                                  row.z);
-    };
-    std::vector<EarthBlock> of_row;
-    for (std::size_t block_row = task * kRowsOfTask;
-         block_row < std::min(down, (task + 1) * kRowsOfTask); ++block_row) {
-      throw_if_stopped();
-      of_row.assign(across, {});
-      const Block& first = blocks[block_row * across];
-      if (block_row == task * kRowsOfTask && first.row > 0) take_row(first.row - 1);
-      for (int r = first.row; r < first.row + first.rows; ++r) {
-        take_row(r);
-        for (std::size_t b = 0; b < across; ++b) {
-          const int column = static_cast<int>(b) * kBlockSide;
-          of_row[b].take(row, column, std::min(kBlockSide, grid.columns - column));
-        }
-        if (r > 0) turned[task] += turned_over(north, row);
-      }
-      for (std::size_t b = 0; b < across; ++b) {
-        const EarthBlock& of = of_row[b];
-        found[block_row * across + b] = {
-            {{of.x.lowest(), of.y.lowest(), of.z.lowest()},
-             {of.x.highest(), of.y.highest(), of.z.highest()}},
-            std::accumulate(of.sum.begin(), of.sum.end(), 0.0),
-            static_cast<std::size_t>(std::accumulate(of.count.begin(), of.count.end(), 0))};
-      }
-    }
-  });
-  out.extent.turned_over = std::accumulate(turned.begin(), turned.end(), std::size_t{0});
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-    if (found[i].count > 0) out.add(blocks[i], found[i].box, found[i].sum, found[i].count);
-}
-
 } // namespace
 
 SurfaceExtent extent_of(const Grid& grid) {
-  Found found;
+  BlocksFound found;
   std::visit(
       [&](const auto& heights) {
         if (grid.is_on_earth())
-          find_on_earth(grid, heights, found);
+          find_blocks_on_earth(grid, found);
         else
           find_on_plane(grid, heights, found);
       },

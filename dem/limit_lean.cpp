@@ -68,30 +68,43 @@ Lie lie_of(const EarthLattice& earth, const CornersOfTriangle& corners,
   return farthest_m2 > kMostShift * kMostShift * shortest_m2 ? Lie::shifted : Lie::upright;
 }
 
-// How far aside a metre of height takes a vertex at most, and the shortest side of a cell.
+// How far aside a metre of height takes a vertex at most, how far up at least, and the shortest
+// side of a cell.
 struct Bounds {
-  double tilt = 0, side_m = 0;
+  double tilt = 0, up = 1, side_m = 0;
 };
 Bounds bounds_of(const EarthLattice& earth) {
   const int columns = earth.degrees().columns, rows = earth.degrees().rows;
-  Bounds out{0, std::numeric_limits<double>::infinity()};
+  Bounds out{0, 1, std::numeric_limits<double>::infinity()};
   const auto flat = [](Vec3 at) { return Vec2{at.x, at.y}; };
   const auto take = [&](int column, int row) {
     const Vec3 at = earth.vertex_m(column, row, 0);
     const Vec3 higher = earth.vertex_m(column, row, 1 / earth.exaggeration());
     out.tilt = std::max(out.tilt, length(flat(higher) - flat(at)));
+    out.up = std::min(out.up, higher.z - at.z);
     for (const auto& [right, down] : {std::pair{1, 0}, std::pair{0, 1}})
       if (column + right < columns && row + down < rows)
         out.side_m = std::min(
             out.side_m, length(flat(earth.vertex_m(column + right, row + down, 0)) - flat(at)));
   };
-  // Both are greatest, or least, at the border, or else on the origin's meridian, to less than the
+  // All are greatest, or least, at the border, or else on the origin's meridian, to less than the
   // share that is left of them.
   for (int column = 0; column < columns; ++column)
     for (const int row : {0, rows - 2, rows - 1}) take(column, std::max(row, 0));
   for (int row = 0; row < rows; ++row)
     for (const int column : {0, columns - 2, columns - 1}) take(std::max(column, 0), row);
   return out;
+}
+
+// Whether the two shorter sides of each triangle, at one height and seen from above, have an angle
+// between 70 and 110 degrees: within 45 degrees of the origin they do, but for what rounding makes
+// of cells beside a pole, or below a millimetre.
+bool is_square(const DegreeLattice& degrees, const Bounds& bounds) {
+  constexpr double kCosine45 = 0.707, kLeast_m = 1e-3, kMost_deg = 89;
+  return bounds.up > kCosine45 && bounds.side_m > kLeast_m &&
+         std::abs(degrees.lon_step_deg) * degrees.columns < 180 &&
+         std::max(std::abs(degrees.lat_deg(0)), std::abs(degrees.lat_deg(degrees.rows - 1))) <
+             kMost_deg;
 }
 
 // Triangles that are turned over or shifted, where neighbours differ enough that any may be.
@@ -101,13 +114,15 @@ public:
   SteepTriangles(const Grid& grid, const Heights<Height>& heights)
       : grid_(grid), heights_(heights) {
     constexpr double kShare = 0.1;
-    const auto [tilt, side_m] = bounds_of(grid.earth());
-    steep_ = kShare * side_m / (tilt * std::abs(grid.earth().exaggeration()));
+    const Bounds bounds = bounds_of(grid.earth());
+    is_square_ = is_square(grid.earth().degrees(), bounds);
+    steep_ = kShare * bounds.side_m / (bounds.tilt * std::abs(grid.earth().exaggeration()));
   }
 
   struct Found {
     std::vector<CornersOfTriangle> triangles;
     std::size_t turned_over = 0;
+    bool none_is_turned = false; ///< for certain
   };
   Found found() const {
     const int tasks = (grid_.rows - 1 + kRowsOfTask - 1) / kRowsOfTask;
@@ -126,6 +141,9 @@ public:
       out.triangles.insert(out.triangles.end(), of.triangles.begin(), of.triangles.end());
       out.turned_over += of.turned_over;
     }
+    // Corners that lean a quarter of the shorter side beside each other turn that side and the next
+    // by 15 degrees each.
+    out.none_is_turned = is_square_ && out.triangles.empty();
     return out;
   }
 
@@ -164,6 +182,7 @@ private:
   const Grid& grid_;
   const Heights<Height>& heights_;
   double steep_; ///< between neighbours
+  bool is_square_;
 };
 
 // Of each of these triangles the vertex that is most out of its surroundings is limited to their
@@ -290,8 +309,9 @@ void limit_lean(Grid& grid) {
   if ((degrees.lon_step_deg > 0) == (degrees.lat_step_deg > 0)) return;
   std::visit(
       [&](const auto& heights) {
-        auto [steep, turned_over] = SteepTriangles(grid, heights).found();
+        auto [steep, turned_over, none_is_turned] = SteepTriangles(grid, heights).found();
         if (turned_over > 0) earth.limit_lean(Limiting(grid).limits(std::move(steep), turned_over));
+        if (none_is_turned) earth.set_upright();
       },
       grid.heights_m);
 }

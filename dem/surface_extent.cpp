@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <span>
 
 namespace orograph {
@@ -40,31 +41,69 @@ Vec2 place(const Grid& grid, int column, int row) {
 }
 
 // Lanes, because a single running minimum or sum has to be taken in order and therefore doesn't
-// vectorize. Comparisons with NaN are false.
+// vectorize; stretch by stretch, since the processor hasn't registers for the bounds' and the sums'
+// lanes at a time. Comparisons with NaN are false.
+constexpr std::size_t kLanes = 16, kStretch = 1024;
+using SumLanes = std::array<double, kLanes>;
+
 template <class Value>
-HeightRange range_of(const Heights<Value>& heights) {
-  constexpr std::size_t kLanes = 16;
+struct StretchBounds {
+  Value low, high;
+  std::size_t missing;
+};
+template <class Value>
+StretchBounds<Value> bounds_of(std::span<const Value> stretch) {
   std::array<Value, kLanes> low, high;
-  std::array<double, kLanes> sum{}, count{};
   low.fill(std::numeric_limits<Value>::infinity());
   high.fill(-std::numeric_limits<Value>::infinity());
-  const auto take = [&](Value h, std::size_t lane) {
-    low[lane] = h < low[lane] ? h : low[lane];
-    high[lane] = h > high[lane] ? h : high[lane];
-    sum[lane] += static_cast<double>(h == h ? h : Value{0});
-    count[lane] += h == h ? 1 : 0;
-  };
-  const std::size_t whole = heights.size() / kLanes * kLanes;
+  const std::size_t whole = stretch.size() / kLanes * kLanes;
   for (std::size_t i = 0; i < whole; i += kLanes)
-    for (std::size_t lane = 0; lane < kLanes; ++lane) take(heights[i + lane], lane);
-  for (std::size_t i = whole; i < heights.size(); ++i) take(heights[i], 0);
-  double total = 0, valid = 0;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    total += sum[lane];
-    valid += count[lane];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const Value h = stretch[i + lane];
+      low[lane] = h < low[lane] ? h : low[lane];
+      high[lane] = h > high[lane] ? h : high[lane];
+    }
+  for (std::size_t i = whole; i < stretch.size(); ++i) {
+    low[0] = stretch[i] < low[0] ? stretch[i] : low[0];
+    high[0] = stretch[i] > high[0] ? stretch[i] : high[0];
   }
+  int missing = 0;
+  for (const Value h : stretch) missing += h != h;
   return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end()),
-          total / valid};
+          static_cast<std::size_t>(missing)};
+}
+
+// `of(h)`: what a height counts.
+template <class Value, class Of>
+SumLanes plus(SumLanes sum, std::span<const Value> stretch, const Of& of) {
+  const std::size_t whole = stretch.size() / kLanes * kLanes;
+  for (std::size_t i = 0; i < whole; i += kLanes)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      sum[lane] += static_cast<double>(of(stretch[i + lane]));
+  for (std::size_t i = whole; i < stretch.size(); ++i)
+    sum[0] += static_cast<double>(of(stretch[i]));
+  return sum;
+}
+
+template <class Value>
+HeightRange range_of(const Heights<Value>& heights) {
+  const std::span<const Value> all(heights);
+  HeightRange out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                  0};
+  SumLanes sum{};
+  std::size_t missing = 0;
+  for (std::size_t begin = 0; begin < all.size(); begin += kStretch) {
+    const auto stretch = all.subspan(begin, std::min(kStretch, all.size() - begin));
+    const StretchBounds<Value> bounds = bounds_of(stretch);
+    out.low_m = std::min<double>(out.low_m, bounds.low);
+    out.high_m = std::max<double>(out.high_m, bounds.high);
+    missing += bounds.missing;
+    sum = bounds.missing == 0 ? plus(sum, stretch, [](Value h) { return h; })
+                              : plus(sum, stretch, [](Value h) { return h == h ? h : Value{0}; });
+  }
+  out.mean_m =
+      std::accumulate(sum.begin(), sum.end(), 0.0) / static_cast<double>(all.size() - missing);
+  return out;
 }
 
 } // namespace

@@ -62,7 +62,7 @@ void boxes_of_row(const Grid& grid, const Heights<Height>& heights, int block_ro
   }
   const int first = block_row * kSide, last = std::min(first + kSide, grid.rows - 1);
   for (int row = first; row <= last; ++row) {
-    grid.earth().row_vertices_m(row, std::span(&heights[grid.index(0, row)], count), places[0],
+    grid.earth().row_vertices_m(row, 0, std::span(&heights[grid.index(0, row)], count), places[0],
                                 places[1], places[2]);
     for (std::size_t k = 0; k < 3; ++k) lanes[k].include(places[k]);
   }

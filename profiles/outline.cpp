@@ -5,9 +5,11 @@
 #include "profiles/surface_edges.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <cstdint>
 #include <tuple>
+#include <utility>
+#include <variant>
 
 namespace orograph {
 namespace {
@@ -38,81 +40,80 @@ std::vector<BorderEdge> hull_edges(const Grid& grid) {
   return edges;
 }
 
-// Rows of vertices in stretches, and which have all their heights: where those about it have them
-// as well there is no border, which is told many times as fast as by looking at each cell.
-class WholeStretches {
-public:
-  static constexpr int length = 64;
+// A row's vertices, or cells by the vertex to their north-west, a bit each: those of 64 are asked
+// at once.
+using RowBits = std::vector<std::uint64_t>;
 
-  template <class Height>
-  WholeStretches(const Grid& grid, const Heights<Height>& heights)
-      : across_((grid.columns + length - 1) / length), rows_(grid.rows) {
-    whole_.reserve(static_cast<std::size_t>(across_) * static_cast<std::size_t>(rows_));
-    for (int row = 0; row < rows_; ++row) {
-      throw_if_stopped();
-      for (int first = 0; first < grid.columns; first += length) {
-        const Height* h = &heights[grid.index(first, row)];
-        int missing = 0;
-        for (int i = 0; i < std::min(length, grid.columns - first); ++i)
-          if (h[i] != h[i]) ++missing;
-        whole_.push_back(missing == 0);
-      }
-    }
+template <class Height>
+std::uint64_t bits_of_heights(const Height* heights, int count) {
+  int missing = 0;
+  for (int i = 0; i < count; ++i) missing += heights[i] != heights[i];
+  if (missing == count) return 0;
+  if (missing == 0) return ~std::uint64_t{0} >> (64 - count);
+  std::uint64_t bits = 0;
+  for (int i = 0; i < count; ++i) bits |= std::uint64_t{heights[i] == heights[i]} << i;
+  return bits;
+}
+
+// The vertices of a row that have a height; none of a row beyond the grid's end.
+template <class Height>
+void find_vertices(const Grid& grid, const Heights<Height>& heights, int row, RowBits& vertices) {
+  for (std::size_t w = 0; w < vertices.size(); ++w) {
+    const int first = static_cast<int>(64 * w);
+    vertices[w] = row < grid.rows ? bits_of_heights(&heights[grid.index(first, row)],
+                                                    std::min(64, grid.columns - first))
+                                  : 0;
   }
+}
 
-  bool has_no_border(int stretch, int row) const {
-    if (stretch == 0 || stretch + 1 == across_ || row == 0 || row + 1 == rows_) return false;
-    for (int r = row - 1; r <= row + 1; ++r)
-      for (int s = stretch - 1; s <= stretch + 1; ++s)
-        if (!whole_[static_cast<std::size_t>(r) * static_cast<std::size_t>(across_) +
-                    static_cast<std::size_t>(s)])
-          return false;
-    return true;
-  }
-
-private:
-  int across_, rows_;
-  std::vector<std::uint8_t> whole_;
+// The triangles of the cells south of a row that have their three heights.
+struct RowTriangles {
+  RowBits lower, upper;
 };
+void find_triangles(const RowBits& north, const RowBits& south, RowTriangles& triangles) {
+  // Bit c is the vertex one column east.
+  const auto to_east = [](const RowBits& row, std::size_t w) {
+    return row[w] >> 1 | (w + 1 < row.size() ? row[w + 1] << 63 : 0);
+  };
+  for (std::size_t w = 0; w < north.size(); ++w) {
+    const std::uint64_t diagonal = north[w] & to_east(south, w);
+    triangles.lower[w] = diagonal & south[w];
+    triangles.upper[w] = diagonal & to_east(north, w);
+  }
+}
 
-// Edges are visited by cell: each cell (column, row) looks at its north edge, its west edge and its
-// diagonal; one more column and row of empty cells closes the east and south sides.
+// In order: each vertex has the edge that runs east, the one that runs south, and the diagonal of
+// the cell between them. A row of triangles is there for the rows of vertices on both its sides.
 template <class Height>
 std::vector<BorderEdge> edges_with_one_side(const Grid& grid, const Heights<Height>& heights) {
-  const auto valid = [&](int column, int row) {
-    return column >= 0 && row >= 0 && column < grid.columns && row < grid.rows &&
-           !std::isnan(heights[grid.index(column, row)]);
-  };
-  const auto lower = [&](int column, int row) {
-    return valid(column, row) && valid(column, row + 1) && valid(column + 1, row + 1);
-  };
-  const auto upper = [&](int column, int row) {
-    return valid(column, row) && valid(column + 1, row) && valid(column + 1, row + 1);
-  };
+  const auto words = static_cast<std::size_t>((grid.columns + 63) / 64);
+  RowBits vertices(words), next_vertices(words);
+  RowTriangles before{RowBits(words), RowBits(words)}, here = before;
   std::vector<BorderEdge> edges;
-  const WholeStretches whole(grid, heights);
+  find_vertices(grid, heights, 0, vertices);
   for (int row = 0; row < grid.rows; ++row) {
     throw_if_stopped();
-    for (int column = 0; column < grid.columns; ++column) {
-      if (column % WholeStretches::length == 0) {
-        while (column < grid.columns && whole.has_no_border(column / WholeStretches::length, row))
-          column += WholeStretches::length;
+    find_vertices(grid, heights, row + 1, next_vertices);
+    find_triangles(vertices, next_vertices, here);
+    for (std::size_t w = 0; w < words; ++w) {
+      const std::uint64_t lower = here.lower[w], upper = here.upper[w], north = before.lower[w],
+                          west = upper << 1 | (w > 0 ? here.upper[w - 1] >> 63 : 0);
+      const std::uint64_t east_edge = north ^ upper, south_edge = west ^ lower,
+                          diagonal = lower ^ upper;
+      for (std::uint64_t left = east_edge | south_edge | diagonal; left != 0; left &= left - 1) {
+        const int bit = std::countr_zero(left), column = static_cast<int>(64 * w) + bit;
+        const auto has = [&](std::uint64_t bits) { return (bits >> bit & 1U) != 0; };
+        const std::uint32_t from = index_of(grid, column, row);
+        const auto to = [&](int c, int r) {
+          return SurfaceEdge{from, index_of(grid, column + c, row + r)};
+        };
+        if (has(east_edge)) edges.push_back({to(1, 0), has(north)});
+        if (has(south_edge)) edges.push_back({to(0, 1), has(lower)});
+        if (has(diagonal)) edges.push_back({to(1, 1), has(upper)});
       }
-      if (!valid(column, row)) continue;
-      const std::uint32_t here = index_of(grid, column, row);
-      const bool lower_here = lower(column, row), upper_here = upper(column, row);
-      if (valid(column + 1, row)) {
-        const bool north = lower(column, row - 1);
-        if (north != upper_here) edges.push_back({{here, index_of(grid, column + 1, row)}, north});
-      }
-      if (valid(column, row + 1)) {
-        const bool west = upper(column - 1, row);
-        if (west != lower_here)
-          edges.push_back({{here, index_of(grid, column, row + 1)}, lower_here});
-      }
-      if (lower_here != upper_here)
-        edges.push_back({{here, index_of(grid, column + 1, row + 1)}, upper_here});
     }
+    std::swap(vertices, next_vertices);
+    std::swap(before, here);
   }
   return edges;
 }
@@ -130,21 +131,11 @@ std::vector<OutlineEdge> outline_of_border(const std::vector<BorderEdge>& border
   return outline;
 }
 
-void put_in_order(std::vector<BorderEdge>& edges) {
-  std::size_t steps = 0;
-  const StoppableLess less(steps);
-  std::sort(edges.begin(), edges.end(),
-            [&](const BorderEdge& a, const BorderEdge& b) { return less(a.edge, b.edge); });
-}
-
 } // namespace
 
 std::vector<BorderEdge> border_edges(const Grid& grid, bool all_valid) {
   if (all_valid) return hull_edges(grid);
-  std::vector<BorderEdge> edges =
-      std::visit([&](const auto& h) { return edges_with_one_side(grid, h); }, grid.heights_m);
-  put_in_order(edges);
-  return edges;
+  return std::visit([&](const auto& h) { return edges_with_one_side(grid, h); }, grid.heights_m);
 }
 
 std::vector<BorderEdge> border_edges(const Tin& tin) {
@@ -153,7 +144,10 @@ std::vector<BorderEdge> border_edges(const Tin& tin) {
     if (e.left == kNoTriangle || e.right == kNoTriangle)
       edges.push_back({e.edge, e.right == kNoTriangle});
   });
-  put_in_order(edges);
+  std::size_t steps = 0;
+  const StoppableLess less(steps);
+  std::sort(edges.begin(), edges.end(),
+            [&](const BorderEdge& a, const BorderEdge& b) { return less(a.edge, b.edge); });
   return edges;
 }
 

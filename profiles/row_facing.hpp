@@ -84,6 +84,7 @@ public:
     // Vertices are rounded to metres, which moves them, in cells, by ulps of how far they are from
     // the origin; a gradient is off by as much, and counts as far as the eye is away.
     cells_away_ = 4.0 * (grid.columns + grid.rows);
+    rounding_ = 32 * std::numeric_limits<double>::epsilon() * cells_away_;
     if (view.is_perspective()) cells_away_ += 4 * (std::abs(eye_.column) + std::abs(eye_.row));
     if (view.drop.any()) bend_m_ = bend_of_drop_m();
   }
@@ -117,7 +118,7 @@ public:
     const double a = height(from), b = height(to), c = height(left), d = height(right);
     const double above = (a - c) + (b - d);
     if (std::abs(above) >
-        bend_m_ + rounding() * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d)))
+        bend_m_ + rounding_ * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d)))
       return above > 0;
     const auto at = [&](CellVertex v) { return vertex(v.column, v.row); };
     return mirrored_ ? orograph::may_be_ridge(at(from), at(to), at(right), at(left))
@@ -126,10 +127,6 @@ public:
 
 private:
   double height(CellVertex v) const { return heights_[grid_.index(v.column, v.row)]; }
-  // Twice 16 ulp of four heights, as far as positions are off in cells.
-  double rounding() const {
-    return 32 * std::numeric_limits<double>::epsilon() * 4 * (grid_.columns + grid_.rows);
-  }
   // Twice as much as what the ground sinks can move one middle of an edge's parallelogram against
   // the other, by rounding as well; in metres before exaggeration. A square form's values in the
   // middle and at the ends of a line differ by its value for half the line.
@@ -140,7 +137,7 @@ private:
     const double across_m = 2 * (column_m + row_m); // at least the parallelogram's diagonals
     const double away_m = length(lattice_.first_vertex_m) + grid_.columns * column_m +
                           grid_.rows * row_m + length(view_.depth_origin_m);
-    return 2 * most * (across_m * across_m + 8 * rounding() * away_m * away_m) / view_.exaggeration;
+    return 2 * most * (across_m * across_m + 8 * rounding_ * away_m * away_m) / view_.exaggeration;
   }
 
   // A sign is constant + per_height * h0 + per_c * gc + per_r * gr, and what the ground sinks:
@@ -248,6 +245,7 @@ private:
   EyeInCells eye_;
   bool mirrored_; ///< columns and rows turn the other way
   double cells_away_;
+  double rounding_;   ///< twice 16 ulp of four heights, as far as positions are off in cells
   double bend_m_ = 0; ///< heights that make more than this decide what is a ridge
 };
 

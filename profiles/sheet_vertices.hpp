@@ -58,7 +58,7 @@ private:
   void read_whole(std::uint32_t row, const Height* heights, std::vector<ProfilePoint>& out) const {
     thread_local std::vector<double> x_m, y_m, z_m;
     for (std::vector<double>* of : {&x_m, &y_m, &z_m}) of->resize(columns_);
-    earth_->row_vertices_m(static_cast<int>(row),
+    earth_->row_vertices_m(static_cast<int>(row), 0,
                            std::span(heights + std::size_t{row} * columns_, columns_), x_m, y_m,
                            z_m);
     const double *x = x_m.data(), *y = y_m.data(), *z = z_m.data();

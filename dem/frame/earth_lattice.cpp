@@ -71,21 +71,6 @@ EarthLattice::EarthLattice(const DegreeLattice& lattice, const LocalFrame& frame
   }
 }
 
-template <class Height>
-void EarthLattice::place_row(const Row& row, const Height* __restrict heights_m,
-                             double* __restrict x_m, double* __restrict y_m,
-                             double* __restrict z_m) const {
-  const double* __restrict sines = sine_.data();
-  const double* __restrict versines = versine_.data();
-  const std::size_t columns = sine_.size();
-  for (std::size_t c = 0; c < columns; ++c) {
-    const Vec3 at = place(row, sines[c], versines[c], exaggeration_ * heights_m[c]);
-    x_m[c] = at.x;
-    y_m[c] = at.y;
-    z_m[c] = at.z;
-  }
-}
-
 Vec3 EarthLattice::limited(Vec3 at, int column, int row, double height_m) const {
   const LeanLimit* const limit = limits_->of(column, row);
   if (!limit || std::isnan(height_m)) return at;
@@ -96,28 +81,40 @@ Vec3 EarthLattice::limited(Vec3 at, int column, int row, double height_m) const 
 }
 
 template <class Height>
-void EarthLattice::limit_row(int row, const Height* heights_m, double* x_m, double* y_m) const {
+void EarthLattice::place_row(int row, int first, std::span<const Height> heights_m,
+                             double* __restrict x_m, double* __restrict y_m,
+                             double* __restrict z_m) const {
+  const Row of_row = rows_[static_cast<std::size_t>(row)];
+  const double* __restrict sines = sine_.data() + first;
+  const double* __restrict versines = versine_.data() + first;
+  const Height* __restrict heights = heights_m.data();
+  const std::size_t count = heights_m.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 at = place(of_row, sines[i], versines[i], exaggeration_ * heights[i]);
+    x_m[i] = at.x;
+    y_m[i] = at.y;
+    z_m[i] = at.z;
+  }
   if (!limits_) return;
   for (const LeanLimit& limit : limits_->of_row(row)) {
-    const auto c = static_cast<std::size_t>(limit.column);
-    const Vec3 at = limited({x_m[c], y_m[c], 0}, limit.column, row, heights_m[c]);
-    x_m[c] = at.x;
-    y_m[c] = at.y;
+    const auto i = static_cast<std::size_t>(limit.column - first);
+    if (limit.column < first || i >= count) continue;
+    const Vec3 at = limited({x_m[i], y_m[i], 0}, limit.column, row, heights[i]);
+    x_m[i] = at.x;
+    y_m[i] = at.y;
   }
 }
 
-void EarthLattice::row_vertices_m(int row, std::span<const float> heights_m, std::span<double> x_m,
-                                  std::span<double> y_m, std::span<double> z_m) const {
-  place_row(rows_[static_cast<std::size_t>(row)], heights_m.data(), x_m.data(), y_m.data(),
-            z_m.data());
-  limit_row(row, heights_m.data(), x_m.data(), y_m.data());
+void EarthLattice::row_vertices_m(int row, int first, std::span<const float> heights_m,
+                                  std::span<double> x_m, std::span<double> y_m,
+                                  std::span<double> z_m) const {
+  place_row(row, first, heights_m, x_m.data(), y_m.data(), z_m.data());
 }
 
-void EarthLattice::row_vertices_m(int row, std::span<const double> heights_m, std::span<double> x_m,
-                                  std::span<double> y_m, std::span<double> z_m) const {
-  place_row(rows_[static_cast<std::size_t>(row)], heights_m.data(), x_m.data(), y_m.data(),
-            z_m.data());
-  limit_row(row, heights_m.data(), x_m.data(), y_m.data());
+void EarthLattice::row_vertices_m(int row, int first, std::span<const double> heights_m,
+                                  std::span<double> x_m, std::span<double> y_m,
+                                  std::span<double> z_m) const {
+  place_row(row, first, heights_m, x_m.data(), y_m.data(), z_m.data());
 }
 
 Vec2 EarthLattice::column_row_of(const GeoPoint& place) const {

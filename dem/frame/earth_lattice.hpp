@@ -59,11 +59,11 @@ public:
                  exaggeration_ * height_m);
   }
 
-  /// The places of one whole row of heights, bit for bit those of vertex_m. The four spans have one
-  /// value a column and don't overlap.
-  void row_vertices_m(int row, std::span<const float> heights_m, std::span<double> x_m,
+  /// The places of a row's vertices from column `first` on, one for each of the heights, bit for
+  /// bit those of vertex_m. REQUIRES four spans of one length that don't overlap.
+  void row_vertices_m(int row, int first, std::span<const float> heights_m, std::span<double> x_m,
                       std::span<double> y_m, std::span<double> z_m) const;
-  void row_vertices_m(int row, std::span<const double> heights_m, std::span<double> x_m,
+  void row_vertices_m(int row, int first, std::span<const double> heights_m, std::span<double> x_m,
                       std::span<double> y_m, std::span<double> z_m) const;
 
   /// None where all vertices lean by their height.
@@ -72,6 +72,11 @@ public:
   void limit_lean(LeanLimits limits) {
     limits_ = std::make_shared<const LeanLimits>(std::move(limits));
   }
+  /// Whether no triangle of the grid is turned over seen from above, as far as anybody has found
+  /// out: `limit_lean` does.
+  bool is_upright() const { return is_upright_; }
+  /// From now on. REQUIRES that it is so, and that the grid's heights stay as they are.
+  void set_upright() { is_upright_ = true; }
   /// By which height a vertex at a height leans.
   double leaning_height_m(int column, int row, double height_m) const {
     const LeanLimit* const limit = limits_ ? limits_->of(column, row) : nullptr;
@@ -105,9 +110,7 @@ private:
 
   Vec3 limited(Vec3 at, int column, int row, double height_m) const;
   template <class Height>
-  void limit_row(int row, const Height* heights_m, double* x_m, double* y_m) const;
-  template <class Height>
-  void place_row(const Row& row, const Height* heights_m, double* x_m, double* y_m,
+  void place_row(int row, int first, std::span<const Height> heights_m, double* x_m, double* y_m,
                  double* z_m) const;
 
   DegreeLattice degrees_;
@@ -117,6 +120,7 @@ private:
   std::vector<double> sine_, versine_; ///< sin(d), 1 - cos(d) of longitudes from the origin's
   std::vector<Row> rows_;
   std::shared_ptr<const LeanLimits> limits_;
+  bool is_upright_ = false;
 };
 
 } // namespace orograph

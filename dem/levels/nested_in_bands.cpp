@@ -230,7 +230,7 @@ void NestedInBands<Height>::compare(int level, int first_row,
 
 template <class Height>
 NestedCells NestedInBands<Height>::move_cells() {
-  constexpr Departure kNone{std::numeric_limits<double>::infinity(), 0};
+  constexpr Departure kNotWhole{std::numeric_limits<double>::infinity(), 0};
   for (int level = 1; level <= cells_.coarsest; ++level) {
     const std::vector<Sums>& sums = sums_[static_cast<std::size_t>(level - 1)];
     const int across = patches_along(cells_.columns, level), side = kPatchCells << level;
@@ -243,7 +243,7 @@ NestedCells NestedInBands<Height>::move_cells() {
       const bool is_whole = wide % (1 << level) == 0 && high % (1 << level) == 0;
       out.push_back(is_whole && !std::isnan(sums[i].squares)
                         ? Departure{sums[i].greatest_m, std::sqrt(sums[i].squares / wide / high)}
-                        : kNone);
+                        : kNotWhole);
     }
   }
   return std::move(cells_);

@@ -3,6 +3,7 @@
 // vertex and triangle by itself.
 #include "dem/extent.hpp"
 #include "dem/height_at.hpp"
+#include "dem/limit_lean.hpp"
 #include "dem/terrain.hpp"
 #include "geometry/error.hpp"
 #include "tests/catch.hpp"
@@ -79,7 +80,7 @@ std::vector<std::array<Vec3, 3>> drawn_triangles_of(const Grid& grid) {
 } // namespace
 
 TEST_CASE("the extent of a grid on the ellipsoid is that of its vertices") {
-  std::size_t all_turned = 0;
+  std::size_t all_turned = 0, known_upright = 0;
   for (std::uint64_t seed = 1; seed <= last_seed(120); ++seed) {
     Random random(seed);
     INFO("seed " << seed);
@@ -122,6 +123,16 @@ TEST_CASE("the extent of a grid on the ellipsoid is that of its vertices") {
     });
     CHECK(extent.turned_over == static_cast<std::size_t>(turned));
     all_turned += extent.turned_over;
+    Grid limited = grid;
+    limit_lean(limited);
+    if (limited.earth().is_upright()) {
+      ++known_upright;
+      CHECK(turned == 0);
+      SurfaceExtent again = extent_of(limited);
+      CHECK(again.box.low == box.low);
+      CHECK(again.box.high == box.high);
+      CHECK(again.turned_over == 0);
+    }
 
     const HeightRange range = height_range(grid);
     double low = 1e9, high = -1e9;
@@ -134,6 +145,7 @@ TEST_CASE("the extent of a grid on the ellipsoid is that of its vertices") {
     CHECK(range.high_m == high);
   }
   CHECK(all_turned >= enough(2));
+  CHECK(known_upright >= enough(10));
 }
 
 TEST_CASE("triangles that lean beyond upright are counted") {

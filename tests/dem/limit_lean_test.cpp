@@ -95,7 +95,7 @@ TEST_CASE("no triangle is turned over once the lean is limited") {
     for (int row = 0; row < grid.rows; ++row) {
       for (int column = 0; column < grid.columns; ++column)
         heights[static_cast<std::size_t>(column)] = grid.height_m(column, row);
-      grid.earth().row_vertices_m(row, heights, x, y, z);
+      grid.earth().row_vertices_m(row, 0, heights, x, y, z);
       for (std::size_t c = 0; c < heights.size(); ++c) {
         const Vec3 at = after[static_cast<std::size_t>(row) * heights.size() + c];
         REQUIRE(are_same(at.x, x[c]));
