@@ -46,7 +46,7 @@ ProfilePoint EarthStrips::filled_vertex(int line, int at) const {
 }
 
 template <class Before>
-std::pair<int, int> EarthStrips::parting(int line, const Before& before) const {
+std::pair<int, int> EarthStrips::parting(int line, double sought, const Before& before) const {
   const Line& of = line_[static_cast<std::size_t>(line)];
   const Block* const blocks =
       &block_[static_cast<std::size_t>(line) * static_cast<std::size_t>(blocks_)];
@@ -63,11 +63,26 @@ std::pair<int, int> EarthStrips::parting(int line, const Before& before) const {
       end = middle;
     }
   }
-  while (low + 1 < high) {
-    const int middle = low + (high - low) / 2;
-    const ProfilePoint p = vertex(line, middle);
-    if (std::isnan(p.z)) break;
-    (before(x_of(p)) ? low : high) = middle;
+  // X is about even within a block: vertices beside the place that its ends tell decide mostly.
+  const auto look_at = [&](int at) {
+    if (at <= low || at >= high) return;
+    if (const ProfilePoint p = vertex(line, at); !std::isnan(p.z))
+      (before(x_of(p)) ? low : high) = at;
+  };
+  constexpr int kFew = 2;
+  if (low % kBlock == 0 && high == low + kBlock) {
+    const double from = blocks[low / kBlock].x, to = blocks[low / kBlock + 1].x,
+                 share = (sought - from) / (to - from);
+    if (share >= 0 && share <= 1) {
+      const int about = low + static_cast<int>(share * kBlock);
+      look_at(about - kFew);
+      look_at(about + 1 + kFew);
+    }
+  }
+  while (low + 4 * kFew < high) {
+    const int middle = low + (high - low) / 2, width = high - low;
+    look_at(middle);
+    if (high - low == width) break; // it is missing
   }
   return {low, high};
 }
@@ -75,10 +90,12 @@ std::pair<int, int> EarthStrips::parting(int line, const Before& before) const {
 // Cells along the line.
 EarthStrips::Cells EarthStrips::shown_of_line(int line, XRange range) const {
   const Line& of = line_[static_cast<std::size_t>(line)];
-  const auto [low, first] =
-      parting(line, [&](double x) { return of.rises ? x < range.begin : x > range.end; });
-  const auto [last, high] =
-      parting(line, [&](double x) { return of.rises ? x <= range.end : x >= range.begin; });
+  const auto [low, first] = parting(line, of.rises ? range.begin : range.end, [&](double x) {
+    return of.rises ? x < range.begin : x > range.end;
+  });
+  const auto [last, high] = parting(line, of.rises ? range.end : range.begin, [&](double x) {
+    return of.rises ? x <= range.end : x >= range.begin;
+  });
   // To rounding it may be in the next; and what is behind has no X.
   const int begin = low - 1, end = high + 1;
   return {begin < of.first_ahead ? of.first : begin, end > of.last_ahead ? of.last : end};

@@ -128,9 +128,10 @@ private:
   double x_of(ProfilePoint p) const {
     return view_.is_perspective() ? p.u / p.v : p.u + p.v * view_.x_per_v;
   }
-  // Of a line's vertices ahead the first that isn't `before`; bounds, where ground is missing.
+  // Of a line's vertices ahead the last that is `before` and the first that isn't, to a few: where
+  // X is what is sought.
   template <class Before>
-  std::pair<int, int> parting(int line, const Before& before) const;
+  std::pair<int, int> parting(int line, double sought, const Before& before) const;
   Cells shown_of_line(int line, XRange range) const;
   // Of what cells have of a line.
   Depths depths_of(int line, Cells cells) const;

@@ -19,18 +19,88 @@
 namespace orograph {
 namespace {
 
-// `beyond` is the side along an edge, told by its vertices on the left and on the right of the ray,
-// of the triangle behind it.
-// `upwards` is 1, or -1 where the surface is to come down.
-template <class Mesh, class Beyond>
-bool meets_ray(double upwards, const Mesh& mesh, const Beyond& beyond, const ProfileLine& line,
-               SurfaceEdge edge, ProfilePoint from, double reach_m) {
-  const View& view = mesh.view;
-  // How far to the right of the ray a point is, in some measure.
-  const auto right_of_ray = [&](ProfilePoint p) {
-    return view.is_perspective() ? p.u * from.v - from.u * p.v
-                                 : (p.u - from.u) + view.x_per_v * (p.v - from.v);
-  };
+// How far to the right of the ray from a point another is, in some measure.
+double right_of(const View& view, ProfilePoint from, ProfilePoint p) {
+  return view.is_perspective() ? p.u * from.v - from.u * p.v
+                               : (p.u - from.u) + view.x_per_v * (p.v - from.v);
+}
+
+// Over a TIN. Its edge at hand is told by the vertices on the left and on the right of the ray.
+class TinWay {
+public:
+  // None begins behind an edge of the border.
+  TinWay(const Tin& tin, const View& view, const TinPlaces& places, std::uint32_t left,
+         std::uint32_t right)
+      : mesh_{tin, view} {
+    for (const std::uint32_t t : places.at_vertex(left)) {
+      const auto& corners = tin.triangles[t];
+      for (std::uint8_t k = 0; k < 3; ++k)
+        if (corners[(k + 1U) % 3] == left && corners[(k + 2U) % 3] == right) side_ = {t, k};
+    }
+  }
+  // The third vertex of the triangle behind the edge, if there is one.
+  std::optional<MeshVertex> ahead() const {
+    if (!side_) return std::nullopt;
+    return mesh_.vertex(side_->triangle, side_->k);
+  }
+  // On over the edge between that one and the one on the right, or on the left.
+  void go_on(bool beside_right) {
+    const auto next = static_cast<std::uint8_t>((side_->k + (beside_right ? 1U : 2U)) % 3);
+    side_ = mesh_.across({side_->triangle, next});
+  }
+
+private:
+  TinMesh mesh_;
+  std::optional<TinSide> side_;
+};
+
+// The same over a lattice, where the two triangles at an edge make a parallelogram: the vertex
+// beyond the edge is left + right - (the one behind).
+template <class Height>
+class LatticeWay {
+public:
+  LatticeWay(const Grid& grid, const Heights<Height>& heights, const View& view,
+             SurfaceEdge from_to, bool from_is_left)
+      : grid_(grid), heights_(heights), view_(view) {
+    const auto place = [&](std::uint32_t i) {
+      const auto columns = static_cast<std::uint32_t>(grid.columns);
+      return CellVertex{static_cast<int>(i % columns), static_cast<int>(i / columns)};
+    };
+    const CellVertex from = place(from_to.from), to = place(from_to.to);
+    left_ = from_is_left ? from : to;
+    right_ = from_is_left ? to : from;
+    const auto [triangle, k] = side_of(grid, from_to, from_is_left);
+    const grid_mesh::Offset apex = grid_mesh::kCorners[static_cast<int>(triangle.half)][k];
+    ahead_ = {triangle.column + apex.column, triangle.row + apex.row};
+  }
+  std::optional<MeshVertex> ahead() const {
+    const auto [column, row] = ahead_;
+    if (column < 0 || row < 0 || column >= grid_.columns || row >= grid_.rows) return std::nullopt;
+    const std::size_t index = grid_.index(column, row);
+    const double height = heights_[index];
+    if (std::isnan(height)) return std::nullopt;
+    return MeshVertex{static_cast<std::uint32_t>(index),
+                      to_profile_frame(view_, grid_.earth().vertex_m(column, row, height))};
+  }
+  void go_on(bool beside_right) {
+    CellVertex& passed = beside_right ? left_ : right_;
+    const CellVertex behind = std::exchange(passed, ahead_);
+    ahead_ = {left_.column + right_.column - behind.column, left_.row + right_.row - behind.row};
+  }
+
+private:
+  const Grid& grid_;
+  const Heights<Height>& heights_;
+  const View& view_;
+  CellVertex left_, right_, ahead_;
+};
+
+// From an edge, by its vertices on the left and on the right of the ray, on along a way over the
+// surface. `upwards` is 1, or -1 where the surface is to come down.
+template <class Way>
+bool meets_ray(double upwards, const View& view, MeshVertex left, MeshVertex right, Way way,
+               ProfilePoint from, double reach_m) {
+  const auto right_of_ray = [&](ProfilePoint p) { return right_of(view, from, p); };
   // Along the ray Y stays what it is.
   const double z_per_m = z_along_ray(view, from);
   // By more than rounding, which is a few ulp.
@@ -39,33 +109,27 @@ bool meets_ray(double upwards, const Mesh& mesh, const Beyond& beyond, const Pro
     return upwards * (p.z - from.z - fall) <
            -1e-12 * (std::abs(p.z) + std::abs(from.z) + std::abs(fall));
   };
-  MeshVertex left{edge.from, line.from}, right{edge.to, line.to};
-  if (right_of_ray(left.at) > right_of_ray(right.at)) std::swap(left, right);
+  bool left_is_below = is_below_ray(left.at), right_is_below = is_below_ray(right.at);
   // Three corners met before, one by one: in an array they would wait for each other's storing.
   std::uint32_t met_left = 0, met_right = 0, met_ahead = 0;
   std::size_t count = 0;
-  for (auto side = beyond(left.index, right.index); side;) {
-    const auto& [triangle, k] = *side;
-    const MeshVertex ahead = mesh.vertex(triangle, k);
+  while (const std::optional<MeshVertex> ahead = way.ahead()) {
     // Round in a circle, around a vertex by rounding or where cliffs on the ellipsoid lean over,
     // and perhaps not from the first step on: what was passed before will be again.
-    if (left.index == met_left && right.index == met_right && ahead.index == met_ahead)
+    if (left.index == met_left && right.index == met_right && ahead->index == met_ahead)
       return false;
     if (std::has_single_bit(++count)) {
       met_left = left.index;
       met_right = right.index;
-      met_ahead = ahead.index;
+      met_ahead = ahead->index;
     }
     // Of three corners one or two are on the right.
-    const bool to_the_left = right_of_ray(ahead.at) > 0;
-    MeshVertex& passed = to_the_left ? right : left;
-    const std::uint8_t next = (k + 1) % 3, last = (k + 2) % 3;
-    const std::uint8_t opposite = mesh.index(triangle, next) == passed.index ? next : last;
-    passed = ahead;
-    side = mesh.across({triangle, opposite});
+    const bool is_right = right_of_ray(ahead->at) > 0;
+    (is_right ? right : left) = *ahead;
+    (is_right ? right_is_below : left_is_below) = is_below_ray(ahead->at);
+    way.go_on(!is_right);
     // Nothing of an edge that is below comes up to the ray, as nearly everywhere.
-    if (is_below_ray(left.at) && is_below_ray(right.at) &&
-        std::max(left.at.v, right.at.v) - from.v <= reach_m)
+    if (left_is_below && right_is_below && std::max(left.at.v, right.at.v) - from.v <= reach_m)
       continue;
     // As every point on an edge, from the vertex of lower index.
     const bool left_first = left.index < right.index;
@@ -277,7 +341,7 @@ private:
 
 GroundBehind::GroundBehind(const Surface& surface, const View& view,
                            std::shared_ptr<const TinPlaces> of_tin)
-    : surface_(surface), view_(view), of_tin_(std::move(of_tin)) {
+    : surface_(surface), view_(view), ends_(surface, view), of_tin_(std::move(of_tin)) {
   const Tin* tin = std::get_if<Tin>(&surface);
   if (tin && !of_tin_) of_tin_ = std::make_shared<const TinPlaces>(tin_places(*tin));
   if (const Grid* grid = std::get_if<Grid>(&surface); grid && !grid->is_on_earth())
@@ -286,29 +350,24 @@ GroundBehind::GroundBehind(const Surface& surface, const View& view,
 
 bool GroundBehind::meets(double upwards, SurfaceEdge edge, ProfilePoint from,
                          double reach_m) const {
-  if (const Tin* tin = std::get_if<Tin>(&surface_)) {
-    const auto beyond = [&](std::uint32_t left, std::uint32_t right) -> std::optional<TinSide> {
-      for (const std::uint32_t t : of_tin_->at_vertex(left)) {
-        const auto& corners = tin->triangles[t];
-        for (std::uint8_t k = 0; k < 3; ++k)
-          if (corners[(k + 1U) % 3] == left && corners[(k + 2U) % 3] == right) return TinSide{t, k};
-      }
-      return std::nullopt;
-    };
-    return meets_ray(upwards, TinMesh{*tin, view_}, beyond, line_of(*tin, view_, edge), edge, from,
-                     reach_m);
-  }
-  const Grid& grid = std::get<Grid>(surface_);
+  const Grid* const grid = std::get_if<Grid>(&surface_);
+  if (on_plane_)
+    return std::visit(
+        [&](const auto& heights) { return on_plane_->meets(upwards, heights, from, reach_m); },
+        grid->heights_m);
+  const ProfileLine line = ends_(edge);
+  const bool from_is_left = right_of(view_, from, line.from) <= right_of(view_, from, line.to);
+  const MeshVertex one{edge.from, line.from}, other{edge.to, line.to},
+      left = from_is_left ? one : other, right = from_is_left ? other : one;
+  if (const Tin* tin = std::get_if<Tin>(&surface_))
+    return meets_ray(upwards, view_, left, right,
+                     TinWay(*tin, view_, *of_tin_, left.index, right.index), from, reach_m);
   return std::visit(
       [&](const auto& heights) {
-        if (on_plane_) return on_plane_->meets(upwards, heights, from, reach_m);
-        const GridMesh mesh{grid, std::get<EarthLattice>(grid.lattice), heights, view_};
-        const auto beyond = [&](std::uint32_t left, std::uint32_t right) {
-          return mesh.if_there(side_of(grid, edge, left < right));
-        };
-        return meets_ray(upwards, mesh, beyond, line_of(grid, view_, edge), edge, from, reach_m);
+        return meets_ray(upwards, view_, left, right,
+                         LatticeWay(*grid, heights, view_, edge, from_is_left), from, reach_m);
       },
-      grid.heights_m);
+      grid->heights_m);
 }
 
 } // namespace orograph

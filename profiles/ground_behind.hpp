@@ -4,6 +4,7 @@
 
 #include "dem/surface.hpp"
 #include "geometry/profile_point.hpp"
+#include "profiles/slab_lines.hpp"
 #include "profiles/tin_places.hpp"
 #include "profiles/triangles.hpp"
 #include "view/view.hpp"
@@ -37,6 +38,7 @@ private:
 
   const Surface& surface_;
   const View& view_;
+  EdgeEnds ends_;
   std::shared_ptr<const TinPlaces> of_tin_;
   std::shared_ptr<const OnPlane> on_plane_; ///< of a grid there
 };
