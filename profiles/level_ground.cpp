@@ -2,11 +2,13 @@
 #include "profiles/level_ground.hpp"
 
 #include "dem/tin.hpp"
+#include "geometry/for_each_marked.hpp"
 #include "geometry/on_all_cores.hpp"
 #include "profiles/surface_edges.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace orograph {
@@ -35,18 +37,18 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
-// Whether a cell from `first` to `end` may have a level triangle: most of the ground has none, and
-// without branches that is told several times as fast.
+// Marks the cells whose diagonal is level, without which neither triangle is; few of most ground.
+// A loop for the vector units; NaN equals nothing.
 template <class Height>
-bool may_be_level(const Height* north, const Height* south, int first, int end) {
-  int equal = 0;
-  for (int c = first; c < end; ++c) equal |= north[c] == south[c + 1]; // NaN equals nothing
-  return equal != 0;
+void mark_level_diagonals(const Height* __restrict north, const Height* __restrict south, int cells,
+                          std::uint8_t* __restrict marks) {
+  for (int c = 0; c < cells; ++c) marks[c] = north[c] == south[c + 1] ? 1 : 0;
 }
 
+// `marks`: for its memory, one a cell of a row.
 template <class Height>
 void append_runs(const Grid& grid, const Heights<Height>& heights, int row,
-                 std::vector<LevelRun>& runs) {
+                 std::vector<std::uint8_t>& marks, std::vector<LevelRun>& runs) {
   const Height* north = &heights[grid.index(0, row)];
   const Height* south = &heights[grid.index(0, row + 1)];
   std::int32_t begin = -1;
@@ -57,21 +59,16 @@ void append_runs(const Grid& grid, const Heights<Height>& heights, int row,
       begin = -1;
     }
   };
-  constexpr int kCellsAtOnce = 64;
   const int cells = grid.columns - 1;
-  for (int first = 0; first < cells; first += kCellsAtOnce) {
-    const int end = std::min(first + kCellsAtOnce, cells);
-    if (!may_be_level(north, south, first, end)) {
-      take(2 * first, false);
-      continue;
-    }
-    for (int c = first; c < end; ++c) {
-      const bool diagonal = north[c] == south[c + 1];
-      take(2 * c, diagonal && south[c] == north[c]);
-      take(2 * c + 1, diagonal && north[c + 1] == north[c]);
-    }
-  }
-  take(2 * cells, false);
+  mark_level_diagonals(north, south, cells, marks.data());
+  int next = 0; // cell
+  for_each_marked(marks, 0, cells, 1, [&](int c) {
+    if (next < c) take(2 * next, false);
+    take(2 * c, south[c] == north[c]);
+    take(2 * c + 1, north[c + 1] == north[c]);
+    next = c + 1;
+  });
+  take(2 * next, false);
 }
 
 // Of all rows, in order; found on all cores.
@@ -85,8 +82,9 @@ std::vector<LevelRun> runs_of(const Grid& grid, const Heights<Height>& heights) 
       static_cast<std::size_t>((rows + rows_of_task - 1) / rows_of_task));
   on_all_cores(of_tasks.size(), [&](std::size_t task) {
     const int first = static_cast<int>(task) * rows_of_task;
+    std::vector<std::uint8_t> marks(static_cast<std::size_t>(grid.columns) - 1);
     for (int row = first; row < std::min(first + rows_of_task, rows); ++row)
-      append_runs(grid, heights, row, of_tasks[task]);
+      append_runs(grid, heights, row, marks, of_tasks[task]);
   });
   std::vector<LevelRun> runs;
   for (const std::vector<LevelRun>& some : of_tasks) {
