@@ -59,9 +59,14 @@ public:
     settle(row, first, end);
   }
 
-  bool may_be_ridge(CellVertex from, CellVertex to, CellVertex left, CellVertex right) {
+  bool may_be_ridge(CellVertex from, std::size_t edge) {
+    const auto beside = [&](CellVertex v) {
+      return CellVertex{from.column + v.column, from.row + v.row};
+    };
+    const CellVertex to = beside(kEdgesOfCell[edge].to), left = beside(kEdgesOfCell[edge].left),
+                     right = beside(kEdgesOfCell[edge].right);
     if (!earth_.lean_limits()) { // what stands upright isn't on its upright
-      const Bend& bend = bend_at(from, to, left, right);
+      const Bend& bend = bend_at(edge, from, to, left, right);
       const double h = height(from), h_to = height(to) - h, h_left = height(left) - h,
                    h_right = height(right) - h;
       const double sum =
@@ -321,14 +326,13 @@ private:
     double level, per_to, per_left, per_right;
     double reach_m, upright, lean; // of the feet from the first one, and of the uprights
   };
-  const Bend& bend_at(CellVertex from, CellVertex to, CellVertex left, CellVertex right) {
+  const Bend& bend_at(std::size_t edge, CellVertex from, CellVertex to, CellVertex left,
+                      CellVertex right) {
     if (bends_of_ != from.row) {
       bends_ = {};
       bends_of_ = from.row;
     }
-    // By where the edge leads to: along the row, southwards, and aslant.
-    std::optional<Bend>& bend =
-        bends_[static_cast<std::size_t>(2 * (to.row - from.row) + (to.column - from.column) - 1)];
+    std::optional<Bend>& bend = bends_[edge];
     if (!bend) {
       const auto place = [&](CellVertex v, double height_m) {
         const Vec3 at = earth_.leaning_vertex_m(v.column, v.row, height_m);
@@ -364,7 +368,7 @@ private:
   double step_rad_;
   double
       axis_m_; ///< more than how far the eye is from the earth's axis, and a vertex near sea level
-  std::array<std::optional<Bend>, 3> bends_;
+  std::array<std::optional<Bend>, kEdgesOfCell.size()> bends_;
   int bends_of_ = -1; ///< row
 };
 

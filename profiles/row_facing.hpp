@@ -10,7 +10,9 @@
 #include "view/view.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -18,6 +20,14 @@
 #include <vector>
 
 namespace orograph {
+
+// A cell's edges at its north-western vertex: where they lead, and what else their two triangles
+// have; in columns and rows from that vertex on. By bit of SilhouetteMarks, where rows are strips.
+struct EdgeOfCell {
+  CellVertex to, left, right;
+};
+inline constexpr std::array<EdgeOfCell, 3> kEdgesOfCell{
+    {{{1, 0}, {0, -1}, {1, 1}}, {{0, 1}, {1, 1}, {-1, 0}}, {{1, 1}, {1, 0}, {0, 1}}}};
 
 // Calls take(column) with each of a row's cells, from column `first` to `end`, of which a triangle
 // may be turned either way: with few of a thousand.
@@ -87,6 +97,13 @@ public:
     rounding_ = 32 * std::numeric_limits<double>::epsilon() * cells_away_;
     if (view.is_perspective()) cells_away_ += 4 * (std::abs(eye_.column) + std::abs(eye_.row));
     if (view.drop.any()) bend_m_ = bend_of_drop_m();
+    const auto step = [&](CellVertex v) {
+      return static_cast<std::ptrdiff_t>(v.row) * grid.columns + v.column;
+    };
+    for (std::size_t i = 0; i < kEdgesOfCell.size(); ++i) {
+      const auto& [to, left, right] = kEdgesOfCell[i];
+      others_[i] = {step(to), step(left), step(right)};
+    }
   }
 
   std::vector<std::uint8_t> lower, upper; ///< bits, a cell each
@@ -114,19 +131,21 @@ public:
 
   // The two triangles at an edge make a parallelogram: it is a ridge where its middle is higher
   // than the middle between the other two vertices.
-  bool may_be_ridge(CellVertex from, CellVertex to, CellVertex left, CellVertex right) const {
-    const double a = height(from), b = height(to), c = height(left), d = height(right);
+  bool may_be_ridge(CellVertex from, std::size_t edge) const {
+    const Height* const at_from = &heights_[grid_.index(from.column, from.row)];
+    const auto [to_b, to_c, to_d] = others_[edge];
+    const double a = *at_from, b = at_from[to_b], c = at_from[to_c], d = at_from[to_d];
     const double above = (a - c) + (b - d);
     if (std::abs(above) >
         bend_m_ + rounding_ * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d)))
       return above > 0;
-    const auto at = [&](CellVertex v) { return vertex(v.column, v.row); };
-    return mirrored_ ? orograph::may_be_ridge(at(from), at(to), at(right), at(left))
-                     : orograph::may_be_ridge(at(from), at(to), at(left), at(right));
+    const auto at = [&](CellVertex v) { return vertex(from.column + v.column, from.row + v.row); };
+    const auto& [to, left, right] = kEdgesOfCell[edge];
+    return orograph::may_be_ridge(at({0, 0}), at(to), at(mirrored_ ? right : left),
+                                  at(mirrored_ ? left : right));
   }
 
 private:
-  double height(CellVertex v) const { return heights_[grid_.index(v.column, v.row)]; }
   // Twice as much as what the ground sinks can move one middle of an edge's parallelogram against
   // the other, by rounding as well; in metres before exaggeration. A square form's values in the
   // middle and at the ends of a line differ by its value for half the line.
@@ -244,6 +263,11 @@ private:
   const View& view_;
   EyeInCells eye_;
   bool mirrored_; ///< columns and rows turn the other way
+  // From an edge's vertex to its other one, and to those beside it: what an index grows by.
+  struct Others {
+    std::ptrdiff_t to, left, right;
+  };
+  std::array<Others, kEdgesOfCell.size()> others_;
   double cells_away_;
   double rounding_;   ///< twice 16 ulp of four heights, as far as positions are off in cells
   double bend_m_ = 0; ///< heights that make more than this decide what is a ridge

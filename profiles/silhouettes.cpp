@@ -19,15 +19,6 @@ namespace {
 
 using CellRange = std::pair<int, int>; // columns of cells
 
-// What tells a cell's edges at its north-western vertex: where they lead, and what else their two
-// triangles have; in columns and rows from that vertex on.
-struct EdgeOfCell {
-  CellVertex to, left, right;
-};
-// By bit of SilhouetteMarks, where rows are strips.
-constexpr std::array<EdgeOfCell, 3> kEdgesOfCell{
-    {{{1, 0}, {0, -1}, {1, 1}}, {{0, 1}, {1, 1}, {-1, 0}}, {{1, 1}, {1, 0}, {0, 1}}}};
-
 // Marks the edges of a row's cells whose triangles face two ways: nearly nowhere. A loop without
 // branches, for the vector units.
 void mark_turns(const std::uint8_t* __restrict lower, const std::uint8_t* __restrict upper,
@@ -78,11 +69,12 @@ void find(const SeenGround& ground, RowFacing& facing, int first, int end, const
       mark_turns(&lower[0], &upper[0], &north_lower[0], begin, past, &marks[0]);
       constexpr std::uint8_t kAny =
           SilhouetteMarks::kAlong | SilhouetteMarks::kUpright | SilhouetteMarks::kDiagonal;
+      static_assert(kAny == (1U << kEdgesOfCell.size()) - 1);
       for_each_mark(marks, begin, past, kAny, [&](int column, std::uint8_t mark) {
-        const EdgeOfCell& edge = kEdgesOfCell[static_cast<std::size_t>(std::countr_zero(mark))];
-        const auto at = [&](CellVertex v) { return CellVertex{column + v.column, row + v.row}; };
-        const CellVertex from{column, row}, to = at(edge.to);
-        if (facing.may_be_ridge(from, to, at(edge.left), at(edge.right))) take(from, to);
+        const auto edge = static_cast<std::size_t>(std::countr_zero(mark));
+        if (!facing.may_be_ridge({column, row}, edge)) return;
+        const CellVertex to = kEdgesOfCell[edge].to;
+        take({column, row}, {column + to.column, row + to.row});
       });
     }
     north_lower = lower;
