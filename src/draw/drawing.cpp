@@ -92,25 +92,41 @@ double line_length_mm(std::span<const Vec2> points) {
 
 namespace {
 
-// From where the pen is, to the layer's last point. Each length is added to both sums.
-void add_travel(const Layer& layer, Vec2& pen, PenTravel& of_layer, PenTravel& all) {
-  if (layer.is_pen_way) return;
-  for (const Stroke& stroke : layer.strokes) {
-    const std::span<const Vec2> points = layer.points(stroke);
-    throw_if_stopped();
-    const double up_mm = length(points.front() - pen);
-    const std::size_t lifts = points.front() != pen ? 1 : 0;
-    for (PenTravel* travel : {&of_layer, &all}) {
-      travel->up_mm += up_mm;
-      travel->lifts += lifts;
+void add(PenTravel& sum, const PenTravel& travel) {
+  sum.down_mm += travel.down_mm;
+  sum.up_mm += travel.up_mm;
+  sum.lifts += travel.lifts;
+}
+
+// Of strokes `first` to `end` - 1 of a layer, from where the pen is.
+PenTravel travel_of(const Layer& layer, std::size_t first, std::size_t end, Vec2 pen) {
+  PenTravel out;
+  for (std::size_t i = first; i < end; ++i) {
+    const std::span<const Vec2> points = layer.points(layer.strokes[i]);
+    if (points.front() != pen) {
+      out.up_mm += plain_length(points.front() - pen);
+      ++out.lifts;
     }
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const double down_mm = length(points[i] - points[i - 1]);
-      of_layer.down_mm += down_mm;
-      all.down_mm += down_mm;
-    }
+    out.down_mm += line_length_mm(points);
     pen = points.back();
   }
+  return out;
+}
+
+// On all cores, and added up in order. The pen is left at the layer's last point.
+PenTravel travel_of(const Layer& layer, Vec2& pen) {
+  constexpr std::size_t kStrokesOfTask = 1024;
+  const std::size_t count = layer.strokes.size();
+  std::vector<PenTravel> of_tasks((count + kStrokesOfTask - 1) / kStrokesOfTask);
+  on_all_cores(of_tasks.size(), [&](std::size_t task) {
+    const std::size_t first = task * kStrokesOfTask, end = std::min(count, first + kStrokesOfTask);
+    const Vec2 from = first > 0 ? layer.points(layer.strokes[first - 1]).back() : pen;
+    of_tasks[task] = travel_of(layer, first, end, from);
+  });
+  PenTravel out;
+  for (const PenTravel& travel : of_tasks) add(out, travel);
+  if (count > 0) pen = layer.points(layer.strokes.back()).back();
+  return out;
 }
 
 } // namespace
@@ -118,8 +134,10 @@ void add_travel(const Layer& layer, Vec2& pen, PenTravel& of_layer, PenTravel& a
 PenTravels pen_travels(const Drawing& drawing) {
   PenTravels out;
   Vec2 pen{0, 0};
-  for (const Layer& layer : drawing.layers)
-    add_travel(layer, pen, out.by_layer.emplace_back(), out.all);
+  for (const Layer& layer : drawing.layers) {
+    out.by_layer.push_back(layer.is_pen_way ? PenTravel{} : travel_of(layer, pen));
+    add(out.all, out.by_layer.back());
+  }
   return out;
 }
 

@@ -145,24 +145,18 @@ std::vector<std::uint64_t> hashes_of(const Layer& layer) {
   return hashes;
 }
 
-// Those of the strokes whose hash has these highest bits.
-std::vector<std::uint32_t> repeated_of_share(const Layer& layer,
-                                             std::span<const std::uint64_t> hashes,
-                                             std::uint64_t share, int bits) {
-  const auto is_mine = [&](std::uint64_t hash) {
-    return bits == 0 || hash >> (64 - bits) == share;
-  };
+// Those among some strokes that are the same as one before it there. `strokes` rise.
+std::vector<std::uint32_t> repeated_among(const Layer& layer, std::span<const std::uint64_t> hashes,
+                                          std::span<const std::uint32_t> strokes) {
   // A slot is free at 0; the hash's middle tells most strokes apart without looking at points.
   struct Slot {
     std::uint32_t stroke_after, middle;
   };
-  const auto mine = static_cast<std::size_t>(std::count_if(hashes.begin(), hashes.end(), is_mine));
-  std::vector<Slot> slots(std::bit_ceil(2 * mine + 1));
+  std::vector<Slot> slots(std::bit_ceil(2 * strokes.size() + 1));
   const std::size_t mask = slots.size() - 1;
   std::vector<std::uint32_t> repeated;
-  for (std::uint32_t i = 0; i < hashes.size(); ++i) {
+  for (const std::uint32_t i : strokes) {
     throw_if_stopped(i);
-    if (!is_mine(hashes[i])) continue;
     const auto middle = static_cast<std::uint32_t>(hashes[i] >> 26);
     std::size_t at = hashes[i] & mask;
     const auto is_same = [&](const Slot& slot) {
@@ -184,14 +178,19 @@ std::vector<std::uint32_t> repeated_of_share(const Layer& layer,
 
 std::vector<std::uint32_t> repeated_strokes(const Layer& layer) {
   const std::vector<std::uint64_t> hashes = hashes_of(layer);
-  // Every share looks through all hashes, so there aren't many.
+  // By their hashes' highest bits: shares for the cores, with slots that stay in their caches.
   constexpr std::size_t kStrokesOfShare = 1U << 16U;
   constexpr int kMostBits = 4;
   const int bits =
       std::min(kMostBits, static_cast<int>(std::bit_width(hashes.size() / kStrokesOfShare)));
   std::vector<std::vector<std::uint32_t>> of_shares(std::size_t{1} << static_cast<unsigned>(bits));
+  for (auto& share : of_shares) share.reserve(hashes.size() / of_shares.size() * 9 / 8);
+  for (std::uint32_t i = 0; i < hashes.size(); ++i) {
+    throw_if_stopped(i);
+    of_shares[bits == 0 ? 0 : hashes[i] >> (64 - bits)].push_back(i);
+  }
   on_all_cores(of_shares.size(), [&](std::size_t share) {
-    of_shares[share] = repeated_of_share(layer, hashes, share, bits);
+    of_shares[share] = repeated_among(layer, hashes, of_shares[share]);
   });
   std::vector<std::uint32_t> repeated;
   for (const auto& some : of_shares) repeated.insert(repeated.end(), some.begin(), some.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the ellipsoid would turn triangles over: vertex by vertex and triangle by triangle, in
 // higher precision. Lattices up to far from the frame's origin, with spikes, pits and gaps.
+#include "dem/extent.hpp"
 #include "dem/limit_lean.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/made_earth_grid.hpp"
@@ -60,6 +61,42 @@ std::size_t turned_over(const Grid& grid) {
 }
 
 } // namespace
+
+TEST_CASE("where a grid is known to be upright no triangle is turned over, wherever it is") {
+  std::size_t known = 0, unknown = 0;
+  for (std::uint64_t seed = 1; seed <= last_seed(3000); ++seed) {
+    INFO("seed " << seed);
+    Random random(seed);
+    MadeEarth made;
+    made.columns = random.whole(2, 20);
+    made.rows = random.whole(2, 20);
+    made.lon_step_deg = random.pick({1e-9, 1. / 3600, 0.02, 0.5, 5.0, 15.0});
+    made.lat_step_deg = std::min(random.pick({0.3, 1.0, 3.0}) * made.lon_step_deg, 8.0);
+    const double high_deg = made.lat_step_deg * (made.rows - 1);
+    made.north_deg = random.pick({90.0, -90 + high_deg, random.between(high_deg - 90, 90)});
+    made.west_deg = random.between(-180, 180);
+    const double away = random.pick({0.0, 1.0, 30.0, 60.0, 180.0});
+    made.origin_lon_deg = made.west_deg + random.between(-away, away);
+    made.origin_lat_deg = std::clamp(made.north_deg + random.between(-away, away), -90., 90.);
+    made.exaggeration = random.pick({1.0, 5.0});
+    if (random.chance(0.3)) made.ellipsoid.inverse_flattening = 3;
+    Grid grid;
+    grid.columns = made.columns;
+    grid.rows = made.rows;
+    grid.lattice = earth_lattice(made);
+    const double rise_m = random.pick({0.0, 1.0, 100.0, 5000.0});
+    std::vector<float> heights(grid.size());
+    for (float& height : heights) height = static_cast<float>(random.between(-rise_m, rise_m));
+    grid.heights_m = std::move(heights);
+    const std::size_t turned = extent_of(grid).turned_over;
+    limit_lean(grid);
+    if (grid.earth().is_upright()) REQUIRE(turned == 0);
+    ++(grid.earth().is_upright() ? known : unknown);
+  }
+  WARN(known << " known, " << unknown << " not");
+  CHECK(known > enough(300));
+  CHECK(unknown > enough(300));
+}
 
 TEST_CASE("no triangle is turned over once the lean is limited") {
   std::size_t limited = 0, vertices = 0, moved = 0, left_alone = 0;
