@@ -42,10 +42,10 @@ void measure(const char* what, const Session& session, MapSpec spec, int rounds,
     if (drawn.clock_ms < least.clock_ms) least = drawn;
   }
   const StageSeconds& s = least.stages;
-  std::printf("%-28s %6.1f ms (the first %.1f): placing %.1f, facing %.1f, cut %.1f, project %.1f, "
+  std::printf("%-28s %6.1f ms (the first %.1f): facing %.1f, cut %.1f, project %.1f, "
               "clip %.1f, layout %.1f\n",
-              what, least.clock_ms, first_ms, 1e3 * s.place, 1e3 * s.facing, 1e3 * s.cut,
-              1e3 * s.project, 1e3 * s.clip, 1e3 * s.layout);
+              what, least.clock_ms, first_ms, 1e3 * s.facing, 1e3 * s.cut, 1e3 * s.project,
+              1e3 * s.clip, 1e3 * s.layout);
 }
 
 } // namespace
