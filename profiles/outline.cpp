@@ -83,7 +83,7 @@ void find_triangles(const RowBits& north, const RowBits& south, RowTriangles& tr
 }
 
 // In order: each vertex has the edge that runs east, the one that runs south, and the diagonal of
-// the cell between them. A row of triangles is there for the rows of vertices on both its sides.
+// the cell between them. `before` are the triangles north of the row, `here` those south of it.
 template <class Height>
 std::vector<BorderEdge> edges_with_one_side(const Grid& grid, const Heights<Height>& heights) {
   const auto words = static_cast<std::size_t>((grid.columns + 63) / 64);

@@ -124,7 +124,10 @@ PenTravel travel_of(const Layer& layer, Vec2& pen) {
     of_tasks[task] = travel_of(layer, first, end, from);
   });
   PenTravel out;
-  for (const PenTravel& travel : of_tasks) add(out, travel);
+  for (const PenTravel& travel : of_tasks) {
+    throw_if_stopped();
+    add(out, travel);
+  }
   if (count > 0) pen = layer.points(layer.strokes.back()).back();
   return out;
 }
