@@ -181,6 +181,30 @@ TEST_CASE("pen travel is counted from the upper left corner, over all layers") {
   CHECK(by_layer[1].down_mm == 3);
 }
 
+TEST_CASE("pen travel over many strokes is that of one after another") {
+  Random random(1);
+  Drawing drawing;
+  drawing.layers.resize(3);
+  double up_mm = 0, down_mm = 0;
+  std::size_t lifts = 0;
+  Vec2 pen{0, 0};
+  for (Layer& layer : drawing.layers)
+    for (int i = 0; i < 2500; ++i) {
+      const Vec2 from =
+          random.chance(0.3) ? pen : Vec2{random.between(0, 300), random.between(0, 200)};
+      const Vec2 to{random.between(0, 300), random.between(0, 200)};
+      add_stroke(layer, {from, to});
+      up_mm += std::hypot(from.x - pen.x, from.y - pen.y);
+      down_mm += std::hypot(to.x - from.x, to.y - from.y);
+      lifts += from != pen ? 1 : 0;
+      pen = to;
+    }
+  const PenTravel travel = pen_travels(drawing).all;
+  CHECK(std::abs(travel.up_mm - up_mm) < 1e-6);
+  CHECK(std::abs(travel.down_mm - down_mm) < 1e-6);
+  CHECK(travel.lifts == lifts);
+}
+
 TEST_CASE("a pen's way is shown from stroke to stroke, and is no ink") {
   Drawing drawing;
   drawing.layers.resize(3);
