@@ -152,14 +152,21 @@ TEST_CASE("the extent of a grid on the ellipsoid is that of its vertices") {
 TEST_CASE("triangles that lean beyond upright are counted") {
   // Uprights lean by a degree 111 km north of the origin; a cliff of 89.5 degrees that faces the
   // origin leans over, one that faces away doesn't.
-  const auto turned = [](double north_deg, bool faces_south, double cliff_m) {
+  struct Size {
+    int columns = 3, rows = 3, cliff = 1; // below so many rows
+  };
+  const auto turned = [](double north_deg, bool faces_south, double cliff_m, Size size = {}) {
+    const auto [columns, rows, cliff] = size;
     Grid grid;
-    grid.columns = grid.rows = 3;
-    const DegreeLattice lattice{0, 1e-4, 3, north_deg + 2e-4, -1e-4, 3};
+    grid.columns = columns;
+    grid.rows = rows;
+    const DegreeLattice lattice{0, 1e-4, columns, north_deg + 1e-4 * cliff, -1e-4, rows};
     grid.lattice = EarthLattice(lattice, LocalFrame(0, 0));
-    const double high = cliff_m;
-    grid.heights_m = faces_south ? std::vector<double>{high, high, high, high, high, high, 0, 0, 0}
-                                 : std::vector<double>{0, 0, 0, high, high, high, high, high, high};
+    std::vector<double> heights(grid.size(), 0.0);
+    for (int row = 0; row < rows; ++row)
+      if ((row < cliff) == faces_south)
+        std::fill_n(heights.begin() + row * columns, columns, cliff_m);
+    grid.heights_m = std::move(heights);
     return extent_of(grid).turned_over;
   };
   const double cell_m = 1e-4 * 110574;
@@ -167,6 +174,13 @@ TEST_CASE("triangles that lean beyond upright are counted") {
   CHECK(turned(1, true, cell_m / std::tan(0.5 * M_PI / 180)) == 0);
   CHECK(turned(1, false, cell_m / std::tan(1.5 * M_PI / 180)) == 0);
   CHECK(turned(0, false, cell_m / std::tan(0.5 * M_PI / 180)) == 0);
+  // Wherever it is among the blocks that are looked at together.
+  for (const int columns : {32, 33, 128, 129, 130, 300})
+    for (const int cliff : {1, 2, 31, 32, 33, 64}) {
+      CAPTURE(columns, cliff);
+      CHECK(turned(1, false, cell_m / std::tan(0.5 * M_PI / 180), {columns, 66, cliff}) ==
+            2 * static_cast<std::size_t>(columns - 1));
+    }
 }
 
 TEST_CASE("the height at a point on the ellipsoid is that of the triangle that holds it") {
