@@ -27,16 +27,6 @@ struct EarthPlaces {
   std::array<double, kEarthColumns + 1> x, y, z;
 };
 
-// `count` vertices of a row from column `first` on.
-template <class Value>
-void place(const Grid& grid, const Heights<Value>& heights, int row, int first, int count,
-           EarthPlaces& out) {
-  const auto vertices = static_cast<std::size_t>(count);
-  grid.earth().row_vertices_m(row, first, {&heights[grid.index(first, row)], vertices},
-                              {out.x.data(), vertices}, {out.y.data(), vertices},
-                              {out.z.data(), vertices});
-}
-
 // A coordinate's bounds, a lane a column.
 struct Lanes {
   std::array<double, kEarthColumns> low, high;
@@ -87,9 +77,9 @@ EarthBlock earth_block_with_gaps(const Grid& grid, const Heights<Value>& heights
 
 // Triangles between two rows of vertices that run clockwise in plan. Comparisons with NaN are
 // false.
-std::size_t turned_over(const EarthPlaces& north, const EarthPlaces& south, int cells) {
+std::size_t turned_over(const EarthPlaces& north, const EarthPlaces& south, std::size_t cells) {
   std::size_t count = 0;
-  for (int c = 0; c < cells; ++c) {
+  for (std::size_t c = 0; c < cells; ++c) {
     const double across_x = south.x[c + 1] - north.x[c], across_y = south.y[c + 1] - north.y[c];
     const double lower =
         (south.x[c] - north.x[c]) * across_y - (south.y[c] - north.y[c]) * across_x;
@@ -109,14 +99,17 @@ std::size_t find_earth_blocks(const Grid& grid, const Heights<Value>& heights,
   const int columns = blocks.back().column + blocks.back().columns - first.column,
             end = first.row + first.rows;
   const bool may_be_turned = !grid.earth().is_upright();
-  const int vertices = may_be_turned ? std::min(columns + 1, grid.columns - first.column) : columns;
+  const auto vertices = static_cast<std::size_t>(
+      may_be_turned ? std::min(columns + 1, grid.columns - first.column) : columns);
   std::size_t turned = 0;
   std::array<EarthPlaces, 3> rows;
   EarthPlaces *north = &rows[0], *middle = &rows[1], *south = &rows[2];
   Lanes x, y, z;
   std::array<double, kEarthColumns> sum{};
   const auto place_row = [&](int row, EarthPlaces* of) {
-    place(grid, heights, row, first.column, vertices, *of);
+    grid.earth().row_vertices_m(
+        row, first.column, {&heights[grid.index(first.column, row)], vertices},
+        {of->x.data(), vertices}, {of->y.data(), vertices}, {of->z.data(), vertices});
   };
   const auto add_turned = [&](const EarthPlaces* one, const EarthPlaces* other) {
     if (may_be_turned) turned += turned_over(*one, *other, vertices - 1);

@@ -96,10 +96,10 @@ Bounds bounds_of(const EarthLattice& earth) {
   return out;
 }
 
-// Whether the two shorter sides of each triangle, at one height and seen from above, have an angle
-// between 70 and 110 degrees: within 45 degrees of the origin they do, but for what rounding makes
-// of cells beside a pole, or below a millimetre.
-bool is_square(const DegreeLattice& degrees, const Bounds& bounds) {
+// Whether the two shorter sides of each triangle, at one height and seen from above, have about a
+// right angle, between 70 and 110 degrees: within 45 degrees of the origin they do, but for what
+// rounding makes of cells beside a pole, or below a millimetre.
+bool has_right_angles(const DegreeLattice& degrees, const Bounds& bounds) {
   constexpr double kCosine45 = 0.707, kLeast_m = 1e-3, kMost_deg = 89;
   return bounds.up > kCosine45 && bounds.side_m > kLeast_m &&
          std::abs(degrees.lon_step_deg) * degrees.columns < 180 &&
@@ -115,7 +115,7 @@ public:
       : grid_(grid), heights_(heights) {
     constexpr double kShare = 0.1;
     const Bounds bounds = bounds_of(grid.earth());
-    is_square_ = is_square(grid.earth().degrees(), bounds);
+    has_right_angles_ = has_right_angles(grid.earth().degrees(), bounds);
     steep_ = kShare * bounds.side_m / (bounds.tilt * std::abs(grid.earth().exaggeration()));
   }
 
@@ -143,7 +143,7 @@ public:
     }
     // Corners that lean a quarter of the shorter side beside each other turn that side and the next
     // by 15 degrees each.
-    out.none_is_turned = is_square_ && out.triangles.empty();
+    out.none_is_turned = has_right_angles_ && out.triangles.empty();
     return out;
   }
 
@@ -182,7 +182,7 @@ private:
   const Grid& grid_;
   const Heights<Height>& heights_;
   double steep_; ///< between neighbours
-  bool is_square_;
+  bool has_right_angles_;
 };
 
 // Of each of these triangles the vertex that is most out of its surroundings is limited to their

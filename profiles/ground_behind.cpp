@@ -62,16 +62,16 @@ public:
   LatticeWay(const Grid& grid, const Heights<Height>& heights, const View& view,
              SurfaceEdge from_to, bool from_is_left)
       : grid_(grid), heights_(heights), view_(view) {
-    const auto place = [&](std::uint32_t i) {
-      const auto columns = static_cast<std::uint32_t>(grid.columns);
-      return CellVertex{static_cast<int>(i % columns), static_cast<int>(i / columns)};
+    const GridSide side = side_of(grid, from_to, from_is_left);
+    const auto corner = [&](std::size_t n) {
+      const auto& [column, row, half] = side.triangle;
+      const grid_mesh::Offset offset =
+          grid_mesh::kCorners[static_cast<int>(half)][(side.k + n) % 3];
+      return CellVertex{column + offset.column, row + offset.row};
     };
-    const CellVertex from = place(from_to.from), to = place(from_to.to);
-    left_ = from_is_left ? from : to;
-    right_ = from_is_left ? to : from;
-    const auto [triangle, k] = side_of(grid, from_to, from_is_left);
-    const grid_mesh::Offset apex = grid_mesh::kCorners[static_cast<int>(triangle.half)][k];
-    ahead_ = {triangle.column + apex.column, triangle.row + apex.row};
+    ahead_ = corner(0);
+    left_ = corner(1);
+    right_ = corner(2);
   }
   std::optional<MeshVertex> ahead() const {
     const auto [column, row] = ahead_;
