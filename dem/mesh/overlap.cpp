@@ -48,15 +48,6 @@ bool overlap(const Corners& a, const Corners& b) {
   return !an_edge_parts(a, b) && !an_edge_parts(b, a);
 }
 
-std::vector<bool> walls_among(const Tin& tin) {
-  std::vector<bool> walls(tin.triangles.size());
-  for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
-    throw_if_stopped(t);
-    walls[t] = is_wall(tin, t);
-  }
-  return walls;
-}
-
 struct Corner {
   Vec2 at;
   TriangleSide edge; ///< which the edge from here to the next corner is part of
@@ -132,7 +123,7 @@ bool overlap(const Tin& tin, std::uint32_t a, std::uint32_t b) {
 // the other side. So where any ground is covered twice there is such an edge at its rim, whose
 // triangle overlaps another: only those triangles need to be looked at.
 std::optional<TrianglePair> first_overlap(const Tin& tin) {
-  const std::vector<bool> walls = walls_among(tin);
+  const std::vector<std::uint8_t> walls = are_walls(tin);
   const TinIndex index(tin);
   std::vector<std::uint32_t> near;
   for (std::uint32_t t = 0; t < tin.triangles.size(); ++t) {
@@ -151,7 +142,7 @@ std::optional<TrianglePair> first_overlap(const Tin& tin) {
 }
 
 std::vector<TrianglePair> all_overlaps(const Tin& tin) {
-  const std::vector<bool> walls = walls_among(tin);
+  const std::vector<std::uint8_t> walls = are_walls(tin);
   const TinIndex index(tin);
   std::vector<TrianglePair> pairs;
   std::vector<std::uint32_t> near;

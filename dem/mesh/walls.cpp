@@ -47,12 +47,6 @@ struct Spread {
 
 using Marks = std::vector<std::uint8_t>;
 
-Marks walls_of(const Tin& tin) {
-  Marks walls(tin.triangles.size());
-  for (std::uint32_t t = 0; t < walls.size(); ++t) walls[t] = is_wall(tin, t);
-  return walls;
-}
-
 bool upright(const Tin& tin, std::uint32_t triangle, std::uint32_t side) {
   const auto [i, j] = ends_of(tin.triangles[triangle], side);
   const Vec3 &a = tin.vertices_m[i], &b = tin.vertices_m[j];
@@ -111,6 +105,15 @@ bool is_wall(const Tin& tin, std::uint32_t triangle) {
   return plan_orientation(tin.vertices_m[a], tin.vertices_m[b], tin.vertices_m[c]) == 0;
 }
 
+std::vector<std::uint8_t> are_walls(const Tin& tin) {
+  std::vector<std::uint8_t> walls(tin.triangles.size());
+  for (std::uint32_t t = 0; t < walls.size(); ++t) {
+    throw_if_stopped(t);
+    walls[t] = is_wall(tin, t);
+  }
+  return walls;
+}
+
 void turn_walls(Tin& tin) {
   Spread spread{tin, std::vector<std::uint8_t>(tin.triangles.size()), {}};
   std::vector<std::uint32_t> walls;
@@ -135,7 +138,7 @@ void turn_walls(Tin& tin) {
 std::size_t keep_standing_walls(Tin& tin, std::vector<HadBeside> had) {
   const std::size_t before = tin.triangles.size();
   for (;;) {
-    const Marks walls = walls_of(tin);
+    const Marks walls = are_walls(tin);
     Neighbours neighbours = find_neighbours(tin.triangles, tin.vertices_m.size());
     tin.neighbours = std::move(neighbours.of);
     Marks doomed(walls.size());

@@ -6,12 +6,16 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace orograph {
 
 /// True for a vertical triangle: its vertices are on one line seen from above.
 bool is_wall(const Tin& tin, std::uint32_t triangle);
+
+/// The same of each triangle.
+std::vector<std::uint8_t> are_walls(const Tin& tin);
 
 /// Turns walls so that they run along edges the other way than their neighbours do; from walls
 /// that stand beside triangles which aren't vertical the direction spreads to the walls beside
