@@ -183,6 +183,34 @@ std::vector<Vec3> points_in(const Grid& grid, const Block& block, std::vector<Ve
   return points;
 }
 
+// The points of blocks, of which those asked for last are kept: a picture is framed from some sixty
+// distances, and the same few blocks bound it from nearly all of them.
+class PointsOfBlocks {
+public:
+  PointsOfBlocks(const Grid& grid, std::vector<Block> blocks)
+      : grid_(grid), blocks_(std::move(blocks)) {}
+
+  std::span<const Vec3> operator()(std::size_t block) {
+    const auto kept = std::ranges::find(kept_, block, &Kept::block);
+    if (kept != kept_.end()) return kept->points;
+    Kept& oldest = kept_[next_];
+    next_ = (next_ + 1) % kept_.size();
+    oldest.block = block;
+    oldest.points = points_in(grid_, blocks_[block], std::move(oldest.points));
+    return oldest.points;
+  }
+
+private:
+  struct Kept {
+    std::size_t block = std::numeric_limits<std::size_t>::max();
+    std::vector<Vec3> points;
+  };
+  const Grid& grid_;
+  std::vector<Block> blocks_;
+  std::array<Kept, 64> kept_;
+  std::size_t next_ = 0;
+};
+
 template <class Value>
 Box3 box_on_plane(const Grid& grid, const Heights<Value>& heights, const Block& block,
                   const BlockHeights<Value>& found) {
@@ -228,11 +256,7 @@ SurfaceExtent extent_of(const Grid& grid) {
   SurfaceExtent& extent = found.extent;
   extent.mean_height_m = found.sum / static_cast<double>(extent.valid);
   extent.blocks.groups = groups_of(grid, found.occupied, extent.blocks.boxes);
-  extent.blocks.points = [&grid, occupied = std::move(found.occupied),
-                          buffer = std::vector<Vec3>()](std::size_t i) mutable {
-    buffer = points_in(grid, occupied[i], std::move(buffer));
-    return std::span<const Vec3>(buffer);
-  };
+  extent.blocks.points = PointsOfBlocks(grid, std::move(found.occupied));
   return std::move(extent);
 }
 

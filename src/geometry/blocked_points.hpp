@@ -50,7 +50,8 @@ struct Extreme {
 /// Of several points that lie close together; a box of them is bounded before they are looked at.
 constexpr std::size_t kPointsBounded = 64;
 
-/// Takes those points of a block that may be greater than what was found.
+/// Takes those points of a block that may be greater than what was found, with a bound as
+/// `greatest` has it.
 template <class Function, class Bound>
 void take_greatest(std::span<const Vec3> points, const Function& f, const Bound& bound_of,
                    Extreme& best) {
@@ -58,16 +59,16 @@ void take_greatest(std::span<const Vec3> points, const Function& f, const Bound&
     const auto some = points.first(std::min(kPointsBounded, points.size()));
     Box3 box;
     for (const Vec3& point : some) box.include(point);
-    if (!(bound_of(box) > best.value)) continue;
+    if (!(bound_of(box, best.value) > best.value)) continue;
     for (const Vec3& point : some) best.take(f, point);
   }
 }
 
-/// Greatest value of `f(Vec3)` over all points; -infinity where there are none. `bound(Box3)` is no
-/// less than `f` anywhere in a box: groups and blocks whose bound stays below what was found are
-/// skipped. `best` is to start with the value at one of the points, if one is known that is likely
-/// to be nearly the greatest.
-/// Cost: a bound a group and for the blocks of a few groups, and the points of a few blocks.
+/// Greatest value of `f(Vec3)` over all points; -infinity where there are none. `bound_of(Box3,
+/// found)` is no less than `f` anywhere in a box, or no more than `found`, if all of `f` is that:
+/// groups and blocks whose bound stays below what was found are skipped. `best` is to start with
+/// the value at one of the points, if one is known that is likely to be nearly the greatest. Cost:
+/// a bound a group and for the blocks of a few groups, and the points of a few blocks.
 template <class Function, class Bound>
 Extreme greatest(const BlockedPoints& blocked, const Function& f, const Bound& bound_of,
                  Extreme best) {
@@ -79,7 +80,7 @@ Extreme greatest(const BlockedPoints& blocked, const Function& f, const Bound& b
   std::vector<Part> heap;
   const auto lower = [](const Part& a, const Part& b) { return a.bound < b.bound; };
   const auto add = [&](const Box3& box, std::size_t index, bool group) {
-    const double bound = bound_of(box);
+    const double bound = bound_of(box, best.value);
     if (!(bound > best.value)) return;
     heap.push_back({bound, static_cast<std::uint32_t>(index), group});
     std::push_heap(heap.begin(), heap.end(), lower);
@@ -113,7 +114,7 @@ inline Vec3 corner_of(const Box3& box, int i) {
 /// so does this, if that is so at a point and not only at a box's corner.
 template <class Function>
 double greatest(const BlockedPoints& blocked, const Function& f) {
-  const auto at_corners = [&](const Box3& box) {
+  const auto at_corners = [&](const Box3& box, double) {
     double most = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < 8; ++i) most = std::max(most, f(corner_of(box, i)));
     return most;

@@ -26,7 +26,10 @@ AcrossLattice across(const Grid& grid, const View& view, bool columns) {
 SectorLattice::SectorLattice(const Grid& of_grid, const View& of_view, const EarthStrips* strips)
     : grid(of_grid), view(of_view),
       order(strips ? LatticeOrder(*strips) : LatticeOrder(of_grid, of_view)) {
-  if (strips) return;
+  if (strips) {
+    find_depths_by_place();
+    return;
+  }
   strip = across(grid, view, !order.rows_are_strips());
   cell = across(grid, view, order.rows_are_strips());
   const auto& [first_vertex_m, column_step_m, row_step_m] = grid.plane();
@@ -96,16 +99,29 @@ LatticeOrder::Places SectorLattice::places_of(double depth_m, const URange& show
                               static_cast<int>(std::ceil(high + kBeside)));
 }
 
+void SectorLattice::find_depths_by_place() {
+  const std::uint32_t count = order.place_count();
+  farthest_up_to_m_.resize(count);
+  nearest_from_m_.resize(count);
+  const auto depths_of = [&](std::uint32_t place) {
+    const int number = order.place(place).strip;
+    return number == LatticeOrder::Place::kNone ? EarthStrips::Depths{kInfinity, -kInfinity}
+                                                : order.earth()->depths_of(number);
+  };
+  double farthest_m = -kInfinity, nearest_m = kInfinity;
+  for (std::uint32_t place = 0; place < count; ++place)
+    farthest_up_to_m_[place] = farthest_m = std::max(farthest_m, depths_of(place).farthest_m);
+  for (std::uint32_t place = count; place-- > 0;)
+    nearest_from_m_[place] = nearest_m = std::min(nearest_m, depths_of(place).nearest_m);
+}
+
+// Before the first of them all strips are nearer, behind the last one all are farther.
 LatticeOrder::Places SectorLattice::places_of_depth(double depth_m) const {
-  LatticeOrder::Places out{order.place_count(), 0};
-  for (std::uint32_t number = 0; number < order.place_count(); ++number) {
-    const int number_of_strip = order.place(number).strip;
-    if (number_of_strip == LatticeOrder::Place::kNone) continue;
-    const auto [nearest_m, farthest_m] = order.earth()->depths_of(number_of_strip);
-    if (depth_m < nearest_m || depth_m > farthest_m) continue;
-    out = {std::min(out.first, number), std::max(out.last, number)};
-  }
-  return out.first > out.last ? LatticeOrder::Places{0, 0} : out;
+  const auto first =
+                 std::ranges::lower_bound(farthest_up_to_m_, depth_m) - farthest_up_to_m_.begin(),
+             end = std::ranges::upper_bound(nearest_from_m_, depth_m) - nearest_from_m_.begin();
+  if (first >= end) return {0, 0};
+  return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - 1)};
 }
 
 } // namespace orograph

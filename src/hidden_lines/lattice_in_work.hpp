@@ -7,6 +7,7 @@
 #include "profiles/lattice_order.hpp"
 
 #include <cstdint>
+#include <vector>
 
 namespace orograph {
 
@@ -33,7 +34,12 @@ struct SectorLattice {
   LatticeOrder::Places places_of(double depth_m, const URange& shown) const;
 
 private:
-  LatticeOrder::Places places_of_depth(double depth_m) const; // on the earth
+  // On the earth.
+  void find_depths_by_place();
+  LatticeOrder::Places places_of_depth(double depth_m) const;
+
+  // Of all strips up to a place, and from it on; both rise with places.
+  std::vector<double> farthest_up_to_m_, nearest_from_m_;
 };
 
 /// The same of a sector in work.

@@ -25,6 +25,8 @@ constexpr double kVerticesABand = 32768;
 constexpr double kLeastPlaces = 8, kMostPlaces = 64;
 
 std::uint32_t places_of_band(const LatticeInWork& lattice) {
+  if (lattice.work.passes_over_profiles)
+    return lattice.order.place_count(); // none waits for another
   const int cells =
       (lattice.order.rows_are_strips() ? lattice.grid.columns : lattice.grid.rows) - 1;
   return static_cast<std::uint32_t>(
@@ -61,28 +63,31 @@ public:
 
   void run(const Show& show, Counts& counts) {
     const std::uint32_t bands = (lattice_.order.place_count() + band_ - 1) / band_;
-    // In round r band r is cut, r - 1 clipped, r - 2 laid out.
+    // In round r band r is cut, r - 1 clipped, r - 2 laid out and r - 3 shown, which has to be in
+    // order and is one task.
     for (std::uint32_t round = 0; round < bands + 2; ++round) {
       begin_profiles(round);
       end_profiles(round);
       const bool clips = round >= 1 && round <= bands;
       const std::size_t strip_tasks = clips ? strips_.size() : 0;
       if (clips && lattice_.order.earth()) find_spans((round - 1) * band_);
-      on_all_cores(strip_tasks + cutting_.size() + laying_.size(), [&](std::size_t task) {
-        if (task < strip_tasks)
+      on_all_cores(1 + strip_tasks + cutting_.size() + laying_.size(), [&](std::size_t task) {
+        if (task == 0)
+          show_finished(show, counts);
+        else if (--task < strip_tasks)
           clip(task, (round - 1) * band_);
-        else if (task < strip_tasks + cutting_.size())
-          cut(cutting_[task - strip_tasks]);
+        else if ((task -= strip_tasks) < cutting_.size())
+          cut(cutting_[task]);
         else
-          stages_.lay_out(*slots_[laying_[task - strip_tasks - cutting_.size()]]);
+          stages_.lay_out(*slots_[laying_[task - cutting_.size()]]);
       });
       // Those that were cut come into work, by depth.
       for (const std::size_t index : cutting_) active_.push_back(&slots_[index]->profile);
       std::sort(active_.begin(), active_.end(),
                 [](const ProfileInWork* a, const ProfileInWork* b) { return a->index < b->index; });
       for (const std::size_t index : laying_) laid_out_[index] = true;
-      show_finished(show, counts);
     }
+    show_finished(show, counts);
     on_all_cores(strips_.size(), [&](std::size_t i) {
       Stopwatch watch;
       strips_[i]->finish();

@@ -62,27 +62,48 @@ SectorParts parts_by_edge(const std::vector<std::unique_ptr<LatticeStrip>>& stri
     if (out.found.empty() || out.found.back().edge != line.edge) out.found.push_back(line);
     numbers[strip][number - listed] = static_cast<std::uint32_t>(listed + out.found.size() - 1);
   }
-  const auto add = [&](std::span<const LinePart> parts, std::size_t strip,
-                       std::vector<LinePart>& to) {
-    for (LinePart part : parts) {
-      throw_if_stopped(to.size());
-      if (part.line >= listed) part.line = numbers[strip][part.line - listed];
-      if (part.line != kNone) to.push_back(part);
-    }
+  struct OfStrip {
+    std::vector<LinePart> visible, skyline, ridges;
   };
-  std::size_t visible = 0;
-  for (const auto& strip : strips) visible += strip->lines().visible_parts().size();
-  out.visible.reserve(visible);
-  for (std::size_t i = 0; i < strips.size(); ++i) {
+  std::vector<OfStrip> of_strips(strips.size());
+  on_all_cores(strips.size(), [&](std::size_t i) {
     const LatticeStrip& strip = *strips[i];
-    add(strip.lines().visible_parts(), i, out.visible);
-    add(strip.pictures().skyline(strip.horizon().joined()), i, out.skyline);
-    if (const Ridges* ridges = strip.lines().ridges()) {
-      add(ridges->ridges(), i, out.ridges);
-      out.folded_mm += ridges->folded_mm();
+    const auto renumbered = [&](std::span<const LinePart> parts) {
+      std::vector<LinePart> of_all;
+      of_all.reserve(parts.size());
+      for (LinePart part : parts) {
+        throw_if_stopped(of_all.size());
+        if (part.line >= listed) part.line = numbers[i][part.line - listed];
+        if (part.line != kNone) of_all.push_back(part);
+      }
+      return of_all;
+    };
+    of_strips[i].visible = renumbered(strip.lines().visible_parts());
+    of_strips[i].skyline = renumbered(strip.pictures().skyline(strip.horizon().joined()));
+    if (const Ridges* ridges = strip.lines().ridges())
+      of_strips[i].ridges = renumbered(ridges->ridges());
+  });
+  for (const auto& strip : strips)
+    if (const Ridges* ridges = strip->lines().ridges()) out.folded_mm += ridges->folded_mm();
+  struct List {
+    std::vector<LinePart> OfStrip::*of_strip;
+    std::vector<LinePart>& of_all;
+  };
+  const std::array<List, 3> lists{List{&OfStrip::visible, out.visible},
+                                  List{&OfStrip::skyline, out.skyline},
+                                  List{&OfStrip::ridges, out.ridges}};
+  on_all_cores(lists.size(), [&](std::size_t list) {
+    const auto& [of_strip, of_all] = lists[list];
+    std::size_t size = 0;
+    for (const OfStrip& of : of_strips) size += (of.*of_strip).size();
+    of_all.reserve(size);
+    for (const OfStrip& of : of_strips) {
+      throw_if_stopped();
+      const std::vector<LinePart>& some = of.*of_strip;
+      of_all.insert(of_all.end(), some.begin(), some.end());
     }
-  }
-  for (std::vector<LinePart>* parts : {&out.visible, &out.skyline, &out.ridges}) join(*parts);
+    join(of_all);
+  });
   out.skyline = shared(out.skyline, out.visible);
   return out;
 }

@@ -77,9 +77,9 @@ std::size_t batch_size(const PlacedView& placed, const Sector& sector) {
                                std::min(static_cast<std::size_t>(count), sector.profiles.size()));
 }
 
-// All strips and profiles of a sector. A batch goes through three steps: cut and projected (by
-// profile), clipped (by strip), laid out (by profile). Three batches are in work at once, one in
-// each step, so that there are always tasks of several kinds for the threads.
+// All strips and profiles of a sector. A batch goes through four steps: cut and projected (by
+// profile), clipped (by strip), laid out (by profile), shown in order. Four batches are in work at
+// once, one in each step, so that there are always tasks of several kinds for the threads.
 class StripsPass {
 public:
   StripsPass(const SectorInWork& work, const LayOut& lay_out)
@@ -90,24 +90,26 @@ public:
 
   void run(const Show& show, Counts& counts) {
     const std::size_t batch_count = (work_.sector.profiles.size() + size_ - 1) / size_;
-    for (std::size_t round = 0; round < batch_count + 2; ++round) {
-      auto &cutting = batches_[round % 3], &clipping = batches_[(round + 2) % 3],
-           &laying = batches_[(round + 1) % 3];
-      const std::size_t to_cut = in_batch(round), to_clip = round >= 1 ? in_batch(round - 1) : 0,
-                        to_lay = round >= 2 ? in_batch(round - 2) : 0;
+    for (std::size_t round = 0; round < batch_count + 3; ++round) {
+      const auto batch = [&](std::size_t step) -> auto& {
+        return batches_[(round + 4 - step) % 4];
+      };
+      const auto size = [&](std::size_t step) {
+        return round >= step ? in_batch(round - step) : 0;
+      };
+      const std::size_t to_cut = size(0), to_clip = size(1), to_lay = size(2), to_show = size(3);
       const std::size_t strip_tasks = to_clip > 0 ? strips_.size() : 0;
-      on_all_cores(strip_tasks + to_cut + to_lay, [&](std::size_t task) {
-        if (task < strip_tasks)
-          clip(clipping, to_clip, task);
-        else if (task < strip_tasks + to_cut)
-          stages_.cut(cutting[task - strip_tasks], round * size_ + task - strip_tasks);
+      // What has to be in order is one task.
+      on_all_cores(1 + strip_tasks + to_cut + to_lay, [&](std::size_t task) {
+        if (task == 0)
+          this->show(batch(3), to_show, show, counts);
+        else if (--task < strip_tasks)
+          clip(batch(1), to_clip, task);
+        else if ((task -= strip_tasks) < to_cut)
+          stages_.cut(batch(0)[task], round * size_ + task);
         else
-          stages_.lay_out(laying[task - strip_tasks - to_cut]);
+          stages_.lay_out(batch(2)[task - to_cut]);
       });
-      for (std::size_t i = 0; i < to_lay; ++i) {
-        count(laying[i].profile, counts);
-        show(laying[i].profile);
-      }
     }
     on_all_cores(strips_.size(), [&](std::size_t i) {
       Stopwatch watch;
@@ -131,6 +133,14 @@ private:
     return batch * size_ < all ? std::min(size_, all - batch * size_) : 0;
   }
 
+  static void show(std::vector<TimedProfile>& batch, std::size_t size, const Show& show,
+                   Counts& counts) {
+    for (std::size_t i = 0; i < size; ++i) {
+      count(batch[i].profile, counts);
+      show(batch[i].profile);
+    }
+  }
+
   void clip(std::vector<TimedProfile>& batch, std::size_t count, std::size_t number) {
     Stopwatch watch;
     StripPass& strip = *strips_[number];
@@ -148,7 +158,7 @@ private:
   std::vector<std::unique_ptr<StripPass>> strips_;
   std::vector<double> strip_seconds_;
   ProfileStages stages_;
-  std::array<std::vector<TimedProfile>, 3> batches_;
+  std::array<std::vector<TimedProfile>, 4> batches_;
 };
 
 } // namespace

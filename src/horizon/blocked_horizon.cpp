@@ -17,23 +17,30 @@ float lowest(const Horizon& pieces) {
   return low;
 }
 
-// Below all heights of a piece, whatever float rounds off.
-float low_of(const HorizonPiece& piece) {
-  if (is_sky(piece)) return -std::numeric_limits<float>::infinity();
+// Below a height, whatever float rounds off.
+float below(double height) {
   constexpr double kMost = std::numeric_limits<float>::max();
-  const double low =
-      std::min(height_at(piece.source, piece.x_begin), height_at(piece.source, piece.x_end));
-  return static_cast<float>(std::clamp(low - 2e-7 * std::abs(low) - 1e-40, -kMost, kMost));
+  return static_cast<float>(std::clamp(height - 2e-7 * std::abs(height) - 1e-40, -kMost, kMost));
 }
 
-// Makes pieces `first` to `past` - 1 so many.
+// Below all heights of a piece.
+float low_of(const HorizonPiece& piece) {
+  if (is_sky(piece)) return -std::numeric_limits<float>::infinity();
+  return below(
+      std::min(height_at(piece.source, piece.x_begin), height_at(piece.source, piece.x_end)));
+}
+
+// Makes pieces `first` to `past` - 1 so many; what those are is left open.
 void make_room(Horizon& pieces, std::size_t first, std::size_t past, std::size_t count) {
-  const auto behind = pieces.begin() + static_cast<std::ptrdiff_t>(past);
-  const std::size_t old = past - first;
-  if (count > old)
-    pieces.insert(behind, count - old, HorizonPiece{});
-  else
-    pieces.erase(behind - static_cast<std::ptrdiff_t>(old - count), behind);
+  const std::size_t old = past - first, before = pieces.size();
+  const auto at = [&](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };
+  if (count > old) {
+    for (std::size_t i = old; i < count; ++i) pieces.push_back(HorizonPiece{pieces.back()});
+    std::copy_backward(at(past), at(before), pieces.end());
+  } else if (count < old) {
+    std::copy(at(past), pieces.end(), at(first + count));
+    pieces.erase(pieces.end() - static_cast<std::ptrdiff_t>(old - count), pieces.end());
+  }
 }
 
 } // namespace
@@ -95,7 +102,38 @@ void BlockedHorizon::split_where_crowded() {
   blocks_per_x_ = per_x;
 }
 
-// `stand` tells how the occluder stands to a piece's source between two abscissae, exactly.
+// How an occluder stands to the pieces that it meets.
+struct BlockedHorizon::Stands {
+  const Segment& occluder;
+  Standing operator()(const HorizonPiece& piece) const { return stand(occluder, piece, {}); }
+  void see(double, double) const {}
+  Standing see(const HorizonPiece& piece, double, double) const { return (*this)(piece); }
+};
+
+// The same, and what of it is seen.
+struct BlockedHorizon::StandsSeen {
+  const Segment& occluder;
+  const TieTolerance& tolerance;
+  std::uint32_t line;
+  std::vector<VisibleLinePart>& visible;
+  bool& is_tied;
+
+  Standing operator()(const HorizonPiece& piece) const { return stand(occluder, piece, tolerance); }
+  // All between two abscissae.
+  void see(double x_begin, double x_end) const {
+    append(visible, line, parameter_at(occluder, x_begin), parameter_at(occluder, x_end));
+  }
+  // Of a piece; tells how it stands to it exactly.
+  Standing see(const HorizonPiece& piece, double x_begin, double x_end) const {
+    const Standing standing = (*this)(piece);
+    take_above(standing, occluder, piece, x_begin, x_end,
+               [&](double begin, double end) { append(visible, line, begin, end); });
+    if (standing.kind != Standing::Kind::tied) return standing;
+    is_tied = true;
+    return compare(occluder, piece.source, {});
+  }
+};
+
 template <class Stand>
 bool BlockedHorizon::raise_blocks(const HorizonPiece& occluder, double slack_y,
                                   const Stand& stand) {
@@ -108,25 +146,15 @@ bool BlockedHorizon::raise_blocks(const HorizonPiece& occluder, double slack_y,
 }
 
 bool BlockedHorizon::raise(const HorizonPiece& occluder) {
-  return raise_blocks(occluder, 0, [&](const HorizonPiece& piece, double, double) {
-    return is_sky(piece) ? Standing{Standing::Kind::above}
-                         : compare(occluder.source, piece.source, {});
-  });
+  return raise_blocks(occluder, 0, Stands{occluder.source});
 }
 
 BlockedHorizon::Raised BlockedHorizon::raise(const HorizonPiece& occluder,
                                              const TieTolerance& tolerance, std::uint32_t line,
                                              std::vector<VisibleLinePart>& visible) {
   Raised out;
-  const auto stand = [&](const HorizonPiece& piece, double x_begin, double x_end) {
-    const Standing standing =
-        take_above(occluder.source, piece, x_begin, x_end, tolerance,
-                   [&](double begin, double end) { append(visible, line, begin, end); });
-    if (standing.kind != Standing::Kind::tied) return standing;
-    out.is_tied = true;
-    return compare(occluder.source, piece.source, {});
-  };
-  out.rises = raise_blocks(occluder, tolerance.greatest_y, stand);
+  out.rises = raise_blocks(occluder, tolerance.greatest_y,
+                           StandsSeen{occluder.source, tolerance, line, visible, out.is_tied});
   return out;
 }
 
@@ -152,28 +180,90 @@ template <class Stand>
 bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occluder, double slack_y,
                                  const Stand& stand) {
   HorizonBlock& block = blocks_[number];
-  const Segment& source = occluder.source;
   const double begin = std::max(occluder.x_begin, block.x_begin);
   const double end = std::min(occluder.x_end, block.x_end);
   if (!(begin < end)) return false;
-  const double at_begin = height_at(source, begin), at_end = height_at(source, end);
+  const double at_begin = height_at(occluder.source, begin),
+               at_end = height_at(occluder.source, end);
   const double highest = std::max(at_begin, at_end);
   if (highest + slack_y < block.low) return false;
+  const Horizon& pieces = block.pieces;
+  Met met{begin, end, std::min(at_begin, at_end), 0, 0, std::numeric_limits<float>::infinity()};
+  while (pieces[met.first].x_end <= begin) ++met.first;
+  met.past = met.first;
+  constexpr auto only = [](Standing::Kind kind) { return 1U << static_cast<unsigned>(kind); };
+  unsigned kinds = 0;
+  do {
+    const HorizonPiece& piece = pieces[met.past];
+    kinds |= only(stand(piece).kind);
+    met.low = std::min(met.low, piece.low);
+    ++met.past;
+  } while (met.past < pieces.size() && pieces[met.past].x_begin < end);
+  // It is above all that it meets nearly four times in five.
+  if (kinds == only(Standing::Kind::below)) return false;
+  if (kinds == only(Standing::Kind::above)) {
+    stand.see(begin, end);
+    replace(number, occluder, met);
+  } else if (!raise_in_part(number, occluder, met, stand)) {
+    return false;
+  }
+  block.high = std::max(block.high, highest);
+  return true;
+}
+
+// All that an occluder meets, by it; what is left of the pieces at its ends stays.
+void BlockedHorizon::replace(std::size_t number, const HorizonPiece& occluder, const Met& met) {
+  const auto& [begin, end, lowest_new, first, past, low] = met;
+  HorizonBlock& block = blocks_[number];
   Horizon& pieces = block.pieces;
-  // Pieces first to past - 1 meet the occluder.
-  std::size_t first = 0;
-  while (pieces[first].x_end <= begin) ++first;
-  std::size_t past = first;
+  const HorizonPiece left = pieces[first], right = pieces[past - 1];
+  const std::size_t head = left.x_begin < begin ? 1 : 0, tail = end < right.x_end ? 1 : 0,
+                    count = head + 1 + tail;
+  // What collapses with the blocks beside it.
+  const bool at_ends = (first == 0 && head == 0) || (past == pieces.size() && tail == 0);
+  const std::size_t before = at_ends ? size_at(number) : pieces.size();
+  make_room(pieces, first, past, count);
+  HorizonPiece* at = &pieces[first];
+  float low_new = below(lowest_new);
+  const auto put = [&](const HorizonPiece& piece, double from, double to) {
+    *at = piece;
+    at->x_begin = from;
+    at->x_end = to;
+    at->low = low_of(*at);
+    low_new = std::min(low_new, at->low);
+    ++at;
+  };
+  if (head) put(left, left.x_begin, begin);
+  *at = occluder;
+  at->x_begin = begin;
+  at->x_end = end;
+  at->low = below(lowest_new);
+  ++at;
+  if (tail) put(right, end, right.x_end);
+  pieces_uncollapsed_ += head + (past - first) + tail;
+  pieces_collapsed_ += count + (first > 0 ? 1 : 0) + (first + count < pieces.size() ? 1 : 0);
+  size_ += (at_ends ? size_at(number) : pieces.size()) - before;
+  // The lowest piece is looked for only if it may be one of those that have gone.
+  block.low = low > block.low ? std::min<double>(block.low, low_new) : lowest(pieces);
+}
+
+// Where it is above some that it meets, or tied.
+template <class Stand>
+bool BlockedHorizon::raise_in_part(std::size_t number, const HorizonPiece& occluder, const Met& met,
+                                   const Stand& stand) {
+  HorizonBlock& block = blocks_[number];
+  Horizon& pieces = block.pieces;
+  auto [begin, end, lowest_new, first, past, low] = met;
   bool rises = false, all_rises = true;
   stretches_.clear();
-  for (; past < pieces.size() && pieces[past].x_begin < end; ++past) {
-    const HorizonPiece& piece = pieces[past];
+  for (std::size_t i = first; i < past; ++i) {
+    const HorizonPiece& piece = pieces[i];
     const double from = std::max(piece.x_begin, begin), to = std::min(piece.x_end, end);
-    const Standing standing = stand(piece, from, to);
+    const Standing standing = stand.see(piece, from, to);
     const auto add = [&](double x_begin, double x_end, bool above) {
       rises = rises || above;
       all_rises = all_rises && above;
-      stretches_.push_back({past, x_begin, x_end, above});
+      stretches_.push_back({i, x_begin, x_end, above});
     };
     using enum Standing::Kind;
     const bool falls = standing.kind == above_then_below;
@@ -187,51 +277,34 @@ bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
     }
   }
   if (!rises) return false;
+  if (all_rises) {
+    replace(number, occluder, met);
+    return true;
+  }
   const std::size_t before = size_at(number);
   const HorizonPiece left = pieces[first], right = pieces[past - 1];
-  if (all_rises) {
-    // Its place, and what is left of the pieces at its ends.
-    const std::size_t head = left.x_begin < begin ? 1 : 0, tail = end < right.x_end ? 1 : 0;
-    make_room(pieces, first, past, head + 1 + tail);
-    HorizonPiece* at = &pieces[first];
-    const auto put = [&](const HorizonPiece& piece, double from, double to) {
-      *at = piece;
-      at->x_begin = from;
-      at->x_end = to;
-      at->low = low_of(*at);
-      ++at;
-    };
-    if (head) put(left, left.x_begin, begin);
-    put(occluder, begin, end);
-    if (tail) put(right, end, right.x_end);
-    pieces_uncollapsed_ += head + (past - first) + tail;
-    pieces_collapsed_ +=
-        head + 1 + tail + (first > 0 ? 1 : 0) + (first + head + 1 + tail < pieces.size() ? 1 : 0);
-  } else {
-    // One more on either side may collapse with what is new.
-    next_.clear();
-    if (first > 0) next_.push_back(pieces[first - 1]);
-    const auto write = [&](const HorizonPiece& piece, double from, double to) {
-      if (!(from < to)) return;
-      ++pieces_uncollapsed_;
-      HorizonPiece part = piece;
-      part.x_begin = from;
-      part.x_end = to;
-      part.low = low_of(part);
-      append(next_, part, true);
-    };
-    write(left, left.x_begin, begin);
-    for (const auto& [piece, x_begin, x_end, above] : stretches_)
-      write(above ? occluder : pieces[piece], x_begin, x_end);
-    write(right, end, right.x_end);
-    if (past < pieces.size()) append(next_, pieces[past++], true);
-    if (first > 0) --first;
-    pieces_collapsed_ += next_.size();
-    make_room(pieces, first, past, next_.size());
-    std::copy(next_.begin(), next_.end(), pieces.begin() + static_cast<std::ptrdiff_t>(first));
-  }
+  // One more on either side may collapse with what is new.
+  next_.clear();
+  if (first > 0) next_.push_back(pieces[first - 1]);
+  const auto write = [&](const HorizonPiece& piece, double from, double to) {
+    if (!(from < to)) return;
+    ++pieces_uncollapsed_;
+    HorizonPiece part = piece;
+    part.x_begin = from;
+    part.x_end = to;
+    part.low = low_of(part);
+    append(next_, part, true);
+  };
+  write(left, left.x_begin, begin);
+  for (const auto& [piece, x_begin, x_end, above] : stretches_)
+    write(above ? occluder : pieces[piece], x_begin, x_end);
+  write(right, end, right.x_end);
+  if (past < pieces.size()) append(next_, pieces[past++], true);
+  if (first > 0) --first;
+  pieces_collapsed_ += next_.size();
+  make_room(pieces, first, past, next_.size());
+  std::copy(next_.begin(), next_.end(), pieces.begin() + static_cast<std::ptrdiff_t>(first));
   size_ += size_at(number) - before;
-  block.high = std::max(block.high, highest);
   block.low = lowest(pieces);
   return true;
 }

@@ -88,12 +88,25 @@ public:
   std::size_t pieces_collapsed() const { return pieces_collapsed_; }     ///< as kept, in all
 
 private:
+  struct Stands;
+  struct StandsSeen;
+  // Of a block: the part of an occluder in it, the pieces `first` to `past` - 1 that it meets, and
+  // the least bound of those.
+  struct Met {
+    double begin, end, lowest_new;
+    std::size_t first, past;
+    float low;
+  };
   void split_where_crowded();
   template <class Stand>
   bool raise_blocks(const HorizonPiece& occluder, double slack_y, const Stand& stand);
   template <class Stand>
   bool raise_block(std::size_t number, const HorizonPiece& occluder, double slack_y,
                    const Stand& stand);
+  void replace(std::size_t number, const HorizonPiece& occluder, const Met& met);
+  template <class Stand>
+  bool raise_in_part(std::size_t number, const HorizonPiece& occluder, const Met& met,
+                     const Stand& stand);
   std::size_t size_at(std::size_t number) const;
 
   double x_begin_, blocks_per_x_;

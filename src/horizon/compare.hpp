@@ -33,11 +33,21 @@ struct Standing {
   double t = 0; ///< the same along p, 0 at p's left end and 1 at its right end
 };
 
-/// Where abscissa x is along p: 0 at its left end and 1 at its right end, exactly.
+/// Where abscissa x is along p: 0 at its left end and before, and 1 at its right end and behind,
+/// exactly. A quotient of equal numbers is 1, and no branch is to be foreseen.
 inline double parameter_at(const Segment& p, double x) {
-  if (x <= p.x0) return 0;
-  if (x >= p.x1) return 1;
-  return (x - p.x0) / (p.x1 - p.x0);
+  return std::min(std::max(0.0, (x - p.x0) / (p.x1 - p.x0)), 1.0);
+}
+
+/// Of two whose difference changes its sign between two abscissae.
+inline Standing crossing(const Segment& p, double low, double high, double at_low, double at_high) {
+  using enum Standing::Kind;
+  // The parameter comes from the differences, not from the rounded x: on a steep segment one ulp of
+  // x is a long way (docs/how-it-works.md).
+  const double share = at_low / (at_low - at_high);
+  const double x = std::min(low + share * (high - low), high);
+  const double t_low = parameter_at(p, low), t_high = parameter_at(p, high);
+  return {at_low > 0 ? above_then_below : below_then_above, x, t_low + share * (t_high - t_low)};
 }
 
 /// REQUIRES that p and s share a range of X of positive length, and that s isn't the sky.
@@ -48,21 +58,15 @@ inline Standing compare(const Segment& p, const Segment& s, const TieTolerance& 
   const double at_low = height_difference(p, s, low), at_high = height_difference(p, s, high);
 
   const double greatest = std::max(std::abs(at_low), std::abs(at_high));
-  if (greatest == 0) return {tied};
   // In perspective the tolerance grows with the square of what the ends' differences grow with, so
   // each within its own end's may be far apart on paper between them.
-  if (greatest <= tolerance.greatest_y && greatest <= tolerance.at(low, height_at(p, low)) &&
-      greatest <= tolerance.at(high, height_at(p, high)))
+  if (greatest <= tolerance.greatest_y &&
+      (greatest == 0 || (greatest <= tolerance.at(low, height_at(p, low)) &&
+                         greatest <= tolerance.at(high, height_at(p, high)))))
     return {tied};
   if (at_low >= 0 && at_high >= 0) return {above};
   if (at_low <= 0 && at_high <= 0) return {below};
-
-  // The parameter comes from the differences, not from the rounded x: on a steep segment one ulp of
-  // x is a long way (docs/how-it-works.md).
-  const double share = at_low / (at_low - at_high);
-  const double x = std::min(low + share * (high - low), high);
-  const double t_low = parameter_at(p, low), t_high = parameter_at(p, high);
-  return {at_low > 0 ? above_then_below : below_then_above, x, t_low + share * (t_high - t_low)};
+  return crossing(p, low, high, at_low, at_high);
 }
 
 } // namespace orograph

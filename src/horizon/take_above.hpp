@@ -9,21 +9,24 @@
 
 namespace orograph {
 
-/// Calls take(begin, end) with what of p, between two abscissae that are within both, is above the
-/// piece, as shares of p's way from left to right; of a tie with it all, if no line is drawn there
-/// already. Tells how p stands to the piece.
+/// Calls take(begin, end) with what of p, which stands so to the piece's source, is above the piece
+/// between two abscissae that are within both, as shares of p's way from left to right; of a tie
+/// all, if no line is drawn there already.
 template <class Take>
-Standing take_above(const Segment& p, const HorizonPiece& piece, double x_begin, double x_end,
-                    const TieTolerance& tolerance, const Take& take) {
+void take_above(const Standing& standing, const Segment& p, const HorizonPiece& piece,
+                double x_begin, double x_end, const Take& take) {
   using enum Standing::Kind;
-  const Standing standing = is_sky(piece) ? Standing{above} : compare(p, piece.source, tolerance);
-  if (standing.kind == below || (standing.kind == tied && piece.inked)) return standing;
+  if (standing.kind == below || (standing.kind == tied && piece.inked)) return;
   const double begin = parameter_at(p, x_begin), end = parameter_at(p, x_end);
   const double t = std::clamp(standing.t, begin, end);
   if (standing.kind == above || standing.kind == tied) take(begin, end);
   if (standing.kind == above_then_below) take(begin, t);
   if (standing.kind == below_then_above) take(t, end);
-  return standing;
+}
+
+/// How p stands to a piece.
+inline Standing stand(const Segment& p, const HorizonPiece& piece, const TieTolerance& tolerance) {
+  return is_sky(piece) ? Standing{Standing::Kind::above} : compare(p, piece.source, tolerance);
 }
 
 } // namespace orograph

@@ -2,6 +2,7 @@
 #include "placing/cell_on_page.hpp"
 
 #include "dem/extent.hpp"
+#include "geometry/on_all_cores.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,17 +55,24 @@ double greatest_cell_mm(const PlacedView& placed, const Grid& grid) {
     return Vec3{dot(step, view.right), dot(step, view.forward), 0};
   };
   const Vec3 across = in_frame(steps.column_m), down = in_frame(steps.row_m);
-  double greatest = 0;
-  for (const Box3& box : placed.extent.blocks.boxes)
-    for (const double x : {box.low.x, box.high.x})
-      for (const double y : {box.low.y, box.high.y})
-        for (const double z : {box.low.z, box.high.z}) {
-          const ProfilePoint at = to_profile_frame(view, {x, y, z});
-          if (!is_on_page(placed, placed.on_page(at))) continue;
-          greatest =
-              std::max({greatest, placed.mm_per_step(at, across), placed.mm_per_step(at, down)});
-        }
-  return greatest;
+  const auto greatest_of = [&](const Box3& box) {
+    double greatest = 0;
+    for (int i = 0; i < 8; ++i) {
+      const ProfilePoint at = to_profile_frame(view, corner_of(box, i));
+      if (!is_on_page(placed, placed.on_page(at))) continue;
+      greatest = std::max({greatest, placed.mm_per_step(at, across), placed.mm_per_step(at, down)});
+    }
+    return greatest;
+  };
+  const std::vector<Box3>& boxes = placed.extent.blocks.boxes;
+  constexpr std::size_t kBoxesOfTask = 256;
+  std::vector<double> of_tasks((boxes.size() + kBoxesOfTask - 1) / kBoxesOfTask, 0.0);
+  on_all_cores(of_tasks.size(), [&](std::size_t task) {
+    const std::size_t end = std::min(boxes.size(), (task + 1) * kBoxesOfTask);
+    for (std::size_t i = task * kBoxesOfTask; i < end; ++i)
+      of_tasks[task] = std::max(of_tasks[task], greatest_of(boxes[i]));
+  });
+  return of_tasks.empty() ? 0 : std::ranges::max(of_tasks);
 }
 
 } // namespace orograph

@@ -53,8 +53,8 @@ struct Wedge {
 
   double greatest_y(const BlockedPoints& points) const {
     return greatest(
-               points, [&](Vec3 p) { return y_of(p); }, [&](const Box3& box) { return bound(box); },
-               {})
+               points, [&](Vec3 p) { return y_of(p); },
+               [&](const Box3& box, double) { return bound(box); }, {})
         .value;
   }
 };

@@ -123,7 +123,9 @@ private:
 double greatest_tangent(const BlockedPoints& points, const Panorama& panorama, const View& ahead) {
   const Altitude altitude{ahead,
                           panorama.width_deg < 360 ? radians(0.5 * panorama.width_deg) : kInfinity};
-  return greatest(points, altitude, [&](const Box3& box) { return altitude.bound(box); }, {}).value;
+  return greatest(points, altitude, [&](const Box3& box, double) { return altitude.bound(box); },
+                  {})
+      .value;
 }
 
 double tangent_at(const GroundAhead& column, const View& ahead, std::size_t i) {

@@ -124,11 +124,20 @@ TEST_CASE("a single valid vertex is the extent") {
   CHECK(extent.box.low == extent.box.high);
 }
 
-TEST_CASE("points of blocks reuse one buffer") {
-  const Grid grid = scattered_grid<float>(64, 64, 0);
+TEST_CASE("points of the last blocks are kept, others use their memory") {
+  const Grid grid = scattered_grid<float>(32 * 81, 32, 0);
   const SurfaceExtent extent = extent_of(grid);
+  REQUIRE(extent.blocks.boxes.size() == 81);
+  const auto is_of = [&](std::size_t block, std::span<const Vec3> points) {
+    Box3 box;
+    for (const Vec3& point : points) box.include(point);
+    return box.low == extent.blocks.boxes[block].low && box.high == extent.blocks.boxes[block].high;
+  };
   const Vec3* first = extent.blocks.points(0).data();
-  for (std::size_t i = 0; i < 4; ++i) CHECK(extent.blocks.points(i).data() == first);
+  CHECK(extent.blocks.points(0).data() == first);
+  for (std::size_t i = 0; i < 81; ++i) CHECK(is_of(i, extent.blocks.points(i)));
+  CHECK(extent.blocks.points(64).data() == first);
+  CHECK(is_of(0, extent.blocks.points(0)));
 }
 
 TEST_CASE("each block is in one group") {
