@@ -102,7 +102,7 @@ public:
       // What has to be in order is one task.
       on_all_cores(1 + strip_tasks + to_cut + to_lay, [&](std::size_t task) {
         if (task == 0)
-          this->show(batch(3), to_show, show, counts);
+          show_batch(batch(3), to_show, show, counts);
         else if (--task < strip_tasks)
           clip(batch(1), to_clip, task);
         else if ((task -= strip_tasks) < to_cut)
@@ -133,8 +133,8 @@ private:
     return batch * size_ < all ? std::min(size_, all - batch * size_) : 0;
   }
 
-  static void show(std::vector<TimedProfile>& batch, std::size_t size, const Show& show,
-                   Counts& counts) {
+  static void show_batch(std::vector<TimedProfile>& batch, std::size_t size, const Show& show,
+                         Counts& counts) {
     for (std::size_t i = 0; i < size; ++i) {
       count(batch[i].profile, counts);
       show(batch[i].profile);
