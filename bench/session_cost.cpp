@@ -5,7 +5,10 @@
 // with the stages that the drawing tells of. Freed memory is kept, as the command keeps it
 // (decision 66) and as a program that draws many maps had better do.
 //
-//   session_cost DEM [ROUNDS [JOBS]]     5 rounds, on all cores
+//   session_cost DEM [ROUNDS [JOBS [KIND]]]     5 rounds, on all cores (JOBS 0), all kinds
+//
+// KIND is default, plain or lines: what a view finds in memory depends on those drawn before it, so
+// that builds are best compared by one kind a process.
 #include "orograph.hpp"
 
 #include <malloc.h>
@@ -14,6 +17,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <vector>
 
 using namespace orograph;
@@ -51,7 +55,9 @@ void measure(const char* what, const Session& session, MapSpec spec, int rounds,
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) return std::fputs("usage: session_cost DEM [ROUNDS [JOBS]]\n", stderr), 2;
+  const std::string_view kind = argc > 4 ? argv[4] : "";
+  if (argc < 2 || (argc > 4 && kind != "default" && kind != "plain" && kind != "lines"))
+    return std::fputs("usage: session_cost DEM [ROUNDS [JOBS [default|plain|lines]]]\n", stderr), 2;
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
@@ -63,8 +69,11 @@ int main(int argc, char** argv) {
   plain.style.spread = Spread::planes;
   preview = plain;
   preview.style.layers = {"skyline", "silhouettes"};
-  measure("by default", session, by_default, rounds, control);
-  measure("without light and even tone", session, plain, rounds, control);
-  measure("skyline and silhouettes", session, preview, rounds, control);
+  const auto measure_if = [&](std::string_view asked, const char* what, const MapSpec& spec) {
+    if (kind.empty() || kind == asked) measure(what, session, spec, rounds, control);
+  };
+  measure_if("default", "by default", by_default);
+  measure_if("plain", "without light and even tone", plain);
+  measure_if("lines", "skyline and silhouettes", preview);
   return 0;
 }

@@ -64,22 +64,23 @@ public:
   void run(const Show& show, Counts& counts) {
     const std::uint32_t bands = (lattice_.order.place_count() + band_ - 1) / band_;
     // In round r band r is cut, r - 1 clipped, r - 2 laid out and r - 3 shown, which has to be in
-    // order and is one task.
+    // order and is one task, the first.
     for (std::uint32_t round = 0; round < bands + 2; ++round) {
       begin_profiles(round);
       end_profiles(round);
       const bool clips = round >= 1 && round <= bands;
-      const std::size_t strip_tasks = clips ? strips_.size() : 0;
+      const std::size_t first_cut = 1 + (clips ? strips_.size() : 0),
+                        first_lay = first_cut + cutting_.size();
       if (clips && lattice_.order.earth()) find_spans((round - 1) * band_);
-      on_all_cores(1 + strip_tasks + cutting_.size() + laying_.size(), [&](std::size_t task) {
+      on_all_cores(first_lay + laying_.size(), [&](std::size_t task) {
         if (task == 0)
           show_finished(show, counts);
-        else if (--task < strip_tasks)
-          clip(task, (round - 1) * band_);
-        else if ((task -= strip_tasks) < cutting_.size())
-          cut(cutting_[task]);
+        else if (task < first_cut)
+          clip(task - 1, (round - 1) * band_);
+        else if (task < first_lay)
+          cut(cutting_[task - first_cut]);
         else
-          stages_.lay_out(*slots_[laying_[task - cutting_.size()]]);
+          stages_.lay_out(*slots_[laying_[task - first_lay]]);
       });
       // Those that were cut come into work, by depth.
       for (const std::size_t index : cutting_) active_.push_back(&slots_[index]->profile);

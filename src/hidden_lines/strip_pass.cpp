@@ -98,17 +98,18 @@ public:
         return round >= step ? in_batch(round - step) : 0;
       };
       const std::size_t to_cut = size(0), to_clip = size(1), to_lay = size(2), to_show = size(3);
-      const std::size_t strip_tasks = to_clip > 0 ? strips_.size() : 0;
-      // What has to be in order is one task.
-      on_all_cores(1 + strip_tasks + to_cut + to_lay, [&](std::size_t task) {
+      // What has to be in order is one task, the first.
+      const std::size_t first_cut = 1 + (to_clip > 0 ? strips_.size() : 0),
+                        first_lay = first_cut + to_cut;
+      on_all_cores(first_lay + to_lay, [&](std::size_t task) {
         if (task == 0)
           show_batch(batch(3), to_show, show, counts);
-        else if (--task < strip_tasks)
-          clip(batch(1), to_clip, task);
-        else if ((task -= strip_tasks) < to_cut)
-          stages_.cut(batch(0)[task], round * size_ + task);
+        else if (task < first_cut)
+          clip(batch(1), to_clip, task - 1);
+        else if (task < first_lay)
+          stages_.cut(batch(0)[task - first_cut], round * size_ + task - first_cut);
         else
-          stages_.lay_out(batch(2)[task - to_cut]);
+          stages_.lay_out(batch(2)[task - first_lay]);
       });
     }
     on_all_cores(strips_.size(), [&](std::size_t i) {

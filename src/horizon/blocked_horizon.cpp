@@ -105,9 +105,9 @@ void BlockedHorizon::split_where_crowded() {
 // How an occluder stands to the pieces that it meets.
 struct BlockedHorizon::Stands {
   const Segment& occluder;
-  Standing operator()(const HorizonPiece& piece) const { return stand(occluder, piece, {}); }
-  void see(double, double) const {}
-  Standing see(const HorizonPiece& piece, double, double) const { return (*this)(piece); }
+  Standing operator()(const HorizonPiece& piece) const { return compare(occluder, piece, {}); }
+  void see_all(double, double) const {}
+  Standing see_of(const HorizonPiece& piece, double, double) const { return (*this)(piece); }
 };
 
 // The same, and what of it is seen.
@@ -118,13 +118,15 @@ struct BlockedHorizon::StandsSeen {
   std::vector<VisibleLinePart>& visible;
   bool& is_tied;
 
-  Standing operator()(const HorizonPiece& piece) const { return stand(occluder, piece, tolerance); }
-  // All between two abscissae.
-  void see(double x_begin, double x_end) const {
+  Standing operator()(const HorizonPiece& piece) const {
+    return compare(occluder, piece, tolerance);
+  }
+  // All between two abscissae is above what stands.
+  void see_all(double x_begin, double x_end) const {
     append(visible, line, parameter_at(occluder, x_begin), parameter_at(occluder, x_end));
   }
-  // Of a piece; tells how it stands to it exactly.
-  Standing see(const HorizonPiece& piece, double x_begin, double x_end) const {
+  // What is above a piece between two abscissae; tells how the occluder stands to it exactly.
+  Standing see_of(const HorizonPiece& piece, double x_begin, double x_end) const {
     const Standing standing = (*this)(piece);
     take_above(standing, occluder, piece, x_begin, x_end,
                [&](double begin, double end) { append(visible, line, begin, end); });
@@ -196,13 +198,13 @@ bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
   do {
     const HorizonPiece& piece = pieces[met.past];
     kinds |= only(stand(piece).kind);
-    met.low = std::min(met.low, piece.low);
+    met.low_of_met = std::min(met.low_of_met, piece.low);
     ++met.past;
   } while (met.past < pieces.size() && pieces[met.past].x_begin < end);
   // It is above all that it meets nearly four times in five.
   if (kinds == only(Standing::Kind::below)) return false;
   if (kinds == only(Standing::Kind::above)) {
-    stand.see(begin, end);
+    stand.see_all(begin, end);
     replace(number, occluder, met);
   } else if (!raise_in_part(number, occluder, met, stand)) {
     return false;
@@ -213,7 +215,7 @@ bool BlockedHorizon::raise_block(std::size_t number, const HorizonPiece& occlude
 
 // All that an occluder meets, by it; what is left of the pieces at its ends stays.
 void BlockedHorizon::replace(std::size_t number, const HorizonPiece& occluder, const Met& met) {
-  const auto& [begin, end, lowest_new, first, past, low] = met;
+  const auto& [begin, end, lowest_of_occluder, first, past, low_of_met] = met;
   HorizonBlock& block = blocks_[number];
   Horizon& pieces = block.pieces;
   const HorizonPiece left = pieces[first], right = pieces[past - 1];
@@ -224,7 +226,8 @@ void BlockedHorizon::replace(std::size_t number, const HorizonPiece& occluder, c
   const std::size_t before = at_ends ? size_at(number) : pieces.size();
   make_room(pieces, first, past, count);
   HorizonPiece* at = &pieces[first];
-  float low_new = below(lowest_new);
+  const float low_of_occluder = below(lowest_of_occluder);
+  float low_new = low_of_occluder;
   const auto put = [&](const HorizonPiece& piece, double from, double to) {
     *at = piece;
     at->x_begin = from;
@@ -237,14 +240,14 @@ void BlockedHorizon::replace(std::size_t number, const HorizonPiece& occluder, c
   *at = occluder;
   at->x_begin = begin;
   at->x_end = end;
-  at->low = below(lowest_new);
+  at->low = low_of_occluder;
   ++at;
   if (tail) put(right, end, right.x_end);
   pieces_uncollapsed_ += head + (past - first) + tail;
   pieces_collapsed_ += count + (first > 0 ? 1 : 0) + (first + count < pieces.size() ? 1 : 0);
   size_ += (at_ends ? size_at(number) : pieces.size()) - before;
   // The lowest piece is looked for only if it may be one of those that have gone.
-  block.low = low > block.low ? std::min<double>(block.low, low_new) : lowest(pieces);
+  block.low = low_of_met > block.low ? std::min<double>(block.low, low_new) : lowest(pieces);
 }
 
 // Where it is above some that it meets, or tied.
@@ -253,13 +256,13 @@ bool BlockedHorizon::raise_in_part(std::size_t number, const HorizonPiece& occlu
                                    const Stand& stand) {
   HorizonBlock& block = blocks_[number];
   Horizon& pieces = block.pieces;
-  auto [begin, end, lowest_new, first, past, low] = met;
+  auto [begin, end, lowest_of_occluder, first, past, low_of_met] = met;
   bool rises = false, all_rises = true;
   stretches_.clear();
   for (std::size_t i = first; i < past; ++i) {
     const HorizonPiece& piece = pieces[i];
     const double from = std::max(piece.x_begin, begin), to = std::min(piece.x_end, end);
-    const Standing standing = stand.see(piece, from, to);
+    const Standing standing = stand.see_of(piece, from, to);
     const auto add = [&](double x_begin, double x_end, bool above) {
       rises = rises || above;
       all_rises = all_rises && above;

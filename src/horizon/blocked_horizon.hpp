@@ -90,12 +90,12 @@ public:
 private:
   struct Stands;
   struct StandsSeen;
-  // Of a block: the part of an occluder in it, the pieces `first` to `past` - 1 that it meets, and
-  // the least bound of those.
+  // In a block: the part of an occluder and its lowest height, the pieces `first` to `past` - 1
+  // that it meets, and the least of their bounds.
   struct Met {
-    double begin, end, lowest_new;
+    double begin, end, lowest_of_occluder;
     std::size_t first, past;
-    float low;
+    float low_of_met;
   };
   void split_where_crowded();
   template <class Stand>

@@ -100,7 +100,7 @@ void above_horizon(const SurfaceLine& line, const AnyHorizon& horizon,
     const double begin = std::max(line.begin, piece->x_begin),
                  end = std::min(line.end, piece->x_end);
     if (begin < end)
-      take_above(stand(line.source, *piece, tolerance), line.source, *piece, begin, end,
+      take_above(compare(line.source, *piece, tolerance), line.source, *piece, begin, end,
                  [&](double t_begin, double t_end) {
                    take(Portion{t_begin, t_end});
                  });

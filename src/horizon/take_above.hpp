@@ -24,8 +24,9 @@ void take_above(const Standing& standing, const Segment& p, const HorizonPiece& 
   if (standing.kind == below_then_above) take(t, end);
 }
 
-/// How p stands to a piece.
-inline Standing stand(const Segment& p, const HorizonPiece& piece, const TieTolerance& tolerance) {
+/// As that with a piece's source; p is above the sky.
+inline Standing compare(const Segment& p, const HorizonPiece& piece,
+                        const TieTolerance& tolerance) {
   return is_sky(piece) ? Standing{Standing::Kind::above} : compare(p, piece.source, tolerance);
 }
 
